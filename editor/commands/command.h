@@ -1,0 +1,14 @@
+// The verbs of `lapfx`. Each has a file of its own here and adds itself to the command line; its callback does the work
+// and throws lapfx::Error when it cannot. main.cpp turns that into lines on stderr and an exit code.
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+namespace lapfx::commands {
+
+void add_render(CLI::App& app);
+void add_edit(CLI::App& app);
+void add_check(CLI::App& app);
+void add_inspect(CLI::App& app);
+
+}  // namespace lapfx::commands

@@ -1,0 +1,2 @@
+#include "commands/command.h"
+namespace lapfx::commands { void add_render(CLI::App&) {} }

@@ -1,0 +1,45 @@
+// lapfx: the editor and its headless commands. Exit codes: 0 done, 1 failed while running, 2 wrong usage or bad input,
+// 77 no usable OpenGL. Data goes to stdout, messages to stderr, one line per fault.
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "commands/command.h"
+#include "lapfx/error.h"
+
+namespace {
+
+int fail(int code, const std::string& line) {
+    std::cerr << "lapfx: " << line << '\n';
+    return code;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app{"Bleeding and surgical smoke for laparoscopic simulators: editor and headless commands.", "lapfx"};
+    app.set_version_flag("--version", LAPFX_VERSION);
+    app.require_subcommand(0, 1);
+    lapfx::commands::add_edit(app);
+    lapfx::commands::add_render(app);
+    lapfx::commands::add_inspect(app);
+    lapfx::commands::add_check(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& done) {  // --help, --version
+        return app.exit(done);
+    } catch (const CLI::ParseError& wrong) {
+        return fail(2, std::string(wrong.what()) + " (see lapfx --help)");
+    }
+    return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const lapfx::Error& error) {
+        for (const lapfx::Fault& fault : error.faults()) fail(0, fault.text());
+        return static_cast<int>(error.failure());
+    } catch (const std::exception& error) {
+        return fail(1, error.what());
+    }
+}

@@ -1,0 +1,49 @@
+// Errors of the effects core: what was wrong, in which file, at which place.
+//
+//     try { auto preset = lapfx::load_preset("ooze.json"); }
+//     catch (const lapfx::Error& error) {
+//         for (const auto& fault : error.faults()) std::cerr << "lapfx: " << fault.text() << '\n';
+//     }
+//
+// Loading and setting up throw; per-frame calls are noexcept. Anything that comes from outside (files, presets,
+// videos, the driver) is reported this way; a caller's mistake is an assert.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace lapfx {
+
+/// One thing that is wrong.
+struct Fault {
+    std::string file;    ///< path as the caller gave it, or empty
+    std::string place;   ///< where in the file: a JSON pointer, a line, an accessor; or empty
+    std::string reason;  ///< the value found and what is allowed, one line
+
+    /// "FILE: PLACE: REASON" without the parts that are empty; always a single line of printable text.
+    std::string text() const;
+};
+
+/// What kind of failure it is; the numbers are the exit codes of the `lapfx` program.
+enum class Failure {
+    runtime = 1,    ///< it failed while running: disk full, driver lost
+    bad_input = 2,  ///< wrong usage or input: the file has to change
+    no_gl = 77,     ///< no usable OpenGL on this machine
+};
+
+/// The one exception type of lapfx. what() holds all faults, a line each.
+class Error : public std::runtime_error {
+  public:
+    Error(Failure failure, std::vector<Fault> faults);
+    Error(Failure failure, Fault fault) : Error(failure, std::vector<Fault>{std::move(fault)}) {}
+
+    Failure failure() const noexcept { return failure_; }
+    const std::vector<Fault>& faults() const noexcept { return faults_; }
+
+  private:
+    Failure failure_;
+    std::vector<Fault> faults_;
+};
+
+}  // namespace lapfx

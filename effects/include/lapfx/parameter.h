@@ -1,0 +1,95 @@
+// The parameter table: one row per tunable value, and everything else is made from the rows: JSON reading and
+// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, editor rows, fit bounds, the reference page.
+//
+//     for (const lapfx::Parameter& row : lapfx::preset_table().find("bleeding")->rows)
+//         std::cout << row.key << ' ' << row.unit << '\n';
+//
+// A parameter is one member of a plain struct (preset.h, scene.h; its initialiser is the default) and one row in the
+// table of that struct (effects/<effect>/parameters.cpp). Tables are immutable and may be read from any thread.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+namespace lapfx {
+
+/// What a value is: its C++ type in the struct, and its JSON type.
+enum class Kind {
+    number,   ///< double; JSON number
+    integer,  ///< int; JSON integer
+    boolean,  ///< bool; JSON boolean
+    choice,   ///< an enum class over int; JSON string, one of `choices`
+    color,    ///< glm::dvec3, sRGB, each 0..1; JSON "#rrggbb" or [r, g, b]
+    vector,   ///< glm::dvec3, each within minimum..maximum; JSON [x, y, z]
+    text,     ///< std::string, UTF-8; JSON string
+    path,     ///< std::string, a file name; JSON string
+};
+
+/// How a slider runs and how a fit searches.
+enum class Scale { linear, logarithmic };
+
+/// A value on its own, for generic code (undo, fit, `--set`). A choice is an int: the index into `choices`.
+using Value = std::variant<double, int, bool, glm::dvec3, std::string>;
+
+/// One row: all that is known of one parameter.
+struct Parameter {
+    std::string_view key;   ///< JSON key, snake_case
+    std::string_view name;  ///< human name, as the UI shows it
+    Kind kind = Kind::number;
+    double minimum = 0;  ///< inclusive; number, integer, vector
+    double maximum = 0;  ///< inclusive
+    double step = 0;     ///< what one notch of a slider changes
+    std::string_view unit;
+    Scale scale = Scale::linear;
+    std::span<const std::string_view> choices;
+    std::string_view help;                 ///< one or two sentences, with the paper's term where there is one
+    void* (*member)(void* owner) = nullptr;  ///< address of the value inside its struct
+    bool required = false;                 ///< the key must be there: it has no sensible default
+
+    Value get(const void* owner) const;
+    /// The value must be of this row's type and within its range (assert); use check() first on outside values.
+    void set(void* owner, const Value& value) const;
+    /// Empty when `value` is allowed; else why not: "-3 is below the minimum 0 mm/s". NaN and infinity never are.
+    std::string check(const Value& value) const;
+};
+
+/// A struct of parameters: a JSON object, or (with `list`) an array of such objects.
+struct Table {
+    std::string_view key;   ///< JSON key in the parent, empty for the root
+    std::string_view name;  ///< human name
+    std::string_view help;
+    std::span<const Parameter> rows;
+    std::span<const Table> tables;           ///< nested objects, in the order they are written
+    void* (*member)(void* owner) = nullptr;  ///< address of the struct (or std::vector of it) in the parent's struct
+
+    struct List {
+        std::size_t (*size)(const void* list);
+        void* (*at)(void* list, std::size_t index);
+        void (*resize)(void* list, std::size_t size);
+        std::size_t maximum;  ///< most elements allowed
+    };
+    const List* list = nullptr;  ///< set when `member` is a std::vector
+
+    const Parameter* find_row(std::string_view row_key) const;
+    const Table* find(std::string_view table_key) const;
+};
+
+/// A parameter inside a document: where `bleeding.speed` or `smoke.clips.0.weight` leads to.
+struct Place {
+    const Parameter* row = nullptr;
+    void* owner = nullptr;
+    std::string pointer;  ///< JSON pointer, "/bleeding/speed"
+};
+
+/// Follows a key; '.' and '/' both separate, a leading '/' is allowed. Throws Error (bad_input) with the nearest known key.
+Place find_parameter(const Table& root, void* document, std::string_view key);
+
+/// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3".
+/// Throws Error (bad_input) and leaves the document as it was when the key is unknown or the value not allowed.
+void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
+
+}  // namespace lapfx

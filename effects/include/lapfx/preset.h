@@ -1,0 +1,132 @@
+// A preset: the tuned parameters of bleeding and smoke, as JSON. It is all that a simulator takes from the editor.
+//
+//     lapfx::Preset preset = lapfx::load_preset("presets/brisk_bleed.json");   // throws lapfx::Error, with every fault
+//     preset.bleeding.speed = 6.0;                                            // mm/s
+//     lapfx::save_preset(preset, "tuned.json");                               // written beside, then renamed
+//
+// Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit code values. Ranges and help: the rows in
+// effects/bleeding/parameters.cpp, effects/cautery/parameters.cpp and effects/smoke/parameters.cpp.
+// Plain data: copy freely; no thread of its own.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+#include <vector>
+
+#include "lapfx/parameter.h"
+
+namespace lapfx {
+
+/// Blood spreading over the organ (paper: "Simulation of bleeding"). Formulas: effects/bleeding/parameters.cpp.
+struct BleedingParameters {
+    double speed = 4.0;
+    double max_extent = 16.0;
+    double threshold = 0.3;
+    double noise_scale = 5.0;
+    double noise_strength = 2.5;
+    int noise_octaves = 3;
+    double gravity_bias = 0.35;
+    double pulse_rate = 0.0;
+    double pulse_strength = 0.0;
+    double coagulation_time = 1.5;
+    glm::dvec3 color_thin{0.60, 0.05, 0.05};
+    glm::dvec3 color_deep{0.30, 0.02, 0.03};
+    double deep_at = 5.0;
+    double opacity = 0.9;
+    double thickness = 0.6;
+    double gloss = 0.85;
+};
+
+/// Where the organ's texture shows vessels (paper: figure 9). Formulas: effects/bleeding/vessel_parameters.cpp.
+struct VesselParameters {};
+
+/// Heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator"). Formulas: effects/cautery/parameters.cpp.
+struct CauteryParameters {
+    double heat_rate = 220.0;
+    double cut_temperature = 180.0;
+    double coagulation_temperature = 60.0;
+    double char_temperature = 150.0;
+    double heat_spread = 2.2;
+    double maximum_temperature = 400.0;
+};
+
+enum class ClipRole { plume, haze };
+enum class ClipPolarity { light, dark };
+
+/// One smoke video and how it is used.
+struct SmokeClip {
+    std::string file;
+    ClipRole role = ClipRole::plume;
+    ClipPolarity polarity = ClipPolarity::light;
+    double weight = 1.0;
+    double speed = 1.0;
+};
+
+/// Smoke out of a clip's frame: luma and chroma thresholds, then noise on alpha (paper: figures 1 and 2).
+struct KeyingParameters {
+    double luma_low = 16.0;
+    double luma_high = 200.0;
+    glm::dvec3 key_color{0.0, 0.0, 0.0};
+    double chroma_low = 0.0;
+    double chroma_high = 0.0;
+    double spill = 0.0;
+    double noise_scale = 0.25;
+    double noise_strength = 0.35;
+    double noise_drift = 0.15;
+};
+
+/// Source smoke at the tool tip.
+struct PlumeParameters {
+    double size = 45.0;
+    double density = 1.0;
+    double rise = 6.0;
+    double growth = 0.25;
+    double fade_in = 0.3;
+    double fade_out = 1.2;
+    glm::dvec3 color{0.80, 0.82, 0.86};
+    glm::dvec3 extinction{0.85, 1.0, 1.1};
+};
+
+/// Environmental smoke over the whole view.
+struct HazeParameters {
+    double accumulation = 0.12;
+    double ventilation = 0.05;
+    double unevenness = 0.5;
+    glm::dvec3 color{0.52, 0.54, 0.60};
+    glm::dvec3 extinction{0.80, 1.0, 1.12};
+};
+
+struct SmokeParameters {
+    std::vector<SmokeClip> clips;
+    KeyingParameters keying;
+    PlumeParameters plume;
+    HazeParameters haze;
+};
+
+struct Preset {
+    std::string name;
+    std::string description;
+    BleedingParameters bleeding;
+    VesselParameters vessels;
+    CauteryParameters cautery;
+    SmokeParameters smoke;
+
+    std::filesystem::path folder;  ///< where it was loaded from; clips are looked up here first; not written
+};
+
+/// The root table of a preset document.
+const Table& preset_table();
+
+/// Reads and validates. `name` names the source in faults. Throws Error (bad_input) listing every fault at once.
+Preset parse_preset(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
+Preset load_preset(const std::filesystem::path& path);
+
+/// The JSON text: every key, in table order, two-space indent, final newline. write(parse(write(p))) == write(p).
+std::string write_preset(const Preset& preset);
+void save_preset(const Preset& preset, const std::filesystem::path& path);
+
+/// Draft-07 JSON Schema, from the table.
+std::string preset_schema();
+
+}  // namespace lapfx
