@@ -27,10 +27,7 @@ double share_above_zero(double a, double b, double c) {
 }  // namespace
 
 BleedField::BleedField(const organ::Surface& surface, glm::dvec3 down)
-    : surface_(surface),
-      down_(down),
-      surface_values_(surface.positions.size()),
-      values_(surface.weld.size()) {
+    : surface_(surface), down_(down), surface_values_(surface.positions.size()), values_(surface.weld.size()) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
@@ -128,8 +125,8 @@ double BleedField::area() const noexcept {
 }
 
 int BleedField::growing(double time) const noexcept {
-    return static_cast<int>(std::count_if(wounds_.begin(), wounds_.end(),
-                                          [&](const Wound& w) { return grows(w, parameters_, time); }));
+    return static_cast<int>(
+        std::count_if(wounds_.begin(), wounds_.end(), [&](const Wound& w) { return grows(w, parameters_, time); }));
 }
 
 }  // namespace lapfx::bleeding

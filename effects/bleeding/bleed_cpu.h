@@ -33,8 +33,8 @@ class BleedField {
     Dirty update(double time) noexcept;
 
     std::span<const float> values() const { return values_; }  ///< per organ vertex, mm
-    double area() const noexcept;             ///< mm2 of surface above the threshold, noise aside
-    int growing(double time) const noexcept;  ///< wounds that still grow
+    double area() const noexcept;                              ///< mm2 of surface above the threshold, noise aside
+    int growing(double time) const noexcept;                   ///< wounds that still grow
 
   private:
     struct Spread {

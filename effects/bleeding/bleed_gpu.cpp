@@ -18,9 +18,7 @@ constexpr GLuint block_binding = 1;
 }  // namespace
 
 BleedGpu::BleedGpu(std::size_t vertex_count, std::uint32_t seed)
-    : values_(std::span<const float>(std::vector<float>(vertex_count, 0.0f))),
-      block_(sizeof(Block)),
-      seed_(seed) {}
+    : values_(std::span<const float>(std::vector<float>(vertex_count, 0.0f))), block_(sizeof(Block)), seed_(seed) {}
 
 void BleedGpu::set(const BleedingParameters& b) const noexcept {
     const Block block{
@@ -28,15 +26,13 @@ void BleedGpu::set(const BleedingParameters& b) const noexcept {
         .thin = glm::vec4(gl::to_linear(glm::vec3(b.color_thin)), static_cast<float>(b.deep_at)),
         .deep = glm::vec4(gl::to_linear(glm::vec3(b.color_deep)), static_cast<float>(b.opacity)),
         // The shader's seed is a float that must hold it exactly.
-        .surface =
-            glm::vec4(glm::vec2(glm::dvec2(b.thickness, b.gloss)), static_cast<float>(seed_ & 0xffffu), 0.0f),
+        .surface = glm::vec4(glm::vec2(glm::dvec2(b.thickness, b.gloss)), static_cast<float>(seed_ & 0xffffu), 0.0f),
     };
     block_.update(0, sizeof block, &block);
 }
 
 void BleedGpu::send(std::span<const float> values, std::uint32_t begin, std::uint32_t end) const noexcept {
-    if (begin < end)
-        values_.update(begin * sizeof(float), (end - begin) * sizeof(float), values.data() + begin);
+    if (begin < end) values_.update(begin * sizeof(float), (end - begin) * sizeof(float), values.data() + begin);
 }
 
 void BleedGpu::bind() const noexcept {

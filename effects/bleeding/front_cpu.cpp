@@ -42,9 +42,7 @@ double unfold(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, dou
 class March {
   public:
     explicit March(const organ::Surface& surface)
-        : surface_(surface),
-          distance_(surface.positions.size(), unreached),
-          done_(surface.positions.size(), false) {}
+        : surface_(surface), distance_(surface.positions.size(), unreached), done_(surface.positions.size(), false) {}
 
     void offer(std::uint32_t vertex, double distance) {
         if (done_[vertex] || distance >= distance_[vertex]) return;
@@ -77,8 +75,8 @@ class March {
             if (done_[a] && done_[b])
                 offer(c, unfold(p[a], p[b], p[c], distance_[a], distance_[b]));
             else
-                offer(c, done_[a] ? distance_[a] + glm::distance(p[a], p[c])
-                                  : distance_[b] + glm::distance(p[b], p[c]));
+                offer(c,
+                      done_[a] ? distance_[a] + glm::distance(p[a], p[c]) : distance_[b] + glm::distance(p[b], p[c]));
         }
     }
 

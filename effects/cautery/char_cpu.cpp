@@ -9,8 +9,7 @@ namespace {
 double distance_to_path(const ToolContact& contact, glm::dvec3 point) {
     const glm::dvec3 path = contact.to - contact.position;
     const double squared = glm::dot(path, path);
-    const double share =
-        squared > 0.0 ? std::clamp(glm::dot(point - contact.position, path) / squared, 0.0, 1.0) : 0.0;
+    const double share = squared > 0.0 ? std::clamp(glm::dot(point - contact.position, path) / squared, 0.0, 1.0) : 0.0;
     return glm::distance(point, contact.position + share * path);
 }
 
@@ -47,8 +46,7 @@ bool CharField::update(double time) noexcept {
         for (const std::uint32_t v : heated.vertices) values_[v] = 0.0f;
     for (const Heated& heated : heated_)
         for (const std::uint32_t v : heated.vertices) {
-            const double peak =
-                peak_temperature(heated.contact, parameters_, glm::dvec3(positions_[v]), time);
+            const double peak = peak_temperature(heated.contact, parameters_, glm::dvec3(positions_[v]), time);
             values_[v] = std::max(values_[v], static_cast<float>(char_of(peak, parameters_)));
         }
     return true;

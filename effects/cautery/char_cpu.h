@@ -12,8 +12,7 @@ namespace lapfx::cautery {
 class CharField {
   public:
     /// Keeps a reference to `positions`, mm, per organ vertex.
-    explicit CharField(std::span<const glm::vec3> positions)
-        : positions_(positions), values_(positions.size()) {}
+    explicit CharField(std::span<const glm::vec3> positions) : positions_(positions), values_(positions.size()) {}
 
     void set(std::span<const ToolContact> contacts, const CauteryParameters& parameters);
     /// Values at `time`; false when none has changed.

@@ -9,8 +9,7 @@ namespace lapfx::cautery {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-constexpr double wound_spacing =
-    2.5;  // mm between the wounds of a cut line; below the width of any visible pool
+constexpr double wound_spacing = 2.5;  // mm between the wounds of a cut line; below the width of any visible pool
 
 double path_length(const ToolContact& contact) {
     return glm::distance(contact.position, contact.to);
@@ -77,10 +76,9 @@ double peak_temperature(const ToolContact& contact, const CauteryParameters& c, 
     const double arrived = contact.time + share * (contact.duration - dwell(contact));
     const double heated = std::clamp(time - arrived, 0.0, dwell(contact));
     if (heated <= 0.0) return body_temperature;
-    const double rise = std::min(c.heat_rate * contact.power * heated,
-                                 std::max(0.0, c.maximum_temperature - body_temperature));
-    const double r =
-        glm::distance(glm::mix(contact.position, contact.to, share), point) / heated_radius(heated, c);
+    const double rise =
+        std::min(c.heat_rate * contact.power * heated, std::max(0.0, c.maximum_temperature - body_temperature));
+    const double r = glm::distance(glm::mix(contact.position, contact.to, share), point) / heated_radius(heated, c);
     return body_temperature + rise * std::exp(-r * r);
 }
 

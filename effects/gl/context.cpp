@@ -16,8 +16,8 @@ void load_functions(Context::GetProcAddress get_proc_address, const std::string&
     const int version = gladLoadGL(get_proc_address);
     if (version < GLAD_MAKE_VERSION(4, 5)) {
         const std::string found = version == 0 ? std::string("no OpenGL functions")
-                                               : "OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) +
-                                                     "." + std::to_string(GLAD_VERSION_MINOR(version));
+                                               : "OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
+                                                     std::to_string(GLAD_VERSION_MINOR(version));
         throw no_gl(backend + " gives " + found + "; 4.5 core is needed");
     }
 }
@@ -71,9 +71,8 @@ Backend parse_backend(const std::string& word) {
     if (word == "auto") return Backend::automatic;
     if (word == "egl") return Backend::egl;
     if (word == "osmesa") return Backend::osmesa;
-    throw Error(Failure::bad_input, Fault{.file = "",
-                                          .place = "--backend",
-                                          .reason = "\"" + word + "\" is not one of egl, osmesa, auto"});
+    throw Error(Failure::bad_input,
+                Fault{.file = "", .place = "--backend", .reason = "\"" + word + "\" is not one of egl, osmesa, auto"});
 }
 
 }  // namespace lapfx

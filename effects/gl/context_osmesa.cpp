@@ -12,9 +12,9 @@ namespace lapfx::gl {
 namespace {
 
 // The few declarations of GL/osmesa.h that we use (Mesa 3-D graphics library, OSMesa interface 11.2).
-constexpr int osmesa_format = 0x22, osmesa_depth_bits = 0x30, osmesa_profile = 0x33,
-              osmesa_core_profile = 0x34, osmesa_major_version = 0x36, osmesa_minor_version = 0x37,
-              format_rgba = 0x1908, type_unsigned_byte = 0x1401;
+constexpr int osmesa_format = 0x22, osmesa_depth_bits = 0x30, osmesa_profile = 0x33, osmesa_core_profile = 0x34,
+              osmesa_major_version = 0x36, osmesa_minor_version = 0x37, format_rgba = 0x1908,
+              type_unsigned_byte = 0x1401;
 using OSMesaContext = void*;
 using CreateContextAttribs = OSMesaContext (*)(const int* attributes, OSMesaContext share);
 using MakeCurrent = unsigned char (*)(OSMesaContext, void* buffer, unsigned type, int width, int height);
@@ -25,8 +25,7 @@ struct OsmesaOwner : Context::Owner {
     OSMesaContext context = nullptr;
     DestroyContext destroy = nullptr;
     Context::GetProcAddress get = nullptr;
-    std::array<std::uint8_t, 16 * 16 * 4>
-        pixels{};  // a default framebuffer is demanded; we draw into our own
+    std::array<std::uint8_t, 16 * 16 * 4> pixels{};  // a default framebuffer is demanded; we draw into our own
 
     ~OsmesaOwner() override {
         // The library stays open: Mesa registers thread-exit handlers that would point into unmapped code.
@@ -46,8 +45,7 @@ std::unique_ptr<Context::Owner> make_osmesa(std::string& reason) {
         reason = "libOSMesa.so.8 is not installed";
         return nullptr;
     }
-    const auto create =
-        reinterpret_cast<CreateContextAttribs>(dlsym(owner->library, "OSMesaCreateContextAttribs"));
+    const auto create = reinterpret_cast<CreateContextAttribs>(dlsym(owner->library, "OSMesaCreateContextAttribs"));
     const auto make_current = reinterpret_cast<MakeCurrent>(dlsym(owner->library, "OSMesaMakeCurrent"));
     owner->destroy = reinterpret_cast<DestroyContext>(dlsym(owner->library, "OSMesaDestroyContext"));
     owner->get = reinterpret_cast<Context::GetProcAddress>(dlsym(owner->library, "OSMesaGetProcAddress"));

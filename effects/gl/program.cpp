@@ -34,8 +34,7 @@ Error shader_error(const std::string& name, const std::string& log) {
     std::size_t begin = 0;
     while (begin < log.size()) {
         const std::size_t end = std::min(log.find('\n', begin), log.size());
-        if (end > begin)
-            faults.push_back({.file = "", .place = "", .reason = log.substr(begin, end - begin)});
+        if (end > begin) faults.push_back({.file = "", .place = "", .reason = log.substr(begin, end - begin)});
         begin = end + 1;
     }
     return {Failure::runtime, std::move(faults)};
@@ -50,8 +49,7 @@ Shader compile(GLenum stage, const std::string& name) {
     GLint done = 0;
     glGetShaderiv(shader.get(), GL_COMPILE_STATUS, &done);
     if (done == GL_FALSE)
-        throw shader_error(name,
-                           readable_log(source, read_log(shader.get(), glGetShaderiv, glGetShaderInfoLog)));
+        throw shader_error(name, readable_log(source, read_log(shader.get(), glGetShaderiv, glGetShaderInfoLog)));
     return shader;
 }
 

@@ -55,8 +55,7 @@ void append(ShaderSource& source, const std::string& name, const std::string& fr
             source.text += line + "\n";
             continue;
         }
-        const bool known =
-            std::find(source.files.begin(), source.files.end(), included) != source.files.end();
+        const bool known = std::find(source.files.begin(), source.files.end(), included) != source.files.end();
         if (!known) append(source, included, name);
         source.text += "#line " + std::to_string(count + 1) + " " + std::to_string(number) + "\n";
     }
@@ -105,11 +104,9 @@ std::string readable_log(const ShaderSource& source, const std::string& log) {
         }
         const std::size_t file = std::stoul(match[1]);
         const int number = std::stoi(match[2]);
-        out += source.files[file] + ":" + match[2].str() +
-               line.substr(static_cast<std::size_t>(match.length())) + "\n";
+        out += source.files[file] + ":" + match[2].str() + line.substr(static_cast<std::size_t>(match.length())) + "\n";
         for (int n = std::max(1, number - 2); n <= number + 2; ++n)
-            out += (n == number ? "  > " : "    ") + std::to_string(n) + " | " +
-                   source_line(source, file, n) + "\n";
+            out += (n == number ? "  > " : "    ") + std::to_string(n) + " | " + source_line(source, file, n) + "\n";
     }
     return out;
 }

@@ -23,8 +23,7 @@ struct ExactHash {
 
 /// Closest point of a triangle, by the region of its plane the point projects to (C. Ericson, "Real-Time
 /// Collision Detection", 2005, section 5.1.5).
-glm::dvec3 closest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                               const glm::dvec3& c) {
+glm::dvec3 closest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
     const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
     if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
@@ -64,8 +63,7 @@ double enters_box(const glm::dvec3& origin, const glm::dvec3& inverse, const glm
     double near = 0.0, far = std::numeric_limits<double>::infinity();
     for (int i = 0; i < 3; ++i) {
         const double t0 = (minimum[i] - origin[i]) * inverse[i], t1 = (maximum[i] - origin[i]) * inverse[i];
-        near = std::max(near,
-                        std::fmin(t0, t1));  // fmin drops the NaN of 0 * infinity: the ray lies in that slab
+        near = std::max(near, std::fmin(t0, t1));  // fmin drops the NaN of 0 * infinity: the ray lies in that slab
         far = std::min(far, std::fmax(t0, t1));
     }
     return near <= far ? near : std::numeric_limits<double>::infinity();
@@ -116,22 +114,19 @@ void Surface::build_nodes() {
     if (triangles.empty()) return;
     std::vector<glm::dvec3> centers(triangles.size());
     for (std::size_t t = 0; t < triangles.size(); ++t)
-        centers[t] =
-            (positions[triangles[t].x] + positions[triangles[t].y] + positions[triangles[t].z]) / 3.0;
+        centers[t] = (positions[triangles[t].x] + positions[triangles[t].y] + positions[triangles[t].z]) / 3.0;
     order_.resize(triangles.size());
     std::iota(order_.begin(), order_.end(), 0u);
-    nodes_.push_back(
-        {.minimum = {}, .maximum = {}, .first = 0, .count = static_cast<std::uint32_t>(order_.size())});
+    nodes_.push_back({.minimum = {}, .maximum = {}, .first = 0, .count = static_cast<std::uint32_t>(order_.size())});
     fit(nodes_[0]);
     for (std::size_t n = 0; n < nodes_.size(); ++n) {
         if (nodes_[n].count <= leaf_size) continue;
         const std::uint32_t first = nodes_[n].first, count = nodes_[n].count, half = count / 2;
         const glm::dvec3 size = nodes_[n].maximum - nodes_[n].minimum;
         const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        std::nth_element(order_.begin() + first, order_.begin() + first + half,
-                         order_.begin() + first + count, [&](std::uint32_t a, std::uint32_t b) {
-                             return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis]
-                                                                         : a < b;
+        std::nth_element(order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
+                         [&](std::uint32_t a, std::uint32_t b) {
+                             return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
                          });
         const auto children = static_cast<std::uint32_t>(nodes_.size());
         Node left{.minimum = {}, .maximum = {}, .first = first, .count = half};
@@ -166,10 +161,8 @@ ClosestPoint Surface::closest_point(glm::dvec3 point) const {
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
             const glm::uvec3 t = triangles[order_[i]];
-            const glm::dvec3 weights =
-                closest_barycentric(point, positions[t.x], positions[t.y], positions[t.z]);
-            const glm::dvec3 at =
-                weights.x * positions[t.x] + weights.y * positions[t.y] + weights.z * positions[t.z];
+            const glm::dvec3 weights = closest_barycentric(point, positions[t.x], positions[t.y], positions[t.z]);
+            const glm::dvec3 at = weights.x * positions[t.x] + weights.y * positions[t.y] + weights.z * positions[t.z];
             const double squared = glm::dot(at - point, at - point);
             if (squared > best_squared || (squared == best_squared && order_[i] >= best.triangle)) continue;
             best_squared = squared;

@@ -27,8 +27,7 @@ class Surface {
 
     std::vector<std::uint32_t> weld;    ///< surface vertex of each organ vertex
     std::vector<glm::dvec3> positions;  ///< mm, per surface vertex
-    std::vector<glm::uvec3>
-        triangles;  ///< surface vertices, in the organ's order; those that collapse are left out
+    std::vector<glm::uvec3> triangles;  ///< surface vertices, in the organ's order; those that collapse are left out
 
     std::span<const std::uint32_t> triangles_of(std::uint32_t vertex) const {
         return {around_.data() + first_around_[vertex], around_.data() + first_around_[vertex + 1]};

@@ -39,8 +39,7 @@ void refuse_playlist(const fs::path& path) {
 
 }  // namespace
 
-fs::path find_clip(const std::string& file, const fs::path& preset_folder,
-                   std::span<const fs::path> search_path) {
+fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::span<const fs::path> search_path) {
     std::string looked_in;
     const auto try_folder = [&](const fs::path& folder) {
         looked_in += (looked_in.empty() ? "" : ", ") + (folder.empty() ? fs::path(".") : folder).string();
@@ -66,8 +65,7 @@ cv::VideoCapture open_clip(const fs::path& path) {
     } catch (const cv::Exception&) {  // told below, like any other file that is no video
     }
     if (!open) throw bad_clip(path, "is not a video that can be decoded");
-    const double width = capture.get(cv::CAP_PROP_FRAME_WIDTH),
-                 height = capture.get(cv::CAP_PROP_FRAME_HEIGHT);
+    const double width = capture.get(cv::CAP_PROP_FRAME_WIDTH), height = capture.get(cv::CAP_PROP_FRAME_HEIGHT);
     if (!(width >= 1 && height >= 1)) throw bad_clip(path, "holds no picture");
     if (width > maximum_side || height > maximum_side)
         throw bad_clip(path, "is " + std::to_string(static_cast<int>(width)) + "x" +

@@ -65,8 +65,7 @@ void ClipStream::work() {
 }
 
 ClipStream::Slot* ClipStream::find_slot(int index) {
-    const auto found =
-        std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; });
+    const auto found = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; });
     return found == slots_.end() ? nullptr : &*found;
 }
 
@@ -81,8 +80,7 @@ int ClipStream::next_missing() const {
     const int span = std::min(static_cast<int>(slots_.size()), info_.frame_count);
     for (int ahead = 0; ahead < span; ++ahead) {
         const int index = (current_ + ahead) % info_.frame_count;
-        if (std::none_of(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; }))
-            return index;
+        if (std::none_of(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; })) return index;
     }
     return -1;
 }

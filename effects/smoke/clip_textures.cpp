@@ -4,10 +4,8 @@ namespace lapfx::smoke {
 
 ClipTextures::ClipTextures(const std::filesystem::path& path, int buffers) : stream_(path, buffers) {
     const cv::Size size = stream_.info().size;
-    for (Sent& sent : sent_)
-        sent.texture = gl::Texture({.size = {size.width, size.height}, .format = GL_RGB8});
-    const cv::Mat black =
-        cv::Mat::zeros(size, CV_8UC3);  // shown under Policy::latest until the first frame is there
+    for (Sent& sent : sent_) sent.texture = gl::Texture({.size = {size.width, size.height}, .format = GL_RGB8});
+    const cv::Mat black = cv::Mat::zeros(size, CV_8UC3);  // shown under Policy::latest until the first frame is there
     for (const Sent& sent : sent_) sent.texture.upload(GL_BGR, black.data);
 }
 

@@ -36,9 +36,9 @@ inline float ramp(float value, float low, float high) {
 inline float key_alpha(glm::vec3 code, const Keying& key) {
     const float y = luma(code);
     const float luma_alpha = ramp(key.dark > 0.5f ? 255.0f - y : y, key.luma_low, key.luma_high);
-    const float chroma_alpha = key.chroma_high > 0.0f ? ramp(glm::distance(chroma(code), key.key_chroma),
-                                                             key.chroma_low, key.chroma_high)
-                                                      : 1.0f;
+    const float chroma_alpha = key.chroma_high > 0.0f
+                                   ? ramp(glm::distance(chroma(code), key.key_chroma), key.chroma_low, key.chroma_high)
+                                   : 1.0f;
     return luma_alpha * chroma_alpha;
 }
 

@@ -13,8 +13,7 @@ double fade(double from, double to, double time) {
 
 }  // namespace
 
-PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up,
-                       double time) noexcept {
+PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept {
     PlumeState state;
     if (!contact.hot() || time < contact.time || time > contact.end() + plume.fade_out) return state;
     const double after = std::max(0.0, time - contact.end());

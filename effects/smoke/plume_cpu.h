@@ -16,7 +16,6 @@ struct PlumeState {
 
 /// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows
 /// and fades.
-PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up,
-                       double time) noexcept;
+PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept;
 
 }  // namespace lapfx::smoke

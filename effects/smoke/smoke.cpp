@@ -28,15 +28,12 @@ glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
 
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
     const auto& wanted = preset.smoke.clips;
-    const int buffers =
-        std::clamp(max_textures / std::max(1, static_cast<int>(wanted.size())), 2, most_buffers);
+    const int buffers = std::clamp(max_textures / std::max(1, static_cast<int>(wanted.size())), 2, most_buffers);
     std::vector<Clip> clips;
     for (const SmokeClip& clip : wanted) {
         const auto path = find_clip(clip.file, preset.folder, search_path);
-        const auto same =
-            std::find_if(clips_.begin(), clips_.end(), [&](const Clip& c) { return c.path == path; });
-        clips.push_back(
-            {path, same != clips_.end() ? same->textures : std::make_shared<ClipTextures>(path, buffers)});
+        const auto same = std::find_if(clips_.begin(), clips_.end(), [&](const Clip& c) { return c.path == path; });
+        clips.push_back({path, same != clips_.end() ? same->textures : std::make_shared<ClipTextures>(path, buffers)});
     }
     clips_ = std::move(clips);
     parameters_ = preset.smoke;
@@ -58,8 +55,7 @@ const gl::Texture& Smoke::frame_at(std::size_t clip, double time, Policy policy)
     return textures.frame(std::clamp(static_cast<int>(looped), 0, count - 1), policy);
 }
 
-void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene_depth,
-                 Policy policy) noexcept {
+void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept {
     gpu_.begin(scene_depth);
     double haze_weight = 0.0;
     for (const SmokeClip& clip : parameters_.clips)
@@ -72,8 +68,7 @@ void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene
             draw_haze(i, time, parameters_.clips[i].weight / haze_weight, policy);
 }
 
-void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time,
-                       Policy policy) noexcept {
+void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
         const PlumeState state = plume_state(contacts_[i], parameters_.plume, up, time);

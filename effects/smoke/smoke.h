@@ -39,8 +39,7 @@ class Smoke {
         std::shared_ptr<ClipTextures> textures;
     };
     const gl::Texture& frame_at(std::size_t clip, double time, Policy policy) noexcept;
-    void draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time,
-                    Policy policy) noexcept;
+    void draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept;
     void draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept;
 
     std::uint32_t seed_;

@@ -22,8 +22,8 @@ Block fill(const Layer& layer, const KeyingParameters& k) {
     // The shader's seed is a float that must hold it exactly: 16 bits are plenty.
     block.vary = glm::vec4(glm::vec3(glm::dvec3(k.noise_scale, k.noise_strength, k.noise_drift)),
                            static_cast<float>(layer.seed & 0xffffu));
-    block.color = glm::vec4(gl::to_linear(glm::vec3(layer.color)),
-                            layer.clip->polarity == ClipPolarity::dark ? 1.0f : 0.0f);
+    block.color =
+        glm::vec4(gl::to_linear(glm::vec3(layer.color)), layer.clip->polarity == ClipPolarity::dark ? 1.0f : 0.0f);
     block.extinction = glm::vec4(glm::vec3(layer.extinction), static_cast<float>(layer.density));
     block.clip = glm::vec4(static_cast<float>(size.x) / static_cast<float>(size.y), mirrored ? -1.0f : 1.0f,
                            static_cast<float>(layer.time), static_cast<float>(layer.soft_distance));
@@ -36,8 +36,7 @@ SmokeGpu::SmokeGpu()
     : plume_("plume.vert", "plume.frag"), haze_("fullscreen.vert", "haze.frag"), block_(sizeof(Block)) {}
 
 void SmokeGpu::begin(GLuint scene_depth) const noexcept {
-    glDisable(
-        GL_DEPTH_TEST);  // the shaders read the scene's depth instead: soft, and it hides what lies behind
+    glDisable(GL_DEPTH_TEST);  // the shaders read the scene's depth instead: soft, and it hides what lies behind
     glDisable(GL_CULL_FACE);
     glEnable(GL_BLEND);
     glBlendEquation(GL_FUNC_ADD);
@@ -62,8 +61,7 @@ void SmokeGpu::plume(const Layer& layer, const KeyingParameters& keying, glm::ve
     const float source_x = static_cast<float>(layer.clip->source_x);
     plume_.set("u_anchor", anchor);
     plume_.set("u_extent", glm::vec2(height * aspect, height));
-    plume_.set("u_source",
-               glm::vec2(mirrored ? 1.0f - source_x : source_x, static_cast<float>(layer.clip->source_y)));
+    plume_.set("u_source", glm::vec2(mirrored ? 1.0f - source_x : source_x, static_cast<float>(layer.clip->source_y)));
     plume_.set("u_up", up);
     plume_.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);

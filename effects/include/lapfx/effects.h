@@ -33,7 +33,7 @@ namespace lapfx {
 
 /// The endoscope's lamp, at the camera.
 struct Lamp {
-    double intensity = 1.0;  ///< a white surface that faces the lamp at the focus distance is lit to this
+    double intensity = 1.0;         ///< a white surface that faces the lamp at the focus distance is lit to this
     double focus_distance = 100.0;  ///< mm
     double beam_angle = 75.0;       ///< degrees; whole angle within which the light is above half
     double ambient = 0.02;          ///< light from all around, as a share of the lamp's
@@ -48,11 +48,10 @@ struct View {
 };
 
 struct EffectsOptions {
-    std::uint32_t seed = 1;              ///< all chance comes from it
-    glm::dvec3 gravity{0.0, -1.0, 0.0};  ///< direction in organ space; blood runs down, smoke rises
+    std::uint32_t seed = 1;                           ///< all chance comes from it
+    glm::dvec3 gravity{0.0, -1.0, 0.0};               ///< direction in organ space; blood runs down, smoke rises
     std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
-    bool wait_for_clips =
-        false;  ///< true: exact frames, for offline rendering; false: never wait, repeat the last
+    bool wait_for_clips = false;  ///< true: exact frames, for offline rendering; false: never wait, repeat the last
 };
 
 /// Amounts at the current time, without reading back from the GPU.

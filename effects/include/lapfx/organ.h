@@ -44,14 +44,14 @@ struct Part {
 
 struct Organ {
     std::string name;
-    std::vector<glm::vec3> positions;   ///< mm
-    std::vector<glm::vec3> normals;     ///< unit
-    std::vector<glm::vec4> tangents;    ///< unit xyz, w = +1 or -1: bitangent = w * cross(normal, tangent)
-    std::vector<glm::vec2> uvs;         ///< origin top left, as in glTF
-    std::vector<glm::vec4> colors;      ///< linear RGBA, white where the file has none
-    std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
-    std::vector<Part> parts;            ///< cover all indices, in order
-    std::vector<Material> materials;    ///< at least one
+    std::vector<glm::vec3> positions;    ///< mm
+    std::vector<glm::vec3> normals;      ///< unit
+    std::vector<glm::vec4> tangents;     ///< unit xyz, w = +1 or -1: bitangent = w * cross(normal, tangent)
+    std::vector<glm::vec2> uvs;          ///< origin top left, as in glTF
+    std::vector<glm::vec4> colors;       ///< linear RGBA, white where the file has none
+    std::vector<std::uint32_t> indices;  ///< three per triangle, counter-clockwise from outside
+    std::vector<Part> parts;             ///< cover all indices, in order
+    std::vector<Material> materials;     ///< at least one
     std::vector<Image> images;
     std::vector<std::string> warnings;  ///< what was mended or left out, a line each
     bool has_uvs = false;               ///< the file had texture coordinates (else they were made)
@@ -61,8 +61,8 @@ struct Organ {
 };
 
 struct OrganOptions {
-    double scale = 0.0;         ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
-    glm::dvec3 rotation{0.0};   ///< degrees about x, then y, then z, applied after the scale
+    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
+    glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z, applied after the scale
 };
 
 /// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an extension we
