@@ -1,4 +1,4 @@
-#include "preset/file.h"
+#include "lapfx/file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -10,7 +10,7 @@
 
 #include "lapfx/error.h"
 
-namespace lapfx::preset {
+namespace lapfx {
 
 namespace {
 
@@ -129,4 +129,4 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
         ::fsync(opened.get());
 }
 
-}  // namespace lapfx::preset
+}  // namespace lapfx

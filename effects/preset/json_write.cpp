@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "lapfx/error.h"
+#include "lapfx/file.h"
 #include "preset/colors.h"
 #include "preset/document.h"
-#include "preset/file.h"
 #include "preset/text.h"
 
 namespace lapfx::preset {

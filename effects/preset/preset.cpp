@@ -1,7 +1,7 @@
 #include "lapfx/preset.h"
 
+#include "lapfx/file.h"
 #include "preset/document.h"
-#include "preset/file.h"
 #include "preset/tables.h"
 #include "preset/text.h"
 
@@ -49,7 +49,7 @@ Preset parse_preset(std::string_view json, const std::string& name, const std::f
 }
 
 Preset load_preset(const std::filesystem::path& path) {
-    return parse_preset(preset::read_file(path, preset::longest_document), path.string(), path.parent_path());
+    return parse_preset(read_file(path, preset::longest_document), path.string(), path.parent_path());
 }
 
 std::string write_preset(const Preset& preset) {

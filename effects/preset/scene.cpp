@@ -1,8 +1,8 @@
 // The rows of a scene. A scene is for previews only, so the ranges are wide: they catch slips, not taste.
 #include "lapfx/scene.h"
 
+#include "lapfx/file.h"
 #include "preset/document.h"
-#include "preset/file.h"
 #include "preset/tables.h"
 #include "preset/text.h"
 
@@ -149,7 +149,7 @@ Scene parse_scene(std::string_view json, const std::string& name, const std::fil
 }
 
 Scene load_scene(const std::filesystem::path& path) {
-    return parse_scene(preset::read_file(path, preset::longest_document), path.string(), path.parent_path());
+    return parse_scene(read_file(path, preset::longest_document), path.string(), path.parent_path());
 }
 
 std::string write_scene(const Scene& scene) {
@@ -167,7 +167,7 @@ std::string scene_schema() {
 
 CheckedDocument check_document(const std::filesystem::path& path) {
     const std::string name = path.string();
-    const preset::Json json = preset::parse_json(preset::read_file(path, preset::longest_document), name);
+    const preset::Json json = preset::parse_json(read_file(path, preset::longest_document), name);
     const preset::Json* format = json.find("format");
     if (format && format->text == preset::scene_format.format) {
         Scene scene;

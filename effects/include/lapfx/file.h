@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-namespace lapfx::preset {
+namespace lapfx {
 
 /// Throws Error (bad_input) for what is missing, unreadable, not a plain file, empty, or larger than
 /// `longest` bytes.
@@ -16,4 +16,4 @@ std::string read_file(const std::filesystem::path& path, std::size_t longest);
 /// is write-protected.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-}  // namespace lapfx::preset
+}  // namespace lapfx
