@@ -6,7 +6,8 @@
 unset CDPATH  # with it, cd may print the folder and go elsewhere
 root=$(cd -- "$(dirname -- "${BASH_SOURCE[0]}")/.." && pwd -P)
 
-say() { printf '%s: %s\n' "${0##*/}" "$*" >&2; }
+self=$(basename -- "$(dirname -- "$(readlink -f -- "$0")")")/${0##*/}
+say() { printf '%s: %s\n' "$self" "$*" >&2; }
 die() { say "$*"; exit 1; }
 
 # What is in .packages and not installed, one per line.
