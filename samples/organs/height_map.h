@@ -1,0 +1,53 @@
+// What is seen of patches along one direction: heights over a plane. Tissue that lies on other tissue is
+// modelled on such a map, and the light that reaches into gaps is found with many of them.
+//
+//     HeightMap under(view_from({0, 0.3, 0.95}), 260.0, 260);
+//     under.add(stomach);
+//     under.drape(-40.0, 9.0);      // floor, then a cloth over it
+//     double z = under.at({x, y});
+#pragma once
+
+#include <vector>
+
+#include "patch.h"
+
+namespace organs {
+
+/// An orthographic view: `toward` points at the eye.
+struct View {
+    dvec3 right{1.0, 0.0, 0.0};
+    dvec3 up{0.0, 1.0, 0.0};
+    dvec3 toward{0.0, 0.0, 1.0};
+
+    dvec3 place(const dvec2& xy, double height) const { return xy.x * right + xy.y * up + height * toward; }
+    dvec3 seen(const dvec3& p) const { return {glm::dot(p, right), glm::dot(p, up), glm::dot(p, toward)}; }
+};
+View view_from(const dvec3& toward);
+
+class HeightMap {
+  public:
+    /// `cells` by `cells` over a square of `size` mm about the origin.
+    HeightMap(const View& view, double size, int cells);
+    void add(const Patch& patch);
+    /// Fills what nothing covers with `floor`, then lets a cloth sag over it: hollows narrower than `radius`
+    /// are bridged.
+    void drape(double floor, double radius);
+    double at(const dvec2& xy) const;
+    const View& view() const { return view_; }
+
+  private:
+    void triangle(const dvec3& a, const dvec3& b, const dvec3& c);
+    dvec2 cell(const dvec3& seen) const;
+
+    View view_;
+    double size_;
+    int cells_;
+    std::vector<double> height_;
+};
+
+/// Sets `light` of every vertex: how open it is to its surroundings. `reach` mm: what is farther off does not
+/// darken.
+void find_light(const std::vector<Patch*>& lit, const std::vector<const Patch*>& blockers, int directions,
+                double reach);
+
+}  // namespace organs
