@@ -84,7 +84,7 @@ void make_uvs(Organ& organ, const Missing& missing) {
             continue;
         }
         if (there)
-            organ.warnings.push_back("part " + part.name + ": its texture coordinates cover no area; new ones made");
+            organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) + ": its texture coordinates cover no area; new ones made");
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
             const std::uint32_t v = organ.indices[i];
             organ.uvs[v] = box_uv(organ.positions[v], organ.normals[v]);

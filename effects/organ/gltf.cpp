@@ -104,10 +104,11 @@ bool draws_triangles(const tinygltf::Primitive& primitive) {
 }
 
 /// Says what of the file the still surface of an organ does not show.
-void warn_of_motion(const tinygltf::Model& model, std::vector<std::string>& warnings) {
+void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnings) {
+    const tinygltf::Model& model = document.model;
     if (model.nodes.empty() && !model.meshes.empty())
         warnings.push_back("the file has no nodes: every mesh is taken, where it is");
-    if (!model.skins.empty()) warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
+    if (document.has_skins) warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
     const bool morphs = std::any_of(model.meshes.begin(), model.meshes.end(), [](const tinygltf::Mesh& mesh) {
         return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                            [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
@@ -123,7 +124,7 @@ void warn_of_motion(const tinygltf::Model& model, std::vector<std::string>& warn
 RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
     GltfDocument document = read_gltf_document(path, file, bytes);
     RawOrgan organ;
-    warn_of_motion(document.model, organ.warnings);
+    warn_of_rest(document, organ.warnings);
     const std::vector<UvUse> uses = read_materials(document, organ);
     std::size_t left_out = 0, total = 0;
     for (const MeshInstance& instance : mesh_instances(document)) {

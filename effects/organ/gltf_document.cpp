@@ -82,7 +82,8 @@ void check_head(const json& document, const std::string& file) {
     if (!asset || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string())
         refuse(file, "/asset/version", "is missing: not a glTF 2.0 file");
     const std::string version = (*asset)["version"];
-    if (!version.starts_with("2.")) refuse(file, "/asset/version", "is " + version + ", only 2.0 is read");
+    if (!version.starts_with("2."))
+        refuse(file, "/asset/version", "is \"" + version.substr(0, 40) + "\", only 2.0 is read");
     if (!document.contains("extensionsRequired")) return;
     const json& required = document["extensionsRequired"];
     if (!required.is_array()) refuse(file, "/extensionsRequired", "is no array");
@@ -183,6 +184,9 @@ void run_tinygltf(GltfDocument& document, const json& structure) {
     } catch (const std::exception& fault) {
         error = fault.what();
     }
+    const auto& used = document.model.extensionsUsed;
+    if (!done && std::find(used.begin(), used.end(), "KHR_draco_mesh_compression") != used.end())
+        refuse(document.file, "/extensionsUsed", "needs the extension KHR_draco_mesh_compression, which is not read");
     // It drops a primitive that it cannot read with no more than a message, and goes on.
     if (!done || !error.empty()) refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
 }
@@ -200,8 +204,9 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     check_head(structure, file);
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
-    for (const char* unused : {"animations", "cameras", "samplers", "extensions"}) structure.erase(unused);
-    for (const char* list : {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "skins", "textures"})
+    document.has_skins = structure.contains("skins");
+    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
+    for (const char* list : {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
         if (structure.contains(list) && !structure[list].is_array())
             refuse(file, std::string("/") + list, "is no array");
     run_tinygltf(document, structure);

@@ -19,6 +19,7 @@ struct GltfDocument {
     std::string file;              ///< as faults name it
     std::filesystem::path folder;  ///< of the file
     tinygltf::Model model;         ///< buffers[].data and images[].uri, bufferView filled in by us
+    bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
 
     /// The bytes of a buffer view, decompressed where needed. Throws Error when it is not there or not in its buffer.

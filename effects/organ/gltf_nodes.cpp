@@ -56,42 +56,61 @@ std::vector<int> start_nodes(const GltfDocument& document) {
 
 struct Visit {
     int node;
+    std::size_t depth;
     glm::dmat4 parent;
+};
+
+/// A node may hang below several others (the specification forbids it, viewers show it at each), so a short file can
+/// name an endless number of places.
+constexpr std::size_t most_visits = 1'000'000;
+
+class Walk {
+  public:
+    explicit Walk(const GltfDocument& document) : document_(document), model_(document.model) {}
+
+    std::vector<MeshInstance> run() {
+        push(start_nodes(document_), 1, glm::dmat4(1.0));
+        for (std::size_t visits = 0; !stack_.empty(); ++visits) {
+            if (visits == most_visits) refuse(document_.file, "/nodes", "lead to more than a million places");
+            const Visit visit = stack_.back();
+            stack_.pop_back();
+            enter(visit);
+        }
+        return std::move(instances_);
+    }
+
+  private:
+    /// The last one first, so that they come off the stack in order.
+    void push(const std::vector<int>& nodes, std::size_t depth, const glm::dmat4& parent) {
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack_.push_back({*node, depth, parent});
+    }
+
+    void enter(const Visit& visit) {
+        if (visit.node < 0 || static_cast<std::size_t>(visit.node) >= model_.nodes.size())
+            refuse(document_.file, "/nodes", "node " + std::to_string(visit.node) + " is not in the file");
+        const std::string place = "/nodes/" + std::to_string(visit.node);
+        if (visit.depth > model_.nodes.size()) refuse(document_.file, place, "is its own ancestor");
+        const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
+        const glm::dmat4 matrix = visit.parent * local_matrix(node, visit.node, document_.file);
+        if (node.mesh >= static_cast<int>(model_.meshes.size()) || node.mesh < -1)
+            refuse(document_.file, place + "/mesh", "mesh " + std::to_string(node.mesh) + " is not in the file");
+        if (node.mesh >= 0) instances_.push_back({node.mesh, node.name, matrix});
+        push(node.children, visit.depth + 1, matrix);
+    }
+
+    const GltfDocument& document_;
+    const tinygltf::Model& model_;
+    std::vector<Visit> stack_;  // a list, not recursion: a chain of nodes may be as long as the file
+    std::vector<MeshInstance> instances_;
 };
 
 }  // namespace
 
 std::vector<MeshInstance> mesh_instances(const GltfDocument& document) {
-    const tinygltf::Model& model = document.model;
+    if (!document.model.nodes.empty()) return Walk(document).run();
     std::vector<MeshInstance> instances;
-    if (model.nodes.empty()) {
-        for (std::size_t i = 0; i < model.meshes.size(); ++i)
-            instances.push_back({static_cast<int>(i), model.meshes[i].name, glm::dmat4(1.0)});
-        return instances;
-    }
-    std::vector<bool> seen(model.nodes.size(), false);
-    std::vector<Visit> stack;  // a list, not recursion: a chain of nodes may be as long as the file
-    const auto push = [&](const std::vector<int>& nodes, const glm::dmat4& parent) {
-        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack.push_back({*node, parent});
-    };
-    push(start_nodes(document), glm::dmat4(1.0));
-    while (!stack.empty()) {
-        const Visit visit = stack.back();
-        stack.pop_back();
-        if (visit.node < 0 || static_cast<std::size_t>(visit.node) >= model.nodes.size())
-            refuse(document.file, "/nodes", "node " + std::to_string(visit.node) + " is not in the file");
-        const auto index = static_cast<std::size_t>(visit.node);
-        const tinygltf::Node& node = model.nodes[index];
-        if (seen[index])
-            refuse(document.file, "/nodes/" + std::to_string(visit.node), "is reached twice: nodes must form trees");
-        seen[index] = true;
-        const glm::dmat4 matrix = visit.parent * local_matrix(node, visit.node, document.file);
-        if (node.mesh >= static_cast<int>(model.meshes.size()) || node.mesh < -1)
-            refuse(document.file, "/nodes/" + std::to_string(visit.node) + "/mesh",
-                   "mesh " + std::to_string(node.mesh) + " is not in the file");
-        if (node.mesh >= 0) instances.push_back({node.mesh, node.name, matrix});
-        push(node.children, matrix);
-    }
+    for (std::size_t i = 0; i < document.model.meshes.size(); ++i)
+        instances.push_back({static_cast<int>(i), document.model.meshes[i].name, glm::dmat4(1.0)});
     return instances;
 }
 

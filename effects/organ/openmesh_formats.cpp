@@ -29,6 +29,17 @@ void replace_words_for_not_finite(std::string& text) {
     }
 }
 
+/// The last line of a text STL is endsolid, "end solid", or by careless programs endfacet.
+bool ends_whole(std::string_view text) {
+    const std::size_t last = text.find_last_not_of(" \t\r\n");
+    if (last == std::string_view::npos) return false;
+    const std::size_t before = text.find_last_of("\r\n", last);
+    std::string line(text.substr(before == std::string_view::npos ? 0 : before + 1));
+    for (char& c : line) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    line = line.substr(std::min(line.find_first_not_of(" \t"), line.size()));
+    return line.starts_with("endsolid") || line.starts_with("end solid") || line.starts_with("endfacet");
+}
+
 RawOrgan organ_of(const Soup& soup) {
     RawOrgan organ;
     organ.parts = parts_of(soup, {});
@@ -65,8 +76,7 @@ RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_
 RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
     std::string text(text_of(bytes));
     if (text.find('\0') != std::string::npos) refuse(file, "", "is neither a binary nor a text STL");
-    if (text.find("endsolid") == std::string::npos && text.find("ENDSOLID") == std::string::npos)
-        refuse(file, "", "truncated: the file ends without endsolid");
+    if (!ends_whole(text)) refuse(file, "", "truncated: the file ends within a facet");
     replace_words_for_not_finite(text);
     Soup soup;
     if (!read_with_openmesh(OpenMeshFormat::stl_ascii, text, soup)) refuse(file, "", "cannot be read as STL");

@@ -34,6 +34,8 @@ class HeaderReader {
     HeaderReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
 
     PlyHeader read() {
+        // Lines end in LF, CR LF or, by some programs, in CR alone. The first line tells.
+        if (text_.starts_with("ply\r") && !text_.starts_with("ply\r\n")) line_end_ = '\r';
         if (next() != std::vector<std::string>{"ply"}) wrong("a PLY starts with the line ply");
         bool format_read = false;
         while (true) {
@@ -59,7 +61,7 @@ class HeaderReader {
     [[noreturn]] void wrong(const std::string& reason) const { refuse(file_, "line " + std::to_string(line_), reason); }
 
     std::vector<std::string> next() {
-        const std::size_t end = text_.find('\n', at_);
+        const std::size_t end = text_.find(line_end_, at_);
         ++line_;
         if (end == std::string_view::npos || end - at_ > 4096) wrong("truncated: the header has no end_header");
         const std::string_view line = text_.substr(at_, end - at_);
@@ -110,6 +112,7 @@ class HeaderReader {
 
     const std::string& file_;
     std::string_view text_;
+    char line_end_ = '\n';
     std::size_t at_ = 0, line_ = 0;
     PlyHeader header_;
 };
