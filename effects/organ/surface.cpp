@@ -1,213 +1,221 @@
 #include "organ/surface.h"
 
-#include <algorithm>
-#include <bit>
 #include <cassert>
 #include <limits>
-#include <numeric>
-#include <unordered_map>
 
-namespace lapfx::organ {
+#include "organ/weld.h"
+
+namespace lapfx {
 
 namespace {
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr std::uint32_t leaf_size = 4;
+/// Halving a leaf's triangles each time, no tree of 2^32 triangles is deeper.
+constexpr std::size_t deepest = 64;
 
-struct ExactHash {
-    std::size_t operator()(const glm::vec3& p) const {
-        std::uint64_t h = 1469598103934665603ull;  // FNV-1a over the bits; -0 and +0 were made one before
-        for (int i = 0; i < 3; ++i) h = (h ^ std::bit_cast<std::uint32_t>(p[i])) * 1099511628211ull;
-        return h ^ (h >> 29);
-    }
-};
+/// Offsets of runs from their lengths: {2, 0, 1} becomes {0, 2, 2, 3}.
+std::vector<std::uint32_t> starts(const std::vector<std::uint32_t>& lengths) {
+    std::vector<std::uint32_t> out(lengths.size() + 1, 0);
+    for (std::size_t i = 0; i < lengths.size(); ++i) out[i + 1] = out[i] + lengths[i];
+    return out;
+}
 
-/// Closest point of a triangle, by the region of its plane the point projects to (C. Ericson, "Real-Time
-/// Collision Detection", 2005, section 5.1.5).
-glm::dvec3 closest_barycentric(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
-    if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
-    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
-    if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
+double square(const glm::dvec3& v) { return glm::dot(v, v); }
+
+/// Barycentric weights of the point of a triangle nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
+glm::dvec3 nearest_weights(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
+    const glm::dvec3 ab = b - a, ac = c - a;
+    const double d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
+    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
+    const double d3 = glm::dot(ab, p - b), d4 = glm::dot(ac, p - b);
+    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
     const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) {
-        const double t = d1 - d3 > 0.0 ? d1 / (d1 - d3) : 0.0;
-        return {1.0 - t, t, 0.0};
-    }
-    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
-    if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
+    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
+    const double d5 = glm::dot(ab, p - c), d6 = glm::dot(ac, p - c);
+    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
     const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) {
-        const double t = d2 - d6 > 0.0 ? d2 / (d2 - d6) : 0.0;
-        return {1.0 - t, 0.0, t};
-    }
+    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
     const double va = d3 * d6 - d5 * d4;
-    if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-        const double whole = (d4 - d3) + (d5 - d6);
-        const double t = whole > 0.0 ? (d4 - d3) / whole : 0.0;
-        return {0.0, 1.0 - t, t};
+    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
+        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
+        return {0, 1 - w, w};
     }
     const double sum = va + vb + vc;
-    if (sum <= 0.0) return {1.0, 0.0, 0.0};
     return {va / sum, vb / sum, vc / sum};
 }
 
-double squared_distance_to_box(const glm::dvec3& p, const glm::dvec3& minimum, const glm::dvec3& maximum) {
-    const glm::dvec3 outside = glm::max(glm::max(minimum - p, p - maximum), glm::dvec3(0.0));
-    return glm::dot(outside, outside);
+double distance_to_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
+    return square(glm::max(glm::max(low - p, p - high), glm::dvec3(0.0)));
 }
 
-/// Distance along the ray at which it enters the box, or infinity.
-double enters_box(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& minimum,
-                  const glm::dvec3& maximum) {
-    double near = 0.0, far = std::numeric_limits<double>::infinity();
-    for (int i = 0; i < 3; ++i) {
-        const double t0 = (minimum[i] - origin[i]) * inverse[i], t1 = (maximum[i] - origin[i]) * inverse[i];
-        near = std::max(near, std::fmin(t0, t1));  // fmin drops the NaN of 0 * infinity: the ray lies in that slab
-        far = std::min(far, std::fmax(t0, t1));
+/// Where a ray enters a box, in lengths of its direction; infinity when it misses.
+double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& low, const glm::dvec3& high) {
+    double from = 0.0, to = infinity;
+    for (int axis = 0; axis < 3; ++axis) {
+        double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
+        if (a > b) std::swap(a, b);
+        // A ray within a side plane gives 0 * infinity = NaN; such a side does not limit it.
+        if (a > from) from = a;
+        if (b < to) to = b;
     }
-    return near <= far ? near : std::numeric_limits<double>::infinity();
+    // Boxes are rounded outwards by less than this.
+    return from <= to * (1 + 1e-12) ? from : infinity;
 }
 
 }  // namespace
 
 Surface::Surface(const Organ& organ) {
-    std::unordered_map<glm::vec3, std::uint32_t, ExactHash> known;
-    known.reserve(organ.positions.size());
-    for (const glm::vec3& p : organ.positions) {
-        const glm::vec3 key = p + glm::vec3(0.0f);  // -0 becomes +0
-        const auto [entry, added] = known.try_emplace(key, static_cast<std::uint32_t>(positions.size()));
-        if (added) positions.emplace_back(p);
-        weld.push_back(entry->second);
-    }
-    for (std::size_t i = 0; i + 2 < organ.indices.size(); i += 3) {
-        const glm::uvec3 t(weld[organ.indices[i]], weld[organ.indices[i + 1]], weld[organ.indices[i + 2]]);
-        if (t.x != t.y && t.y != t.z && t.z != t.x) triangles.push_back(t);
-    }
+    mesh::Weld welded = mesh::weld_positions(organ.positions);
+    weld = std::move(welded.point);
+    positions.resize(welded.points);
+    for (std::size_t v = 0; v < weld.size(); ++v) positions[weld[v]] = glm::dvec3(organ.positions[v]);
+    triangles.resize(organ.triangle_count());
+    for (std::size_t t = 0; t < triangles.size(); ++t)
+        for (std::size_t c = 0; c < 3; ++c) triangles[t][c] = weld[organ.indices[3 * t + c]];
     build_adjacency();
-    build_nodes();
+    if (!triangles.empty()) build_tree();
 }
 
 void Surface::build_adjacency() {
-    first_around_.assign(positions.size() + 1, 0);
-    for (const glm::uvec3& t : triangles)
-        for (int i = 0; i < 3; ++i) ++first_around_[t[i] + 1];
-    std::partial_sum(first_around_.begin(), first_around_.end(), first_around_.begin());
-    around_.resize(triangles.size() * 3);
-    std::vector<std::uint32_t> next(first_around_.begin(), first_around_.end() - 1);
+    std::vector<std::uint32_t> lengths(positions.size(), 0);
+    for (const auto& triangle : triangles)
+        for (const std::uint32_t point : triangle) ++lengths[point];
+    triangle_start = starts(lengths);
+    point_triangles.resize(triangle_start.back());
+    std::vector<std::uint32_t> next(triangle_start.begin(), triangle_start.end() - 1);
     for (std::uint32_t t = 0; t < triangles.size(); ++t)
-        for (int i = 0; i < 3; ++i) around_[next[triangles[t][i]]++] = t;
+        for (const std::uint32_t point : triangles[t]) point_triangles[next[point]++] = t;
+
+    neighbour_start.assign(1, 0);
+    std::vector<std::uint32_t> around;
+    for (std::uint32_t point = 0; point < positions.size(); ++point) {
+        around.clear();
+        for (const std::uint32_t t : triangles_at(point))
+            for (const std::uint32_t other : triangles[t])
+                if (other != point) around.push_back(other);
+        std::sort(around.begin(), around.end());
+        around.erase(std::unique(around.begin(), around.end()), around.end());
+        point_neighbours.insert(point_neighbours.end(), around.begin(), around.end());
+        neighbour_start.push_back(static_cast<std::uint32_t>(point_neighbours.size()));
+    }
 }
 
-void Surface::fit(Node& node) const {
-    node.minimum = glm::dvec3(std::numeric_limits<double>::infinity());
-    node.maximum = -node.minimum;
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-        for (int k = 0; k < 3; ++k) {
-            node.minimum = glm::min(node.minimum, positions[triangles[order_[i]][k]]);
-            node.maximum = glm::max(node.maximum, positions[triangles[order_[i]][k]]);
-        }
-}
-
-/// Halves the triangles at the median of their centres along the longest side, until few are left.
-void Surface::build_nodes() {
-    if (triangles.empty()) return;
-    std::vector<glm::dvec3> centers(triangles.size());
-    for (std::size_t t = 0; t < triangles.size(); ++t)
-        centers[t] = (positions[triangles[t].x] + positions[triangles[t].y] + positions[triangles[t].z]) / 3.0;
+void Surface::build_tree() {
+    std::vector<glm::vec3> centres(triangles.size());
     order_.resize(triangles.size());
-    std::iota(order_.begin(), order_.end(), 0u);
-    nodes_.push_back({.minimum = {}, .maximum = {}, .first = 0, .count = static_cast<std::uint32_t>(order_.size())});
-    fit(nodes_[0]);
-    for (std::size_t n = 0; n < nodes_.size(); ++n) {
-        if (nodes_[n].count <= leaf_size) continue;
-        const std::uint32_t first = nodes_[n].first, count = nodes_[n].count, half = count / 2;
-        const glm::dvec3 size = nodes_[n].maximum - nodes_[n].minimum;
-        const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-        std::nth_element(order_.begin() + first, order_.begin() + first + half, order_.begin() + first + count,
-                         [&](std::uint32_t a, std::uint32_t b) {
-                             return centers[a][axis] != centers[b][axis] ? centers[a][axis] < centers[b][axis] : a < b;
-                         });
-        const auto children = static_cast<std::uint32_t>(nodes_.size());
-        Node left{.minimum = {}, .maximum = {}, .first = first, .count = half};
-        Node right{.minimum = {}, .maximum = {}, .first = first + half, .count = count - half};
-        fit(left);
-        fit(right);
-        nodes_[n].first = children;
-        nodes_[n].count = 0;
-        nodes_.push_back(left);
-        nodes_.push_back(right);
+    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+        order_[t] = t;
+        for (const std::uint32_t point : triangles[t]) centres[t] += glm::vec3(positions[point]) / 3.0f;
+    }
+    struct Job {
+        std::uint32_t first, count;
+        std::uint32_t parent;  ///< whose second child this is
+    };
+    constexpr std::uint32_t none = 0xffffffff;
+    std::vector<Job> jobs{{0, static_cast<std::uint32_t>(order_.size()), none}};
+    nodes_.reserve(triangles.size());
+    while (!jobs.empty()) {
+        const Job job = jobs.back();
+        jobs.pop_back();
+        if (job.parent != none) nodes_[job.parent].first = static_cast<std::uint32_t>(nodes_.size());
+        Node node{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest()), job.first,
+                  job.count};
+        for (std::uint32_t i = job.first; i < job.first + job.count; ++i)
+            for (const std::uint32_t point : triangles[order_[i]]) {
+                // Positions came from floats: the boxes are exact.
+                node.low = glm::min(node.low, glm::vec3(positions[point]));
+                node.high = glm::max(node.high, glm::vec3(positions[point]));
+            }
+        const auto index = static_cast<std::uint32_t>(nodes_.size());
+        if (job.count > leaf_size) {
+            const glm::vec3 size = node.high - node.low;
+            const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+            const std::uint32_t half = job.count / 2;
+            const auto begin = order_.begin() + job.first;
+            // Ties go by number, so that the tree is the same everywhere.
+            std::nth_element(begin, begin + half, begin + job.count, [&](std::uint32_t a, std::uint32_t b) {
+                return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
+            });
+            node.count = 0;
+            jobs.push_back({job.first + half, job.count - half, index});
+            jobs.push_back({job.first, half, none});
+        }
+        nodes_.push_back(node);
     }
 }
 
-ClosestPoint Surface::closest_point(glm::dvec3 point) const {
+SurfacePoint Surface::closest_point(const glm::dvec3& point) const {
     assert(!triangles.empty());
-    ClosestPoint best;
-    double best_squared = std::numeric_limits<double>::infinity();
-    std::uint32_t stack[128];
-    int depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const Node& node = nodes_[stack[--depth]];
-        if (squared_distance_to_box(point, node.minimum, node.maximum) > best_squared) continue;
+    SurfacePoint best;
+    double best_square = infinity;
+    std::array<std::uint32_t, deepest> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    const auto reach = [&](std::uint32_t n) { return distance_to_box(point, nodes_[n].low, nodes_[n].high); };
+    while (size > 0) {
+        const std::uint32_t n = stack[--size];
+        const Node& node = nodes_[n];
+        if (reach(n) > best_square) continue;
         if (node.count == 0) {
-            const auto distance_to = [&](std::uint32_t child) {
-                return squared_distance_to_box(point, nodes_[child].minimum, nodes_[child].maximum);
-            };
-            const bool left_first = distance_to(node.first) <= distance_to(node.first + 1);
-            stack[depth++] = left_first ? node.first + 1 : node.first;  // the nearer child is looked at next
-            stack[depth++] = left_first ? node.first : node.first + 1;
+            const std::uint32_t left = n + 1, right = node.first;
+            const bool left_first = reach(left) <= reach(right);
+            stack[size++] = left_first ? right : left;
+            stack[size++] = left_first ? left : right;
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const glm::uvec3 t = triangles[order_[i]];
-            const glm::dvec3 weights = closest_barycentric(point, positions[t.x], positions[t.y], positions[t.z]);
-            const glm::dvec3 at = weights.x * positions[t.x] + weights.y * positions[t.y] + weights.z * positions[t.z];
-            const double squared = glm::dot(at - point, at - point);
-            if (squared > best_squared || (squared == best_squared && order_[i] >= best.triangle)) continue;
-            best_squared = squared;
-            best = {.triangle = order_[i], .barycentric = weights, .position = at, .distance = 0.0};
+            const std::uint32_t t = order_[i];
+            const glm::dvec3 &a = positions[triangles[t][0]], &b = positions[triangles[t][1]],
+                             &c = positions[triangles[t][2]];
+            const glm::dvec3 weights = nearest_weights(point, a, b, c);
+            const glm::dvec3 place = weights.x * a + weights.y * b + weights.z * c;
+            const double d = square(place - point);
+            if (d < best_square || (d == best_square && t < best.triangle)) {
+                best_square = d;
+                best = {t, weights, place, 0.0};
+            }
         }
     }
-    best.distance = std::sqrt(best_squared);
+    best.distance = std::sqrt(best_square);
     return best;
 }
 
-std::optional<ClosestPoint> Surface::intersect_ray(glm::dvec3 origin, glm::dvec3 direction) const {
-    if (triangles.empty() || glm::dot(direction, direction) <= 0.0) return std::nullopt;
-    const glm::dvec3 unit = glm::normalize(direction), inverse = 1.0 / unit;
-    std::optional<ClosestPoint> best;
-    double nearest = std::numeric_limits<double>::infinity();
-    std::uint32_t stack[128];
-    int depth = 0;
-    stack[depth++] = 0;
-    while (depth > 0) {
-        const Node& node = nodes_[stack[--depth]];
-        if (!(enters_box(origin, inverse, node.minimum, node.maximum) <= nearest)) continue;
+bool Surface::intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const {
+    if (nodes_.empty() || !(square(direction) > 0.0)) return false;
+    const glm::dvec3 inverse = 1.0 / direction;
+    double nearest = infinity;
+    std::array<std::uint32_t, deepest> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const std::uint32_t n = stack[--size];
+        const Node& node = nodes_[n];
+        const double from = entry(origin, inverse, node.low, node.high);
+        if (from == infinity || from > nearest) continue;
         if (node.count == 0) {
-            stack[depth++] = node.first;
-            stack[depth++] = node.first + 1;
+            stack[size++] = node.first;
+            stack[size++] = n + 1;
             continue;
         }
         for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            // Moller and Trumbore, "Fast, minimum storage ray/triangle intersection", 1997.
-            const glm::uvec3 t = triangles[order_[i]];
-            const glm::dvec3 e1 = positions[t.y] - positions[t.x], e2 = positions[t.z] - positions[t.x];
-            const glm::dvec3 p = glm::cross(unit, e2), s = origin - positions[t.x];
-            const double det = glm::dot(e1, p);
-            if (det == 0.0) continue;
-            const double u = glm::dot(s, p) / det;
-            const glm::dvec3 q = glm::cross(s, e1);
-            const double v = glm::dot(unit, q) / det, along = glm::dot(e2, q) / det;
-            if (u < 0.0 || v < 0.0 || u + v > 1.0 || along < 0.0 || along >= nearest) continue;
+            // Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
+            const std::uint32_t t = order_[i];
+            const glm::dvec3 &a = positions[triangles[t][0]], &b = positions[triangles[t][1]],
+                             &c = positions[triangles[t][2]];
+            const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
+            const double determinant = glm::dot(ab, p);
+            if (determinant == 0.0) continue;
+            const glm::dvec3 s = origin - a, q = glm::cross(s, ab);
+            const double v = glm::dot(s, p) / determinant, w = glm::dot(direction, q) / determinant;
+            const double along = glm::dot(ac, q) / determinant;
+            if (v < 0 || w < 0 || v + w > 1 || along < 0) continue;
+            if (along > nearest || (along == nearest && t > hit.triangle)) continue;
             nearest = along;
-            best = ClosestPoint{.triangle = order_[i],
-                                .barycentric = {1.0 - u - v, u, v},
-                                .position = origin + along * unit,
-                                .distance = along};
+            hit = {t, {1 - v - w, v, w}, origin + along * direction, along * glm::length(direction)};
         }
     }
-    return best;
+    return nearest < infinity;
 }
 
-}  // namespace lapfx::organ
+}  // namespace lapfx

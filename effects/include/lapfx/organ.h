@@ -56,6 +56,7 @@ struct Organ {
     std::vector<std::string> warnings;  ///< what was mended or left out, a line each
     bool has_uvs = false;               ///< the file had texture coordinates (else they were made)
     bool has_colors = false;            ///< the file had vertex colours
+    double scale = 1.0;                 ///< mm per unit of the file, as it was applied
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
