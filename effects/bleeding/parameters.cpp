@@ -1,30 +1,25 @@
-// The parameters of bleeding (paper: "Simulation of bleeding", figures 6 and 7).
+// The parameters of bleeding (paper: "Simulation of bleeding", figures 6 and 7). All lengths in mm, so that
+// a preset means the same on a coarse and a fine mesh:
 //
-//     s(t)    = min(max_extent, speed * strength * pulse(t) summed over the time the wound is open)      mm
-//     d(x)    = travel distance from the contact point over the surface, shorter downhill by gravity_bias mm
-//     b(x, t) = max over wounds of max(0, s - d): the paper's animation variable mm blood where b > threshold
-//     + noise_strength * noise(x / noise_scale), noise in -1..1 colour  = mix(color_thin, color_deep, depth /
-//     deep_at), depth = b - threshold - noise              mm
-//
-// Lengths are mm so that a preset means the same on a coarse and a fine mesh and on organs of any scale.
+//     s(t)    = min(max_extent, speed * strength * time the wound is open), in beats where it pulses
+//     d(x)    = travel distance from the contact point over the surface, shorter downhill by gravity_bias
+//     b(x, t) = max over wounds of max(0, s - d): the paper's animation variable
+//     depth   = b - (threshold + noise_strength * noise(x / noise_scale)); there is blood where it is above 0
+//     colour  = color_thin to color_deep as depth goes from 0 to deep_at
 //
 // Why these defaults:
-// - speed 4 mm/s and max_extent 16 mm: an oozing cut reaches the size of a thumbnail in four seconds. The
-// paper's
-//   subjects found its bleeding "far greater" than in the videos (question 7), so the default is modest.
-// - threshold 0.3 mm: less is not seen on wet tissue.
-// - noise 5 mm per lobe, 2.5 mm strong, three octaves: runs and lobes of real strips are 3 to 8 mm wide; half
-// the lobe
-//   as strength hides the polygons of figure 7b without tearing the pool apart.
-// - gravity_bias 0.35: blood runs visibly downhill, but a pool on a flat organ stays round.
-// - pulse 0: venous. An artery is 1 to 1.5 Hz with a strength near 0.6.
-// - coagulation_time 1.5 s: "coagulated within a short period of time".
-// - colours: dark saturated red. Measured in surgery videos (8-bit sRGB): thin running strip 145, 7, 10; pool
-// 93, 15, 17.
-//   Thin film is a little brighter than measured since tissue shows through it, deep pools a little darker.
-// - deep_at 5 mm, opacity 0.9, thickness 0.6 mm, gloss 0.85: a pool hides the texture below, a film does not;
-// its
-//   highlights are small, sharp and white.
+// - speed 4 mm/s, max_extent 16 mm: a cut reaches the size of a coin in four seconds. The paper's subjects
+//   found its bleeding "far greater" than in the videos (question 7), so the default is modest.
+// - threshold 0.3 mm: a thinner film is not seen on wet tissue.
+// - noise 5 mm per lobe, 2.5 mm strong, three octaves: runs and lobes of real blood are 3 to 8 mm wide;
+//   half a lobe as strength hides the polygons of figure 7b without tearing the pool apart.
+// - gravity_bias 0.35: blood visibly runs downhill, but a pool on a flat organ stays round.
+// - no pulse: venous. An artery beats at 1 to 1.5 Hz with a strength near 0.6.
+// - coagulation_time 1.5 s: the paper's "coagulated within a short period of time".
+// - colours: dark saturated red. Surgery videos measure (8-bit sRGB) 145, 7, 10 in a thin strip and 93, 15,
+//   17 in a pool; thin is a little brighter here, since it is laid over tissue, and deep a little darker.
+// - deep_at 5 mm, opacity 0.9, thickness 0.6 mm, gloss 0.85: a pool hides the texture below and a film does
+//   not; highlights are small, sharp and white.
 #include "preset/tables.h"
 
 namespace lapfx::preset {

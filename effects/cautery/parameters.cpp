@@ -1,21 +1,21 @@
 // The parameters of heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator").
+// Temperatures in degrees Celsius, radius in mm:
 //
-//     T(0, t) = 37 + heat_rate * power * duration of contact, at most maximum_temperature degrees Celsius
-//     r(t)    = heat_spread * sqrt(duration): radius of the heated region                               mm
-//     T > cut_temperature: the tissue is divided, and bleeds where vessels are dense
-//     coagulation_temperature < T: wounds close        T > char_temperature: the surface chars
+//     T(t) = min(maximum_temperature, 37 + heat_rate * power * duration of contact)
+//     r(t) = heat_spread * sqrt(duration): radius of the heated region
+//     T > cut_temperature           the tissue is divided, and bleeds where vessels are dense
+//     T > coagulation_temperature   wounds close
+//     T > char_temperature          the surface chars
 //
-// "The amount of heat and its effects on the nearby tissue is proportional to the duration of the
-// application"; "the region affected by the heat is expanded radially". The paper gives no numbers.
+// This is the paper's "the amount of heat and its effects on the nearby tissue is proportional to the
+// duration" and "the region affected by the heat is expanded radially"; it gives no numbers.
 //
 // Why these defaults:
-// - heat_rate 220 degrees per second: at full power a hook divides fat after about 0.7 s, as in the videos.
-// - coagulation 60: proteins denature and vessels shrink shut. Char 150: water is gone and the surface
-// blackens.
-//   Cut 180: tissue parts. Maximum 400: what a monopolar hook reaches; keeps long contacts from running away.
-// - heat_spread 2.2 mm in the first second: heat diffuses, so the radius grows with the square root of time;
-// pale cooked
-//   rims in the videos are 2 to 4 mm wide.
+// - heat_rate 220 per second: at full power a hook divides fat after 0.65 s, as in surgery videos.
+// - coagulation 60: proteins denature and vessels shrink shut. Char 150: the water is gone and the surface
+//   blackens. Cut 180: tissue parts. Maximum 400: what a monopolar hook reaches.
+// - heat_spread 2.2 mm after one second: heat diffuses, so the radius grows with the square root of time;
+//   the pale cooked rims in videos are 2 to 4 mm wide.
 #include "preset/tables.h"
 
 namespace lapfx::preset {

@@ -124,8 +124,8 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
         ::unlink(beside.c_str());
         fail(Failure::runtime, path, reason);
     }
-    // The rename itself reaches the disk with its folder. Not every file system can do that, and the text is
-    // safe.
+    // The rename itself reaches the disk with its folder. Not every file system can do that, and the text
+    // is safe.
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     if (Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); opened.get() >= 0)
         ::fsync(opened.get());

@@ -1,35 +1,30 @@
 // The parameters of smoke (paper: "Smoke generation", figures 1 and 2).
 //
-// Keying makes transparent smoke out of a clip that was filmed before a plain background, per pixel, in 8-bit
-// code values:
+// Keying makes transparent smoke out of a clip that was filmed before a plain background. Per pixel, with
+// Y, Cb and Cr in 8-bit code values:
 //
-//     l = smoothstep(luma_low, luma_high, Y)                     (polarity dark: 255 - Y)
-//     c = smoothstep(chroma_low, chroma_high, distance of (Cb, Cr) from that of key_color), 0 when both
-//     bounds are 0 alpha = max(l, c) * (1 + noise_strength * noise(position / noise_scale, time * noise_drift
-//     / noise_scale))
+//     light = smoothstep(luma_low, luma_high, Y), for clips of polarity dark of 255 - Y
+//     hue   = smoothstep(chroma_low, chroma_high, distance of (Cb, Cr) from those of key_color),
+//             0 when both bounds are 0
+//     alpha = max(light, hue) * (1 + noise_strength * noise((position + noise_drift * t) / noise_scale))
 //
-// The plume is a quad at the tool tip, drifting by `rise` and growing by 1 + growth * age; the haze fills the
-// view with
+// The plume is a quad at the tool tip that drifts by `rise` and grows by `growth`. The haze fills the view;
+// its density E (no unit) and how it is laid over the picture, per channel:
 //
-//     dE/dt = accumulation * emission - ventilation * E                                               E: no
-//     unit transmission per channel = exp(-extinction * density),  picture = picture * transmission + color *
-//     (1 - transmission)
+//     dE/dt   = accumulation * emission - ventilation * E
+//     T       = exp(-extinction * density)
+//     picture = picture * T + color * (1 - T)
 //
 // Why these defaults:
-// - luma 16 to 200: black of a video signal to the brightest smoke of clips lit from the side; chroma off,
-// since clips on
-//   black carry no colour; spill 0 for the same reason.
-// - noise: lobes of a quarter of the clip, a third of alpha, drifting 0.15 clip heights a second: a looping
-// clip never looks
-//   the same, but no pattern of its own is seen.
-// - plume 45 mm: about a third of the view at a working distance of 120 mm. Rise 6 mm/s: warm smoke under gas
-// at rest.
-//   Fades 0.3 and 1.2 s: smoke starts at once and lingers.
-// - haze 0.12 per second against 0.05 per second: ten seconds of cautery veil the view, and it clears in half
-// a minute.
-// - colours and extinction: haze over a dark cavity measures 96, 83, 99 (8-bit sRGB) against 43, 1, 3
-// without: it adds about
-//   55, 82, 96, bluish grey. Red passes more than blue, so extinction rises from red to blue.
+// - Luma 16 to 200: black of a video signal to the brightest smoke of a clip lit from the side. Chroma and
+//   spill are off, since clips before black have no colour to tell.
+// - Noise: lobes of a quarter of the clip, a third of alpha, drifting 0.15 clip heights a second: a looping
+//   clip never looks the same, but the noise shows no pattern of its own.
+// - Plume 45 mm: a third of the view at a working distance of 120 mm. Rise 6 mm/s: warm smoke in gas at
+//   rest. Fades of 0.3 and 1.2 s: smoke starts at once and lingers.
+// - Haze 0.12 and 0.05 per second: ten seconds of cautery veil the view, which clears in half a minute.
+// - Colours and extinction: a dark cavity measures 43, 1, 3 (8-bit sRGB) clear and 96, 83, 99 behind haze,
+//   which adds a bluish grey. Smoke passes more red than blue, so extinction rises from red to blue.
 #include "preset/tables.h"
 
 namespace lapfx::preset {
