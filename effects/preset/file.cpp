@@ -53,7 +53,8 @@ mode_t check_target(const std::filesystem::path& path) {
     // Renaming would replace the link and leave the file behind it as it was: surely not what is meant.
     if (!S_ISREG(found.st_mode))
         fail(Failure::runtime, path, std::string("not written: it is ") + type_name(found.st_mode));
-    if (::access(path.c_str(), W_OK) != 0) fail(Failure::runtime, path, system_reason("cannot be written"));
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+        fail(Failure::runtime, path, system_reason("cannot be written"));
     return found.st_mode & 07777;
 }
 
