@@ -29,7 +29,7 @@ struct Effects::State {
     double time = 0.0;
 
     glm::dvec3 down;
-    organ::Surface surface;
+    Surface surface;
     std::vector<glm::vec3> positions;
     bleeding::BleedField bleed;
     cautery::CharField charred;
@@ -94,9 +94,9 @@ Amounts Effects::amounts() const noexcept {
 }
 
 std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept {
-    const auto hit = state_->surface.intersect_ray(origin, direction);
-    if (!hit) return std::nullopt;
-    return OrganHit{.position = hit->position, .distance = hit->distance};
+    SurfacePoint hit;
+    if (!state_->surface.intersect_ray(origin, direction, hit)) return std::nullopt;
+    return OrganHit{.position = hit.position, .distance = hit.distance};
 }
 
 }  // namespace lapfx

@@ -26,7 +26,7 @@ double share_above_zero(double a, double b, double c) {
 
 }  // namespace
 
-BleedField::BleedField(const organ::Surface& surface, glm::dvec3 down)
+BleedField::BleedField(const Surface& surface, glm::dvec3 down)
     : surface_(surface), down_(down), surface_values_(surface.positions.size()), values_(surface.weld.size()) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
@@ -110,7 +110,7 @@ double BleedField::area() const noexcept {
     const auto& p = surface_.positions;
     const auto above = [&](std::uint32_t v) { return surface_values_[v] - parameters_.threshold; };
     for (const std::uint32_t v : touched_)
-        for (const std::uint32_t t : surface_.triangles_of(v)) {
+        for (const std::uint32_t t : surface_.triangles_at(v)) {
             const auto& c = surface_.triangles[t];
             const double whole = 0.5 * glm::length(glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]));
             // Each triangle is met once per touched corner; count it at its first touched corner only.

@@ -24,7 +24,7 @@ struct Dirty {
 class BleedField {
   public:
     /// Keeps a reference to `surface`. `down`: unit, organ space.
-    BleedField(const organ::Surface& surface, glm::dvec3 down);
+    BleedField(const Surface& surface, glm::dvec3 down);
 
     /// Distances are found for wounds at new places only; what is known is kept.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
@@ -47,7 +47,7 @@ class BleedField {
     Spread spread_from(glm::dvec3 position, double limit) const;
     Dirty write_values() noexcept;
 
-    const organ::Surface& surface_;
+    const Surface& surface_;
     glm::dvec3 down_;
     BleedingParameters parameters_;
     std::vector<Wound> wounds_;

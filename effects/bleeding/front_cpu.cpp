@@ -41,7 +41,7 @@ double unfold(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, dou
 
 class March {
   public:
-    explicit March(const organ::Surface& surface)
+    explicit March(const Surface& surface)
         : surface_(surface), distance_(surface.positions.size(), unreached), done_(surface.positions.size(), false) {}
 
     void offer(std::uint32_t vertex, double distance) {
@@ -59,7 +59,7 @@ class March {
             if (distance > limit) break;
             done_[vertex] = true;
             reached.push_back({vertex, distance});
-            for (const std::uint32_t triangle : surface_.triangles_of(vertex)) spread_over(triangle);
+            for (const std::uint32_t triangle : surface_.triangles_at(vertex)) spread_over(triangle);
         }
         return reached;
     }
@@ -80,7 +80,7 @@ class March {
         }
     }
 
-    const organ::Surface& surface_;
+    const Surface& surface_;
     std::vector<double> distance_;
     std::vector<char> done_;
     std::priority_queue<Candidate> front_;
@@ -88,9 +88,9 @@ class March {
 
 }  // namespace
 
-std::vector<Reached> march(const organ::Surface& surface, glm::dvec3 contact, double limit) {
+std::vector<Reached> march(const Surface& surface, glm::dvec3 contact, double limit) {
     if (surface.triangles.empty()) return {};
-    const organ::ClosestPoint start = surface.closest_point(contact);
+    const SurfacePoint start = surface.closest_point(contact);
     March march(surface);
     for (int i = 0; i < 3; ++i) {
         const std::uint32_t corner = surface.triangles[start.triangle][i];

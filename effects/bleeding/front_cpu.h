@@ -21,6 +21,6 @@ struct Reached {
 /// Every surface vertex within `limit` mm of `contact`, nearest first. The contact is moved to the closest
 /// point of the surface, inside a triangle, not to a vertex. Other components are not reached. Pure; any
 /// thread.
-std::vector<Reached> march(const organ::Surface& surface, glm::dvec3 contact, double limit);
+std::vector<Reached> march(const Surface& surface, glm::dvec3 contact, double limit);
 
 }  // namespace lapfx::bleeding

@@ -1,5 +1,5 @@
-// Documents over a parameter table: JSON text to struct and back, and the schema. Presets and scenes are two
-// of them.
+// Documents over a parameter table: JSON text to struct and back, and the schema. Presets and scenes are
+// two of them.
 #pragma once
 
 #include <filesystem>
@@ -22,8 +22,8 @@ struct Format {
 
 constexpr std::size_t most_faults = 200;  ///< listed; a file with more is something else altogether
 
-/// Fills `document`, a struct with its defaults. Throws Error (bad_input) with all faults; then the struct is
-/// half filled.
+/// Fills `document`, a struct with its defaults. Throws Error (bad_input) with all faults; then the struct
+/// is half filled.
 void read_document(const Format& format, const Json& json, const std::string& name, void* document);
 
 /// Every key in table order, two-space indent, vectors and colours on one line, final newline.

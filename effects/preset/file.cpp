@@ -53,7 +53,8 @@ mode_t check_target(const std::filesystem::path& path) {
     // Renaming would replace the link and leave the file behind it as it was: surely not what is meant.
     if (!S_ISREG(found.st_mode))
         fail(Failure::runtime, path, std::string("not written: it is ") + type_name(found.st_mode));
-    if (::access(path.c_str(), W_OK) != 0) fail(Failure::runtime, path, system_reason("cannot be written"));
+    if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
+        fail(Failure::runtime, path, system_reason("cannot be written"));
     return found.st_mode & 07777;
 }
 
@@ -122,8 +123,8 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
         ::unlink(beside.c_str());
         fail(Failure::runtime, path, reason);
     }
-    // The rename itself reaches the disk with its folder. Not every file system can do that, and the text is
-    // safe.
+    // The rename itself reaches the disk with its folder. Not every file system can do that, and the text
+    // is safe.
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     if (Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); opened.get() >= 0)
         ::fsync(opened.get());

@@ -48,7 +48,8 @@ class TreeBuilder : public nlohmann::json_sax<nlohmann::json> {
     bool parse_error(std::size_t position, const std::string&, const nlohmann::json::exception& error) override {
         failure_position = position;
         failure = error.what();
-        // "[json.exception.parse_error.101] parse error at line 1, column 2: REASON": we place it ourselves.
+        // "[json.exception.parse_error.101] parse error at line 1, column 2: REASON": we place it
+        // ourselves.
         if (const auto start = failure.find("] "); start != std::string::npos) failure.erase(0, start + 2);
         if (failure.starts_with("parse error at"))
             if (const auto start = failure.find(": "); start != std::string::npos) failure.erase(0, start + 2);

@@ -28,8 +28,8 @@ constexpr std::size_t longest_document = 4 << 20;  ///< bytes
 constexpr std::size_t most_values = 100'000;
 constexpr std::size_t deepest_level = 32;
 
-/// Strict RFC 8259 within the limits above. Throws Error (bad_input) with place "LINE:COLUMN"; `name` is the
-/// file.
+/// Strict RFC 8259 within the limits above. Throws Error (bad_input) with place "LINE:COLUMN"; `name` is
+/// the file.
 Json parse_json(std::string_view text, const std::string& name);
 
 }  // namespace lapfx::preset

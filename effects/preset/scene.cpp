@@ -63,7 +63,8 @@ std::string check_target(const void* owner) {
 std::string check_up(const void* owner) {
     const C& camera = *static_cast<const C*>(owner);
     const glm::dvec3 view = camera.target - camera.eye;
-    // As a sine, so that neither length matters; both zero vectors count as parallel.
+    if (view == glm::dvec3(0)) return {};  // the target is blamed for that
+    // As a sine, so that neither length matters; a zero vector counts as parallel.
     const double sine_length = glm::length(glm::cross(view, camera.up));
     return sine_length <= 1e-6 * glm::length(view) * glm::length(camera.up) ? "zero or along the view" : "";
 }

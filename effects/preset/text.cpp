@@ -10,7 +10,8 @@ namespace lapfx::preset {
 
 namespace {
 
-/// Bytes of the well-formed UTF-8 character that `text` starts with, 0 if there is none (Unicode, table 3-7).
+/// Bytes of the well-formed UTF-8 character that `text` starts with, 0 if there is none (Unicode, table
+/// 3-7).
 std::size_t utf8_length(std::string_view text) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
     const unsigned first = byte(0);

@@ -8,11 +8,12 @@
 
 namespace lapfx::preset {
 
-/// The shortest decimal that reads back as the same double, whatever the locale; -0 is 0. Finite values only.
+/// The shortest decimal that reads back as the same double, whatever the locale; -0 is 0. Finite values
+/// only.
 std::string number_text(double value);
 
-/// Whole text as a double in JSON's spelling or "inf"/"nan"; false when it is anything else or beyond double
-/// range.
+/// Whole text as a double in JSON's spelling or "inf"/"nan"; false when it is anything else or beyond
+/// double range.
 bool read_number(std::string_view text, double& value);
 
 /// In quotes, valid UTF-8 and not longer than a line: what was found, for a fault. Bad bytes show as \xNN.

@@ -12,8 +12,8 @@ namespace lapfx {
 std::string read_file(const std::filesystem::path& path, std::size_t longest);
 
 /// Writes a new file beside `path`, flushes it to the disk and renames it. Throws Error (runtime); the old
-/// file is then as it was. Refuses to replace what is not a plain file (a symbolic link, a folder, a pipe) or
-/// is write-protected.
+/// file is then as it was. Refuses to replace what is not a plain file (a symbolic link, a folder, a pipe)
+/// or is write-protected.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
 }  // namespace lapfx

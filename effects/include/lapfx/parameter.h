@@ -1,6 +1,5 @@
 // The parameter table: one row per tunable value, and everything else is made from the rows: JSON reading and
-// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, editor rows, fit bounds, the reference
-// page.
+// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, editor rows, fit bounds, the reference.
 //
 //     for (const lapfx::Parameter& row : lapfx::preset_table().find("bleeding")->rows)
 //         std::cout << row.key << ' ' << row.unit << '\n';
@@ -57,8 +56,7 @@ struct Parameter {
     bool contained = false;                  ///< path: stays inside the document's folder
 
     Value get(const void* owner) const;
-    /// The value must be of this row's type and within its range (assert); use check() first on outside
-    /// values.
+    /// The value must be of this row's type and within its range (assert): check() what comes from outside.
     void set(void* owner, const Value& value) const;
     /// Empty when `value` is allowed; else why not: "-3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)".
     /// NaN and infinity never are.
@@ -102,18 +100,17 @@ struct Place {
     std::string pointer;  ///< JSON pointer, "/bleeding/speed"
 };
 
-/// Follows a key; '.' and '/' both separate, a leading '/' is allowed. Throws Error (bad_input) with the
-/// nearest known key.
+/// Follows a key; '.' and '/' both separate, a leading '/' is allowed.
+/// Throws Error (bad_input) with the nearest known key.
 Place find_parameter(const Table& root, void* document, std::string_view key);
 
 /// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3".
-/// Throws Error (bad_input) and leaves the document as it was when the key is unknown or the value not
+/// Throws Error (bad_input), and leaves the document as it was, when the key is unknown or the value is not
 /// allowed. Rules between values are not looked at, since a series of calls may break one on its way: check()
-/// after the last.
+/// at the end.
 void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
 
-/// All that is wrong with the values of a document: ranges, and the rules between values. `place` is a JSON
-/// pointer.
+/// All that is wrong with the values of a document: ranges, and rules between values. Places are pointers.
 std::vector<Fault> check(const Table& root, const void* document);
 
 }  // namespace lapfx
