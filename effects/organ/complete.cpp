@@ -84,7 +84,8 @@ void make_uvs(Organ& organ, const Missing& missing) {
             continue;
         }
         if (there)
-            organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) + ": its texture coordinates cover no area; new ones made");
+            organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) +
+                                     ": its texture coordinates cover no area; new ones made");
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
             const std::uint32_t v = organ.indices[i];
             organ.uvs[v] = box_uv(organ.positions[v], organ.normals[v]);
@@ -136,7 +137,8 @@ void make_tangents(Organ& organ) {
     bool all_there = true;
     for (std::size_t v = 0; v < organ.tangents.size(); ++v) {
         const glm::vec4 given = organ.tangents[v];
-        const glm::vec3 t = given.w == 0.0f ? glm::vec3(0.0f) : in_surface(glm::vec3(given), organ.normals[v]);
+        const glm::vec3 t =
+            given.w == 0.0f ? glm::vec3(0.0f) : in_surface(glm::vec3(given), organ.normals[v]);
         organ.tangents[v] = t == glm::vec3(0.0f) ? glm::vec4(0.0f) : glm::vec4(t, given.w < 0 ? -1.0f : 1.0f);
         all_there &= organ.tangents[v].w != 0.0f;
     }

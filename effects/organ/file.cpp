@@ -13,12 +13,17 @@ namespace {
 
 std::string kind_of(fs::file_type type) {
     switch (type) {
-        case fs::file_type::directory: return "is a folder";
-        case fs::file_type::fifo: return "is a pipe";
-        case fs::file_type::socket: return "is a socket";
+        case fs::file_type::directory:
+            return "is a folder";
+        case fs::file_type::fifo:
+            return "is a pipe";
+        case fs::file_type::socket:
+            return "is a socket";
         case fs::file_type::block:
-        case fs::file_type::character: return "is a device";
-        default: return "is not a plain file";
+        case fs::file_type::character:
+            return "is a device";
+        default:
+            return "is not a plain file";
     }
 }
 
@@ -75,7 +80,8 @@ fs::path file_beside(const fs::path& folder, std::string_view reference, const s
                      const std::string& place) {
     const std::string shown = "\"" + std::string(reference.substr(0, 120)) + "\"";
     if (reference.empty()) refuse(file, place, "names no file");
-    if (reference.find('\0') != std::string_view::npos) refuse(file, place, "the file name holds a NUL character");
+    if (reference.find('\0') != std::string_view::npos)
+        refuse(file, place, "the file name holds a NUL character");
     if (has_scheme(reference))
         refuse(file, place, shown + " is a URL; only plain files beside this file are read");
     const fs::path path = fs::path(std::string(reference)).lexically_normal();
@@ -89,8 +95,8 @@ fs::path file_beside(const fs::path& folder, std::string_view reference, const s
 std::string percent_decoded(std::string_view uri) {
     std::string out;
     for (std::size_t i = 0; i < uri.size(); ++i) {
-        const bool escape = uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1], 16) >= 0 &&
-                            digit(uri[i + 2], 16) >= 0;
+        const bool escape =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1], 16) >= 0 && digit(uri[i + 2], 16) >= 0;
         if (!escape) {
             out += uri[i];
             continue;

@@ -11,12 +11,12 @@ namespace lapfx::mesh {
 
 using Bytes = std::vector<std::uint8_t>;
 
-/// The whole of a plain local file. Throws Error (bad_input): missing, not a plain file, empty, unreadable, larger than
-/// maximum_file_size. `name` is what the faults call the file, `place` where it was asked for.
+/// The whole of a plain local file. Throws Error (bad_input): missing, not a plain file, empty, unreadable,
+/// larger than maximum_file_size. `name` is what the faults call the file, `place` where it was asked for.
 Bytes read_file(const std::filesystem::path& path, const std::string& name, const std::string& place = {});
 
-/// Where a file named inside another file lies: beside it or below its folder. Throws Error (bad_input) for a URL, an
-/// absolute path and a path that leads out of the folder. Does not look whether the file is there.
+/// Where a file named inside another file lies: beside it or below its folder. Throws Error (bad_input) for a
+/// URL, an absolute path and a path that leads out of the folder. Does not look whether the file is there.
 std::filesystem::path file_beside(const std::filesystem::path& folder, std::string_view reference,
                                   const std::string& file, const std::string& place);
 

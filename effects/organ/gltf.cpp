@@ -15,8 +15,9 @@ int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
 }
 
 /// An attribute with `low` to `high` components and as many elements as there are positions.
-FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& name,
-                              int low, int high, std::size_t count, const std::string& place) {
+FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive& primitive,
+                              const std::string& name, int low, int high, std::size_t count,
+                              const std::string& place) {
     const int accessor = attribute(primitive, name);
     if (accessor < 0) return {low, {}};
     const std::string at = place + "/attributes/" + name;
@@ -24,8 +25,8 @@ FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive&
     if (array.components < low || array.components > high)
         refuse(document.file, at, "has " + std::to_string(array.components) + " components");
     if (array.size() != count)
-        refuse(document.file, at, "has " + std::to_string(array.size()) + " elements, POSITION has " +
-                                      std::to_string(count));
+        refuse(document.file, at,
+               "has " + std::to_string(array.size()) + " elements, POSITION has " + std::to_string(count));
     return array;
 }
 
@@ -35,7 +36,8 @@ std::vector<Vector> vectors(const FloatArray& array, Vector fill) {
     const int components = std::min(array.components, static_cast<int>(Vector::length()));
     for (std::size_t i = 0; i < out.size(); ++i)
         for (int c = 0; c < components; ++c)
-            out[i][c] = array.values[i * static_cast<std::size_t>(array.components) + static_cast<std::size_t>(c)];
+            out[i][c] =
+                array.values[i * static_cast<std::size_t>(array.components) + static_cast<std::size_t>(c)];
     return out;
 }
 
@@ -55,8 +57,8 @@ std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode)
     return out;
 }
 
-RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive, const std::vector<UvUse>& uses,
-                       const std::string& place) {
+RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive,
+                       const std::vector<UvUse>& uses, const std::string& place) {
     const int position = attribute(primitive, "POSITION");
     if (primitive.extensions.contains("KHR_draco_mesh_compression") &&
         (position < 0 || static_cast<std::size_t>(position) >= document.model.accessors.size() ||
@@ -85,7 +87,8 @@ RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primit
     part.uvs = vectors<glm::vec2>(read("TEXCOORD_" + std::to_string(use.set), 2, 2), glm::vec2(0.0f));
     if (use != UvUse{}) {
         for (glm::vec2& uv : part.uvs) uv = use.apply(uv);
-        if (use.rotation != 0.0f || use.scale.x * use.scale.y < 0.0f) part.tangents.clear();  // they follow the UVs
+        if (use.rotation != 0.0f || use.scale.x * use.scale.y < 0.0f)
+            part.tangents.clear();  // they follow the UVs
     }
 
     std::vector<std::uint32_t> order;
@@ -108,7 +111,8 @@ void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnin
     const tinygltf::Model& model = document.model;
     if (model.nodes.empty() && !model.meshes.empty())
         warnings.push_back("the file has no nodes: every mesh is taken, where it is");
-    if (document.has_skins) warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
+    if (document.has_skins)
+        warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
     const bool morphs = std::any_of(model.meshes.begin(), model.meshes.end(), [](const tinygltf::Mesh& mesh) {
         return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                            [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
@@ -145,7 +149,8 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
         }
     }
     if (left_out > 0)
-        organ.warnings.push_back(counted(left_out, "primitive", "primitives") + " of points or lines left out");
+        organ.warnings.push_back(counted(left_out, "primitive", "primitives") +
+                                 " of points or lines left out");
     return organ;
 }
 

@@ -9,8 +9,8 @@
 
 namespace lapfx::mesh {
 
-/// The values of an accessor as floats: normalised integers become 0..1 or -1..1, others keep their value; sparse
-/// substitutions are made.
+/// The values of an accessor as floats: normalised integers become 0..1 or -1..1, others keep their value;
+/// sparse substitutions are made.
 struct FloatArray {
     int components = 0;  ///< per element
     std::vector<float> values;

@@ -15,11 +15,22 @@ using nlohmann::json;
 constexpr int maximum_depth = 64;
 
 /// Read in full, or safe to leave out: the surface is the same without them.
-constexpr const char* known_extensions[] = {
-    "EXT_meshopt_compression", "EXT_texture_webp", "KHR_mesh_quantization", "KHR_texture_transform",
-    "KHR_materials_pbrSpecularGlossiness", "KHR_materials_unlit", "KHR_lights_punctual", "KHR_materials_ior",
-    "KHR_materials_specular", "KHR_materials_sheen", "KHR_materials_clearcoat", "KHR_materials_transmission",
-    "KHR_materials_volume", "KHR_materials_emissive_strength", "KHR_materials_variants", "KHR_xmp_json_ld"};
+constexpr const char* known_extensions[] = {"EXT_meshopt_compression",
+                                            "EXT_texture_webp",
+                                            "KHR_mesh_quantization",
+                                            "KHR_texture_transform",
+                                            "KHR_materials_pbrSpecularGlossiness",
+                                            "KHR_materials_unlit",
+                                            "KHR_lights_punctual",
+                                            "KHR_materials_ior",
+                                            "KHR_materials_specular",
+                                            "KHR_materials_sheen",
+                                            "KHR_materials_clearcoat",
+                                            "KHR_materials_transmission",
+                                            "KHR_materials_volume",
+                                            "KHR_materials_emissive_strength",
+                                            "KHR_materials_variants",
+                                            "KHR_xmp_json_ld"};
 
 struct Chunks {
     std::string_view json;
@@ -37,11 +48,13 @@ Chunks split_glb(const Bytes& bytes, const std::string& file) {
     constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
     if (bytes.size() < 20) refuse(file, "", "truncated: the file ends within the header of a binary glTF");
     if (word(bytes, 4) != 2)
-        refuse(file, "", "binary glTF version " + std::to_string(word(bytes, 4)) + " is not read, expected 2");
+        refuse(file, "",
+               "binary glTF version " + std::to_string(word(bytes, 4)) + " is not read, expected 2");
     const std::size_t length = word(bytes, 8), json_length = word(bytes, 12);
     if (length > bytes.size())
-        refuse(file, "", "truncated: its header says " + std::to_string(length) + " bytes, the file has " +
-                             std::to_string(bytes.size()));
+        refuse(file, "",
+               "truncated: its header says " + std::to_string(length) + " bytes, the file has " +
+                   std::to_string(bytes.size()));
     if (word(bytes, 16) != json_type) refuse(file, "", "its first chunk is not JSON");
     if (json_length > bytes.size() - 20) refuse(file, "", "truncated: the file ends within its JSON chunk");
     Chunks chunks{{reinterpret_cast<const char*>(bytes.data()) + 20, json_length}, {}};
@@ -73,7 +86,8 @@ json parse(std::string_view text, const std::string& file) {
     } catch (const json::exception& fault) {
         const std::string what = fault.what();
         const std::size_t start = what.find("parse error");
-        refuse(file, "", "its JSON cannot be read: " + what.substr(start == std::string::npos ? 0 : start, 160));
+        refuse(file, "",
+               "its JSON cannot be read: " + what.substr(start == std::string::npos ? 0 : start, 160));
     }
 }
 
@@ -105,7 +119,9 @@ Bytes data_uri(std::string_view uri, const std::string& file, const std::string&
     return bytes;
 }
 
-bool is_data_uri(std::string_view uri) { return uri.starts_with("data:"); }
+bool is_data_uri(std::string_view uri) {
+    return uri.starts_with("data:");
+}
 
 std::string text_member(const json& object, const char* key) {
     const auto found = object.find(key);
@@ -124,7 +140,8 @@ void read_buffers(GltfDocument& document, const json& buffers, std::span<const s
         const json& source = buffers[i];
         const std::string place = "/buffers/" + std::to_string(i);
         tinygltf::Buffer buffer;
-        if (!source.is_object() || !source.contains("byteLength") || !source["byteLength"].is_number_unsigned())
+        if (!source.is_object() || !source.contains("byteLength") ||
+            !source["byteLength"].is_number_unsigned())
             refuse(document.file, place, "has no byteLength");
         const std::size_t length = source["byteLength"];
         const std::string uri = text_member(source, "uri");
@@ -133,14 +150,15 @@ void read_buffers(GltfDocument& document, const json& buffers, std::span<const s
         else if (is_data_uri(uri))
             buffer.data = data_uri(uri, document.file, place + "/uri");
         else if (!uri.empty())
-            buffer.data = read_file(
-                file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"), document.file,
-                place + ": " + uri);
+            buffer.data =
+                read_file(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"),
+                          document.file, place + ": " + uri);
         else if (!is_fallback(source))
             refuse(document.file, place, "has no uri, and the file has no binary chunk for it");
         if (!buffer.data.empty() && buffer.data.size() < length)
-            refuse(document.file, place, "truncated: has " + std::to_string(buffer.data.size()) + " of " +
-                                             std::to_string(length) + " bytes");
+            refuse(document.file, place,
+                   "truncated: has " + std::to_string(buffer.data.size()) + " of " + std::to_string(length) +
+                       " bytes");
         if (buffer.data.size() > length) buffer.data.resize(length);
         document.model.buffers.push_back(std::move(buffer));
     }
@@ -170,7 +188,9 @@ json taken_out(json& document, const char* key, const std::string& file) {
 }
 
 /// The first line of what tinygltf says.
-std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
 
 void run_tinygltf(GltfDocument& document, const json& structure) {
     const std::string text = structure.dump();
@@ -186,14 +206,17 @@ void run_tinygltf(GltfDocument& document, const json& structure) {
     }
     const auto& used = document.model.extensionsUsed;
     if (!done && std::find(used.begin(), used.end(), "KHR_draco_mesh_compression") != used.end())
-        refuse(document.file, "/extensionsUsed", "needs the extension KHR_draco_mesh_compression, which is not read");
+        refuse(document.file, "/extensionsUsed",
+               "needs the extension KHR_draco_mesh_compression, which is not read");
     // It drops a primitive that it cannot read with no more than a message, and goes on.
-    if (!done || !error.empty()) refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
+    if (!done || !error.empty())
+        refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
 }
 
 }  // namespace
 
-GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
+GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file,
+                                const Bytes& bytes) {
     GltfDocument document;
     document.file = file;
     document.folder = path.parent_path();
@@ -205,8 +228,10 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
     document.has_skins = structure.contains("skins");
-    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
-    for (const char* list : {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
+    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"})
+        structure.erase(unused);
+    for (const char* list :
+         {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
         if (structure.contains(list) && !structure[list].is_array())
             refuse(file, std::string("/") + list, "is no array");
     run_tinygltf(document, structure);
@@ -221,7 +246,8 @@ std::span<const std::uint8_t> GltfDocument::view(int index, const std::string& p
     if (const auto done = decoded.find(index); done != decoded.end()) return done->second;
     const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(index)];
     const std::string view_place = "/bufferViews/" + std::to_string(index);
-    if (const auto compressed = view.extensions.find("EXT_meshopt_compression"); compressed != view.extensions.end())
+    if (const auto compressed = view.extensions.find("EXT_meshopt_compression");
+        compressed != view.extensions.end())
         return decoded[index] = decode_meshopt(*this, compressed->second, view_place);
     return bytes_of(*this, view.buffer, view.byteOffset, view.byteLength, view_place);
 }

@@ -9,7 +9,9 @@ namespace {
 using tinygltf::ExtensionMap;
 using tinygltf::Value;
 
-double number(const Value& value, double fallback) { return value.IsNumber() ? value.GetNumberAsDouble() : fallback; }
+double number(const Value& value, double fallback) {
+    return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
+}
 
 double number(const Value& object, const char* key, std::size_t index, double fallback) {
     if (!object.IsObject() || !object.Has(key)) return fallback;
@@ -36,7 +38,8 @@ UvUse uv_use(int set, const ExtensionMap& extensions) {
         use.scale[i] = static_cast<float>(number(transform, "scale", index, 1.0));
     }
     if (transform.Has("rotation")) use.rotation = static_cast<float>(number(transform.Get("rotation"), 0.0));
-    if (transform.Has("texCoord") && transform.Get("texCoord").IsInt()) use.set = transform.Get("texCoord").GetNumberAsInt();
+    if (transform.Has("texCoord") && transform.Get("texCoord").IsInt())
+        use.set = transform.Get("texCoord").GetNumberAsInt();
     return use;
 }
 
@@ -76,7 +79,9 @@ class Images {
         const tinygltf::Image& from = document_.model.images[static_cast<std::size_t>(source)];
         Image image;
         const bool named_by_file = !from.uri.empty() && !from.uri.starts_with("data:");
-        image.name = !from.name.empty() ? from.name : named_by_file ? percent_decoded(from.uri) : "image " + std::to_string(source);
+        image.name = !from.name.empty() ? from.name
+                     : named_by_file    ? percent_decoded(from.uri)
+                                        : "image " + std::to_string(source);
         Bytes storage;
         std::string fault;
         const std::span<const std::uint8_t> bytes = document_.image_bytes(source, storage, fault);
@@ -105,13 +110,16 @@ glm::vec4 color(const std::vector<double>& factor) {
 void specular_glossiness(const Value& extension, Material& material, TextureUse& base) {
     if (!extension.IsObject()) return;
     for (int i = 0; i < 4; ++i)
-        material.base_color[i] = static_cast<float>(number(extension, "diffuseFactor", static_cast<std::size_t>(i), 1.0));
+        material.base_color[i] =
+            static_cast<float>(number(extension, "diffuseFactor", static_cast<std::size_t>(i), 1.0));
     if (extension.Has("glossinessFactor"))
         material.roughness = 1.0f - static_cast<float>(number(extension.Get("glossinessFactor"), 1.0));
     if (!extension.Has("diffuseTexture") || !extension.Get("diffuseTexture").IsObject()) return;
     const Value& texture = extension.Get("diffuseTexture");
-    if (texture.Has("index") && texture.Get("index").IsInt()) base.texture = texture.Get("index").GetNumberAsInt();
-    if (texture.Has("texCoord") && texture.Get("texCoord").IsInt()) base.uv.set = texture.Get("texCoord").GetNumberAsInt();
+    if (texture.Has("index") && texture.Get("index").IsInt())
+        base.texture = texture.Get("index").GetNumberAsInt();
+    if (texture.Has("texCoord") && texture.Get("texCoord").IsInt())
+        base.uv.set = texture.Get("texCoord").GetNumberAsInt();
 }
 
 UvUse read_material(const tinygltf::Material& from, int index, Images& images, RawOrgan& organ) {
@@ -124,8 +132,10 @@ UvUse read_material(const tinygltf::Material& from, int index, Images& images, R
     material.normal_scale = static_cast<float>(from.normalTexture.scale);
     material.double_sided = from.doubleSided;
 
-    TextureUse base{pbr.baseColorTexture.index, uv_use(pbr.baseColorTexture.texCoord, pbr.baseColorTexture.extensions)};
-    const TextureUse normal{from.normalTexture.index, uv_use(from.normalTexture.texCoord, from.normalTexture.extensions)};
+    TextureUse base{pbr.baseColorTexture.index,
+                    uv_use(pbr.baseColorTexture.texCoord, pbr.baseColorTexture.extensions)};
+    const TextureUse normal{from.normalTexture.index,
+                            uv_use(from.normalTexture.texCoord, from.normalTexture.extensions)};
     const auto old = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
     if (old != from.extensions.end() && base.texture < 0) specular_glossiness(old->second, material, base);
 
@@ -134,7 +144,8 @@ UvUse read_material(const tinygltf::Material& from, int index, Images& images, R
     const bool both = material.base_color_image >= 0 && material.normal_image >= 0;
     if (both && base.uv != normal.uv) {
         // The vertices carry one set of texture coordinates.
-        organ.warnings.push_back("material " + from.name + ": its normal map has other texture coordinates than its " +
+        organ.warnings.push_back("material " + from.name +
+                                 ": its normal map has other texture coordinates than its " +
                                  "base colour; the normal map is left out");
         material.normal_image = -1;
     }

@@ -39,7 +39,8 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
     std::vector<bool> child(model.nodes.size(), false);
     for (const tinygltf::Node& node : model.nodes)
         for (const int index : node.children)
-            if (index >= 0 && static_cast<std::size_t>(index) < child.size()) child[static_cast<std::size_t>(index)] = true;
+            if (index >= 0 && static_cast<std::size_t>(index) < child.size())
+                child[static_cast<std::size_t>(index)] = true;
     std::vector<int> roots;
     for (std::size_t i = 0; i < child.size(); ++i)
         if (!child[i]) roots.push_back(static_cast<int>(i));
@@ -49,7 +50,8 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
 std::vector<int> start_nodes(const GltfDocument& document) {
     const tinygltf::Model& model = document.model;
     if (model.defaultScene >= static_cast<int>(model.scenes.size()) || model.defaultScene < -1)
-        refuse(document.file, "/scene", "scene " + std::to_string(model.defaultScene) + " is not in the file");
+        refuse(document.file, "/scene",
+               "scene " + std::to_string(model.defaultScene) + " is not in the file");
     if (model.scenes.empty()) return root_nodes(model);
     return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
 }
@@ -60,8 +62,8 @@ struct Visit {
     glm::dmat4 parent;
 };
 
-/// A node may hang below several others (the specification forbids it, viewers show it at each), so a short file can
-/// name an endless number of places.
+/// A node may hang below several others (the specification forbids it, viewers show it at each), so a short
+/// file can name an endless number of places.
 constexpr std::size_t most_visits = 1'000'000;
 
 class Walk {
@@ -82,7 +84,8 @@ class Walk {
   private:
     /// The last one first, so that they come off the stack in order.
     void push(const std::vector<int>& nodes, std::size_t depth, const glm::dmat4& parent) {
-        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack_.push_back({*node, depth, parent});
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
+            stack_.push_back({*node, depth, parent});
     }
 
     void enter(const Visit& visit) {
@@ -93,7 +96,8 @@ class Walk {
         const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
         const glm::dmat4 matrix = visit.parent * local_matrix(node, visit.node, document_.file);
         if (node.mesh >= static_cast<int>(model_.meshes.size()) || node.mesh < -1)
-            refuse(document_.file, place + "/mesh", "mesh " + std::to_string(node.mesh) + " is not in the file");
+            refuse(document_.file, place + "/mesh",
+                   "mesh " + std::to_string(node.mesh) + " is not in the file");
         if (node.mesh >= 0) instances_.push_back({node.mesh, node.name, matrix});
         push(node.children, visit.depth + 1, matrix);
     }

@@ -15,8 +15,8 @@ struct MeshInstance {
     glm::dmat4 to_world{1.0};
 };
 
-/// Every mesh of the default scene with its place, in the order of the node tree; in a file without nodes, all meshes. A cycle and an
-/// index that is not in the file throw Error.
+/// Every mesh of the default scene with its place, in the order of the node tree; in a file without nodes,
+/// all meshes. A cycle and an index that is not in the file throw Error.
 std::vector<MeshInstance> mesh_instances(const GltfDocument& document);
 
 }  // namespace lapfx::mesh

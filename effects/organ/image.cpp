@@ -14,10 +14,17 @@ bool to_rgba(cv::Mat pixels, cv::Mat& rgba) {
     if (pixels.depth() == CV_16U) pixels.convertTo(pixels, CV_8U, 1.0 / 257.0);
     if (pixels.depth() != CV_8U) return false;
     switch (pixels.channels()) {
-        case 1: cv::cvtColor(pixels, rgba, cv::COLOR_GRAY2RGBA); return true;
-        case 3: cv::cvtColor(pixels, rgba, cv::COLOR_BGR2RGBA); return true;
-        case 4: cv::cvtColor(pixels, rgba, cv::COLOR_BGRA2RGBA); return true;
-        default: return false;
+        case 1:
+            cv::cvtColor(pixels, rgba, cv::COLOR_GRAY2RGBA);
+            return true;
+        case 3:
+            cv::cvtColor(pixels, rgba, cv::COLOR_BGR2RGBA);
+            return true;
+        case 4:
+            cv::cvtColor(pixels, rgba, cv::COLOR_BGRA2RGBA);
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -41,7 +48,8 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
     cv::Mat rgba;
     try {
         // The codecs only read; imdecode takes a non-const array all the same.
-        const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U, const_cast<std::uint8_t*>(file.data()));
+        const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U,
+                              const_cast<std::uint8_t*>(file.data()));
         const cv::Mat pixels = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
         if (pixels.empty()) return "cannot be decoded";
         if (!to_rgba(pixels, rgba)) return "has a pixel format that is not read";

@@ -18,7 +18,8 @@ struct ImageSize {
     std::int64_t height = 0;
 };
 
-/// Width and height as the file's header states them, without decoding; false when it is none of the four formats.
+/// Width and height as the file's header states them, without decoding; false when it is none of the four
+/// formats.
 bool image_size(std::span<const std::uint8_t> file, ImageSize& size);
 
 /// Decodes a whole image file into `image` (its name stays). Returns why not, or an empty string.

@@ -1,4 +1,5 @@
-// The size of an image from its header alone: a file of a few bytes can claim a gigapixel, so it is looked at first.
+// The size of an image from its header alone: a file of a few bytes can claim a gigapixel, so it is looked at
+// first.
 #include "organ/image.h"
 
 #include <string_view>
@@ -38,7 +39,8 @@ bool jpeg_size(File file, ImageSize& size) {
             ++at;
             continue;
         }
-        const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        const bool frame =
+            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
         if (frame) {
             size = {big(file, at + 7, 2), big(file, at + 5, 2)};
             return true;

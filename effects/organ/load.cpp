@@ -38,17 +38,23 @@ Format format_of(const std::filesystem::path& path, const Bytes& bytes) {
     return Format::unknown;
 }
 
-mesh::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
+mesh::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file,
+                    const Bytes& bytes) {
     switch (format) {
         case Format::gltf:
             if (lower_extension(path) == ".glb" && !starts(bytes, "glTF"))
                 mesh::refuse(file, "", "is no binary glTF: it does not start with glTF");
             return mesh::read_gltf(path, file, bytes);
-        case Format::obj: return mesh::read_obj(path, file, bytes);
-        case Format::ply: return mesh::read_ply(file, bytes);
-        case Format::stl: return mesh::read_stl(file, bytes);
-        case Format::off: return mesh::read_off(file, bytes);
-        case Format::unknown: break;
+        case Format::obj:
+            return mesh::read_obj(path, file, bytes);
+        case Format::ply:
+            return mesh::read_ply(file, bytes);
+        case Format::stl:
+            return mesh::read_stl(file, bytes);
+        case Format::off:
+            return mesh::read_off(file, bytes);
+        case Format::unknown:
+            break;
     }
     mesh::refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
 }

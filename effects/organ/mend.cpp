@@ -21,13 +21,16 @@ bool usable(glm::vec3 p) {
            std::abs(p.z) < largest_coordinate;
 }
 
-bool finite(glm::vec4 v) { return std::isfinite(v.x + v.y + v.z + v.w); }
+bool finite(glm::vec4 v) {
+    return std::isfinite(v.x + v.y + v.z + v.w);
+}
 
 template <class Vector>
 void append(std::vector<Vector>& to, const std::vector<Vector>& from, std::size_t count, Vector fill) {
     const std::size_t start = to.size();
     to.resize(start + count, fill);
-    if (from.size() == count) std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(start));
+    if (from.size() == count)
+        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(start));
 }
 
 void append_triangles(Organ& organ, const RawPart& part, std::uint32_t base, Counts& counts) {
@@ -57,7 +60,8 @@ Organ join(RawOrgan& raw, Missing& missing, Counts& counts) {
         missing.uvs.push_back(part.uvs.size() != count);
         organ.has_uvs |= count > 0 && part.uvs.size() == count;
         organ.has_colors |= count > 0 && part.colors.size() == count;
-        organ.parts.push_back({part.name, first, static_cast<std::uint32_t>(organ.indices.size()) - first, part.material});
+        organ.parts.push_back(
+            {part.name, first, static_cast<std::uint32_t>(organ.indices.size()) - first, part.material});
         part = {};  // its memory is not needed any more
     }
     return organ;
@@ -87,7 +91,8 @@ class Seen {
     std::vector<std::array<std::uint32_t, 3>> slots_;
 };
 
-/// Twice the area is less than 1e-7 of the longest side squared: below what float coordinates can tell from a line.
+/// Twice the area is less than 1e-7 of the longest side squared: below what float coordinates can tell from a
+/// line.
 bool has_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const double area = glm::length(glm::cross(b - a, c - a));
     const auto square = [](const glm::dvec3& v) { return glm::dot(v, v); };
@@ -102,8 +107,10 @@ void drop_triangles(Organ& organ, Counts& counts) {
     for (Part& part : organ.parts) {
         const std::uint32_t first = out;
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; i += 3) {
-            const std::array<std::uint32_t, 3> v{organ.indices[i], organ.indices[i + 1], organ.indices[i + 2]};
-            const glm::vec3 &a = organ.positions[v[0]], &b = organ.positions[v[1]], &c = organ.positions[v[2]];
+            const std::array<std::uint32_t, 3> v{organ.indices[i], organ.indices[i + 1],
+                                                 organ.indices[i + 2]};
+            const glm::vec3 &a = organ.positions[v[0]], &b = organ.positions[v[1]],
+                            &c = organ.positions[v[2]];
             if (!usable(a) || !usable(b) || !usable(c))
                 ++counts.not_finite;
             else if (!has_area(a, b, c))
@@ -159,7 +166,8 @@ void drop_empty_parts(Organ& organ, Missing& missing) {
 
 /// Every part gets a material, and every colour is a number.
 void settle_materials(Organ& organ) {
-    const bool bare = std::any_of(organ.parts.begin(), organ.parts.end(), [](const Part& p) { return p.material < 0; });
+    const bool bare =
+        std::any_of(organ.parts.begin(), organ.parts.end(), [](const Part& p) { return p.material < 0; });
     if (bare || organ.materials.empty()) {
         for (Part& part : organ.parts)
             if (part.material < 0) part.material = static_cast<int>(organ.materials.size());
@@ -177,7 +185,8 @@ void settle_materials(Organ& organ) {
             uv = glm::vec2(0.0f);
         }
     if (wrong_colors > 0)
-        organ.warnings.push_back(counted(wrong_colors, "vertex colour is", "vertex colours are") + " no number; made white");
+        organ.warnings.push_back(counted(wrong_colors, "vertex colour is", "vertex colours are") +
+                                 " no number; made white");
     if (wrong_uvs > 0)
         organ.warnings.push_back(counted(wrong_uvs, "texture coordinate is", "texture coordinates are") +
                                  " no number; made 0");
@@ -187,7 +196,8 @@ void warn(Organ& organ, const Counts& counts) {
     const auto say = [&](std::size_t count, const char* one, const char* many, const std::string& rest) {
         if (count > 0) organ.warnings.push_back(counted(count, one, many) + rest);
     };
-    say(counts.out_of_range, "triangle names", "triangles name", " vertices that are not in the file; left out");
+    say(counts.out_of_range, "triangle names", "triangles name",
+        " vertices that are not in the file; left out");
     say(counts.not_finite_vertices, "vertex has", "vertices have",
         " NaN or infinite coordinates; left out with " + counted(counts.not_finite, "triangle", "triangles"));
     say(counts.no_area, "triangle", "triangles", " without area left out");
@@ -204,8 +214,10 @@ Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing) {
         triangles += part.indices.size() / 3;
     }
     if (triangles == 0)
-        refuse(file, "", vertices == 0 ? "no triangles: the file holds no surface"
-                                       : "no triangles: the file holds " + counted(vertices, "point", "points") + " only");
+        refuse(file, "",
+               vertices == 0
+                   ? "no triangles: the file holds no surface"
+                   : "no triangles: the file holds " + counted(vertices, "point", "points") + " only");
     if (triangles > maximum_triangles || vertices > 3 * maximum_triangles)
         refuse(file, "", "has more than 20 million triangles");
 

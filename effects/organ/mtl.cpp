@@ -28,14 +28,16 @@ std::string lower(std::string text) {
 std::string map_file(std::istringstream& line, float& bump) {
     std::string word, rest;
     std::streampos before = line.tellg();
-    while (line >> word && word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]))) {
+    while (line >> word && word.size() > 1 && word[0] == '-' &&
+           std::isalpha(static_cast<unsigned char>(word[1]))) {
         const int values = word == "-mm" ? 2 : word == "-o" || word == "-s" || word == "-t" ? 3 : 1;
         for (int i = 0; i < values; ++i) {
             before = line.tellg();
             std::string value;
             if (!(line >> value)) return {};
             // -o, -s and -t may have fewer numbers than three.
-            const bool number = !value.empty() && value.find_first_not_of("+-.0123456789eE") == std::string::npos;
+            const bool number =
+                !value.empty() && value.find_first_not_of("+-.0123456789eE") == std::string::npos;
             if (i > 0 && values == 3 && !number) {
                 line.seekg(before);
                 break;
@@ -81,7 +83,8 @@ class Library {
             glm::vec4 color(0.0f, 0.0f, 0.0f, 1.0f);
             // Many exporters write black where a texture gives the colour.
             if (words >> color.x >> color.y >> color.z && color != glm::vec4(0, 0, 0, 1))
-                material.base_color = glm::vec4(glm::vec3(linear_color(glm::clamp(color, 0.0f, 1.0f))), material.base_color.a);
+                material.base_color =
+                    glm::vec4(glm::vec3(linear_color(glm::clamp(color, 0.0f, 1.0f))), material.base_color.a);
         } else if (key == "pr") {
             if (words >> value) material.roughness = std::clamp(value, 0.0f, 1.0f);
         } else if (key == "ns") {
@@ -135,8 +138,8 @@ class Library {
         return index = static_cast<int>(organ_.images.size()) - 1;
     }
 
-    /// Relative to the OBJ. Of an absolute path, which was right on the machine that wrote it, the last name is looked
-    /// for beside the OBJ.
+    /// Relative to the OBJ. Of an absolute path, which was right on the machine that wrote it, the last name
+    /// is looked for beside the OBJ.
     fs::path path_of(std::string name) const {
         std::replace(name.begin(), name.end(), '\\', '/');
         const fs::path path = fs::path(name).lexically_normal();

@@ -25,7 +25,8 @@ std::vector<RawPart> named_parts(const ObjText& text, const RawOrgan& organ, Sou
         if (is_new) {
             RawPart& part = parts.emplace_back();
             part.name = !run.name.empty() ? run.name : run.material;
-            if (const auto found = materials.find(run.material); found != materials.end()) part.material = found->second;
+            if (const auto found = materials.find(run.material); found != materials.end())
+                part.material = found->second;
         }
         soup.face_part.insert(soup.face_part.end(), end - run.first_face, place->second);
     }
@@ -44,9 +45,8 @@ void warn_of_missing_materials(const ObjText& text, RawOrgan& organ) {
 
 /// Colours from 0 to 255 where 0 to 1 is usual.
 void scale_colors(Soup& soup) {
-    const bool bytes = std::any_of(soup.colors.begin(), soup.colors.end(), [](const glm::vec4& c) {
-        return c.x > 1.5f || c.y > 1.5f || c.z > 1.5f;
-    });
+    const bool bytes = std::any_of(soup.colors.begin(), soup.colors.end(),
+                                   [](const glm::vec4& c) { return c.x > 1.5f || c.y > 1.5f || c.z > 1.5f; });
     if (bytes)
         for (glm::vec4& c : soup.colors) c = glm::vec4(glm::vec3(c) / 255.0f, c.a);
 }

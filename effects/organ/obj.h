@@ -1,4 +1,5 @@
-// Wavefront OBJ: OpenMesh reads the numbers, we read what it does not tell (groups, materials) and keep it from harm.
+// Wavefront OBJ: OpenMesh reads the numbers, we read what it does not tell (groups, materials) and keep it
+// from harm.
 #pragma once
 
 #include "organ/file.h"
@@ -6,8 +7,8 @@
 
 namespace lapfx::mesh {
 
-/// One part for each run of a material. Throws Error when the file is no text or cannot be read; lines that make no
-/// sense are left out with a warning.
+/// One part for each run of a material. Throws Error when the file is no text or cannot be read; lines that
+/// make no sense are left out with a warning.
 RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
 }  // namespace lapfx::mesh

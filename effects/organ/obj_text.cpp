@@ -8,7 +8,9 @@ namespace lapfx::mesh {
 
 namespace {
 
-bool is_space(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f'; }
+bool is_space(char c) {
+    return c == ' ' || c == '\t' || c == '\r' || c == '\v' || c == '\f';
+}
 
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
@@ -67,7 +69,8 @@ class Cleaner {
     explicit Cleaner(std::string_view source) { out_.text.reserve(source.size() + 64); }
 
     void line(std::string_view line) {
-        if (const std::size_t comment = line.find('#'); comment != std::string_view::npos) line = line.substr(0, comment);
+        if (const std::size_t comment = line.find('#'); comment != std::string_view::npos)
+            line = line.substr(0, comment);
         line = trimmed(line);
         std::string_view rest = line;
         const std::string_view key = next_word(rest);
@@ -95,7 +98,8 @@ class Cleaner {
   private:
     void keep(std::string_view text) { (out_.text += text) += '\n'; }
 
-    /// A vertex is always kept, or the indices of all faces would shift; mend() takes the impossible ones out.
+    /// A vertex is always kept, or the indices of all faces would shift; mend() takes the impossible ones
+    /// out.
     void vertex(std::string_view rest) {
         if (numbers(rest) >= 3)
             ((out_.text += "v ") += rest) += '\n';
@@ -131,7 +135,8 @@ class Cleaner {
             ++out_.flat_faces;
             return;
         }
-        const bool new_run = out_.runs.empty() || out_.runs.back().material != material_ || out_.runs.back().name != name_;
+        const bool new_run =
+            out_.runs.empty() || out_.runs.back().material != material_ || out_.runs.back().name != name_;
         if (new_run) out_.runs.push_back({out_.faces, material_, name_});
         ((out_.text += "f ") += rest) += '\n';
         ++out_.faces;

@@ -1,8 +1,9 @@
 // OBJ text as OpenMesh can take it.
 //
-// OpenMesh's reader forgets a vertex whose coordinates are no numbers and so shifts all indices after it, reads past an
-// empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its texture. So its text is
-// gone over first: such lines are put right or left out, and mtllib, usemtl, o and g are taken down here.
+// OpenMesh's reader forgets a vertex whose coordinates are no numbers and so shifts all indices after it,
+// reads past an empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its
+// texture. So its text is gone over first: such lines are put right or left out, and mtllib, usemtl, o and g
+// are taken down here.
 #pragma once
 
 #include <string>

@@ -10,19 +10,24 @@ namespace {
 
 constexpr std::size_t stl_header = 84, stl_triangle = 50;
 
-std::string_view text_of(const Bytes& bytes) { return {reinterpret_cast<const char*>(bytes.data()), bytes.size()}; }
+std::string_view text_of(const Bytes& bytes) {
+    return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
+}
 
-/// "nan" and "inf" stop a number reader, and what follows would be read as something else. mend() leaves out what is
-/// so large.
+/// "nan" and "inf" stop a number reader, and what follows would be read as something else. mend() leaves out
+/// what is so large.
 void replace_words_for_not_finite(std::string& text) {
-    const auto letter = [&](std::size_t i) { return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i])); };
+    const auto letter = [&](std::size_t i) {
+        return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]));
+    };
     for (std::size_t i = 0; i + 2 < text.size(); ++i) {
         if (letter(i - 1)) continue;
         const auto is = [&](const char* word) {
             const std::size_t length = std::strlen(word);
             if (i + length > text.size() || letter(i + length)) return false;
-            return std::equal(word, word + length, text.begin() + static_cast<std::ptrdiff_t>(i),
-                              [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+            return std::equal(
+                word, word + length, text.begin() + static_cast<std::ptrdiff_t>(i),
+                [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
         };
         for (const char* word : {"nan", "inf", "infinity"})
             if (is(word)) text.replace(i, std::strlen(word), "1e30");
@@ -64,8 +69,9 @@ std::string without_nan(const Bytes& bytes, std::size_t triangles) {
 RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_t triangles) {
     const std::size_t need = stl_header + triangles * stl_triangle;
     if (bytes.size() < need)
-        refuse(file, "", "truncated: " + std::to_string(triangles) + " triangles need " + std::to_string(need) +
-                             " bytes, the file has " + std::to_string(bytes.size()));
+        refuse(file, "",
+               "truncated: " + std::to_string(triangles) + " triangles need " + std::to_string(need) +
+                   " bytes, the file has " + std::to_string(bytes.size()));
     if (triangles > maximum_triangles) refuse(file, "", "has more than 20 million triangles");
     Soup soup;
     if (!read_with_openmesh(OpenMeshFormat::stl_binary, without_nan(bytes, triangles), soup))
@@ -89,8 +95,10 @@ RawOrgan read_stl(const std::string& file, const Bytes& bytes) {
     std::uint32_t triangles = 0;
     if (bytes.size() >= stl_header) std::memcpy(&triangles, bytes.data() + 80, 4);
     // The header of a binary file may start with "solid" too; its length is what tells.
-    const bool exact = bytes.size() >= stl_header && bytes.size() == stl_header + std::size_t{triangles} * stl_triangle;
-    if (!exact && text_of(bytes).substr(0, 64).find("solid") != std::string_view::npos) return read_text_stl(file, bytes);
+    const bool exact =
+        bytes.size() >= stl_header && bytes.size() == stl_header + std::size_t{triangles} * stl_triangle;
+    if (!exact && text_of(bytes).substr(0, 64).find("solid") != std::string_view::npos)
+        return read_text_stl(file, bytes);
     if (bytes.size() < stl_header) refuse(file, "", "truncated: the file ends within the header of an STL");
     return read_binary_stl(file, bytes, triangles);
 }

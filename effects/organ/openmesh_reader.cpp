@@ -52,8 +52,10 @@ class Collector : public IO::BaseImporter {
         }
         glm::vec3& there = soup_.normals[index(v)];
         const glm::vec3 normal(n[0], n[1], n[2]);
-        // Two normals at one vertex: a hard edge, or a bad exporter. Neither suits an organ; it gets a smooth one.
-        const bool differs = there != glm::vec3(0.0f) && glm::dot(there, normal) < 0.9f * glm::dot(there, there);
+        // Two normals at one vertex: a hard edge, or a bad exporter. Neither suits an organ; it gets a smooth
+        // one.
+        const bool differs =
+            there != glm::vec3(0.0f) && glm::dot(there, normal) < 0.9f * glm::dot(there, there);
         if (differs) hard_[index(v)] = 1;
         there = normal;
     }
@@ -143,9 +145,12 @@ IO::Options wanted(OpenMeshFormat format) {
 
 IO::BaseReader& reader(OpenMeshFormat format) {
     switch (format) {
-        case OpenMeshFormat::obj: return IO::OBJReader();
-        case OpenMeshFormat::off: return IO::OFFReader();
-        default: return IO::STLReader();
+        case OpenMeshFormat::obj:
+            return IO::OBJReader();
+        case OpenMeshFormat::off:
+            return IO::OFFReader();
+        default:
+            return IO::STLReader();
     }
 }
 
@@ -157,7 +162,8 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     omerr().disable();
     omlog().disable();
     std::istringstream in(text, std::ios::binary);
-    // Its loops trust the counts of the header; a failed read has to end them. The line readers end by themselves.
+    // Its loops trust the counts of the header; a failed read has to end them. The line readers end by
+    // themselves.
     if (format == OpenMeshFormat::off || format == OpenMeshFormat::stl_binary)
         in.exceptions(std::ios::failbit | std::ios::badbit);
     Collector collector(soup);

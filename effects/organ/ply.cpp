@@ -31,7 +31,9 @@ class PlyNumbers {
         const auto [end, code] = std::from_chars(data_.data() + at, data_.data() + data_.size(), value);
         if (code == std::errc::invalid_argument) {
             const std::size_t stop = std::min(data_.find_first_of(" \t\r\n", at), data_.size());
-            refuse(file_, "", "\"" + std::string(data_.substr(at, std::min<std::size_t>(stop - at, 40))) + "\" is no number");
+            refuse(file_, "",
+                   "\"" + std::string(data_.substr(at, std::min<std::size_t>(stop - at, 40))) +
+                       "\" is no number");
         }
         data_.remove_prefix(static_cast<std::size_t>(end - data_.data()));
         return value;
@@ -53,14 +55,22 @@ class PlyNumbers {
         const bool swap = (coding_ == PlyCoding::big_endian) != (std::endian::native == std::endian::big);
         if (swap) std::reverse(bytes, bytes + size);
         switch (type) {
-            case PlyType::int8: return load<std::int8_t>(bytes);
-            case PlyType::uint8: return load<std::uint8_t>(bytes);
-            case PlyType::int16: return load<std::int16_t>(bytes);
-            case PlyType::uint16: return load<std::uint16_t>(bytes);
-            case PlyType::int32: return load<std::int32_t>(bytes);
-            case PlyType::uint32: return load<std::uint32_t>(bytes);
-            case PlyType::float32: return load<float>(bytes);
-            case PlyType::float64: return load<double>(bytes);
+            case PlyType::int8:
+                return load<std::int8_t>(bytes);
+            case PlyType::uint8:
+                return load<std::uint8_t>(bytes);
+            case PlyType::int16:
+                return load<std::int16_t>(bytes);
+            case PlyType::uint16:
+                return load<std::uint16_t>(bytes);
+            case PlyType::int32:
+                return load<std::int32_t>(bytes);
+            case PlyType::uint32:
+                return load<std::uint32_t>(bytes);
+            case PlyType::float32:
+                return load<float>(bytes);
+            case PlyType::float64:
+                return load<double>(bytes);
         }
         return 0.0;
     }
@@ -74,12 +84,16 @@ class PlyNumbers {
 double color_range(PlyType type) {
     switch (type) {
         case PlyType::uint8:
-        case PlyType::int8: return 255.0;
+        case PlyType::int8:
+            return 255.0;
         case PlyType::uint16:
-        case PlyType::int16: return 65535.0;
+        case PlyType::int16:
+            return 65535.0;
         case PlyType::float32:
-        case PlyType::float64: return 1.0;
-        default: return 255.0;
+        case PlyType::float64:
+            return 1.0;
+        default:
+            return 255.0;
     }
 }
 
@@ -98,11 +112,15 @@ class PlyReader {
         for (const PlyElement& element : header_.elements) {
             // Every element takes a byte at least.
             if (!element.properties.empty() && element.count > numbers_.left())
-                refuse(file_, "", "truncated: the header promises " + std::to_string(element.count) + " of element " +
-                                      element.name);
-            if (element.name == "vertex") vertices(element);
-            else if (element.name == "face" || element.name == "tristrips") faces(element);
-            else skip(element);
+                refuse(file_, "",
+                       "truncated: the header promises " + std::to_string(element.count) + " of element " +
+                           element.name);
+            if (element.name == "vertex")
+                vertices(element);
+            else if (element.name == "face" || element.name == "tristrips")
+                faces(element);
+            else
+                skip(element);
         }
         return std::move(soup_);
     }
@@ -136,7 +154,8 @@ class PlyReader {
     void vertices(const PlyElement& element) {
         const std::array<int, 3> position{element.find("x"), element.find("y"), element.find("z")};
         const std::array<int, 3> normal{element.find("nx"), element.find("ny"), element.find("nz")};
-        const std::array<int, 2> uv{find_any(element, {"s", "u", "texture_u"}), find_any(element, {"t", "v", "texture_v"})};
+        const std::array<int, 2> uv{find_any(element, {"s", "u", "texture_u"}),
+                                    find_any(element, {"t", "v", "texture_v"})};
         const std::array<int, 3> color{find_any(element, {"red", "diffuse_red", "r"}),
                                        find_any(element, {"green", "diffuse_green", "g"}),
                                        find_any(element, {"blue", "diffuse_blue", "b"})};
@@ -144,9 +163,12 @@ class PlyReader {
         if (!all<glm::vec3>(position)) refuse(file_, "", "its vertices have no x, y and z");
         for (std::size_t i = 0; i < element.count; ++i) {
             row(element);
-            const auto at = [&](int column) { return static_cast<float>(values_[static_cast<std::size_t>(column)]); };
+            const auto at = [&](int column) {
+                return static_cast<float>(values_[static_cast<std::size_t>(column)]);
+            };
             soup_.positions.emplace_back(at(position[0]), at(position[1]), at(position[2]));
-            if (all<glm::vec3>(normal)) soup_.normals.emplace_back(at(normal[0]), at(normal[1]), at(normal[2]));
+            if (all<glm::vec3>(normal))
+                soup_.normals.emplace_back(at(normal[0]), at(normal[1]), at(normal[2]));
             if (all<glm::vec2>(uv)) soup_.uvs.emplace_back(at(uv[0]), at(uv[1]));
             if (all<glm::vec3>(color)) {
                 const auto channel = [&](int column) {
@@ -163,8 +185,10 @@ class PlyReader {
     void row(const PlyElement& element) {
         values_.assign(element.properties.size(), 0.0);
         for (std::size_t p = 0; p < element.properties.size(); ++p) {
-            if (element.properties[p].is_list) skip_property(element.properties[p]);
-            else values_[p] = numbers_.next(element.properties[p].type);
+            if (element.properties[p].is_list)
+                skip_property(element.properties[p]);
+            else
+                values_[p] = numbers_.next(element.properties[p].type);
         }
     }
 
@@ -178,9 +202,12 @@ class PlyReader {
             std::size_t begin = soup_.corners.size();
             for (std::size_t p = 0; p < element.properties.size(); ++p) {
                 const PlyProperty& property = element.properties[p];
-                if (static_cast<int>(p) == list) corners(property, element.name == "tristrips");
-                else if (static_cast<int>(p) == uvs && property.is_list) texcoords(property);
-                else skip_property(property);
+                if (static_cast<int>(p) == list)
+                    corners(property, element.name == "tristrips");
+                else if (static_cast<int>(p) == uvs && property.is_list)
+                    texcoords(property);
+                else
+                    skip_property(property);
             }
             attach_uvs(begin);
         }
@@ -202,8 +229,10 @@ class PlyReader {
         // A strip ends at -1; every second triangle is turned round.
         std::size_t start = 0;
         for (std::size_t c = 0; c < count; ++c) {
-            if (ring[c] == 0xffffffffu) start = c + 1;
-            else if (c >= start + 2) face({ring[c - 2 + (c - start) % 2], ring[c - 1 - (c - start) % 2], ring[c]});
+            if (ring[c] == 0xffffffffu)
+                start = c + 1;
+            else if (c >= start + 2)
+                face({ring[c - 2 + (c - start) % 2], ring[c - 1 - (c - start) % 2], ring[c]});
         }
     }
 
@@ -214,7 +243,8 @@ class PlyReader {
 
     void texcoords(const PlyProperty& property) {
         const std::size_t count = list_length(property);
-        for (std::size_t c = 0; c < count; ++c) face_uvs_.push_back(static_cast<float>(numbers_.next(property.type)));
+        for (std::size_t c = 0; c < count; ++c)
+            face_uvs_.push_back(static_cast<float>(numbers_.next(property.type)));
     }
 
     /// MeshLab's "texcoord" list: u and v of each corner.

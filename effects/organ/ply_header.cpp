@@ -13,10 +13,12 @@ struct TypeName {
     PlyType type;
 };
 constexpr TypeName type_names[] = {
-    {"char", PlyType::int8},     {"int8", PlyType::int8},       {"uchar", PlyType::uint8},   {"uint8", PlyType::uint8},
-    {"short", PlyType::int16},   {"int16", PlyType::int16},     {"ushort", PlyType::uint16}, {"uint16", PlyType::uint16},
-    {"int", PlyType::int32},     {"int32", PlyType::int32},     {"uint", PlyType::uint32},   {"uint32", PlyType::uint32},
-    {"float", PlyType::float32}, {"float32", PlyType::float32}, {"double", PlyType::float64}, {"float64", PlyType::float64}};
+    {"char", PlyType::int8},      {"int8", PlyType::int8},       {"uchar", PlyType::uint8},
+    {"uint8", PlyType::uint8},    {"short", PlyType::int16},     {"int16", PlyType::int16},
+    {"ushort", PlyType::uint16},  {"uint16", PlyType::uint16},   {"int", PlyType::int32},
+    {"int32", PlyType::int32},    {"uint", PlyType::uint32},     {"uint32", PlyType::uint32},
+    {"float", PlyType::float32},  {"float32", PlyType::float32}, {"double", PlyType::float64},
+    {"float64", PlyType::float64}};
 
 std::vector<std::string> words_of(std::string_view line) {
     std::vector<std::string> words;
@@ -48,9 +50,12 @@ class HeaderReader {
                 continue;
             }
             if (!format_read) wrong("the format has to come first");
-            if (words[0] == "element") element(words);
-            else if (words[0] == "property") property(words);
-            else wrong("\"" + words[0] + "\" is not known in a PLY header");
+            if (words[0] == "element")
+                element(words);
+            else if (words[0] == "property")
+                property(words);
+            else
+                wrong("\"" + words[0] + "\" is not known in a PLY header");
         }
         if (!format_read) wrong("the format is missing");
         header_.size = at_;
@@ -58,12 +63,15 @@ class HeaderReader {
     }
 
   private:
-    [[noreturn]] void wrong(const std::string& reason) const { refuse(file_, "line " + std::to_string(line_), reason); }
+    [[noreturn]] void wrong(const std::string& reason) const {
+        refuse(file_, "line " + std::to_string(line_), reason);
+    }
 
     std::vector<std::string> next() {
         const std::size_t end = text_.find(line_end_, at_);
         ++line_;
-        if (end == std::string_view::npos || end - at_ > 4096) wrong("truncated: the header has no end_header");
+        if (end == std::string_view::npos || end - at_ > 4096)
+            wrong("truncated: the header has no end_header");
         const std::string_view line = text_.substr(at_, end - at_);
         at_ = end + 1;
         return words_of(line);
@@ -77,10 +85,14 @@ class HeaderReader {
 
     void format(const std::vector<std::string>& words) {
         if (words.size() != 3) wrong("the format has to be a coding and a version");
-        if (words[1] == "ascii") header_.coding = PlyCoding::text;
-        else if (words[1] == "binary_little_endian") header_.coding = PlyCoding::little_endian;
-        else if (words[1] == "binary_big_endian") header_.coding = PlyCoding::big_endian;
-        else wrong("format \"" + words[1] + "\" is not known");
+        if (words[1] == "ascii")
+            header_.coding = PlyCoding::text;
+        else if (words[1] == "binary_little_endian")
+            header_.coding = PlyCoding::little_endian;
+        else if (words[1] == "binary_big_endian")
+            header_.coding = PlyCoding::big_endian;
+        else
+            wrong("format \"" + words[1] + "\" is not known");
         if (words[2] != "1.0") wrong("version " + words[2] + " is not read, only 1.0");
     }
 
@@ -128,14 +140,20 @@ int PlyElement::find(std::string_view property) const {
 std::size_t size_of(PlyType type) {
     switch (type) {
         case PlyType::int8:
-        case PlyType::uint8: return 1;
+        case PlyType::uint8:
+            return 1;
         case PlyType::int16:
-        case PlyType::uint16: return 2;
-        case PlyType::float64: return 8;
-        default: return 4;
+        case PlyType::uint16:
+            return 2;
+        case PlyType::float64:
+            return 8;
+        default:
+            return 4;
     }
 }
 
-PlyHeader read_ply_header(const std::string& file, std::string_view text) { return HeaderReader(file, text).read(); }
+PlyHeader read_ply_header(const std::string& file, std::string_view text) {
+    return HeaderReader(file, text).read();
+}
 
 }  // namespace lapfx::mesh

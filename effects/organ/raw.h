@@ -15,8 +15,8 @@ namespace lapfx::mesh {
 constexpr std::size_t maximum_triangles = 20'000'000;
 constexpr std::uintmax_t maximum_file_size = std::uintmax_t{2} << 30;
 
-/// Triangles with one material. Every attribute but the positions may be empty: the file had none. Indices may be out
-/// of range, coordinates may be NaN: mend() deals with both.
+/// Triangles with one material. Every attribute but the positions may be empty: the file had none. Indices
+/// may be out of range, coordinates may be NaN: mend() deals with both.
 struct RawPart {
     std::string name;
     int material = -1;                 ///< index into RawOrgan::materials, or -1: the file names none
@@ -42,7 +42,8 @@ void transform(RawPart& part, const glm::dmat4& matrix);
 std::string counted(std::size_t count, const char* one, const char* many);
 
 /// The error of every reader: the file has to change.
-[[noreturn]] inline void refuse(const std::string& file, const std::string& place, const std::string& reason) {
+[[noreturn]] inline void refuse(const std::string& file, const std::string& place,
+                                const std::string& reason) {
     throw Error(Failure::bad_input, Fault{file, place, reason});
 }
 

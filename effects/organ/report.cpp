@@ -62,7 +62,8 @@ std::string number(double value) {
     return text;
 }
 
-/// A unit mistake is the most common fault of a mesh; the factor that brings it nearest to the size of a liver.
+/// A unit mistake is the most common fault of a mesh; the factor that brings it nearest to the size of a
+/// liver.
 std::string size_warning(double longest, double scale) {
     if (longest >= shortest_organ && longest <= longest_organ) return {};
     double best = factors[0];

@@ -1,7 +1,7 @@
 // The surface of an organ as one sheet, for distances along it and for pointing at it.
 //
-// Vertices of the organ at the same position are one point here, so that a texture seam or a flat-shaded edge does not
-// cut the surface. Built once for an organ; all queries are const and may run on any thread.
+// Vertices of the organ at the same position are one point here, so that a texture seam or a flat-shaded edge
+// does not cut the surface. Built once for an organ; all queries are const and may run on any thread.
 #pragma once
 
 #include <array>
@@ -27,26 +27,29 @@ class Surface {
     Surface() = default;
     explicit Surface(const Organ& organ);
 
-    std::vector<std::uint32_t> weld;                        ///< organ vertex to point
-    std::vector<glm::dvec3> positions;                      ///< of the points, mm
-    std::vector<std::array<std::uint32_t, 3>> triangles;    ///< points, in the order of the organ's triangles
-    std::vector<std::uint32_t> triangle_start;              ///< per point, into point_triangles; one more at the end
-    std::vector<std::uint32_t> point_triangles;             ///< triangles at each point, ascending
-    std::vector<std::uint32_t> neighbour_start;             ///< per point, into point_neighbours; one more at the end
-    std::vector<std::uint32_t> point_neighbours;            ///< points joined by an edge, ascending
+    std::vector<std::uint32_t> weld;                      ///< organ vertex to point
+    std::vector<glm::dvec3> positions;                    ///< of the points, mm
+    std::vector<std::array<std::uint32_t, 3>> triangles;  ///< points, in the order of the organ's triangles
+    std::vector<std::uint32_t> triangle_start;    ///< per point, into point_triangles; one more at the end
+    std::vector<std::uint32_t> point_triangles;   ///< triangles at each point, ascending
+    std::vector<std::uint32_t> neighbour_start;   ///< per point, into point_neighbours; one more at the end
+    std::vector<std::uint32_t> point_neighbours;  ///< points joined by an edge, ascending
 
     std::span<const std::uint32_t> triangles_at(std::uint32_t point) const {
-        return std::span(point_triangles).subspan(triangle_start[point], triangle_start[point + 1] - triangle_start[point]);
+        return std::span(point_triangles)
+            .subspan(triangle_start[point], triangle_start[point + 1] - triangle_start[point]);
     }
     std::span<const std::uint32_t> neighbours_of(std::uint32_t point) const {
         return std::span(point_neighbours)
             .subspan(neighbour_start[point], neighbour_start[point + 1] - neighbour_start[point]);
     }
 
-    /// The place nearest to `point`; of equally near ones, that of the lowest triangle. The surface must not be empty.
+    /// The place nearest to `point`; of equally near ones, that of the lowest triangle. The surface must not
+    /// be empty.
     SurfacePoint closest_point(const glm::dvec3& point) const;
 
-    /// The first place that the ray hits, from either side; false when it misses. `direction` need not be unit length.
+    /// The first place that the ray hits, from either side; false when it misses. `direction` need not be
+    /// unit length.
     bool intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 
   private:

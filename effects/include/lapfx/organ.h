@@ -3,9 +3,10 @@
 //     lapfx::Organ organ = lapfx::load_organ("stomach.glb");    // throws lapfx::Error
 //     for (const auto& warning : organ.warnings) std::cerr << warning << '\n';
 //
-// glTF 2.0 (.glb, .gltf), OBJ (with its MTL), PLY, STL and OFF. Every vertex has a normal, a tangent, UVs and a colour:
-// what the file lacks is made. Input that cannot be drawn (degenerate or duplicate triangles, NaN, indices out of range,
-// unreferenced vertices) is left out, with a warning that names and counts it. Plain data; load from any thread.
+// glTF 2.0 (.glb, .gltf), OBJ (with its MTL), PLY, STL and OFF. Every vertex has a normal, a tangent, UVs and
+// a colour: what the file lacks is made. Input that cannot be drawn (degenerate or duplicate triangles, NaN,
+// indices out of range, unreferenced vertices) is left out, with a warning that names and counts it. Plain
+// data; load from any thread.
 #pragma once
 
 #include <cstdint>
@@ -66,12 +67,12 @@ struct OrganOptions {
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z, applied after the scale
 };
 
-/// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an extension we
-/// cannot read: each named).
+/// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an
+/// extension we cannot read: each named).
 Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
 
-/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same position have
-/// been joined, so that a texture seam is not a boundary.
+/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same
+/// position have been joined, so that a texture seam is not a boundary.
 struct OrganReport {
     std::size_t vertices = 0;
     std::size_t triangles = 0;
