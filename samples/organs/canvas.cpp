@@ -88,7 +88,7 @@ void Canvas::segment(const Patch& patch, const VesselNode& from, const VesselNod
             const double soft = 0.35 * radius + 0.7 * texel;
             // Vessels thinner than a texel grow fainter, not thinner.
             const double opacity =
-                style.strength * std::min(1.0, radius / (0.45 * texel)) * ramp(0.02, 0.35, radius);
+                style.strength * std::min(1.0, radius / (0.45 * texel)) * ramp(0.0, 0.22, radius);
             const double cover = opacity * (1.0 - ramp(radius - 0.5 * soft, radius + 0.8 * soft, distance));
             if (cover <= 0.0) continue;
             cv::Vec3f& found = vessels_.at<cv::Vec3f>(y, x);

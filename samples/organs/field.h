@@ -10,14 +10,25 @@ namespace organs {
 /// From where the endoscope looks: pieces that lie on others are laid on along this direction.
 View field_view();
 
+/// mask = how near fat lies: 0 bare, 1 at its rim.
 Patch stomach_shape();
+/// mask = 1 at the sharp edge.
 Patch liver_edge_shape();
 Patch lesser_omentum_shape();
 Patch wall_shape();
 
-/// The greater omentum along the greater curvature; `under` has been draped.
-Patch apron_shape(const HeightMap& under);
+/// Not a part of the model: bowel and spleen would be here, and bear the omentum.
+Patch bed_shape();
+
+/// What fat is laid on, seen along field_view(): as it is, and with the hollows bridged by a cloth.
+struct Ground {
+    HeightMap bare;
+    HeightMap bridged;
+};
+
+/// Fat: mask = 0 at the thin rim, 1 where it is thick. The greater omentum along the greater curvature.
+Patch apron_shape(const Ground& ground);
 /// The fat pad at the angle of His and the fat along the lesser curvature.
-Patch cardia_fat_shape(const HeightMap& under);
+Patch cardia_fat_shape(const Ground& ground);
 
 }  // namespace organs

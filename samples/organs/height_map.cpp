@@ -6,7 +6,7 @@
 namespace organs {
 namespace {
 
-constexpr double nothing = -1e9;
+constexpr double nothing = -150.0;  // mm: the height where nothing is seen
 
 }  // namespace
 
@@ -26,25 +26,25 @@ dvec2 HeightMap::cell(const dvec3& seen) const {
     return (dvec2(seen.x, seen.y) / size_ + 0.5) * static_cast<double>(cells_ - 1);
 }
 
-void HeightMap::add(const Patch& patch) {
+void HeightMap::add(const Patch& patch, bool facing) {
     for (int row = 0; row + 1 < patch.rows; ++row) {
         for (int column = 0; column + 1 < patch.columns; ++column) {
             const dvec3 a = view_.seen(patch.at(column, row).position);
             const dvec3 b = view_.seen(patch.at(column + 1, row).position);
             const dvec3 c = view_.seen(patch.at(column, row + 1).position);
             const dvec3 d = view_.seen(patch.at(column + 1, row + 1).position);
-            triangle(a, c, b);
-            triangle(b, c, d);
+            triangle(a, c, b, facing);
+            triangle(b, c, d, facing);
         }
     }
 }
 
-void HeightMap::triangle(const dvec3& a, const dvec3& b, const dvec3& c) {
+void HeightMap::triangle(const dvec3& a, const dvec3& b, const dvec3& c, bool facing) {
     const dvec2 p = cell(a);
     const dvec2 q = cell(b);
     const dvec2 r = cell(c);
     const double area = (q.x - p.x) * (r.y - p.y) - (r.x - p.x) * (q.y - p.y);
-    if (std::abs(area) < 1e-12) return;
+    if (std::abs(area) < 1e-12 || (facing && area < 0.0)) return;
     const int left = std::max(0, static_cast<int>(std::ceil(std::min({p.x, q.x, r.x}))));
     const int right = std::min(cells_ - 1, static_cast<int>(std::floor(std::max({p.x, q.x, r.x}))));
     const int low = std::max(0, static_cast<int>(std::ceil(std::min({p.y, q.y, r.y}))));
@@ -60,8 +60,7 @@ void HeightMap::triangle(const dvec3& a, const dvec3& b, const dvec3& c) {
     }
 }
 
-void HeightMap::drape(double floor, double radius) {
-    for (double& height : height_) height = std::max(height, floor);
+void HeightMap::drape(double radius) {
     const std::vector<double> under = height_;
     const int passes = std::max(1, static_cast<int>(radius * (cells_ - 1) / size_));
     // Relaxing a cloth that may rise off what lies under it but not sink in.

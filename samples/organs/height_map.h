@@ -3,7 +3,7 @@
 //
 //     HeightMap under(view_from({0, 0.3, 0.95}), 260.0, 260);
 //     under.add(stomach);
-//     under.drape(-40.0, 9.0);      // floor, then a cloth over it
+//     under.drape(9.0);      // a cloth over it
 //     double z = under.at({x, y});
 #pragma once
 
@@ -28,15 +28,15 @@ class HeightMap {
   public:
     /// `cells` by `cells` over a square of `size` mm about the origin.
     HeightMap(const View& view, double size, int cells);
-    void add(const Patch& patch);
-    /// Fills what nothing covers with `floor`, then lets a cloth sag over it: hollows narrower than `radius`
-    /// are bridged.
-    void drape(double floor, double radius);
+    /// `facing`: only what turns its outside to the view.
+    void add(const Patch& patch, bool facing = false);
+    /// Lays a cloth over it: hollows narrower than `radius` are bridged.
+    void drape(double radius);
     double at(const dvec2& xy) const;
     const View& view() const { return view_; }
 
   private:
-    void triangle(const dvec3& a, const dvec3& b, const dvec3& c);
+    void triangle(const dvec3& a, const dvec3& b, const dvec3& c, bool facing);
     dvec2 cell(const dvec3& seen) const;
 
     View view_;

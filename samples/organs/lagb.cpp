@@ -21,14 +21,17 @@ struct Field {
 
 Field make_field() {
     Field field;
-    HeightMap below(field_view(), 300.0, 300);
-    below.add(field.stomach);
-    below.add(field.omentum);
-    HeightMap wide = below;
-    wide.drape(-52.0, 14.0);
-    field.apron = apron_shape(wide);
-    below.drape(-60.0, 7.0);
-    field.cardia_fat = cardia_fat_shape(below);
+    HeightMap seen(field_view(), 440.0, 440);
+    for (const Patch* patch : {&field.stomach, &field.omentum, &field.wall}) seen.add(*patch, true);
+    HeightMap bed = seen;
+    bed.add(bed_shape());
+    const auto bridged = [](const HeightMap& bare, double radius) {
+        HeightMap cloth = bare;
+        cloth.drape(radius);
+        return Ground{bare, cloth};
+    };
+    field.apron = apron_shape(bridged(bed, 18.0));
+    field.cardia_fat = cardia_fat_shape(bridged(seen, 11.0));
     const std::vector<Patch*> organs = {&field.stomach, &field.liver, &field.omentum, &field.apron,
                                         &field.cardia_fat};
     std::vector<Patch*> lit = organs;
@@ -56,8 +59,6 @@ Surface stomach(const Patch& patch, int size) {
     Growth growth;
     growth.stems = {{{0.20, 0.14}, {0.22, 0.3}, {0.2, 0.5}, {0.22, 0.7}, {0.18, 0.98}},
                     {{0.86, 0.10}, {0.83, 0.3}, {0.85, 0.5}, {0.82, 0.75}, {0.84, 0.98}}};
-    growth.demands = 900;
-    growth.satisfied = 3.4;
     growth.seed = 11;
     const VesselTree tree = grow(patch, growth);
     canvas.draw(patch, tree, {.vein = true, .aside = 1.9, .thinnest = 0.22, .width = 1.15, .raised = 0.35});
@@ -86,29 +87,28 @@ void make_lagb(const std::filesystem::path& folder, int size) {
     std::vector<Surface> surfaces;
     surfaces.push_back(stomach(field.stomach, size));
     Growth growth;
+    growth.thickest = 0.6;
+    growth.winding = 2.4;
     growth.stems = {{{0.95, 0.35}, {0.80, 0.45}, {0.78, 0.6}, {0.8, 0.8}}};
-    growth.demands = 500;
-    growth.satisfied = 4.0;
     growth.seed = 21;
     surfaces.push_back(painted("lesser omentum", field.omentum, 0.36, membrane_tissue, growth, size / 2));
+    growth.thickest = 0.55;
+    growth.capillary = 0.08;
+    growth.demands = 9;
+    growth.demand = [](const SurfacePoint& at) { return at.vertex.mask; };
     growth.stems = {{{0.9, 0.3}, {0.7, 0.5}, {0.55, 0.62}, {0.4, 0.75}, {0.1, 0.9}}};
-    growth.demands = 600;
-    growth.satisfied = 5.0;
     growth.seed = 31;
     surfaces.push_back(painted("greater omentum", field.apron, 0.30, fat_tissue, growth, size));
     growth.stems = {{{0.68, 0.2}, {0.60, 0.4}, {0.57, 0.6}, {0.45, 0.75}, {0.3, 0.85}}};
-    growth.demands = 350;
-    growth.satisfied = 3.0;
     growth.seed = 41;
     surfaces.push_back(painted("cardia fat", field.cardia_fat, 0.30, fat_tissue, growth, size / 2));
+    growth.demand = nullptr;
+    growth.demands = 14;
+    growth.thickest = 0.35;
     growth.stems = {{{0.3, 0.02}, {0.35, 0.2}}, {{0.75, 0.02}, {0.7, 0.2}}};
-    growth.demands = 500;
-    growth.satisfied = 5.0;
     growth.seed = 51;
     surfaces.push_back(painted("liver", field.liver, 0.30, liver_tissue, growth, size / 2));
     growth.stems = {{{0.5, 0.02}, {0.5, 0.3}}, {{0.02, 0.5}, {0.3, 0.5}}, {{0.98, 0.5}, {0.7, 0.5}}};
-    growth.demands = 400;
-    growth.satisfied = 10.0;
     growth.seed = 61;
     surfaces.push_back(painted("wall", field.wall, 0.5, wall_tissue, growth, size / 2));
     write_glb(folder / "lagb.glb", "gastric banding field", surfaces);

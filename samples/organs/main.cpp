@@ -22,6 +22,8 @@ int main(int argc, char** argv) {
     };
     try {
         if (wanted("lagb")) organs::make_lagb(folder, size);
+        if (wanted("liver_lobe")) organs::make_liver_lobe(folder, size);
+        if (wanted("hook_cautery")) organs::make_hook_cautery(folder);
     } catch (const std::exception& error) {
         std::cerr << "make_sample_organs: " << error.what() << '\n';
         return 1;

@@ -6,5 +6,7 @@
 namespace organs {
 
 void make_lagb(const std::filesystem::path& folder, int size);
+void make_liver_lobe(const std::filesystem::path& folder, int size);
+void make_hook_cautery(const std::filesystem::path& folder);
 
 }  // namespace organs

@@ -41,6 +41,9 @@ Texel stomach_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     const double web =
         ramp(0.80, 0.98, ridges(bent * 0.28, 2, 306u)) * ramp(-0.2, 0.5, fbm(p * 0.05, 3, 307u));
     color = glm::mix(color, rgb(196, 92, 84), 0.32 * web);
+    // Fat shows through the serosa where the omentum begins.
+    const double yellow = at.vertex.mask * ramp(0.25, 0.95, at.vertex.mask + 0.6 * fbm(p * 0.12, 4, 311u));
+    color = glm::mix(color, rgb(232, 184, 124), 0.75 * yellow);
     color *= 1.0 + 0.05 * mottle + 0.05 * grain;
     texel.color = with_vessels(color, vessels, 0.82);
     // Wrinkles of the serosa run around the organ; fine bumps break up the shine.
@@ -52,23 +55,27 @@ Texel stomach_tissue(const SurfacePoint& at, const VesselCover& vessels) {
 
 Texel fat_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     const dvec3& p = at.vertex.rest;
-    const Lobules large = lobules(p, 11.0, 401u);
-    const Lobules small = lobules(p, 4.2, 402u);
-    const double patchy = ramp(-0.25, 0.35, fbm(p * 0.04, 3, 403u));
+    const Lobules large = lobules(p, 11.5, 401u);
+    const Lobules small = lobules(p, 4.6, 402u);
+    const double patchy = ramp(-0.15, 0.45, fbm(p * 0.04, 3, 403u));
     Texel texel;
-    const double shade = 0.5 + 0.5 * fbm(p * 0.06, 4, 404u) + 0.25 * (unit(large.id) - 0.5);
-    dvec3 color = glm::mix(rgb(226, 160, 84), rgb(244, 200, 126), clamp01(shade));
-    color = glm::mix(color, rgb(230, 150, 96), 0.45 * ramp(0.1, 0.7, fbm(p * 0.03, 3, 405u)));
-    const double crease = clamp01(0.75 * large.crease + 0.45 * patchy * small.crease);
-    color = glm::mix(color, rgb(176, 84, 44), 0.55 * crease);
-    color *= 1.0 + 0.08 * fbm(p * 0.5, 3, 406u) + 0.05 * (small.height - 0.5) * patchy;
+    const double shade = 0.5 + 0.7 * fbm(p * 0.05, 4, 404u) + 0.22 * (unit(large.id) - 0.5) +
+                         0.12 * patchy * (unit(small.id) - 0.5);
+    dvec3 color = glm::mix(rgb(234, 160, 86), rgb(252, 212, 146), clamp01(shade));
+    color = glm::mix(color, rgb(226, 136, 88), 0.55 * ramp(0.0, 0.7, fbm(p * 0.03, 3, 405u)));
+    const double crease =
+        clamp01(0.8 * large.crease * ramp(-0.5, 0.3, fbm(p * 0.05, 2, 412u)) + 0.35 * patchy * small.crease);
+    color = glm::mix(color, rgb(196, 100, 54), 0.42 * crease);
+    color *= 1.0 + 0.07 * fbm(p * 0.5, 4, 406u);
+    // Capillaries keep to the creases and redden them.
     const dvec3 bent = p + 1.4 * perlin3(p * 0.25, 407u);
     const double web =
-        ramp(0.86, 0.99, ridges(bent * 0.22, 2, 408u)) * ramp(0.0, 0.5, fbm(p * 0.045, 3, 409u));
-    color = glm::mix(color, rgb(190, 60, 40), 0.30 * web);
-    texel.color = with_vessels(color, vessels, 0.80);
-    texel.height = 0.85 * patchy * small.height - 0.35 * large.crease + 0.16 * fbm(p * 0.5, 3, 410u) +
-                   0.03 * fbm(p * 1.5, 2, 411u) + 0.8 * vessels.height;
+        ramp(0.88, 0.99, ridges(bent * 0.20, 2, 408u)) * ramp(0.0, 0.5, fbm(p * 0.045, 3, 409u));
+    color = glm::mix(color, rgb(190, 64, 44), 0.30 * web);
+    color = glm::mix(rgb(224, 158, 122), color, ramp(0.0, 0.9, at.vertex.mask + 0.3 * fbm(p * 0.2, 3, 413u)));
+    texel.color = with_vessels(color, vessels, 0.75);
+    texel.height = 1.0 * patchy * small.height + 0.16 * fbm(p * 0.5, 3, 410u) + 0.03 * fbm(p * 1.5, 2, 411u) +
+                   0.7 * vessels.height;
     return texel;
 }
 
@@ -78,22 +85,23 @@ Texel liver_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     const double broad = fbm(p * 0.03, 4, 501u);
     const Cell lobule = worley(p / 1.7 + 0.3 * perlin3(p * 0.5, 502u), 503u);
     const double rim = 1.0 - ramp(0.03, 0.25, lobule.second - lobule.nearest);
-    dvec3 color = glm::mix(rgb(128, 48, 50), rgb(150, 66, 64), ramp(-0.6, 0.6, broad));
+    dvec3 color = glm::mix(rgb(108, 37, 38), rgb(132, 52, 50), ramp(-0.6, 0.6, broad));
     color = glm::mix(color, rgb(104, 36, 44), 0.5 * ramp(0.0, 0.6, fbm(p * 0.09, 4, 504u)));
     color = glm::mix(color, rgb(172, 92, 86), 0.22 * rim * ramp(-0.3, 0.4, fbm(p * 0.07, 3, 505u)));
     color *= 1.0 + 0.10 * fbm(p * 0.7, 3, 506u) + 0.08 * (unit(lobule.id) - 0.5);
+    color = glm::mix(color, rgb(170, 92, 84), 0.35 * at.vertex.mask);  // the edge is thin and fibrous
     // Under the capsule vessels shine through paler than the parenchyma.
-    color = glm::mix(color, rgb(186, 104, 96), 0.5 * vessels.vein);
+    color = glm::mix(color, rgb(168, 90, 82), 0.30 * vessels.vein);
     texel.color = glm::mix(color, rgb(92, 18, 26), 0.7 * vessels.artery);
     texel.height =
-        0.05 * fbm(p * 0.25, 3, 507u) + 0.045 * fbm(p * 0.8, 3, 508u) - 0.02 * rim + 0.2 * vessels.height;
+        0.09 * fbm(p * 0.25, 3, 507u) + 0.07 * fbm(p * 0.7, 3, 508u) - 0.02 * rim + 0.2 * vessels.height;
     return texel;
 }
 
 Texel membrane_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     const dvec3& p = at.vertex.rest;
     const double fat = at.vertex.mask;
-    const Lobules small = lobules(p, 4.6, 601u);
+    const Lobules small = lobules(p, 5.5, 601u);
     Texel texel;
     const double veil = fbm(p * 0.05, 4, 602u);
     dvec3 thin = glm::mix(rgb(176, 96, 84), rgb(214, 150, 118), ramp(-0.5, 0.6, veil));
@@ -101,8 +109,9 @@ Texel membrane_tissue(const SurfacePoint& at, const VesselCover& vessels) {
     const dvec3 fibres = dvec3(p.x * 0.10, p.y * 0.55, p.z * 0.2) + 0.7 * perlin3(p * 0.07, 604u);
     thin = glm::mix(thin, rgb(232, 190, 160), 0.30 * ramp(0.72, 0.97, ridges(fibres, 2, 605u)));
     dvec3 yellow = glm::mix(rgb(228, 164, 92), rgb(244, 204, 136), ramp(-0.5, 0.5, fbm(p * 0.1, 3, 606u)));
-    yellow = glm::mix(yellow, rgb(184, 92, 52), 0.55 * small.crease);
-    const double fatty = ramp(0.35, 0.62, fat + 0.35 * fbm(p * 0.10, 4, 607u) + 0.12 * (small.height - 0.5));
+    yellow =
+        glm::mix(yellow, rgb(200, 112, 66), 0.35 * small.crease * ramp(-0.4, 0.4, fbm(p * 0.08, 2, 611u)));
+    const double fatty = ramp(0.30, 0.75, fat + 0.5 * fbm(p * 0.09, 5, 607u) + 0.15 * (small.height - 0.5));
     dvec3 color = glm::mix(thin, yellow, fatty);
     color *= 1.0 + 0.07 * fbm(p * 0.6, 3, 608u);
     texel.color = with_vessels(color, vessels, 0.82);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "curve.h"
+
 namespace organs {
 namespace {
 
@@ -28,24 +30,23 @@ dvec2 move(const Patch& patch, const dvec2& from, const dvec3& offset) {
 }
 
 void lay_stem(const Patch& patch, const std::vector<dvec2>& line, double step, VesselTree& tree) {
-    int parent = -1;
+    double length = 0.0;
     for (std::size_t i = 0; i + 1 < line.size(); ++i) {
-        const dvec3 a = sample(patch, line[i].x, line[i].y).vertex.position;
-        const dvec3 b = sample(patch, line[i + 1].x, line[i + 1].y).vertex.position;
-        const int pieces = std::max(1, static_cast<int>(glm::distance(a, b) / step));
-        for (int k = 0; k < pieces; ++k) {
-            const dvec2 uv = glm::mix(line[i], line[i + 1], static_cast<double>(k) / pieces);
-            tree.push_back({uv, sample(patch, uv.x, uv.y).vertex.position, parent, 0.0});
-            parent = static_cast<int>(tree.size()) - 1;
-        }
+        length += glm::distance(sample(patch, line[i].x, line[i].y).vertex.position,
+                                sample(patch, line[i + 1].x, line[i + 1].y).vertex.position);
+    }
+    const int pieces = std::max(2, static_cast<int>(length / step));
+    int parent = -1;
+    for (int i = 0; i < pieces; ++i) {
+        const dvec2 uv = along(line, static_cast<double>(i) / pieces);
+        tree.push_back({uv, sample(patch, uv.x, uv.y).vertex.position, parent, 0.0});
+        parent = static_cast<int>(tree.size()) - 1;
     }
 }
 
-std::vector<Demand> scatter(const Patch& patch, const Growth& growth) {
-    Random random(growth.seed);
+std::vector<Demand> scatter(const Patch& patch, const Growth& growth, int count, Random& random) {
     std::vector<Demand> demands;
-    for (int tries = 0; tries < growth.demands * 30 && static_cast<int>(demands.size()) < growth.demands;
-         ++tries) {
+    for (int tries = 0; tries < count * 30 && static_cast<int>(demands.size()) < count; ++tries) {
         const dvec2 uv(random.next(), random.next());
         const double chance = random.next();
         const SurfacePoint at = sample(patch, uv.x, uv.y);
@@ -70,7 +71,8 @@ void look_at_new(const VesselTree& tree, std::size_t first, double satisfied, st
 
 /// One step: every vessel node that is somebody's nearest grows towards the mean of those that ask. False:
 /// none grew.
-bool extend(const Patch& patch, const Growth& growth, const std::vector<Demand>& demands, VesselTree& tree) {
+bool extend(const Patch& patch, const Growth& growth, const std::vector<Demand>& demands,
+            std::vector<int>& children, VesselTree& tree) {
     std::vector<dvec3> pull(tree.size(), dvec3(0.0));
     for (const Demand& demand : demands) {
         if (demand.content || demand.nearest < 0) continue;
@@ -78,18 +80,21 @@ bool extend(const Patch& patch, const Growth& growth, const std::vector<Demand>&
         pull[i] += (demand.position - tree[i].position) / demand.distance;
     }
     const std::size_t count = tree.size();
+    children.resize(count, 0);
     for (std::size_t i = 0; i < count; ++i) {
-        if (glm::length(pull[i]) < 0.05) continue;
+        if (glm::length(pull[i]) < 0.05 || children[i] >= 2) continue;
         dvec3 direction = glm::normalize(pull[i]);
         if (tree[i].parent >= 0) {  // a vessel does not turn sharply
             const dvec3 onward = tree[i].position - tree[static_cast<std::size_t>(tree[i].parent)].position;
-            if (glm::length(onward) > 1e-9) direction += 0.6 * glm::normalize(onward);
+            if (glm::length(onward) > 1e-9) direction += 0.7 * glm::normalize(onward);
         }
-        direction += 0.5 * perlin3(tree[i].position * 0.35, growth.seed + 5u);
+        direction += 0.5 * perlin3(tree[i].position * 0.2, growth.seed + 5u);
         const dvec2 uv = move(patch, tree[i].uv, glm::normalize(direction) * growth.step);
         const dvec3 position = sample(patch, uv.x, uv.y).vertex.position;
         if (glm::distance(position, tree[i].position) < 0.3 * growth.step) continue;
         tree.push_back({uv, position, static_cast<int>(i), 0.0});
+        children.push_back(0);
+        ++children[i];
     }
     return tree.size() > count;
 }
@@ -105,7 +110,7 @@ void find_radii(const Growth& growth, VesselTree& tree) {
 }
 
 void wind(const Patch& patch, const Growth& growth, VesselTree& tree) {
-    for (int pass = 0; pass < 3; ++pass) {
+    for (int pass = 0; pass < 6; ++pass) {
         std::vector<dvec2> sum(tree.size(), dvec2(0.0));
         std::vector<int> count(tree.size(), 0);
         for (std::size_t i = 0; i < tree.size(); ++i) {
@@ -121,8 +126,8 @@ void wind(const Patch& patch, const Growth& growth, VesselTree& tree) {
         }
     }
     for (VesselNode& node : tree) {
-        const dvec3 wander = growth.winding * (perlin3(node.position * 0.13, growth.seed + 31u) +
-                                               0.45 * perlin3(node.position * 0.42, growth.seed + 47u));
+        const dvec3 wander = growth.winding * (perlin3(node.position * 0.06, growth.seed + 31u) +
+                                               0.30 * perlin3(node.position * 0.15, growth.seed + 47u));
         node.uv = move(patch, node.uv, wander);
         node.position = sample(patch, node.uv.x, node.uv.y).vertex.position;
     }
@@ -133,12 +138,18 @@ void wind(const Patch& patch, const Growth& growth, VesselTree& tree) {
 VesselTree grow(const Patch& patch, const Growth& growth) {
     VesselTree tree;
     for (const std::vector<dvec2>& stem : growth.stems) lay_stem(patch, stem, growth.step, tree);
-    std::vector<Demand> demands = scatter(patch, growth);
-    std::size_t seen = 0;
-    for (int round = 0; round < 200; ++round) {
-        look_at_new(tree, seen, growth.satisfied, demands);
-        seen = tree.size();
-        if (!extend(patch, growth, demands, tree) || tree.size() > 20000) break;
+    Random random(growth.seed);
+    std::vector<int> children(tree.size(), 1);
+    int count = growth.demands;
+    for (int wave = 0; wave < growth.waves; ++wave, count *= 3) {
+        std::vector<Demand> demands = scatter(patch, growth, count, random);
+        const double satisfied = growth.satisfied * (growth.waves - wave);
+        std::size_t seen = 0;
+        for (int round = 0; round < 150; ++round) {
+            look_at_new(tree, seen, satisfied, demands);
+            seen = tree.size();
+            if (!extend(patch, growth, demands, children, tree) || tree.size() > 30000) break;
+        }
     }
     find_radii(growth, tree);
     wind(patch, growth, tree);

@@ -1,5 +1,6 @@
 // Vessel networks, grown over a patch by space colonisation: points scattered over the tissue ask for blood,
-// the nearest vessel grows towards them. Radii follow Murray's law (the cubes of the branches add up to the
+// the nearest vessel grows towards them. The points come in waves, few and far between at first, so that
+// stems and branches form before twigs. Radii follow Murray's law (the cubes of the branches add up to the
 // cube of the stem).
 #pragma once
 
@@ -21,12 +22,13 @@ using VesselTree = std::vector<VesselNode>;
 
 struct Growth {
     std::vector<std::vector<dvec2>> stems;  ///< where the network starts: lines over the patch, uv
-    int demands = 800;                      ///< how many points ask for blood
-    double step = 1.3;                      ///< mm
-    double satisfied = 2.6;                 ///< mm: a point this near to a vessel is content
-    double capillary = 0.11;                ///< radius at the ends, mm
-    double thickest = 1.0;                  ///< mm
-    double winding = 0.8;                   ///< how far vessels wander off the straight way, mm
+    int waves = 4;
+    int demands = 14;  ///< how many points ask for blood in the first wave; each wave has three times as many
+    double step = 1.3;        ///< mm
+    double satisfied = 2.4;   ///< mm: in the last wave, a point this near to a vessel is content
+    double capillary = 0.10;  ///< radius at the ends, mm
+    double thickest = 0.9;    ///< mm
+    double winding = 1.6;     ///< how far vessels wander off the straight way, mm
     std::uint32_t seed = 1;
     std::function<double(const SurfacePoint&)> demand;  ///< 0..1, where points are wanted; none = everywhere
 };
