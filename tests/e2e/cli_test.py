@@ -76,7 +76,7 @@ def is_video(folder, name, size, frames):
     done = subprocess.run(
         ["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
          "stream=width,height,nb_read_frames", "-of", "csv=p=0", os.path.join(folder, name)],
-        capture_output=True, text=True, check=False)
+        capture_output=True, encoding="utf-8", check=False)
     found = done.stdout.strip()
     assert found == f"{size[0]},{size[1]},{frames}", f"{name}: expected {size} and {frames} frames, ffprobe: {found}"
 
@@ -205,7 +205,7 @@ def faults_of(case, folder, done, before):
 def run_case(lapfx, case, folder):
     before = contents(folder)
     try:
-        done = subprocess.run([lapfx, *case.arguments], cwd=folder, capture_output=True, text=True, timeout=LIMIT_S,
+        done = subprocess.run([lapfx, *case.arguments], cwd=folder, capture_output=True, encoding="utf-8", timeout=LIMIT_S,
                               stdin=subprocess.DEVNULL, check=False)
     except subprocess.TimeoutExpired:
         yield f"not done after {LIMIT_S} s"
@@ -222,7 +222,7 @@ def run_interrupted(lapfx, output, number, folder):
     before = contents(folder)
     with subprocess.Popen([lapfx, "render", "scene.json", "--backend", "osmesa", "--size", "640x480", "--fps", "60",
                            "-o", output], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
-                          stderr=subprocess.PIPE, text=True) as render:
+                          stderr=subprocess.PIPE, encoding="utf-8") as render:
         # Under way: its files appear, wherever they are being written; a program that shows none gets 5 s.
         deadline = time.monotonic() + 5
         while render.poll() is None and time.monotonic() < deadline and contents(folder).keys() == before.keys():

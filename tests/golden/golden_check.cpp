@@ -24,8 +24,7 @@ namespace fs = std::filesystem;
 /// Golden tests run side by side and share the page: one at a time writes it.
 class Lock {
   public:
-    explicit Lock(const fs::path& file)
-        : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    explicit Lock(const fs::path& file) : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
         if (descriptor_ < 0 || flock(descriptor_, LOCK_EX) != 0) {
             throw std::runtime_error("cannot lock " + file.string());
         }
@@ -86,9 +85,8 @@ td { vertical-align: top; padding-right: 1em } img { image-rendering: pixelated;
     for (const std::string& name : names) {
         page << "<h2>" << name << "</h2><p>Accept: <code>tests/accept " << name << "</code>\n<table><tr>"
              << "<td>New<div class=flip><img src=\"" << name << ".new.png\"><img src=\"../" << name
-             << ".png\"></div><td>Reference<img src=\"../" << name
-             << ".png\" alt=\"none\"><td>Diff x16<img src=\"" << name
-             << ".diff.png\" alt=\"none\"></table>\n<pre>" << escaped(read(failed / (name + ".txt")))
+             << ".png\"></div><td>Reference<img src=\"../" << name << ".png\" alt=\"none\"><td>Diff x16<img src=\""
+             << name << ".diff.png\" alt=\"none\"></table>\n<pre>" << escaped(read(failed / (name + ".txt")))
              << "</pre>\n";
     }
 }
@@ -139,8 +137,7 @@ int check(const std::string& name, const lapfx::tests::Tolerance& tolerance, con
 
 int main(int argc, char** argv) {
     try {
-        if (argc != 5)
-            throw std::runtime_error("usage: golden_check NAME MAX_DIFFERENCE FAILING_FRACTION GOLDEN_DIR");
+        if (argc != 5) throw std::runtime_error("usage: golden_check NAME MAX_DIFFERENCE FAILING_FRACTION GOLDEN_DIR");
         return check(argv[1], {static_cast<int>(number(argv[2])), number(argv[3])}, argv[4]);
     } catch (const std::exception& error) {
         std::cerr << "golden_check: " << error.what() << '\n';

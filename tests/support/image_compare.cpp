@@ -65,8 +65,8 @@ Comparison compare(const cv::Mat& reference, const cv::Mat& candidate, const Tol
     result.max_difference = *worst;
     result.pixels = static_cast<int>(differences.total());
     result.failing_pixels = pixels_above(differences, tolerance.max_difference);
-    result.mean_difference = cv::norm(reference, candidate, cv::NORM_L1) /
-                             (static_cast<double>(reference.total()) * reference.channels());
+    result.mean_difference =
+        cv::norm(reference, candidate, cv::NORM_L1) / (static_cast<double>(reference.total()) * reference.channels());
     result.passed = result.failing_pixels <= tolerance.failing_fraction * result.pixels;
 
     std::ostringstream text;
@@ -76,8 +76,8 @@ Comparison compare(const cv::Mat& reference, const cv::Mat& candidate, const Tol
         text << result.failing_pixels << " of " << result.pixels << " pixels differ by more than "
              << tolerance.max_difference << " (allowed: " << tolerance.failing_fraction * 100 << " %); max "
              << result.max_difference << " at " << result.worst.x << ',' << result.worst.y << ": expected "
-             << pixel_text(reference, result.worst) << ", got " << pixel_text(candidate, result.worst)
-             << "; mean " << std::setprecision(3) << result.mean_difference;
+             << pixel_text(reference, result.worst) << ", got " << pixel_text(candidate, result.worst) << "; mean "
+             << std::setprecision(3) << result.mean_difference;
     }
     result.reason = text.str();
     return result;
