@@ -231,7 +231,8 @@ TEST_F(Gltf, EveryRangeIsChecked) {
         {R"({"meshes": 3})", "/meshes: is no array"}};
     for (const auto& [patch, reason] : wrong) {
         Triangle triangle;
-        for (const auto& [key, value] : json::parse(patch).items()) {
+        const json changes = json::parse(patch);
+        for (const auto& [key, value] : changes.items()) {
             if (value.is_array()) triangle.json[key][0].update(value[0]);
             else triangle.json[key] = value;
         }
