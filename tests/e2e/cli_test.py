@@ -116,7 +116,7 @@ INPUT = [
 
 RENDERING = [
     Case("render: no scene", ("render", "-o", "out.png"), 2),
-    Case("render: no output", RENDER + ("--at", "1"), 2, says=r"-o\b"),
+    Case("render: no output", RENDER + ("--at", "1"), 2, says="--output"),
     Case("render: missing scene", ("render", "missing.json", "-o", "out.png"), 2, "missing.json"),
     Case("render: folder for a scene", ("render", "folder", "-o", "out.png"), 2, "folder"),
     Case("render: preset for a scene", ("render", "good.json", "-o", "out.png"), 2, "good.json"),

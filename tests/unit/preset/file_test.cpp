@@ -1,4 +1,4 @@
-#include "preset/file.h"
+#include "lapfx/file.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>
@@ -19,11 +19,11 @@ using testing::ElementsAre;
 namespace fs = std::filesystem;
 
 std::vector<std::string> read_faults(const fs::path& path, std::size_t longest = 10) {
-    return faults_of([&] { preset::read_file(path, longest); });
+    return faults_of([&] { read_file(path, longest); });
 }
 
 std::vector<std::string> write_faults(const fs::path& path) {
-    return faults_of([&] { preset::write_file(path, "new"); }, Failure::runtime);
+    return faults_of([&] { write_file(path, "new"); }, Failure::runtime);
 }
 
 std::size_t count_entries(const Folder& folder) {
@@ -54,8 +54,8 @@ class OrdinaryUser {
 
 TEST(ReadFile, ReadsUpToItsLimit) {
     const Folder folder;
-    EXPECT_EQ(preset::read_file(folder.write("a", "0123456789"), 10), "0123456789");
-    EXPECT_EQ(preset::read_file(folder.write("b", std::string("a\0b", 3)), 10), std::string("a\0b", 3));
+    EXPECT_EQ(read_file(folder.write("a", "0123456789"), 10), "0123456789");
+    EXPECT_EQ(read_file(folder.write("b", std::string("a\0b", 3)), 10), std::string("a\0b", 3));
     const fs::path longer = folder.write("c", "0123456789x");
     EXPECT_THAT(read_faults(longer), ElementsAre(longer.string() + ": 11 bytes; at most 10 are read"));
 }
@@ -89,15 +89,15 @@ TEST(ReadFile, FollowsASymbolicLinkToAPlainFile) {
     const Folder folder;
     folder.write("a", "text");
     fs::create_symlink("a", folder / "link");
-    EXPECT_EQ(preset::read_file(folder / "link", 10), "text");
+    EXPECT_EQ(read_file(folder / "link", 10), "text");
 }
 
 TEST(WriteFile, WritesAndReplacesAndLeavesNothingBeside) {
     const Folder folder;
-    preset::write_file(folder / "a", "first");
+    write_file(folder / "a", "first");
     EXPECT_EQ(test::read_text(folder / "a"), "first");
     fs::permissions(folder / "a", fs::perms::owner_read | fs::perms::owner_write);
-    preset::write_file(folder / "a", "second");
+    write_file(folder / "a", "second");
     EXPECT_EQ(test::read_text(folder / "a"), "second");
     EXPECT_EQ(fs::status(folder / "a").permissions(), fs::perms::owner_read | fs::perms::owner_write);
     EXPECT_EQ(count_entries(folder), 1u);
@@ -106,7 +106,7 @@ TEST(WriteFile, WritesAndReplacesAndLeavesNothingBeside) {
 TEST(WriteFile, NewFilesObeyTheUmask) {
     const Folder folder;
     const mode_t before = ::umask(027);
-    preset::write_file(folder / "a", "x");
+    write_file(folder / "a", "x");
     ::umask(before);
     struct stat found {};
     ASSERT_EQ(::stat((folder / "a").c_str(), &found), 0);
@@ -117,7 +117,7 @@ TEST(WriteFile, WritesIntoTheWorkingFolder) {
     const Folder folder;
     const fs::path before = fs::current_path();
     fs::current_path(folder.path());
-    preset::write_file("bare", "x");
+    write_file("bare", "x");
     fs::current_path(before);
     EXPECT_EQ(test::read_text(folder / "bare"), "x");
 }
@@ -135,10 +135,8 @@ TEST(WriteFile, RefusesASymbolicLinkAndKeepsBothEnds) {
 TEST(WriteFile, RefusesWhatIsNoPlainFile) {
     const Folder folder;
     ASSERT_EQ(::mkfifo((folder / "pipe").c_str(), 0600), 0);
-    EXPECT_THAT(write_faults(folder.path()),
-                ElementsAre(folder.path().string() + ": not written: it is a folder"));
-    EXPECT_THAT(write_faults(folder / "pipe"),
-                ElementsAre((folder / "pipe").string() + ": not written: it is a pipe"));
+    EXPECT_THAT(write_faults(folder.path()), ElementsAre(folder.path().string() + ": not written: it is a folder"));
+    EXPECT_THAT(write_faults(folder / "pipe"), ElementsAre((folder / "pipe").string() + ": not written: it is a pipe"));
     EXPECT_THAT(write_faults(""), ElementsAre("no file name"));
     EXPECT_EQ(count_entries(folder), 1u);
 }
@@ -175,7 +173,7 @@ TEST(WriteFile, WriteProtectedFileIsKept) {
     const rlimit limit{100, 100};
     ::setrlimit(RLIMIT_FSIZE, &limit);
     try {
-        preset::write_file(folder / "a", std::string(1000, 'x'));
+        write_file(folder / "a", std::string(1000, 'x'));
     } catch (const Error& error) {
         const bool kept = test::read_text(folder / "a") == "old" && count_entries(folder) == 1;
         std::_Exit(kept && error.failure() == Failure::runtime ? 7 : 8);
