@@ -1,6 +1,7 @@
 #include "bleeding/bleed_cpu.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "bleeding/front_cpu.h"
 #include "bleeding/wound_cpu.h"
@@ -38,8 +39,9 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
     : surface_(surface),
       down_(down),
       longest_edge_(longest_edge(surface)),
-      surface_values_(surface.positions.size()),
-      values_(surface.weld.size()) {
+      driest_(static_cast<float>(-2.0 * longest_edge_)),
+      surface_values_(surface.positions.size(), driest_),
+      values_(surface.weld.size(), driest_) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
@@ -65,7 +67,7 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
     std::vector<Spread> spreads;
     for (const Wound& wound : wounds) {
         const auto known = std::find_if(spreads_.begin(), spreads_.end(), [&](const Spread& s) {
-            return s.position == wound.position && s.limit >= limit;
+            return s.position == wound.position && s.limit == limit;
         });
         spreads.push_back(known != spreads_.end() ? *known : spread_from(wound.position, limit));
     }
@@ -88,11 +90,9 @@ Dirty BleedField::update(double time) noexcept {
         changed = changed || source != sources_[w];
         sources_[w] = source;
     }
-    if (!changed || touched_.empty()) return {};
+    if (!changed) return {};
     stale_ = false;
-    // Below this a vertex is no neighbour of blood: it stays as it is until the front comes near.
-    const auto driest = static_cast<float>(-longest_edge_ * (1.0 + parameters_.gravity_bias));
-    for (const std::uint32_t v : touched_) surface_values_[v] = wounds_.empty() ? 0.0f : driest;
+    for (const std::uint32_t v : touched_) surface_values_[v] = driest_;
     for (std::size_t w = 0; w < wounds_.size(); ++w) {
         const Spread& spread = spreads_[w];
         const auto source = static_cast<float>(sources_[w]);
@@ -103,7 +103,8 @@ Dirty BleedField::update(double time) noexcept {
             value = std::max(value, source - (spread.distances[i] - bias * spread.drops[i]));
         }
     }
-    return write_values();
+    const Dirty dirty = write_values();
+    return std::exchange(told_, true) ? dirty : Dirty{.begin = 0, .end = static_cast<std::uint32_t>(values_.size())};
 }
 
 Dirty BleedField::write_values() noexcept {

@@ -1,4 +1,4 @@
-// Bleed value per vertex: b(x, t) = max over wounds of max(0, s_w(t) - d_w(x)), mm. d_w is the travel
+// Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry. d_w is the travel
 // distance, shortened downhill and lengthened uphill: a constant drift g added to a metric changes every path
 // between two points by the same amount, so d_w(x) = d(x) - gravity_bias * (drop from the wound to x) is the
 // exact distance in that (Randers) metric. Within a triangle of the edge b is carried on below 0: cut off at the
@@ -27,10 +27,12 @@ class BleedField {
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     BleedField(const Surface& surface, glm::dvec3 down);
 
-    /// Distances are found for wounds at new places only; what is known is kept.
+    /// Distances are found for wounds at new places, and anew for all when blood can come farther or less far: the
+    /// values depend on what is set, to the last bit, not on what was set before.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
 
-    /// Values at `time`; nothing is computed, and the range is empty, when no source value has changed.
+    /// Values at `time`; nothing is computed, and the range is empty, when no source value has changed. The first range
+    /// is that of all vertices.
     Dirty update(double time) noexcept;
 
     std::span<const float> values() const { return values_; }  ///< per organ vertex, mm; 0 or less: dry
@@ -51,6 +53,9 @@ class BleedField {
     const Surface& surface_;
     glm::dvec3 down_;
     double longest_edge_;  // mm
+    // Value of all vertices that are no neighbours of blood. Gravity at most doubles a distance, so no neighbour is drier.
+    float driest_;
+    bool told_ = false;  // an update has given the range of all vertices
     BleedingParameters parameters_;
     std::vector<Wound> wounds_;
     std::vector<Spread> spreads_;  // parallel to wounds_
