@@ -18,9 +18,12 @@ GLuint as_name(GLint value) {
 
 StateGuard::StateGuard() noexcept {
     for (std::size_t i = 0; i < switches.size(); ++i) enabled_[i] = glIsEnabled(switches[i]);
-    for (int i = 0; i < uniform_bindings; ++i)
-        glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, static_cast<GLuint>(i),
-                        &uniform_buffers_[static_cast<std::size_t>(i)]);
+    for (GLuint i = 0; i < uniform_bindings; ++i) {
+        UniformBinding& binding = uniform_buffers_[i];
+        glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, i, &binding.buffer);
+        glGetInteger64i_v(GL_UNIFORM_BUFFER_START, i, &binding.start);
+        glGetInteger64i_v(GL_UNIFORM_BUFFER_SIZE, i, &binding.size);
+    }
     glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniform_buffer_);
     glGetIntegerv(GL_ACTIVE_TEXTURE, &active_texture_);
     for (int i = 0; i < texture_units; ++i) {
@@ -38,16 +41,21 @@ StateGuard::StateGuard() noexcept {
 StateGuard::~StateGuard() {
     for (std::size_t i = 0; i < switches.size(); ++i)
         enabled_[i] == GL_TRUE ? glEnable(switches[i]) : glDisable(switches[i]);
-    for (int i = 0; i < uniform_bindings; ++i)
-        glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i),
-                         as_name(uniform_buffers_[static_cast<std::size_t>(i)]));
+    for (GLuint i = 0; i < uniform_bindings; ++i) {
+        const UniformBinding& binding = uniform_buffers_[i];
+        if (binding.buffer != 0 && binding.size > 0)
+            glBindBufferRange(GL_UNIFORM_BUFFER, i, as_name(binding.buffer), binding.start, binding.size);
+        else
+            glBindBufferBase(GL_UNIFORM_BUFFER, i, as_name(binding.buffer));
+    }
     glBindBuffer(GL_UNIFORM_BUFFER, as_name(uniform_buffer_));
     for (int i = 0; i < texture_units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glBindTexture(GL_TEXTURE_2D, as_name(textures_[static_cast<std::size_t>(i)]));
     }
     glActiveTexture(as_enum(active_texture_));
-    glUseProgram(as_name(program_));
+    // A program that the host has deleted while it was current is gone once another one has been used.
+    glUseProgram(program_ != 0 && glIsProgram(as_name(program_)) == GL_TRUE ? as_name(program_) : 0);
     glBindVertexArray(as_name(vertex_array_));
     glDepthFunc(as_enum(depth_function_));
     glDepthMask(depth_mask_);

@@ -21,7 +21,11 @@ class StateGuard {
     static constexpr int texture_units = 2;
 
     std::array<GLboolean, switches.size()> enabled_{};
-    std::array<GLint, uniform_bindings> uniform_buffers_{};
+    struct UniformBinding {
+        GLint buffer = 0;
+        GLint64 start = 0, size = 0;  // size 0: the whole buffer
+    };
+    std::array<UniformBinding, uniform_bindings> uniform_buffers_{};
     std::array<GLint, texture_units> textures_{};
     GLint program_ = 0, vertex_array_ = 0, depth_function_ = 0, active_texture_ = 0, uniform_buffer_ = 0;
     GLint blend_[6] = {};
