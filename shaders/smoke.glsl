@@ -50,7 +50,8 @@ float view_depth(float depth) {
 
 // Smoke that scatters `color` and lets 1 - alpha through, per channel: red passes more than blue.
 void put(float alpha, vec3 color) {
-    vec3 transmission = pow(vec3(1.0 - alpha), u_extinction.rgb);
+    // Not to the power of 0 from 0, which may be anything: a channel without extinction passes whole.
+    vec3 transmission = pow(vec3(max(1.0 - alpha, 1e-6)), u_extinction.rgb);
     o_light = vec4(color * (1.0 - transmission), 0.0);
     o_transmission = vec4(transmission, 1.0);
 }
