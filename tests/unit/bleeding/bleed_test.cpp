@@ -110,6 +110,8 @@ TEST(Bleed, NothingBleedsBeforeTheWoundNorFarFromIt) {
     const Surface surface(test::plane(44.0, 44));
     BleedField field(surface, into_the_plane);
     EXPECT_EQ(field.area(), 0.0);
+    field.update(0.0);
+    EXPECT_EQ(field.area(), 0.0) << "no wound";
     field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}, .start = 2.0}}, plain());
     field.update(1.0);
     EXPECT_EQ(field.area(), 0.0);
@@ -155,6 +157,7 @@ TEST(Bleed, TheRangeHoldsEveryValueThatChanged) {
     const Surface surface(test::plane(44.0, 44));
     BleedField field(surface, into_the_plane);
     field.set(std::vector<Wound>{{.position = {3.0, 0.0, 2.0}}}, plain());
+    EXPECT_EQ(field.update(0.0).end, field.values().size()) << "all at first";
     std::vector<float> before(field.values().begin(), field.values().end());
     for (const double time : {0.5, 1.0, 3.0, 0.7}) {
         const Dirty dirty = field.update(time);

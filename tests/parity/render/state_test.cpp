@@ -1,0 +1,224 @@
+// The host's GL state is the host's: what the draw calls find, they leave.
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "lapfx/effects.h"
+#include "parity/render/scene_fixture.h"
+#include "render/camera.h"
+
+namespace lapfx {
+namespace {
+
+constexpr GLenum integers[] = {GL_CURRENT_PROGRAM,
+                               GL_VERTEX_ARRAY_BINDING,
+                               GL_DEPTH_FUNC,
+                               GL_DEPTH_WRITEMASK,
+                               GL_BLEND_SRC_RGB,
+                               GL_BLEND_DST_RGB,
+                               GL_BLEND_SRC_ALPHA,
+                               GL_BLEND_DST_ALPHA,
+                               GL_BLEND_EQUATION_RGB,
+                               GL_BLEND_EQUATION_ALPHA,
+                               GL_ACTIVE_TEXTURE,
+                               GL_ARRAY_BUFFER_BINDING,
+                               GL_UNIFORM_BUFFER_BINDING,
+                               GL_DRAW_FRAMEBUFFER_BINDING,
+                               GL_READ_FRAMEBUFFER_BINDING,
+                               GL_CULL_FACE_MODE,
+                               GL_FRONT_FACE,
+                               GL_UNPACK_ALIGNMENT,
+                               GL_UNPACK_ROW_LENGTH,
+                               GL_UNPACK_SKIP_ROWS,
+                               GL_UNPACK_SKIP_PIXELS,
+                               GL_PIXEL_UNPACK_BUFFER_BINDING};
+constexpr GLenum switches[] = {GL_BLEND,        GL_DEPTH_TEST,   GL_CULL_FACE,       GL_MULTISAMPLE,
+                               GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB};
+
+/// All that a draw call may touch, by name.
+std::map<std::string, GLint64> state() {
+    std::map<std::string, GLint64> all;
+    const auto name = [](const char* kind, GLenum query, int index = -1) {
+        char text[64];
+        std::snprintf(text, sizeof text, "%s 0x%04X%s", kind, query,
+                      index < 0 ? "" : (" " + std::to_string(index)).c_str());
+        return std::string(text);
+    };
+    for (const GLenum query : integers) glGetInteger64v(query, &all[name("value", query)]);
+    for (const GLenum query : switches) all[name("switch", query)] = glIsEnabled(query);
+    for (const GLenum query : {GL_VIEWPORT, GL_SCISSOR_BOX, GL_COLOR_WRITEMASK}) {
+        GLint values[4] = {};
+        glGetIntegerv(query, values);
+        for (int i = 0; i < 4; ++i) all[name("value", query, i)] = values[i];
+    }
+    for (int i = 0; i < 4; ++i)
+        for (const GLenum query : {GL_UNIFORM_BUFFER_BINDING, GL_UNIFORM_BUFFER_START, GL_UNIFORM_BUFFER_SIZE})
+            glGetInteger64i_v(query, static_cast<GLuint>(i), &all[name("uniform binding", query, i)]);
+    GLint active = 0;
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
+    for (int i = 0; i < 4; ++i) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        glGetInteger64v(GL_TEXTURE_BINDING_2D, &all[name("texture unit", GL_TEXTURE_BINDING_2D, i)]);
+    }
+    glActiveTexture(static_cast<GLenum>(active));
+    return all;
+}
+
+class StateTest : public test::SceneTest {
+  protected:
+    static constexpr glm::ivec2 extent{64, 48};
+
+    void SetUp() override {
+        test::SceneTest::SetUp();
+        if (IsSkipped()) return;
+        color = gl::Texture({.size = extent, .format = GL_RGBA16F});
+        depth = gl::Texture({.size = extent, .format = GL_DEPTH_COMPONENT32F, .filter = GL_NEAREST});
+        whole = gl::Framebuffer(color, &depth);
+        smoke_only = gl::Framebuffer(color, nullptr);
+    }
+    void TearDown() override {
+        if (!IsSkipped()) put_back();
+        test::SceneTest::TearDown();
+    }
+
+    Effects effects() const {
+        Effects made(test::plane(80.0, 40), preset, {.clip_folders = {}, .wait_for_clips = true});
+        made.set_contacts(scene.events);
+        return made;
+    }
+    View view() const { return render::view_of(scene.camera, scene.light, extent); }
+
+    void clear() const {
+        constexpr float black[4] = {}, far = 1.0f;
+        glClearNamedFramebufferfv(whole.name(), GL_COLOR, 0, black);
+        glClearNamedFramebufferfv(whole.name(), GL_DEPTH, 0, &far);
+        glViewport(0, 0, extent.x, extent.y);
+    }
+    std::vector<float> pixels() const {
+        std::vector<float> all(4 * static_cast<std::size_t>(extent.x * extent.y));
+        glGetTextureImage(color.name(), 0, GL_RGBA, GL_FLOAT, static_cast<GLsizei>(all.size() * sizeof(float)),
+                          all.data());
+        return all;
+    }
+    static void put_back() {
+        for (const GLenum query : switches) glDisable(query);
+        glDepthMask(GL_TRUE);
+        glBlendFunc(GL_ONE, GL_ZERO);
+        glBlendEquation(GL_FUNC_ADD);
+        glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+        glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+        glPixelStorei(GL_UNPACK_SKIP_ROWS, 0);
+        glPixelStorei(GL_UNPACK_SKIP_PIXELS, 0);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+        glBindFramebuffer(GL_FRAMEBUFFER, 0);
+        glUseProgram(0);
+        glBindVertexArray(0);
+        glActiveTexture(GL_TEXTURE0);
+    }
+
+    gl::Texture color, depth;
+    gl::Framebuffer whole, smoke_only;
+};
+
+TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
+    Effects e = effects();
+    e.seek(2.5);
+    const gl::Buffer buffer(4096);
+    const gl::Texture texture({.size = {2, 2}});
+    const gl::VertexArray vertex_array;
+    const gl::Program program("fullscreen.vert", "post.frag");
+    for (const bool on : {true, false}) {
+        clear();
+        for (const GLenum query : switches)
+            if (query != GL_SCISSOR_TEST) on ? glEnable(query) : glDisable(query);
+        on ? glDisable(GL_SCISSOR_TEST) : glEnable(GL_SCISSOR_TEST);
+        glScissor(1, 2, 60, 40);
+        glDepthFunc(on ? GL_GEQUAL : GL_NOTEQUAL);
+        glDepthMask(on ? GL_FALSE : GL_TRUE);
+        glBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_SRC_ALPHA);
+        glBlendEquationSeparate(GL_FUNC_SUBTRACT, GL_MAX);
+        for (GLuint i = 0; i < 4; ++i) glBindTextureUnit(i, texture.name());
+        for (GLuint i = 0; i < 4; ++i)  // whole buffers, parts of buffers, and nothing
+            if (on)
+                glBindBufferRange(GL_UNIFORM_BUFFER, i, buffer.name(), 256 * i, 512);
+            else
+                glBindBufferBase(GL_UNIFORM_BUFFER, i, i % 2 == 0 ? buffer.name() : 0);
+        glBindBuffer(GL_UNIFORM_BUFFER, on ? buffer.name() : 0);
+        glBindBuffer(GL_ARRAY_BUFFER, buffer.name());
+        glBindVertexArray(vertex_array.name());
+        glUseProgram(program.name());
+        glActiveTexture(GL_TEXTURE3);
+        glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
+        glBindFramebuffer(GL_FRAMEBUFFER, whole.name());
+
+        const auto before = state();
+        e.draw_organ(view());
+        EXPECT_EQ(state(), before) << "after draw_organ";
+        glBindFramebuffer(GL_FRAMEBUFFER, smoke_only.name());
+        const auto smoky = state();
+        e.draw_smoke(view(), depth.name());
+        EXPECT_EQ(state(), smoky) << "after draw_smoke";
+        e.seek(on ? 3.0 : 2.0);
+        EXPECT_EQ(state(), smoky) << "after seek";
+        put_back();
+    }
+}
+
+TEST_F(StateTest, WhatTheHostHasSetDoesNotChangeThePicture) {
+    const auto drawn = [&](const auto& set_up) {
+        Effects e = effects();
+        e.seek(2.5);
+        clear();
+        set_up();
+        glBindFramebuffer(GL_FRAMEBUFFER, whole.name());
+        e.draw_organ(view());
+        glBindFramebuffer(GL_FRAMEBUFFER, smoke_only.name());
+        e.draw_smoke(view(), depth.name());
+        put_back();
+        return pixels();
+    };
+    const std::vector<float> plain = drawn([] {});
+    EXPECT_GT(*std::max_element(plain.begin(), plain.end()), 0.1f);
+    EXPECT_TRUE(plain == drawn([] {
+                    glEnable(GL_BLEND);
+                    glBlendFunc(GL_ZERO, GL_ONE);
+                    glBlendEquation(GL_FUNC_REVERSE_SUBTRACT);
+                    glEnable(GL_CULL_FACE);
+                    glEnable(GL_DEPTH_TEST);
+                    glDepthFunc(GL_NEVER);
+                    glDepthMask(GL_FALSE);
+                }));
+    const gl::Buffer buffer(1 << 20);
+    EXPECT_TRUE(plain == drawn([&] {
+                    glPixelStorei(GL_UNPACK_ROW_LENGTH, 777);
+                    glPixelStorei(GL_UNPACK_SKIP_ROWS, 3);
+                    glPixelStorei(GL_UNPACK_SKIP_PIXELS, 5);
+                    glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
+                }))
+        << "clip frames are uploaded while drawing";
+}
+
+TEST_F(StateTest, AColourWithoutExtinctionPassesWholeEvenThroughThickSmoke) {
+    preset.smoke.keying = {.luma_low = 0.0, .luma_high = 1.0, .noise_strength = 0.0};
+    preset.smoke.plume.extinction = {0.0, 1.0, 1.0};
+    preset.smoke.plume.density = 4.0;
+    preset.smoke.haze.accumulation = 5.0;
+    preset.smoke.haze.ventilation = 0.0;
+    preset.smoke.haze.extinction = {0.0, 1.0, 1.0};
+    scene.events[1].duration = 100.0;
+    Effects e = effects();
+    e.seek(90.0);
+    clear();
+    glBindFramebuffer(GL_FRAMEBUFFER, whole.name());
+    e.draw_organ(view());
+    const std::vector<float> tissue = pixels();
+    glBindFramebuffer(GL_FRAMEBUFFER, smoke_only.name());
+    e.draw_smoke(view(), depth.name());
+    const std::vector<float> smoky = pixels();
+    for (std::size_t i = 0; i < smoky.size(); i += 4) {
+        ASSERT_EQ(smoky[i], tissue[i]) << "red of pixel " << i / 4;
+        ASSERT_TRUE(std::isfinite(smoky[i + 1]) && std::isfinite(smoky[i + 2]));
+    }
+    EXPECT_GT(e.amounts().haze, 100.0);
+}
+
+}  // namespace
+}  // namespace lapfx
