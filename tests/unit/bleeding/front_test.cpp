@@ -72,6 +72,14 @@ TEST(Front, ReachesAllWithinTheLimitAndNothingBeyond) {
     }
 }
 
+TEST(Front, TheLimitDoesNotChangeWhatLiesWithinIt) {
+    const Surface surface(test::plane(40.0, 30, Cut::irregular));
+    std::vector<double> far(surface.positions.size(), 0.0);
+    for (const Reached& r : march(surface, {1.3, 0.0, -2.1}, 40.0)) far[r.vertex] = r.distance;
+    for (double limit = 2.0; limit < 16.0; limit += 0.25)
+        for (const Reached& r : march(surface, {1.3, 0.0, -2.1}, limit)) EXPECT_NEAR(r.distance, far[r.vertex], 1e-6);
+}
+
 TEST(Front, NearestFirst) {
     const Surface surface(test::plane(40.0, 30, Cut::irregular));
     const std::vector<Reached> reached = march(surface, {1.0, 0.0, 1.0}, 15.0);
