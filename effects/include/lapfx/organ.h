@@ -3,9 +3,10 @@
 //     lapfx::Organ organ = lapfx::load_organ("stomach.glb");    // throws lapfx::Error
 //     for (const auto& warning : organ.warnings) std::cerr << warning << '\n';
 //
-// glTF 2.0 (.glb, .gltf), OBJ (with its MTL), PLY, STL and OFF. Every vertex has a normal, a tangent, UVs and a colour:
-// what the file lacks is made. Input that cannot be drawn (degenerate or duplicate triangles, NaN, indices out of range,
-// unreferenced vertices) is left out, with a warning that names and counts it. Plain data; load from any thread.
+// glTF 2.0 (.glb, .gltf), OBJ (with its MTL), PLY, STL and OFF. Every vertex has a normal, a tangent, UVs and
+// a colour: what the file lacks is made. Input that cannot be drawn (degenerate or duplicate triangles, NaN,
+// indices out of range, unreferenced vertices) is left out, with a warning that names and counts it. Plain
+// data; load from any thread.
 #pragma once
 
 #include <cstdint>
@@ -44,33 +45,34 @@ struct Part {
 
 struct Organ {
     std::string name;
-    std::vector<glm::vec3> positions;   ///< mm
-    std::vector<glm::vec3> normals;     ///< unit
-    std::vector<glm::vec4> tangents;    ///< unit xyz, w = +1 or -1: bitangent = w * cross(normal, tangent)
-    std::vector<glm::vec2> uvs;         ///< origin top left, as in glTF
-    std::vector<glm::vec4> colors;      ///< linear RGBA, white where the file has none
-    std::vector<std::uint32_t> indices; ///< three per triangle, counter-clockwise from outside
-    std::vector<Part> parts;            ///< cover all indices, in order
-    std::vector<Material> materials;    ///< at least one
+    std::vector<glm::vec3> positions;    ///< mm
+    std::vector<glm::vec3> normals;      ///< unit
+    std::vector<glm::vec4> tangents;     ///< unit xyz, w = +1 or -1: bitangent = w * cross(normal, tangent)
+    std::vector<glm::vec2> uvs;          ///< origin top left, as in glTF
+    std::vector<glm::vec4> colors;       ///< linear RGBA, white where the file has none
+    std::vector<std::uint32_t> indices;  ///< three per triangle, counter-clockwise from outside
+    std::vector<Part> parts;             ///< cover all indices, in order
+    std::vector<Material> materials;     ///< at least one
     std::vector<Image> images;
     std::vector<std::string> warnings;  ///< what was mended or left out, a line each
     bool has_uvs = false;               ///< the file had texture coordinates (else they were made)
     bool has_colors = false;            ///< the file had vertex colours
+    double scale = 1.0;                 ///< mm per unit of the file, as it was applied
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
 
 struct OrganOptions {
-    double scale = 0.0;         ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
-    glm::dvec3 rotation{0.0};   ///< degrees about x, then y, then z, applied after the scale
+    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
+    glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z, applied after the scale
 };
 
-/// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an extension we
-/// cannot read: each named).
+/// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an
+/// extension we cannot read: each named).
 Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
 
-/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same position have
-/// been joined, so that a texture seam is not a boundary.
+/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same
+/// position have been joined, so that a texture seam is not a boundary.
 struct OrganReport {
     std::size_t vertices = 0;
     std::size_t triangles = 0;

@@ -1,11 +1,12 @@
 // The parameter table: one row per tunable value, and everything else is made from the rows: JSON reading and
-// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, editor rows, fit bounds, the reference page.
+// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, editor rows, fit bounds, the reference.
 //
 //     for (const lapfx::Parameter& row : lapfx::preset_table().find("bleeding")->rows)
 //         std::cout << row.key << ' ' << row.unit << '\n';
 //
-// A parameter is one member of a plain struct (preset.h, scene.h; its initialiser is the default) and one row in the
-// table of that struct (effects/<effect>/parameters.cpp). Tables are immutable and may be read from any thread.
+// A parameter is one member of a plain struct (preset.h, scene.h; its initialiser is the default) and one row
+// in the table of that struct (effects/<effect>/parameters.cpp). Tables are immutable and may be read from
+// any thread.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -14,6 +15,8 @@
 #include <string_view>
 #include <variant>
 #include <vector>
+
+#include "lapfx/error.h"
 
 namespace lapfx {
 
@@ -25,8 +28,8 @@ enum class Kind {
     choice,   ///< an enum class over int; JSON string, one of `choices`
     color,    ///< glm::dvec3, sRGB, each 0..1; JSON "#rrggbb" or [r, g, b]
     vector,   ///< glm::dvec3, each within minimum..maximum; JSON [x, y, z]
-    text,     ///< std::string, UTF-8; JSON string
-    path,     ///< std::string, a file name; JSON string
+    text,     ///< std::string, UTF-8, one line, at most `maximum` characters; JSON string
+    path,     ///< std::string, name of a plain local file, at most `maximum` characters; JSON string
 };
 
 /// How a slider runs and how a fit searches.
@@ -40,21 +43,32 @@ struct Parameter {
     std::string_view key;   ///< JSON key, snake_case
     std::string_view name;  ///< human name, as the UI shows it
     Kind kind = Kind::number;
-    double minimum = 0;  ///< inclusive; number, integer, vector
-    double maximum = 0;  ///< inclusive
+    double minimum = 0;  ///< inclusive; number, integer, and each component of a vector or color
+    double maximum = 0;  ///< inclusive; of text and path the greatest length
     double step = 0;     ///< what one notch of a slider changes
-    std::string_view unit;
+    std::string_view unit = {};
     Scale scale = Scale::linear;
-    std::span<const std::string_view> choices;
-    std::string_view help;                 ///< one or two sentences, with the paper's term where there is one
+    std::span<const std::string_view> choices = {};
+    std::string_view help;                   ///< one or two sentences, with the paper's term where there is one
     void* (*member)(void* owner) = nullptr;  ///< address of the value inside its struct
-    bool required = false;                 ///< the key must be there: it has no sensible default
+    bool required = false;                   ///< the key must be there: it has no sensible default
+    std::string_view same_as = {};           ///< a missing key takes the value of this row of the same table
+    bool contained = false;                  ///< path: stays inside the document's folder
 
     Value get(const void* owner) const;
-    /// The value must be of this row's type and within its range (assert); use check() first on outside values.
+    /// The value must be of this row's type and within its range (assert): check() what comes from outside.
     void set(void* owner, const Value& value) const;
-    /// Empty when `value` is allowed; else why not: "-3 is below the minimum 0 mm/s". NaN and infinity never are.
+    /// Empty when `value` is allowed; else why not: "-3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)".
+    /// NaN and infinity never are.
     std::string check(const Value& value) const;
+    /// What is allowed, as a noun: "a number from 0 to 60 mm/s".
+    std::string expected() const;
+};
+
+/// What has to hold between values of one struct: luma_low below luma_high.
+struct Rule {
+    std::string_view key;                     ///< the row that is blamed
+    std::string (*check)(const void* owner);  ///< empty, or what is wrong
 };
 
 /// A struct of parameters: a JSON object, or (with `list`) an array of such objects.
@@ -63,7 +77,8 @@ struct Table {
     std::string_view name;  ///< human name
     std::string_view help;
     std::span<const Parameter> rows;
-    std::span<const Table> tables;           ///< nested objects, in the order they are written
+    std::span<const Table> tables = {};      ///< nested objects, in the order they are written
+    std::span<const Rule> rules = {};        ///< checked once every row is allowed by itself
     void* (*member)(void* owner) = nullptr;  ///< address of the struct (or std::vector of it) in the parent's struct
 
     struct List {
@@ -85,11 +100,17 @@ struct Place {
     std::string pointer;  ///< JSON pointer, "/bleeding/speed"
 };
 
-/// Follows a key; '.' and '/' both separate, a leading '/' is allowed. Throws Error (bad_input) with the nearest known key.
+/// Follows a key; '.' and '/' both separate, a leading '/' is allowed.
+/// Throws Error (bad_input) with the nearest known key.
 Place find_parameter(const Table& root, void* document, std::string_view key);
 
 /// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3".
-/// Throws Error (bad_input) and leaves the document as it was when the key is unknown or the value not allowed.
+/// Throws Error (bad_input), and leaves the document as it was, when the key is unknown or the value is not
+/// allowed. Rules between values are not looked at, since a series of calls may break one on its way: check()
+/// at the end.
 void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
+
+/// All that is wrong with the values of a document: ranges, and rules between values. Places are pointers.
+std::vector<Fault> check(const Table& root, const void* document);
 
 }  // namespace lapfx

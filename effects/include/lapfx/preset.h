@@ -1,8 +1,8 @@
-// A preset: the tuned parameters of bleeding and smoke, as JSON. It is all that a simulator takes from the editor.
+// A preset: the tuned parameters of bleeding and smoke, as JSON: all that a simulator takes from the editor.
 //
-//     lapfx::Preset preset = lapfx::load_preset("presets/brisk_bleed.json");   // throws lapfx::Error, with every fault
-//     preset.bleeding.speed = 6.0;                                            // mm/s
-//     lapfx::save_preset(preset, "tuned.json");                               // written beside, then renamed
+//     lapfx::Preset preset = lapfx::load_preset("brisk_bleed.json");  // throws lapfx::Error: every fault
+//     preset.bleeding.speed = 6.0;                                    // mm/s
+//     lapfx::save_preset(preset, "tuned.json");                       // written beside, then renamed
 //
 // Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit code values. Ranges and help: the rows in
 // effects/bleeding/parameters.cpp, effects/cautery/parameters.cpp and effects/smoke/parameters.cpp.
@@ -18,7 +18,8 @@
 
 namespace lapfx {
 
-/// Blood spreading over the organ (paper: "Simulation of bleeding"). Formulas: effects/bleeding/parameters.cpp.
+/// Blood spreading over the organ (paper: "Simulation of bleeding").
+/// Formulas: effects/bleeding/parameters.cpp.
 struct BleedingParameters {
     double speed = 4.0;
     double max_extent = 16.0;
@@ -38,10 +39,12 @@ struct BleedingParameters {
     double gloss = 0.85;
 };
 
-/// Where the organ's texture shows vessels (paper: figure 9). Formulas: effects/bleeding/vessel_parameters.cpp.
+/// Where the organ's texture shows vessels (paper: figure 9).
+/// Formulas: effects/bleeding/vessel_parameters.cpp.
 struct VesselParameters {};
 
-/// Heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator"). Formulas: effects/cautery/parameters.cpp.
+/// Heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator").
+/// Formulas: effects/cautery/parameters.cpp.
 struct CauteryParameters {
     double heat_rate = 220.0;
     double cut_temperature = 180.0;
@@ -61,6 +64,8 @@ struct SmokeClip {
     ClipPolarity polarity = ClipPolarity::light;
     double weight = 1.0;
     double speed = 1.0;
+    double source_x = 0.5;   ///< where in the frame the smoke starts, 0 left .. 1 right
+    double source_y = 0.92;  ///< 0 top .. 1 bottom
 };
 
 /// Smoke out of a clip's frame: luma and chroma thresholds, then noise on alpha (paper: figures 1 and 2).
@@ -118,12 +123,17 @@ struct Preset {
 /// The root table of a preset document.
 const Table& preset_table();
 
-/// Reads and validates. `name` names the source in faults. Throws Error (bad_input) listing every fault at once.
+/// Reads and validates. `name` names the source in faults. Throws Error (bad_input) listing every fault at
+/// once (the first 200). At most 4 MiB of text, 100000 values and 32 levels.
 Preset parse_preset(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
 Preset load_preset(const std::filesystem::path& path);
 
-/// The JSON text: every key, in table order, two-space indent, final newline. write(parse(write(p))) == write(p).
+/// The JSON text: every key, in table order, two-space indent, final newline.
+/// write(parse(write(p))) == write(p).
 std::string write_preset(const Preset& preset);
+/// Writes beside the file, then renames: never half a file, and the old one stays when it fails. Throws
+/// Error: bad_input for values that could not be loaded again, runtime when the file cannot be written (a
+/// symbolic link is refused).
 void save_preset(const Preset& preset, const std::filesystem::path& path);
 
 /// Draft-07 JSON Schema, from the table.

@@ -1,10 +1,10 @@
-// A scene: what a preset is previewed on. Organ, camera, light, tool events, the reference video. JSON like a preset;
-// the editor, `lapfx render` and the sample host read it, a simulator never needs it.
+// A scene: what a preset is previewed on. Organ, camera, light, tool events, the reference video. JSON like a
+// preset; the editor, `lapfx render` and the sample host read it, a simulator never needs it.
 //
 //     lapfx::Scene scene = lapfx::load_scene("samples/lagb.scene.json");
 //
-// Lengths mm, angles degrees, times s from the start of the scene, y up unless the organ is rotated. Paths are relative
-// to the scene's folder (Scene::folder). Rows: effects/preset/scene.cpp. Plain data.
+// Lengths mm, angles degrees, times s from the start of the scene, y up unless the organ is rotated. Paths
+// are relative to the scene's folder (Scene::folder). Rows: effects/preset/scene.cpp. Plain data.
 #pragma once
 
 #include <filesystem>
@@ -13,12 +13,13 @@
 #include <vector>
 
 #include "lapfx/parameter.h"
+#include "lapfx/tool.h"
 
 namespace lapfx {
 
 struct SceneOrgan {
     std::string file;
-    double scale = 0.0;  ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
+    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z
 };
 
@@ -40,23 +41,10 @@ struct SceneCamera {
 
 /// The endoscope's lamp, at the camera.
 struct SceneLight {
-    double intensity = 1.0;   ///< 1 lights white at the focus distance to 1
+    double intensity = 1.0;  ///< 1 lights white at the focus distance to 1
     double focus_distance = 100.0;
     double beam_angle = 75.0;
     glm::dvec3 color{1.0, 0.97, 0.92};
-};
-
-enum class ToolAction { cauterise, cut, coagulate, tear };
-
-/// The tool touches the organ at `position` (moving to `to`) from `time` for `duration`.
-struct SceneEvent {
-    ToolAction action = ToolAction::cauterise;
-    double time = 0.0;
-    double duration = 1.0;
-    glm::dvec3 position{0.0};
-    glm::dvec3 to{0.0};
-    double power = 1.0;     ///< cautery power, 0..1
-    double strength = 1.0;  ///< of the wound, times the preset's speed
 };
 
 struct SceneReference {
@@ -74,12 +62,13 @@ struct Scene {
     SceneTool tool;
     SceneCamera camera;
     SceneLight light;
-    std::vector<SceneEvent> events;
+    std::vector<ToolContact> events;  ///< what the tool does, in any order
     SceneReference reference;
 
     std::filesystem::path folder;  ///< where it was loaded from; not written
 };
 
+/// As for presets (preset.h).
 const Table& scene_table();
 Scene parse_scene(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
 Scene load_scene(const std::filesystem::path& path);
@@ -87,7 +76,13 @@ std::string write_scene(const Scene& scene);
 void save_scene(const Scene& scene, const std::filesystem::path& path);
 std::string scene_schema();
 
+/// What check_document() found.
+struct CheckedDocument {
+    std::string_view kind;  ///< "preset" or "scene"
+    std::string name;
+};
+
 /// Validates a preset or a scene, whichever its "format" says. Throws Error (bad_input) listing every fault.
-void check_document(const std::filesystem::path& path);
+CheckedDocument check_document(const std::filesystem::path& path);
 
 }  // namespace lapfx

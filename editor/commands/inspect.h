@@ -1,0 +1,13 @@
+// What `lapfx inspect` prints, one kind of file each. All write to stdout and throw lapfx::Error.
+#pragma once
+
+#include <filesystem>
+
+namespace lapfx::commands {
+
+void inspect_organ(const std::filesystem::path& file);
+void inspect_image(const std::filesystem::path& file);
+void inspect_video(const std::filesystem::path& file);
+void inspect_document(const std::filesystem::path& file);
+
+}  // namespace lapfx::commands

@@ -1,0 +1,72 @@
+#include <cstdio>
+#include <iostream>
+
+#include "commands/inspect.h"
+#include "lapfx/organ.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+void row(const char* name, const std::string& value) {
+    char text[64];
+    std::snprintf(text, sizeof text, "  %-20s", name);
+    std::cout << text << value << '\n';
+}
+
+std::string text_of(const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+std::string named(const std::string& name) {
+    return name.empty() ? "(unnamed)" : name;
+}
+
+void print_parts(const Organ& organ) {
+    row("parts", std::to_string(organ.parts.size()));
+    for (const Part& part : organ.parts)
+        row("", named(part.name) + ": " + std::to_string(part.index_count / 3) + " triangles, material " +
+                    named(organ.materials[static_cast<std::size_t>(part.material)].name));
+}
+
+std::string image_text(const Organ& organ, int image) {
+    return image < 0 ? "none" : organ.images[static_cast<std::size_t>(image)].name;
+}
+
+void print_materials(const Organ& organ) {
+    row("materials", std::to_string(organ.materials.size()));
+    for (const Material& material : organ.materials)
+        row("", named(material.name) + ": base colour texture " +
+                    image_text(organ, material.base_color_image) + ", normal map " +
+                    image_text(organ, material.normal_image) + ", roughness " +
+                    text_of("%.2f", material.roughness) + (material.double_sided ? ", double sided" : ""));
+    row("textures", std::to_string(organ.images.size()));
+    for (const Image& image : organ.images)
+        row("", image.name + ": " + std::to_string(image.width) + "x" + std::to_string(image.height));
+}
+
+}  // namespace
+
+void inspect_organ(const std::filesystem::path& file) {
+    const Organ organ = load_organ(file);
+    const OrganReport report = lapfx::report(organ);
+    const glm::dvec3 size = report.maximum - report.minimum;
+    std::cout << file.string() << ": mesh\n";
+    row("vertices", std::to_string(report.vertices));
+    row("triangles", std::to_string(report.triangles));
+    row("components", std::to_string(report.components));
+    row("boundary edges", std::to_string(report.boundary_edges));
+    row("non-manifold edges", std::to_string(report.non_manifold_edges));
+    row("size",
+        text_of("%.1f", size.x) + " x " + text_of("%.1f", size.y) + " x " + text_of("%.1f", size.z) + " mm");
+    row("scale", text_of("%g", organ.scale) + " mm per unit of the file");
+    row("texture coordinates", organ.has_uvs ? "from the file" : "made");
+    row("vertex colours", organ.has_colors ? "from the file" : "none");
+    print_parts(organ);
+    print_materials(organ);
+    for (const std::string& warning : report.warnings) row("warning", warning);
+}
+
+}  // namespace lapfx::commands

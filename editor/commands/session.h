@@ -1,0 +1,21 @@
+// What every verb that shows a scene starts from: the scene, its preset, and the shipped clips.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lapfx/preview.h"
+
+namespace lapfx::commands {
+
+/// The folder of the shipped files: clips, presets, samples, shaders.
+std::filesystem::path data_folder();
+
+/// Where presets' bare clip names are looked up: the shipped clips.
+std::vector<std::filesystem::path> clip_folders();
+
+/// The preset that the scene names, or `preset` when that is not empty; then each `KEY=VALUE` of `settings`.
+/// Throws Error (bad_input).
+Preset preset_for(const Scene& scene, const std::string& preset, const std::vector<std::string>& settings);
+
+}  // namespace lapfx::commands

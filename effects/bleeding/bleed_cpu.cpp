@@ -1,0 +1,132 @@
+#include "bleeding/bleed_cpu.h"
+
+#include <algorithm>
+
+#include "bleeding/front_cpu.h"
+#include "bleeding/wound_cpu.h"
+
+namespace lapfx::bleeding {
+
+namespace {
+
+/// How far along the surface blood can come: downhill it travels max_extent / (1 - bias).
+double reach(const BleedingParameters& parameters) {
+    return parameters.max_extent / (1.0 - std::min(parameters.gravity_bias, 0.95));
+}
+
+/// Share of a triangle where a value linear in it is above zero.
+double share_above_zero(double a, double b, double c) {
+    double v[3] = {a, b, c};
+    std::sort(v, v + 3);
+    if (v[0] >= 0.0) return 1.0;
+    if (v[2] <= 0.0) return 0.0;
+    if (v[1] <= 0.0) return v[2] * v[2] / ((v[2] - v[0]) * (v[2] - v[1]));
+    return 1.0 - v[0] * v[0] / ((v[0] - v[1]) * (v[0] - v[2]));
+}
+
+}  // namespace
+
+BleedField::BleedField(const Surface& surface, glm::dvec3 down)
+    : surface_(surface), down_(down), surface_values_(surface.positions.size()), values_(surface.weld.size()) {
+    copies_of_.resize(surface.positions.size() + 1);
+    for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
+    for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
+    copies_.resize(surface.weld.size());
+    std::vector<std::uint32_t> next(copies_of_.begin(), copies_of_.end() - 1);
+    for (std::uint32_t i = 0; i < surface.weld.size(); ++i) copies_[next[surface.weld[i]]++] = i;
+}
+
+BleedField::Spread BleedField::spread_from(glm::dvec3 position, double limit) const {
+    Spread spread{.position = position, .limit = limit, .vertices = {}, .distances = {}, .drops = {}};
+    const std::vector<Reached> reached = march(surface_, position, limit);
+    const glm::dvec3 start = surface_.closest_point(position).position;
+    for (const Reached& r : reached) {
+        spread.vertices.push_back(r.vertex);
+        spread.distances.push_back(static_cast<float>(r.distance));
+        spread.drops.push_back(static_cast<float>(glm::dot(surface_.positions[r.vertex] - start, down_)));
+    }
+    return spread;
+}
+
+void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& parameters) {
+    const double limit = reach(parameters);
+    std::vector<Spread> spreads;
+    for (const Wound& wound : wounds) {
+        const auto known = std::find_if(spreads_.begin(), spreads_.end(), [&](const Spread& s) {
+            return s.position == wound.position && s.limit >= limit;
+        });
+        spreads.push_back(known != spreads_.end() ? *known : spread_from(wound.position, limit));
+    }
+    spreads_ = std::move(spreads);
+    wounds_.assign(wounds.begin(), wounds.end());
+    parameters_ = parameters;
+    sources_.assign(wounds.size(), 0.0);
+    // What was touched before stays in the list, so that old blood is wiped.
+    for (const Spread& spread : spreads_)
+        touched_.insert(touched_.end(), spread.vertices.begin(), spread.vertices.end());
+    std::sort(touched_.begin(), touched_.end());
+    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    stale_ = true;
+}
+
+Dirty BleedField::update(double time) noexcept {
+    bool changed = stale_;
+    for (std::size_t w = 0; w < wounds_.size(); ++w) {
+        const double source = source_value(wounds_[w], parameters_, time);
+        changed = changed || source != sources_[w];
+        sources_[w] = source;
+    }
+    if (!changed || touched_.empty()) return {};
+    stale_ = false;
+    for (const std::uint32_t v : touched_) surface_values_[v] = 0.0f;
+    for (std::size_t w = 0; w < wounds_.size(); ++w) {
+        const Spread& spread = spreads_[w];
+        const auto source = static_cast<float>(sources_[w]);
+        const auto bias = static_cast<float>(parameters_.gravity_bias);
+        if (source <= 0.0f) continue;
+        for (std::size_t i = 0; i < spread.vertices.size(); ++i) {
+            float& value = surface_values_[spread.vertices[i]];
+            value = std::max(value, source - (spread.distances[i] - bias * spread.drops[i]));
+        }
+    }
+    return write_values();
+}
+
+Dirty BleedField::write_values() noexcept {
+    Dirty dirty{.begin = static_cast<std::uint32_t>(values_.size()), .end = 0};
+    for (const std::uint32_t v : touched_)
+        for (std::uint32_t i = copies_of_[v]; i < copies_of_[v + 1]; ++i) {
+            const std::uint32_t copy = copies_[i];
+            if (values_[copy] == surface_values_[v]) continue;
+            values_[copy] = surface_values_[v];
+            dirty.begin = std::min(dirty.begin, copy);
+            dirty.end = std::max(dirty.end, copy + 1);
+        }
+    return dirty;
+}
+
+double BleedField::area() const noexcept {
+    double area = 0.0;
+    const auto& p = surface_.positions;
+    const auto above = [&](std::uint32_t v) { return surface_values_[v] - parameters_.threshold; };
+    for (const std::uint32_t v : touched_)
+        for (const std::uint32_t t : surface_.triangles_at(v)) {
+            const auto& c = surface_.triangles[t];
+            const double whole = 0.5 * glm::length(glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]));
+            // Each triangle is met once per touched corner; count it at its first touched corner only.
+            const auto first = [&] {
+                for (int i = 0; i < 3; ++i)
+                    if (std::binary_search(touched_.begin(), touched_.end(), c[i])) return c[i];
+                return v;
+            };
+            if (first() == v) area += whole * share_above_zero(above(c[0]), above(c[1]), above(c[2]));
+        }
+    return area;
+}
+
+int BleedField::growing(double time) const noexcept {
+    return static_cast<int>(
+        std::count_if(wounds_.begin(), wounds_.end(), [&](const Wound& w) { return grows(w, parameters_, time); }));
+}
+
+}  // namespace lapfx::bleeding

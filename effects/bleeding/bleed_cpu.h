@@ -1,0 +1,65 @@
+// Bleed value per vertex: b(x, t) = max over wounds of max(0, s_w(t) - d_w(x)), mm. d_w is the travel
+// distance, shortened downhill and lengthened uphill: a constant drift g added to a metric changes every path
+// between two points by the same amount, so d_w(x) = d(x) - gravity_bias * (drop from the wound to x) is the
+// exact distance in that (Randers) metric. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "lapfx/preset.h"
+#include "lapfx/wound.h"
+#include "organ/surface.h"
+
+namespace lapfx::bleeding {
+
+/// Half-open range of vertices whose value changed.
+struct Dirty {
+    std::uint32_t begin = 0;
+    std::uint32_t end = 0;
+    bool empty() const { return begin >= end; }
+};
+
+class BleedField {
+  public:
+    /// Keeps a reference to `surface`. `down`: unit, organ space.
+    BleedField(const Surface& surface, glm::dvec3 down);
+
+    /// Distances are found for wounds at new places only; what is known is kept.
+    void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
+
+    /// Values at `time`; nothing is computed, and the range is empty, when no source value has changed.
+    Dirty update(double time) noexcept;
+
+    std::span<const float> values() const { return values_; }  ///< per organ vertex, mm
+    double area() const noexcept;                              ///< mm2 of surface above the threshold, noise aside
+    int growing(double time) const noexcept;                   ///< wounds that still grow
+
+  private:
+    struct Spread {
+        glm::dvec3 position;
+        double limit;                         ///< mm, how far the distances reach
+        std::vector<std::uint32_t> vertices;  ///< of the surface
+        std::vector<float> distances;         ///< mm on the surface, gravity not yet in
+        std::vector<float> drops;             ///< mm, how much lower each vertex lies than the wound
+    };
+    Spread spread_from(glm::dvec3 position, double limit) const;
+    Dirty write_values() noexcept;
+
+    const Surface& surface_;
+    glm::dvec3 down_;
+    BleedingParameters parameters_;
+    std::vector<Wound> wounds_;
+    std::vector<Spread> spreads_;  // parallel to wounds_
+    std::vector<double> sources_;  // parallel to wounds_, s_w at the last update
+    std::vector<std::uint32_t>
+        copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]
+    std::vector<std::uint32_t> copies_;
+    std::vector<float> surface_values_;   // per surface vertex
+    std::vector<float> values_;           // per organ vertex
+    std::vector<std::uint32_t> touched_;  // surface vertices that some wound can reach
+    bool stale_ = true;                   // parameters or wounds have changed since the last update
+};
+
+}  // namespace lapfx::bleeding

@@ -1,0 +1,42 @@
+#include "bleeding/bleed_gpu.h"
+
+#include <vector>
+
+#include "gl/srgb.h"
+
+namespace lapfx::bleeding {
+
+namespace {
+
+/// LapfxBleeding, std140.
+struct Block {
+    glm::vec4 edge, thin, deep, surface;
+};
+
+constexpr GLuint block_binding = 1;
+
+}  // namespace
+
+BleedGpu::BleedGpu(std::size_t vertex_count, std::uint32_t seed)
+    : values_(std::span<const float>(std::vector<float>(vertex_count, 0.0f))), block_(sizeof(Block)), seed_(seed) {}
+
+void BleedGpu::set(const BleedingParameters& b) const noexcept {
+    const Block block{
+        .edge = glm::vec4(glm::dvec4(b.threshold, b.noise_scale, b.noise_strength, b.noise_octaves)),
+        .thin = glm::vec4(gl::to_linear(glm::vec3(b.color_thin)), static_cast<float>(b.deep_at)),
+        .deep = glm::vec4(gl::to_linear(glm::vec3(b.color_deep)), static_cast<float>(b.opacity)),
+        // The shader's seed is a float that must hold it exactly.
+        .surface = glm::vec4(glm::vec2(glm::dvec2(b.thickness, b.gloss)), static_cast<float>(seed_ & 0xffffu), 0.0f),
+    };
+    block_.update(0, sizeof block, &block);
+}
+
+void BleedGpu::send(std::span<const float> values, std::uint32_t begin, std::uint32_t end) const noexcept {
+    if (begin < end) values_.update(begin * sizeof(float), (end - begin) * sizeof(float), values.data() + begin);
+}
+
+void BleedGpu::bind() const noexcept {
+    glBindBufferBase(GL_UNIFORM_BUFFER, block_binding, block_.name());
+}
+
+}  // namespace lapfx::bleeding

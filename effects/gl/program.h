@@ -1,0 +1,44 @@
+// A linked vertex and fragment shader. Values are set by name on the program itself, so no program need be
+// bound. A name that the shader does not use is ignored: while a shader is edited on disk, its uniforms come
+// and go.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <string>
+#include <unordered_map>
+
+#include "gl/gl.h"
+#include "gl/objects.h"
+
+namespace lapfx::gl {
+
+void release_program(GLuint name);
+
+class Program {
+  public:
+    Program() = default;
+    /// File names in shaders/. Throws Error (runtime) with file, line and the numbered source around it.
+    Program(const std::string& vertex, const std::string& fragment);
+
+    void use() const { glUseProgram(name_.get()); }
+    void set(const char* uniform, int value) const;
+    void set(const char* uniform, float value) const;
+    void set(const char* uniform, glm::vec2 value) const;
+    void set(const char* uniform, glm::vec3 value) const;
+    void set(const char* uniform, glm::vec4 value) const;
+    void set(const char* uniform, const glm::mat3& value) const;
+    void set(const char* uniform, const glm::mat4& value) const;
+    GLuint name() const { return name_.get(); }
+
+  private:
+    GLint location(const char* uniform) const;
+
+    struct Hash {
+        using is_transparent = void;  // look-ups by const char* allocate nothing
+        std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
+    };
+    Name<release_program> name_;
+    std::unordered_map<std::string, GLint, Hash, std::equal_to<>> locations_;
+};
+
+}  // namespace lapfx::gl

@@ -1,0 +1,27 @@
+// Where shader text comes from: the files of shaders/ as embedded at build, or a folder on disk that
+// overrides them while the editor runs. `#include "name"` is resolved here, once per file, with #line marks
+// so that a compiler's message can be traced back to file and line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace lapfx::gl {
+
+struct ShaderSource {
+    std::string text;                ///< ready for the compiler
+    std::vector<std::string> files;  ///< source string number i of the #line marks is files[i]
+};
+
+/// `name` is a file name such as "organ.frag". Throws Error (runtime) when it, or what it includes, is not
+/// there.
+ShaderSource shader_source(const std::string& name);
+
+/// From now on files in `folder` come before the embedded ones; an empty path ends that.
+void set_shader_folder(const std::filesystem::path& folder);
+
+/// The compiler's log with file names for the string numbers, and under it the lines it speaks of, numbered.
+std::string readable_log(const ShaderSource& source, const std::string& log);
+
+}  // namespace lapfx::gl

@@ -1,0 +1,58 @@
+#include "gl/state_guard.h"
+
+namespace lapfx::gl {
+
+namespace {
+
+constexpr GLenum blend_queries[6] = {GL_BLEND_SRC_RGB,   GL_BLEND_DST_RGB,      GL_BLEND_SRC_ALPHA,
+                                     GL_BLEND_DST_ALPHA, GL_BLEND_EQUATION_RGB, GL_BLEND_EQUATION_ALPHA};
+
+GLenum as_enum(GLint value) {
+    return static_cast<GLenum>(value);
+}
+GLuint as_name(GLint value) {
+    return static_cast<GLuint>(value);
+}
+
+}  // namespace
+
+StateGuard::StateGuard() noexcept {
+    for (std::size_t i = 0; i < switches.size(); ++i) enabled_[i] = glIsEnabled(switches[i]);
+    for (int i = 0; i < uniform_bindings; ++i)
+        glGetIntegeri_v(GL_UNIFORM_BUFFER_BINDING, static_cast<GLuint>(i),
+                        &uniform_buffers_[static_cast<std::size_t>(i)]);
+    glGetIntegerv(GL_UNIFORM_BUFFER_BINDING, &uniform_buffer_);
+    glGetIntegerv(GL_ACTIVE_TEXTURE, &active_texture_);
+    for (int i = 0; i < texture_units; ++i) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        glGetIntegerv(GL_TEXTURE_BINDING_2D, &textures_[static_cast<std::size_t>(i)]);
+    }
+    glActiveTexture(as_enum(active_texture_));
+    glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
+    glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertex_array_);
+    glGetIntegerv(GL_DEPTH_FUNC, &depth_function_);
+    glGetBooleanv(GL_DEPTH_WRITEMASK, &depth_mask_);
+    for (int i = 0; i < 6; ++i) glGetIntegerv(blend_queries[i], &blend_[i]);
+}
+
+StateGuard::~StateGuard() {
+    for (std::size_t i = 0; i < switches.size(); ++i)
+        enabled_[i] == GL_TRUE ? glEnable(switches[i]) : glDisable(switches[i]);
+    for (int i = 0; i < uniform_bindings; ++i)
+        glBindBufferBase(GL_UNIFORM_BUFFER, static_cast<GLuint>(i),
+                         as_name(uniform_buffers_[static_cast<std::size_t>(i)]));
+    glBindBuffer(GL_UNIFORM_BUFFER, as_name(uniform_buffer_));
+    for (int i = 0; i < texture_units; ++i) {
+        glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
+        glBindTexture(GL_TEXTURE_2D, as_name(textures_[static_cast<std::size_t>(i)]));
+    }
+    glActiveTexture(as_enum(active_texture_));
+    glUseProgram(as_name(program_));
+    glBindVertexArray(as_name(vertex_array_));
+    glDepthFunc(as_enum(depth_function_));
+    glDepthMask(depth_mask_);
+    glBlendFuncSeparate(as_enum(blend_[0]), as_enum(blend_[1]), as_enum(blend_[2]), as_enum(blend_[3]));
+    glBlendEquationSeparate(as_enum(blend_[4]), as_enum(blend_[5]));
+}
+
+}  // namespace lapfx::gl

@@ -1,0 +1,31 @@
+// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's.
+#pragma once
+
+#include <array>
+
+#include "gl/gl.h"
+
+namespace lapfx::gl {
+
+class StateGuard {
+  public:
+    StateGuard() noexcept;
+    ~StateGuard();
+    StateGuard(const StateGuard&) = delete;
+    StateGuard& operator=(const StateGuard&) = delete;
+
+  private:
+    static constexpr std::array<GLenum, 5> switches{GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_MULTISAMPLE,
+                                                    GL_SCISSOR_TEST};
+    static constexpr int uniform_bindings = 3;
+    static constexpr int texture_units = 2;
+
+    std::array<GLboolean, switches.size()> enabled_{};
+    std::array<GLint, uniform_bindings> uniform_buffers_{};
+    std::array<GLint, texture_units> textures_{};
+    GLint program_ = 0, vertex_array_ = 0, depth_function_ = 0, active_texture_ = 0, uniform_buffer_ = 0;
+    GLint blend_[6] = {};
+    GLboolean depth_mask_ = GL_TRUE;
+};
+
+}  // namespace lapfx::gl

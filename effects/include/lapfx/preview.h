@@ -1,0 +1,52 @@
+// A scene as a picture: what `lapfx render`, the editor's viewport and the sample host all show. For one
+// scene, preset, seed, size and time the pixels are the same, whoever asks.
+//
+//     auto context = lapfx::Context::create(lapfx::Backend::automatic);
+//     lapfx::Preview preview(scene, preset, {.clip_folders = {"samples/clips"}, .wait_for_clips = true});
+//     lapfx::Image image = preview.image(6.0, {1280, 1024});
+//
+// Render thread only, context current.
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "lapfx/effects.h"
+#include "lapfx/scene.h"
+
+namespace lapfx {
+
+struct PreviewOptions {
+    std::vector<std::filesystem::path> clip_folders;
+    bool wait_for_clips = false;
+};
+
+class Preview {
+  public:
+    /// Loads the scene's organ and tool and the preset's clips. Throws Error.
+    Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options = {});
+    Preview(Preview&&) noexcept;
+    Preview& operator=(Preview&&) noexcept;
+    ~Preview();
+
+    /// Draws the frame at `time` into `framebuffer` (0 = the window's), filling `size` pixels, sRGB-encoded.
+    void draw(double time, glm::ivec2 size, unsigned framebuffer = 0);
+    /// The same, read back. Throws Error (runtime) when the driver cannot make the frame.
+    Image image(double time, glm::ivec2 size);
+
+    void set_preset(const Preset& preset);
+    void set_camera(const SceneCamera& camera);
+    void set_contacts(std::span<const ToolContact> contacts);
+    const SceneCamera& camera() const;
+    const Organ& organ() const;
+    Amounts amounts() const;
+
+    /// Where the organ is under a pixel (origin top left) of a frame of `size`.
+    std::optional<OrganHit> pick(glm::dvec2 pixel, glm::ivec2 size) const;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lapfx

@@ -1,0 +1,34 @@
+// What an instrument does to the organ. Lengths mm in organ space, times s. Plain data.
+#pragma once
+
+#include <glm/glm.hpp>
+
+namespace lapfx {
+
+enum class ToolAction {
+    cauterise,  ///< heats; above the cut temperature the tissue divides and may bleed; smokes
+    cut,        ///< divides cold: bleeds at once, no smoke
+    coagulate,  ///< heats gently: wounds near it close; smokes
+    tear,       ///< blunt dissection: bleeds at once, no smoke
+};
+
+/// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`.
+struct ToolContact {
+    ToolAction action = ToolAction::cauterise;
+    double time = 0.0;
+    double duration = 1.0;
+    glm::dvec3 position{0.0};
+    glm::dvec3 to{0.0};
+    double power = 1.0;     ///< cautery power, 0..1
+    double strength = 1.0;  ///< of the wound, times the preset's speed
+
+    double end() const { return time + duration; }
+    /// Where the tip is at `t`; before and after the contact, its first and last place.
+    glm::dvec3 tip(double t) const {
+        const double share = duration > 0.0 ? glm::clamp((t - time) / duration, 0.0, 1.0) : 1.0;
+        return glm::mix(position, to, share);
+    }
+    bool hot() const { return action == ToolAction::cauterise || action == ToolAction::coagulate; }
+};
+
+}  // namespace lapfx

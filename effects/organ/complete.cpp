@@ -1,0 +1,166 @@
+// Normals, texture coordinates and tangents for files that lack them.
+#include "organ/mend.h"
+#include "organ/weld.h"
+
+namespace lapfx::mesh {
+
+namespace {
+
+/// A made texture repeats after this length, mm.
+constexpr float texture_repeat = 50.0f;
+
+bool is_direction(glm::vec3 v) {
+    const float length = glm::dot(v, v);
+    return std::isfinite(length) && length > 1e-12f;
+}
+
+glm::dvec3 area_vector(const Organ& organ, std::size_t i) {
+    const glm::dvec3 a(organ.positions[organ.indices[i]]);
+    return glm::cross(glm::dvec3(organ.positions[organ.indices[i + 1]]) - a,
+                      glm::dvec3(organ.positions[organ.indices[i + 2]]) - a);
+}
+
+/// Area-weighted over all triangles at a point, so that a split vertex stays smooth.
+void make_normals(Organ& organ) {
+    bool all_there = true;
+    for (glm::vec3& normal : organ.normals) {
+        normal = is_direction(normal) ? glm::normalize(normal) : glm::vec3(0.0f);
+        all_there &= normal != glm::vec3(0.0f);
+    }
+    if (all_there) return;
+    const Weld weld = weld_positions(organ.positions);
+    std::vector<glm::dvec3> sums(weld.points, glm::dvec3(0.0));
+    std::vector<double> areas(weld.points, 0.0);
+    std::vector<glm::vec3> own(organ.positions.size());
+    for (std::size_t i = 0; i < organ.indices.size(); i += 3) {
+        const glm::dvec3 area = area_vector(organ, i);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const std::uint32_t vertex = organ.indices[i + corner];
+            sums[weld.point[vertex]] += area;
+            areas[weld.point[vertex]] += glm::length(area);
+            own[vertex] = glm::vec3(glm::normalize(area));
+        }
+    }
+    for (std::size_t v = 0; v < organ.normals.size(); ++v) {
+        if (organ.normals[v] != glm::vec3(0.0f)) continue;
+        const glm::dvec3& sum = sums[weld.point[v]];
+        // The two sides of a sheet cancel out; then the vertex follows a triangle of its own.
+        const bool cancelled = glm::length(sum) < 1e-6 * areas[weld.point[v]];
+        organ.normals[v] = cancelled ? own[v] : glm::vec3(glm::normalize(sum));
+    }
+}
+
+/// Six-sided box projection: the plane that the normal looks along most.
+glm::vec2 box_uv(glm::vec3 p, glm::vec3 n) {
+    const glm::vec3 size = glm::abs(n);
+    p /= texture_repeat;
+    if (size.z >= size.x && size.z >= size.y) return {n.z < 0 ? -p.x : p.x, -p.y};
+    if (size.x >= size.y) return {n.x < 0 ? p.z : -p.z, -p.y};
+    return {p.x, n.y < 0 ? -p.z : p.z};
+}
+
+/// Twice the signed area of a triangle in the texture.
+float uv_area(const Organ& organ, std::size_t i) {
+    const glm::vec2 a = organ.uvs[organ.indices[i]];
+    const glm::vec2 e1 = organ.uvs[organ.indices[i + 1]] - a, e2 = organ.uvs[organ.indices[i + 2]] - a;
+    return e1.x * e2.y - e2.x * e1.y;
+}
+
+/// Some files have texture coordinates that are all alike: as good as none.
+bool covers_texture(const Organ& organ, const Part& part) {
+    std::size_t with_area = 0;
+    for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; i += 3)
+        with_area += std::abs(uv_area(organ, i)) > 1e-12f;
+    return with_area * 100 >= part.index_count / 3;
+}
+
+void make_uvs(Organ& organ, const Missing& missing) {
+    bool any = false;
+    for (std::size_t p = 0; p < organ.parts.size(); ++p) {
+        const Part& part = organ.parts[p];
+        const bool there = !missing.uvs[p];
+        if (there && covers_texture(organ, part)) {
+            any = true;
+            continue;
+        }
+        if (there)
+            organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) +
+                                     ": its texture coordinates cover no area; new ones made");
+        for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {
+            const std::uint32_t v = organ.indices[i];
+            organ.uvs[v] = box_uv(organ.positions[v], organ.normals[v]);
+        }
+    }
+    organ.has_uvs = any;
+}
+
+glm::vec3 any_orthogonal(glm::vec3 n) {
+    const glm::vec3 axis = std::abs(n.x) < 0.6f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    return glm::normalize(axis - n * glm::dot(n, axis));
+}
+
+/// Directions of growing u and v on the surface, summed over the triangles at each vertex.
+struct TextureAxes {
+    std::vector<glm::vec3> u, v;
+};
+
+TextureAxes texture_axes(const Organ& organ) {
+    TextureAxes axes{std::vector<glm::vec3>(organ.positions.size(), glm::vec3(0.0f)),
+                     std::vector<glm::vec3>(organ.positions.size(), glm::vec3(0.0f))};
+    for (std::size_t i = 0; i < organ.indices.size(); i += 3) {
+        const std::uint32_t* t = &organ.indices[i];
+        const glm::vec3 p1 = organ.positions[t[1]] - organ.positions[t[0]];
+        const glm::vec3 p2 = organ.positions[t[2]] - organ.positions[t[0]];
+        const glm::vec2 w1 = organ.uvs[t[1]] - organ.uvs[t[0]], w2 = organ.uvs[t[2]] - organ.uvs[t[0]];
+        const float area = w1.x * w2.y - w2.x * w1.y;
+        if (std::abs(area) < 1e-20f) continue;
+        const float sign = area < 0 ? -1.0f : 1.0f;
+        const glm::vec3 along_u = sign * (p1 * w2.y - p2 * w1.y), along_v = sign * (p2 * w1.x - p1 * w2.x);
+        for (int corner = 0; corner < 3; ++corner) {
+            axes.u[t[corner]] += along_u;
+            axes.v[t[corner]] += along_v;
+        }
+    }
+    return axes;
+}
+
+/// Length 1 after the part along the normal is taken off; zero when nothing is left.
+glm::vec3 in_surface(glm::vec3 direction, glm::vec3 normal) {
+    const float length = glm::length(direction);
+    if (!(length > 0.0f) || !std::isfinite(length)) return glm::vec3(0.0f);
+    direction /= length;
+    direction -= normal * glm::dot(normal, direction);
+    return glm::dot(direction, direction) > 1e-6f ? glm::normalize(direction) : glm::vec3(0.0f);
+}
+
+void make_tangents(Organ& organ) {
+    bool all_there = true;
+    for (std::size_t v = 0; v < organ.tangents.size(); ++v) {
+        const glm::vec4 given = organ.tangents[v];
+        const glm::vec3 t =
+            given.w == 0.0f ? glm::vec3(0.0f) : in_surface(glm::vec3(given), organ.normals[v]);
+        organ.tangents[v] = t == glm::vec3(0.0f) ? glm::vec4(0.0f) : glm::vec4(t, given.w < 0 ? -1.0f : 1.0f);
+        all_there &= organ.tangents[v].w != 0.0f;
+    }
+    if (all_there) return;
+    const TextureAxes axes = texture_axes(organ);
+    for (std::size_t v = 0; v < organ.tangents.size(); ++v) {
+        if (organ.tangents[v].w != 0.0f) continue;
+        const glm::vec3 n = organ.normals[v];
+        glm::vec3 t = in_surface(axes.u[v], n);
+        if (t == glm::vec3(0.0f)) t = any_orthogonal(n);
+        // v runs down in the image and a normal map's y runs up: the bitangent points against growing v.
+        const bool mirrored = glm::dot(glm::cross(n, t), axes.v[v]) > 0.0f;
+        organ.tangents[v] = glm::vec4(t, mirrored ? -1.0f : 1.0f);
+    }
+}
+
+}  // namespace
+
+void complete(Organ& organ, const Missing& missing) {
+    make_normals(organ);
+    make_uvs(organ, missing);
+    make_tangents(organ);
+}
+
+}  // namespace lapfx::mesh

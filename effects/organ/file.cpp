@@ -1,0 +1,128 @@
+#include "organ/file.h"
+
+#include <cctype>
+#include <fstream>
+
+#include "organ/raw.h"
+
+namespace lapfx::mesh {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string kind_of(fs::file_type type) {
+    switch (type) {
+        case fs::file_type::directory:
+            return "is a folder";
+        case fs::file_type::fifo:
+            return "is a pipe";
+        case fs::file_type::socket:
+            return "is a socket";
+        case fs::file_type::block:
+        case fs::file_type::character:
+            return "is a device";
+        default:
+            return "is not a plain file";
+    }
+}
+
+int digit(char c, int base) {
+    int value = -1;
+    if (c >= '0' && c <= '9') value = c - '0';
+    if (c >= 'a' && c <= 'f') value = c - 'a' + 10;
+    if (c >= 'A' && c <= 'F') value = c - 'A' + 10;
+    return value < base ? value : -1;
+}
+
+int base64_digit(char c) {
+    if (c >= 'A' && c <= 'Z') return c - 'A';
+    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
+    if (c >= '0' && c <= '9') return c - '0' + 52;
+    if (c == '+' || c == '-') return 62;
+    if (c == '/' || c == '_') return 63;
+    return -1;
+}
+
+}  // namespace
+
+Bytes read_file(const fs::path& path, const std::string& name, const std::string& place) {
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    // Looked at before it is opened: opening a pipe would wait for its writer for ever.
+    if (!fs::exists(status))
+        refuse(name, place, code && status.type() == fs::file_type::none ? code.message() : "no such file");
+    if (!fs::is_regular_file(status)) refuse(name, place, kind_of(status.type()) + ", expected a plain file");
+    const std::uintmax_t size = fs::file_size(path, code);
+    if (code) refuse(name, place, code.message());
+    if (size == 0) refuse(name, place, "is empty");
+    if (size > maximum_file_size)
+        refuse(name, place, "has " + std::to_string(size) + " bytes, more than the limit of 2 GiB");
+
+    Bytes bytes(size);
+    std::ifstream in(path, std::ios::binary);
+    if (!in) refuse(name, place, "cannot be opened for reading");
+    in.read(reinterpret_cast<char*>(bytes.data()), static_cast<std::streamsize>(size));
+    if (static_cast<std::uintmax_t>(in.gcount()) != size) refuse(name, place, "cannot be read to its end");
+    return bytes;
+}
+
+bool has_scheme(std::string_view reference) {
+    const std::size_t colon = reference.find(':');
+    if (colon == std::string_view::npos || colon == 0) return false;
+    if (!std::isalpha(static_cast<unsigned char>(reference[0]))) return false;
+    return std::all_of(reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(colon), [](char c) {
+        return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
+    });
+}
+
+fs::path file_beside(const fs::path& folder, std::string_view reference, const std::string& file,
+                     const std::string& place) {
+    const std::string shown = "\"" + std::string(reference.substr(0, 120)) + "\"";
+    if (reference.empty()) refuse(file, place, "names no file");
+    if (reference.find('\0') != std::string_view::npos)
+        refuse(file, place, "the file name holds a NUL character");
+    if (has_scheme(reference))
+        refuse(file, place, shown + " is a URL; only plain files beside this file are read");
+    const fs::path path = fs::path(std::string(reference)).lexically_normal();
+    if (path.is_absolute() || path.has_root_path())
+        refuse(file, place, shown + " is an absolute path; only files beside this file are read");
+    if (path.begin() != path.end() && *path.begin() == "..")
+        refuse(file, place, shown + " leads out of the folder of this file");
+    return folder / path;
+}
+
+std::string percent_decoded(std::string_view uri) {
+    std::string out;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool escape =
+            uri[i] == '%' && i + 2 < uri.size() && digit(uri[i + 1], 16) >= 0 && digit(uri[i + 2], 16) >= 0;
+        if (!escape) {
+            out += uri[i];
+            continue;
+        }
+        out += static_cast<char>(digit(uri[i + 1], 16) * 16 + digit(uri[i + 2], 16));
+        i += 2;
+    }
+    return out;
+}
+
+bool decode_base64(std::string_view text, Bytes& out) {
+    out.clear();
+    out.reserve(text.size() / 4 * 3);
+    while (!text.empty() && text.back() == '=') text.remove_suffix(1);
+    std::uint32_t bits = 0;
+    int have = 0;
+    for (const char c : text) {
+        const int value = base64_digit(c);
+        if (value < 0) return false;
+        bits = bits << 6 | static_cast<std::uint32_t>(value);
+        have += 6;
+        if (have < 8) continue;
+        have -= 8;
+        out.push_back(static_cast<std::uint8_t>(bits >> have & 0xff));
+    }
+    return true;
+}
+
+}  // namespace lapfx::mesh

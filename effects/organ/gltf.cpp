@@ -1,0 +1,157 @@
+#include "organ/gltf.h"
+
+#include "organ/gltf_accessor.h"
+#include "organ/gltf_material.h"
+#include "organ/gltf_nodes.h"
+
+namespace lapfx::mesh {
+
+namespace {
+
+/// The accessor of an attribute, or -1.
+int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
+    const auto found = primitive.attributes.find(name);
+    return found == primitive.attributes.end() ? -1 : found->second;
+}
+
+/// An attribute with `low` to `high` components and as many elements as there are positions.
+FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive& primitive,
+                              const std::string& name, int low, int high, std::size_t count,
+                              const std::string& place) {
+    const int accessor = attribute(primitive, name);
+    if (accessor < 0) return {low, {}};
+    const std::string at = place + "/attributes/" + name;
+    FloatArray array = read_floats(document, accessor, at);
+    if (array.components < low || array.components > high)
+        refuse(document.file, at, "has " + std::to_string(array.components) + " components");
+    if (array.size() != count)
+        refuse(document.file, at,
+               "has " + std::to_string(array.size()) + " elements, POSITION has " + std::to_string(count));
+    return array;
+}
+
+template <class Vector>
+std::vector<Vector> vectors(const FloatArray& array, Vector fill) {
+    std::vector<Vector> out(array.size(), fill);
+    const int components = std::min(array.components, static_cast<int>(Vector::length()));
+    for (std::size_t i = 0; i < out.size(); ++i)
+        for (int c = 0; c < components; ++c)
+            out[i][c] =
+                array.values[i * static_cast<std::size_t>(array.components) + static_cast<std::size_t>(c)];
+    return out;
+}
+
+/// Strips and fans become single triangles.
+std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode) {
+    if (mode == TINYGLTF_MODE_TRIANGLES) {
+        order.resize(order.size() / 3 * 3);
+        return order;
+    }
+    std::vector<std::uint32_t> out;
+    for (std::size_t i = 2; i < order.size(); ++i) {
+        const bool fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
+        // Every second triangle of a strip is turned round.
+        const std::size_t a = fan ? 0 : i - 2 + i % 2, b = fan ? i - 1 : i - 1 - i % 2;
+        out.insert(out.end(), {order[a], order[b], order[i]});
+    }
+    return out;
+}
+
+RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive,
+                       const std::vector<UvUse>& uses, const std::string& place) {
+    const int position = attribute(primitive, "POSITION");
+    if (primitive.extensions.contains("KHR_draco_mesh_compression") &&
+        (position < 0 || static_cast<std::size_t>(position) >= document.model.accessors.size() ||
+         document.model.accessors[static_cast<std::size_t>(position)].bufferView < 0))
+        refuse(document.file, place, "needs the extension KHR_draco_mesh_compression, which is not read");
+    if (position < 0) refuse(document.file, place + "/attributes", "has no POSITION");
+    if (primitive.material >= static_cast<int>(uses.size()) || primitive.material < -1)
+        refuse(document.file, place + "/material",
+               "material " + std::to_string(primitive.material) + " is not in the file");
+    const UvUse use = primitive.material >= 0 ? uses[static_cast<std::size_t>(primitive.material)] : UvUse{};
+
+    RawPart part;
+    part.material = primitive.material;
+    const FloatArray positions = read_floats(document, position, place + "/attributes/POSITION");
+    if (positions.components != 3)
+        refuse(document.file, place + "/attributes/POSITION",
+               "has " + std::to_string(positions.components) + " components");
+    const std::size_t count = positions.size();
+    part.positions = vectors<glm::vec3>(positions, glm::vec3(0.0f));
+    const auto read = [&](const std::string& name, int low, int high) {
+        return optional_attribute(document, primitive, name, low, high, count, place);
+    };
+    part.normals = vectors<glm::vec3>(read("NORMAL", 3, 3), glm::vec3(0.0f));
+    part.tangents = vectors<glm::vec4>(read("TANGENT", 4, 4), glm::vec4(0.0f));
+    part.colors = vectors<glm::vec4>(read("COLOR_0", 3, 4), glm::vec4(1.0f));
+    part.uvs = vectors<glm::vec2>(read("TEXCOORD_" + std::to_string(use.set), 2, 2), glm::vec2(0.0f));
+    if (use != UvUse{}) {
+        for (glm::vec2& uv : part.uvs) uv = use.apply(uv);
+        if (use.rotation != 0.0f || use.scale.x * use.scale.y < 0.0f)
+            part.tangents.clear();  // they follow the UVs
+    }
+
+    std::vector<std::uint32_t> order;
+    if (primitive.indices >= 0) {
+        order = read_indices(document, primitive.indices, place + "/indices");
+    } else {
+        order.resize(count);
+        for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
+    }
+    part.indices = triangles(std::move(order), primitive.mode);
+    return part;
+}
+
+bool draws_triangles(const tinygltf::Primitive& primitive) {
+    return primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN;
+}
+
+/// Says what of the file the still surface of an organ does not show.
+void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnings) {
+    const tinygltf::Model& model = document.model;
+    if (model.nodes.empty() && !model.meshes.empty())
+        warnings.push_back("the file has no nodes: every mesh is taken, where it is");
+    if (document.has_skins)
+        warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
+    const bool morphs = std::any_of(model.meshes.begin(), model.meshes.end(), [](const tinygltf::Mesh& mesh) {
+        return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
+                           [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
+    });
+    if (morphs) warnings.push_back("the file has morph targets: the surface is shown without them");
+    for (const std::string& name : model.extensionsUsed)
+        if (name == "EXT_mesh_gpu_instancing")
+            warnings.push_back("EXT_mesh_gpu_instancing is not read: each mesh is shown once");
+}
+
+}  // namespace
+
+RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
+    GltfDocument document = read_gltf_document(path, file, bytes);
+    RawOrgan organ;
+    warn_of_rest(document, organ.warnings);
+    const std::vector<UvUse> uses = read_materials(document, organ);
+    std::size_t left_out = 0, total = 0;
+    for (const MeshInstance& instance : mesh_instances(document)) {
+        const tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(instance.mesh)];
+        for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+            if (!draws_triangles(mesh.primitives[i])) {
+                ++left_out;
+                continue;
+            }
+            const std::string place =
+                "/meshes/" + std::to_string(instance.mesh) + "/primitives/" + std::to_string(i);
+            RawPart part = read_primitive(document, mesh.primitives[i], uses, place);
+            part.name = !mesh.name.empty() ? mesh.name : instance.node;
+            total += part.indices.size() / 3;
+            if (total > maximum_triangles) refuse(file, "", "has more than 20 million triangles");
+            transform(part, instance.to_world);
+            organ.parts.push_back(std::move(part));
+        }
+    }
+    if (left_out > 0)
+        organ.warnings.push_back(counted(left_out, "primitive", "primitives") +
+                                 " of points or lines left out");
+    return organ;
+}
+
+}  // namespace lapfx::mesh

@@ -1,0 +1,204 @@
+#include "organ/gltf_accessor.h"
+
+#include <cstring>
+
+#include "organ/raw.h"
+
+namespace lapfx::mesh {
+
+namespace {
+
+/// `count` elements of `components` values, `stride` bytes apart.
+struct Elements {
+    std::span<const std::uint8_t> bytes;
+    std::size_t count = 0;
+    std::size_t components = 1;
+    std::size_t stride = 0;
+    int type = 0;
+    bool normalized = false;
+};
+
+std::size_t bytes_per_value(int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return 1;
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return 2;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+std::size_t components_of(int type) {
+    switch (type) {
+        case TINYGLTF_TYPE_SCALAR:
+            return 1;
+        case TINYGLTF_TYPE_VEC2:
+            return 2;
+        case TINYGLTF_TYPE_VEC3:
+            return 3;
+        case TINYGLTF_TYPE_VEC4:
+            return 4;
+        default:
+            return 0;
+    }
+}
+
+template <class T>
+T load(const std::uint8_t* at) {
+    T value;
+    std::memcpy(&value, at, sizeof value);
+    return value;
+}
+
+float value_at(const std::uint8_t* at, int type, bool normalized) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE: {
+            const float value = load<std::int8_t>(at);
+            return normalized ? std::max(value / 127.0f, -1.0f) : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return normalized ? *at / 255.0f : *at;
+        case TINYGLTF_COMPONENT_TYPE_SHORT: {
+            const float value = load<std::int16_t>(at);
+            return normalized ? std::max(value / 32767.0f, -1.0f) : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT: {
+            const float value = load<std::uint16_t>(at);
+            return normalized ? value / 65535.0f : value;
+        }
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return static_cast<float>(load<std::uint32_t>(at));
+        default:
+            return load<float>(at);
+    }
+}
+
+std::uint32_t index_at(const std::uint8_t* at, int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return *at;
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return load<std::uint16_t>(at);
+        default:
+            return load<std::uint32_t>(at);
+    }
+}
+
+bool is_index_type(int type) {
+    return type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE || type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT ||
+           type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+}
+
+/// Elements in a view; throws unless the last byte of the last element lies in it.
+Elements elements_in(GltfDocument& document, int view, std::size_t offset, std::size_t count, int type,
+                     std::size_t components, bool may_stride, const std::string& place) {
+    Elements out{document.view(view, place),         count, components,
+                 bytes_per_value(type) * components, type,  false};
+    const std::size_t element = out.stride;
+    const std::size_t stride = document.model.bufferViews[static_cast<std::size_t>(view)].byteStride;
+    if (may_stride && stride != 0) {
+        if (stride < element)
+            refuse(document.file, place,
+                   "byteStride " + std::to_string(stride) + " is less than an element's " +
+                       std::to_string(element) + " bytes");
+        out.stride = stride;
+    }
+    const std::size_t need = count == 0 ? 0 : (count - 1) * out.stride + element;
+    if (offset > out.bytes.size() || need > out.bytes.size() - offset)
+        refuse(document.file, place,
+               "needs " + std::to_string(need) + " bytes at " + std::to_string(offset) + ", buffer view " +
+                   std::to_string(view) + " has " + std::to_string(out.bytes.size()));
+    out.bytes = out.bytes.subspan(offset, need);
+    return out;
+}
+
+const tinygltf::Accessor& checked(const GltfDocument& document, int index, const std::string& place) {
+    if (index < 0 || static_cast<std::size_t>(index) >= document.model.accessors.size())
+        refuse(document.file, place, "accessor " + std::to_string(index) + " is not in the file");
+    const tinygltf::Accessor& accessor = document.model.accessors[static_cast<std::size_t>(index)];
+    const std::string at = "/accessors/" + std::to_string(index);
+    if (accessor.count > 3 * maximum_triangles)
+        refuse(document.file, at, "has " + std::to_string(accessor.count) + " elements, more than the limit");
+    if (bytes_per_value(accessor.componentType) == 0)
+        refuse(document.file, at, "has componentType " + std::to_string(accessor.componentType));
+    if (components_of(accessor.type) == 0) refuse(document.file, at, "is a matrix where a vector is needed");
+    return accessor;
+}
+
+/// The elements that replace those of the view, one by one.
+void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, FloatArray& array,
+                const std::string& at) {
+    const auto& sparse = accessor.sparse;
+    const std::string place = at + "/sparse";
+    if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count ||
+        sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
+        !is_index_type(sparse.indices.componentType))
+        refuse(document.file, place, "has a count, offset or componentType that cannot be");
+    const auto count = static_cast<std::size_t>(sparse.count), components = components_of(accessor.type);
+    const Elements indices =
+        elements_in(document, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
+                    count, sparse.indices.componentType, 1, false, place + "/indices");
+    const Elements values =
+        elements_in(document, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
+                    count, accessor.componentType, components, false, place + "/values");
+    const std::size_t size = bytes_per_value(accessor.componentType);
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::size_t target = index_at(indices.bytes.data() + i * indices.stride, indices.type);
+        if (target >= accessor.count)
+            refuse(document.file, place,
+                   "index " + std::to_string(target) + " is not below the count " +
+                       std::to_string(accessor.count));
+        for (std::size_t c = 0; c < components; ++c)
+            array.values[target * components + c] = value_at(
+                values.bytes.data() + i * values.stride + c * size, values.type, accessor.normalized);
+    }
+}
+
+}  // namespace
+
+std::size_t accessor_count(const GltfDocument& document, int accessor, const std::string& place) {
+    return checked(document, accessor, place).count;
+}
+
+FloatArray read_floats(GltfDocument& document, int index, const std::string& place) {
+    const tinygltf::Accessor& accessor = checked(document, index, place);
+    const std::string at = "/accessors/" + std::to_string(index);
+    const std::size_t components = components_of(accessor.type),
+                      size = bytes_per_value(accessor.componentType);
+    FloatArray array{static_cast<int>(components), {}};
+    array.values.assign(accessor.count * components, 0.0f);  // without a view: zeros
+    if (accessor.bufferView >= 0) {
+        const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset,
+                                              accessor.count, accessor.componentType, components, true, at);
+        float* out = array.values.data();
+        for (std::size_t i = 0; i < accessor.count; ++i)
+            for (std::size_t c = 0; c < components; ++c)
+                *out++ = value_at(elements.bytes.data() + i * elements.stride + c * size, elements.type,
+                                  accessor.normalized);
+    }
+    if (accessor.sparse.isSparse) substitute(document, accessor, array, at);
+    return array;
+}
+
+std::vector<std::uint32_t> read_indices(GltfDocument& document, int index, const std::string& place) {
+    const tinygltf::Accessor& accessor = checked(document, index, place);
+    const std::string at = "/accessors/" + std::to_string(index);
+    if (!is_index_type(accessor.componentType) || accessor.type != TINYGLTF_TYPE_SCALAR)
+        refuse(document.file, at, "cannot be indices: they are unsigned scalars of 8, 16 or 32 bits");
+    if (accessor.bufferView < 0 || accessor.sparse.isSparse)
+        refuse(document.file, at, "indices need a buffer view and cannot be sparse");
+    const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset, accessor.count,
+                                          accessor.componentType, 1, true, at);
+    std::vector<std::uint32_t> indices(accessor.count);
+    for (std::size_t i = 0; i < accessor.count; ++i)
+        indices[i] = index_at(elements.bytes.data() + i * elements.stride, elements.type);
+    return indices;
+}
+
+}  // namespace lapfx::mesh

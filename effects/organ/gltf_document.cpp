@@ -1,0 +1,269 @@
+#include "organ/gltf_document.h"
+
+#include <cstring>
+#include <nlohmann/json.hpp>
+
+#include "organ/meshopt.h"
+#include "organ/raw.h"
+
+namespace lapfx::mesh {
+
+namespace {
+
+using nlohmann::json;
+
+constexpr int maximum_depth = 64;
+
+/// Read in full, or safe to leave out: the surface is the same without them.
+constexpr const char* known_extensions[] = {"EXT_meshopt_compression",
+                                            "EXT_texture_webp",
+                                            "KHR_mesh_quantization",
+                                            "KHR_texture_transform",
+                                            "KHR_materials_pbrSpecularGlossiness",
+                                            "KHR_materials_unlit",
+                                            "KHR_lights_punctual",
+                                            "KHR_materials_ior",
+                                            "KHR_materials_specular",
+                                            "KHR_materials_sheen",
+                                            "KHR_materials_clearcoat",
+                                            "KHR_materials_transmission",
+                                            "KHR_materials_volume",
+                                            "KHR_materials_emissive_strength",
+                                            "KHR_materials_variants",
+                                            "KHR_xmp_json_ld"};
+
+struct Chunks {
+    std::string_view json;
+    std::span<const std::uint8_t> binary;
+};
+
+std::uint32_t word(const Bytes& bytes, std::size_t at) {
+    std::uint32_t value = 0;
+    std::memcpy(&value, bytes.data() + at, 4);
+    return value;
+}
+
+/// A .glb: a header, a JSON chunk, and perhaps a binary chunk.
+Chunks split_glb(const Bytes& bytes, const std::string& file) {
+    constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
+    if (bytes.size() < 20) refuse(file, "", "truncated: the file ends within the header of a binary glTF");
+    if (word(bytes, 4) != 2)
+        refuse(file, "",
+               "binary glTF version " + std::to_string(word(bytes, 4)) + " is not read, expected 2");
+    const std::size_t length = word(bytes, 8), json_length = word(bytes, 12);
+    if (length > bytes.size())
+        refuse(file, "",
+               "truncated: its header says " + std::to_string(length) + " bytes, the file has " +
+                   std::to_string(bytes.size()));
+    if (word(bytes, 16) != json_type) refuse(file, "", "its first chunk is not JSON");
+    if (json_length > bytes.size() - 20) refuse(file, "", "truncated: the file ends within its JSON chunk");
+    Chunks chunks{{reinterpret_cast<const char*>(bytes.data()) + 20, json_length}, {}};
+    std::size_t at = 20 + (json_length + 3) / 4 * 4;
+    while (at + 8 <= bytes.size()) {
+        const std::size_t size = word(bytes, at), room = bytes.size() - at - 8;
+        if (word(bytes, at + 4) == binary_type) {
+            if (size > room) refuse(file, "", "truncated: the file ends within its binary chunk");
+            chunks.binary = std::span(bytes).subspan(at + 8, size);
+            break;
+        }
+        if (size > room) break;  // what follows the known chunks is no concern of ours
+        at += 8 + (size + 3) / 4 * 4;
+    }
+    return chunks;
+}
+
+json parse(std::string_view text, const std::string& file) {
+    if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
+    // Extras may hold anything; without them and with bounded depth the rest is safe for recursive readers.
+    const auto keep = [&](int depth, json::parse_event_t event, json& value) {
+        if (depth > maximum_depth) refuse(file, "", "its JSON is nested deeper than 64 levels");
+        return event != json::parse_event_t::key || value != "extras";
+    };
+    try {
+        json document = json::parse(text, keep);
+        if (!document.is_object()) refuse(file, "", "its JSON is no object");
+        return document;
+    } catch (const json::exception& fault) {
+        const std::string what = fault.what();
+        const std::size_t start = what.find("parse error");
+        refuse(file, "",
+               "its JSON cannot be read: " + what.substr(start == std::string::npos ? 0 : start, 160));
+    }
+}
+
+void check_head(const json& document, const std::string& file) {
+    const json* asset = document.contains("asset") ? &document["asset"] : nullptr;
+    if (!asset || !asset->is_object() || !asset->contains("version") || !(*asset)["version"].is_string())
+        refuse(file, "/asset/version", "is missing: not a glTF 2.0 file");
+    const std::string version = (*asset)["version"];
+    if (!version.starts_with("2."))
+        refuse(file, "/asset/version", "is \"" + version.substr(0, 40) + "\", only 2.0 is read");
+    if (!document.contains("extensionsRequired")) return;
+    const json& required = document["extensionsRequired"];
+    if (!required.is_array()) refuse(file, "/extensionsRequired", "is no array");
+    for (const json& name : required) {
+        if (!name.is_string()) refuse(file, "/extensionsRequired", "holds something that is no string");
+        const std::string extension = name;
+        if (std::find(std::begin(known_extensions), std::end(known_extensions), extension) ==
+            std::end(known_extensions))
+            refuse(file, "/extensionsRequired", "needs the extension " + extension + ", which is not read");
+    }
+}
+
+Bytes data_uri(std::string_view uri, const std::string& file, const std::string& place) {
+    const std::size_t comma = uri.find(',');
+    Bytes bytes;
+    if (comma == std::string_view::npos || !uri.substr(0, comma).ends_with(";base64") ||
+        !decode_base64(uri.substr(comma + 1), bytes))
+        refuse(file, place, "is a data URI that is not valid base64");
+    return bytes;
+}
+
+bool is_data_uri(std::string_view uri) {
+    return uri.starts_with("data:");
+}
+
+std::string text_member(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+}
+
+/// A buffer that only stands for what EXT_meshopt_compression decodes into has no bytes of its own.
+bool is_fallback(const json& buffer) {
+    const json none = json::object();
+    const json& extensions = buffer.contains("extensions") ? buffer["extensions"] : none;
+    return extensions.is_object() && extensions.contains("EXT_meshopt_compression");
+}
+
+void read_buffers(GltfDocument& document, const json& buffers, std::span<const std::uint8_t> binary) {
+    for (std::size_t i = 0; i < buffers.size(); ++i) {
+        const json& source = buffers[i];
+        const std::string place = "/buffers/" + std::to_string(i);
+        tinygltf::Buffer buffer;
+        if (!source.is_object() || !source.contains("byteLength") ||
+            !source["byteLength"].is_number_unsigned())
+            refuse(document.file, place, "has no byteLength");
+        const std::size_t length = source["byteLength"];
+        const std::string uri = text_member(source, "uri");
+        if (uri.empty() && i == 0 && !binary.empty())
+            buffer.data.assign(binary.begin(), binary.end());
+        else if (is_data_uri(uri))
+            buffer.data = data_uri(uri, document.file, place + "/uri");
+        else if (!uri.empty())
+            buffer.data =
+                read_file(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"),
+                          document.file, place + ": " + uri);
+        else if (!is_fallback(source))
+            refuse(document.file, place, "has no uri, and the file has no binary chunk for it");
+        if (!buffer.data.empty() && buffer.data.size() < length)
+            refuse(document.file, place,
+                   "truncated: has " + std::to_string(buffer.data.size()) + " of " + std::to_string(length) +
+                       " bytes");
+        if (buffer.data.size() > length) buffer.data.resize(length);
+        document.model.buffers.push_back(std::move(buffer));
+    }
+}
+
+void read_images(GltfDocument& document, const json& images) {
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const json& source = images[i];
+        const std::string place = "/images/" + std::to_string(i);
+        if (!source.is_object()) refuse(document.file, place, "is no object");
+        tinygltf::Image image;
+        image.name = text_member(source, "name");
+        image.uri = text_member(source, "uri");
+        image.bufferView = -1;
+        if (source.contains("bufferView") && source["bufferView"].is_number_integer())
+            image.bufferView = source["bufferView"];
+        document.model.images.push_back(std::move(image));
+    }
+}
+
+json taken_out(json& document, const char* key, const std::string& file) {
+    if (!document.contains(key)) return json::array();
+    json value = std::move(document[key]);
+    document.erase(key);
+    if (!value.is_array()) refuse(file, std::string("/") + key, "is no array");
+    return value;
+}
+
+/// The first line of what tinygltf says.
+std::string first_line(const std::string& text) {
+    return text.substr(0, text.find('\n'));
+}
+
+void run_tinygltf(GltfDocument& document, const json& structure) {
+    const std::string text = structure.dump();
+    if (text.size() > 0x7fffffff) refuse(document.file, "", "its JSON is larger than 2 GiB");
+    tinygltf::TinyGLTF loader;
+    std::string error, warning;
+    bool done = false;
+    try {
+        done = loader.LoadASCIIFromString(&document.model, &error, &warning, text.data(),
+                                          static_cast<unsigned>(text.size()), "");
+    } catch (const std::exception& fault) {
+        error = fault.what();
+    }
+    const auto& used = document.model.extensionsUsed;
+    if (!done && std::find(used.begin(), used.end(), "KHR_draco_mesh_compression") != used.end())
+        refuse(document.file, "/extensionsUsed",
+               "needs the extension KHR_draco_mesh_compression, which is not read");
+    // It drops a primitive that it cannot read with no more than a message, and goes on.
+    if (!done || !error.empty())
+        refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
+}
+
+}  // namespace
+
+GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file,
+                                const Bytes& bytes) {
+    GltfDocument document;
+    document.file = file;
+    document.folder = path.parent_path();
+    Chunks chunks{{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
+    if (chunks.json.starts_with("glTF")) chunks = split_glb(bytes, file);
+
+    json structure = parse(chunks.json, file);
+    check_head(structure, file);
+    const json buffers = taken_out(structure, "buffers", file);
+    const json images = taken_out(structure, "images", file);
+    document.has_skins = structure.contains("skins");
+    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"})
+        structure.erase(unused);
+    for (const char* list :
+         {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
+        if (structure.contains(list) && !structure[list].is_array())
+            refuse(file, std::string("/") + list, "is no array");
+    run_tinygltf(document, structure);
+    read_buffers(document, buffers, chunks.binary);
+    read_images(document, images);
+    return document;
+}
+
+std::span<const std::uint8_t> GltfDocument::view(int index, const std::string& place) {
+    if (index < 0 || static_cast<std::size_t>(index) >= model.bufferViews.size())
+        refuse(file, place, "buffer view " + std::to_string(index) + " is not in the file");
+    if (const auto done = decoded.find(index); done != decoded.end()) return done->second;
+    const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(index)];
+    const std::string view_place = "/bufferViews/" + std::to_string(index);
+    if (const auto compressed = view.extensions.find("EXT_meshopt_compression");
+        compressed != view.extensions.end())
+        return decoded[index] = decode_meshopt(*this, compressed->second, view_place);
+    return bytes_of(*this, view.buffer, view.byteOffset, view.byteLength, view_place);
+}
+
+std::span<const std::uint8_t> GltfDocument::image_bytes(int index, Bytes& storage, std::string& fault) {
+    const tinygltf::Image& image = model.images[static_cast<std::size_t>(index)];
+    const std::string place = "/images/" + std::to_string(index);
+    if (image.bufferView >= 0) return view(image.bufferView, place + "/bufferView");
+    if (is_data_uri(image.uri)) return storage = data_uri(image.uri, file, place + "/uri");
+    const std::filesystem::path path = file_beside(folder, percent_decoded(image.uri), file, place + "/uri");
+    try {
+        return storage = read_file(path, image.uri);
+    } catch (const Error& error) {
+        fault = error.faults().front().reason;
+        return {};
+    }
+}
+
+}  // namespace lapfx::mesh

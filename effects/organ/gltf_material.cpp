@@ -1,0 +1,174 @@
+#include "organ/gltf_material.h"
+
+#include "organ/image.h"
+
+namespace lapfx::mesh {
+
+namespace {
+
+using tinygltf::ExtensionMap;
+using tinygltf::Value;
+
+double number(const Value& value, double fallback) {
+    return value.IsNumber() ? value.GetNumberAsDouble() : fallback;
+}
+
+double number(const Value& object, const char* key, std::size_t index, double fallback) {
+    if (!object.IsObject() || !object.Has(key)) return fallback;
+    const Value& array = object.Get(key);
+    if (!array.IsArray() || index >= array.ArrayLen()) return fallback;
+    return number(array.Get(static_cast<int>(index)), fallback);
+}
+
+/// A texture as a material refers to it.
+struct TextureUse {
+    int texture = -1;
+    UvUse uv;
+};
+
+UvUse uv_use(int set, const ExtensionMap& extensions) {
+    UvUse use;
+    use.set = set;
+    const auto found = extensions.find("KHR_texture_transform");
+    if (found == extensions.end() || !found->second.IsObject()) return use;
+    const Value& transform = found->second;
+    for (int i = 0; i < 2; ++i) {
+        const auto index = static_cast<std::size_t>(i);
+        use.offset[i] = static_cast<float>(number(transform, "offset", index, 0.0));
+        use.scale[i] = static_cast<float>(number(transform, "scale", index, 1.0));
+    }
+    if (transform.Has("rotation")) use.rotation = static_cast<float>(number(transform.Get("rotation"), 0.0));
+    if (transform.Has("texCoord") && transform.Get("texCoord").IsInt())
+        use.set = transform.Get("texCoord").GetNumberAsInt();
+    return use;
+}
+
+/// Reads each image once, however many materials use it.
+class Images {
+  public:
+    Images(GltfDocument& document, RawOrgan& organ)
+        : document_(document), organ_(organ), known_(document.model.images.size(), unread) {}
+
+    /// Index into RawOrgan::images of a texture's image, or -1.
+    int of_texture(int texture, const std::string& place) {
+        if (texture < 0) return -1;
+        if (static_cast<std::size_t>(texture) >= document_.model.textures.size())
+            refuse(document_.file, place, "texture " + std::to_string(texture) + " is not in the file");
+        const int source = source_of(document_.model.textures[static_cast<std::size_t>(texture)]);
+        if (source < 0) return -1;
+        if (static_cast<std::size_t>(source) >= known_.size())
+            refuse(document_.file, "/textures/" + std::to_string(texture),
+                   "image " + std::to_string(source) + " is not in the file");
+        int& index = known_[static_cast<std::size_t>(source)];
+        if (index == unread) index = read(source);
+        return index;
+    }
+
+  private:
+    static constexpr int unread = -2;
+
+    static int source_of(const tinygltf::Texture& texture) {
+        const auto webp = texture.extensions.find("EXT_texture_webp");
+        if (webp != texture.extensions.end() && webp->second.IsObject() && webp->second.Has("source") &&
+            webp->second.Get("source").IsInt())
+            return webp->second.Get("source").GetNumberAsInt();
+        return texture.source;
+    }
+
+    int read(int source) {
+        const tinygltf::Image& from = document_.model.images[static_cast<std::size_t>(source)];
+        Image image;
+        const bool named_by_file = !from.uri.empty() && !from.uri.starts_with("data:");
+        image.name = !from.name.empty() ? from.name
+                     : named_by_file    ? percent_decoded(from.uri)
+                                        : "image " + std::to_string(source);
+        Bytes storage;
+        std::string fault;
+        const std::span<const std::uint8_t> bytes = document_.image_bytes(source, storage, fault);
+        if (fault.empty()) fault = decode_image(bytes, image);
+        if (!fault.empty()) {
+            organ_.warnings.push_back("texture " + image.name + ": " + fault + "; it is left out");
+            return -1;
+        }
+        organ_.images.push_back(std::move(image));
+        return static_cast<int>(organ_.images.size()) - 1;
+    }
+
+    GltfDocument& document_;
+    RawOrgan& organ_;
+    std::vector<int> known_;  ///< glTF image to RawOrgan image; -1 = unreadable
+};
+
+glm::vec4 color(const std::vector<double>& factor) {
+    glm::vec4 out(1.0f);
+    for (std::size_t i = 0; i < std::min<std::size_t>(factor.size(), 4); ++i)
+        out[static_cast<int>(i)] = static_cast<float>(factor[i]);
+    return out;
+}
+
+/// The older material model: its diffuse part is what base colour is in the other.
+void specular_glossiness(const Value& extension, Material& material, TextureUse& base) {
+    if (!extension.IsObject()) return;
+    for (int i = 0; i < 4; ++i)
+        material.base_color[i] =
+            static_cast<float>(number(extension, "diffuseFactor", static_cast<std::size_t>(i), 1.0));
+    if (extension.Has("glossinessFactor"))
+        material.roughness = 1.0f - static_cast<float>(number(extension.Get("glossinessFactor"), 1.0));
+    if (!extension.Has("diffuseTexture") || !extension.Get("diffuseTexture").IsObject()) return;
+    const Value& texture = extension.Get("diffuseTexture");
+    if (texture.Has("index") && texture.Get("index").IsInt())
+        base.texture = texture.Get("index").GetNumberAsInt();
+    if (texture.Has("texCoord") && texture.Get("texCoord").IsInt())
+        base.uv.set = texture.Get("texCoord").GetNumberAsInt();
+}
+
+UvUse read_material(const tinygltf::Material& from, int index, Images& images, RawOrgan& organ) {
+    const std::string place = "/materials/" + std::to_string(index);
+    const auto& pbr = from.pbrMetallicRoughness;
+    Material material;
+    material.name = from.name;
+    material.base_color = color(pbr.baseColorFactor);
+    material.roughness = std::clamp(static_cast<float>(pbr.roughnessFactor), 0.0f, 1.0f);
+    material.normal_scale = static_cast<float>(from.normalTexture.scale);
+    material.double_sided = from.doubleSided;
+
+    TextureUse base{pbr.baseColorTexture.index,
+                    uv_use(pbr.baseColorTexture.texCoord, pbr.baseColorTexture.extensions)};
+    const TextureUse normal{from.normalTexture.index,
+                            uv_use(from.normalTexture.texCoord, from.normalTexture.extensions)};
+    const auto old = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
+    if (old != from.extensions.end() && base.texture < 0) specular_glossiness(old->second, material, base);
+
+    material.base_color_image = images.of_texture(base.texture, place + "/baseColorTexture");
+    material.normal_image = images.of_texture(normal.texture, place + "/normalTexture");
+    const bool both = material.base_color_image >= 0 && material.normal_image >= 0;
+    if (both && base.uv != normal.uv) {
+        // The vertices carry one set of texture coordinates.
+        organ.warnings.push_back("material " + from.name +
+                                 ": its normal map has other texture coordinates than its " +
+                                 "base colour; the normal map is left out");
+        material.normal_image = -1;
+    }
+    organ.materials.push_back(std::move(material));
+    return base.texture >= 0 ? base.uv : normal.texture >= 0 ? normal.uv : UvUse{};
+}
+
+}  // namespace
+
+glm::vec2 UvUse::apply(glm::vec2 uv) const {
+    // KHR_texture_transform: translation * rotation * scale, v down.
+    const glm::vec2 scaled = uv * scale;
+    const float c = std::cos(rotation), s = std::sin(rotation);
+    return offset + glm::vec2(c * scaled.x + s * scaled.y, -s * scaled.x + c * scaled.y);
+}
+
+std::vector<UvUse> read_materials(GltfDocument& document, RawOrgan& organ) {
+    Images images(document, organ);
+    std::vector<UvUse> uses;
+    int index = 0;
+    for (const tinygltf::Material& material : document.model.materials)
+        uses.push_back(read_material(material, index++, images, organ));
+    return uses;
+}
+
+}  // namespace lapfx::mesh

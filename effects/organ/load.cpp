@@ -1,0 +1,96 @@
+// load_organ(): which reader, which unit, then mending and completing.
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "organ/gltf.h"
+#include "organ/mend.h"
+#include "organ/obj.h"
+#include "organ/openmesh_formats.h"
+#include "organ/ply.h"
+
+namespace lapfx {
+
+namespace {
+
+using mesh::Bytes;
+
+enum class Format { gltf, obj, ply, stl, off, unknown };
+
+bool starts(const Bytes& bytes, std::string_view text) {
+    return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
+}
+
+std::string lower_extension(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return extension;
+}
+
+/// What the file starts with, and for the formats that start with nothing of their own, the name.
+Format format_of(const std::filesystem::path& path, const Bytes& bytes) {
+    if (starts(bytes, "glTF")) return Format::gltf;
+    if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return Format::ply;
+    const std::string extension = lower_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return Format::gltf;
+    if (extension == ".obj") return Format::obj;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".stl" || extension == ".stla" || extension == ".stlb") return Format::stl;
+    if (extension == ".off") return Format::off;
+    return Format::unknown;
+}
+
+mesh::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file,
+                    const Bytes& bytes) {
+    switch (format) {
+        case Format::gltf:
+            if (lower_extension(path) == ".glb" && !starts(bytes, "glTF"))
+                mesh::refuse(file, "", "is no binary glTF: it does not start with glTF");
+            return mesh::read_gltf(path, file, bytes);
+        case Format::obj:
+            return mesh::read_obj(path, file, bytes);
+        case Format::ply:
+            return mesh::read_ply(file, bytes);
+        case Format::stl:
+            return mesh::read_stl(file, bytes);
+        case Format::off:
+            return mesh::read_off(file, bytes);
+        case Format::unknown:
+            break;
+    }
+    mesh::refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+}
+
+glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
+    const glm::dvec3 angle = glm::radians(degrees);
+    glm::dmat4 matrix(1.0);
+    matrix = glm::rotate(matrix, angle.z, {0.0, 0.0, 1.0});
+    matrix = glm::rotate(matrix, angle.y, {0.0, 1.0, 0.0});
+    matrix = glm::rotate(matrix, angle.x, {1.0, 0.0, 0.0});
+    return glm::scale(matrix, glm::dvec3(scale));
+}
+
+}  // namespace
+
+Organ load_organ(const std::filesystem::path& path, const OrganOptions& options) {
+    const std::string file = path.string();
+    if (!std::isfinite(options.scale) || options.scale < 0.0)
+        mesh::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
+    mesh::RawOrgan raw;
+    Format format = Format::unknown;
+    {
+        const Bytes bytes = mesh::read_file(path, file);
+        format = format_of(path, bytes);
+        raw = read(format, path, file, bytes);
+    }
+    const double scale = options.scale > 0.0 ? options.scale : format == Format::gltf ? 1000.0 : 1.0;
+    const glm::dmat4 matrix = to_millimetres(scale, options.rotation);
+    for (mesh::RawPart& part : raw.parts) mesh::transform(part, matrix);
+
+    mesh::Missing missing;
+    Organ organ = mesh::mend(std::move(raw), file, missing);
+    organ.name = path.stem().string();
+    organ.scale = scale;
+    mesh::complete(organ, missing);
+    return organ;
+}
+
+}  // namespace lapfx

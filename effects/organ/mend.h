@@ -1,0 +1,22 @@
+// From what a file holds to what can be drawn.
+#pragma once
+
+#include "organ/raw.h"
+
+namespace lapfx::mesh {
+
+/// What complete() has to make.
+struct Missing {
+    std::vector<char> uvs;  ///< for each part: it has no texture coordinates that could be used
+};
+
+/// Joins the parts (in mm) into one organ without what cannot be drawn: triangles with NaN, with indices out
+/// of range, without area or given twice, and vertices that belong to no triangle. Each kind is named and
+/// counted in a warning. Throws Error when no triangle is left. Attributes that the file lacks are zero;
+/// colours are white.
+Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing);
+
+/// Makes what is missing: smooth normals, texture coordinates, tangents; all others become unit length.
+void complete(Organ& organ, const Missing& missing);
+
+}  // namespace lapfx::mesh

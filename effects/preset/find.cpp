@@ -1,0 +1,181 @@
+// Parameters by key (`--set bleeding.speed=6`), and the check of a whole document's values.
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <optional>
+
+#include "lapfx/parameter.h"
+#include "preset/colors.h"
+#include "preset/text.h"
+
+namespace lapfx {
+
+using preset::in_quotes;
+using preset::join_pointer;
+
+namespace {
+
+[[noreturn]] void fail(std::string_view key, std::string reason) {
+    throw Error(Failure::bad_input, Fault{"", preset::shown(key, 200), std::move(reason)});
+}
+
+std::vector<std::string_view> split(std::string_view text, std::string_view separators) {
+    std::vector<std::string_view> parts;
+    for (;;) {
+        const std::size_t end = text.find_first_of(separators);
+        parts.push_back(text.substr(0, end));
+        if (end == std::string_view::npos) return parts;
+        text.remove_prefix(end + 1);
+    }
+}
+
+/// Every key that leads to a parameter of this document, "smoke.clips.0.weight".
+void list_keys(const Table& table, void* owner, const std::string& prefix, std::vector<std::string>& keys) {
+    for (const Parameter& row : table.rows) keys.push_back(prefix + std::string(row.key));
+    for (const Table& child : table.tables) {
+        const std::string inner = prefix + std::string(child.key) + '.';
+        void* member = child.member(owner);
+        if (!child.list) {
+            list_keys(child, member, inner, keys);
+        } else {
+            for (std::size_t i = 0; i < child.list->size(member); ++i)
+                list_keys(child, child.list->at(member, i), inner + std::to_string(i) + '.', keys);
+        }
+    }
+}
+
+[[noreturn]] void fail_unknown(const Table& root, void* document, std::string_view key) {
+    std::string wanted(key.substr(key.starts_with('/') ? 1 : 0).substr(0, 200));
+    std::replace(wanted.begin(), wanted.end(), '/', '.');
+    std::vector<std::string> keys;
+    list_keys(root, document, "", keys);
+    std::string best;
+    std::size_t least = std::string::npos;
+    for (const std::string& known : keys) {
+        // Who leaves the group out means the last part.
+        const std::string last = known.substr(known.rfind('.') + 1);
+        const std::size_t distance =
+            std::min(preset::edit_distance(wanted, known), preset::edit_distance(wanted, last) + 1);
+        if (distance < least) {
+            least = distance;
+            best = known;
+        }
+    }
+    fail(key, "no such parameter" + (best.empty() ? "" : "; nearest is " + best));
+}
+
+/// The element of a list that `index` names.
+void* find_element(const Table& list, void* member, std::string_view index, std::string_view key) {
+    std::size_t at = 0;
+    const auto [end, error] = std::from_chars(index.data(), index.data() + index.size(), at);
+    const std::size_t size = list.list->size(member);
+    if (error == std::errc{} && end == index.data() + index.size() && at < size) return list.list->at(member, at);
+    const std::string holds = size == 0 ? " is empty" : " has elements 0 to " + std::to_string(size - 1);
+    fail(key, in_quotes(index) + " names no element; " + std::string(list.key) + holds);
+}
+
+std::optional<glm::dvec3> read_vector(std::string_view text) {
+    const std::vector<std::string_view> parts = split(text, ",");
+    if (parts.size() != 3) return {};
+    glm::dvec3 value;
+    for (int i = 0; i < 3; ++i) {
+        std::string_view part = parts[static_cast<std::size_t>(i)];
+        while (part.starts_with(' ')) part.remove_prefix(1);
+        while (part.ends_with(' ')) part.remove_suffix(1);
+        if (!preset::read_number(part, value[i])) return {};
+    }
+    return value;
+}
+
+std::optional<Value> read_value(const Parameter& row, std::string_view text) {
+    switch (row.kind) {
+        case Kind::number:
+            if (double value; preset::read_number(text, value)) return value;
+            return {};
+        case Kind::integer: {
+            int value = 0;
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            if (error == std::errc{} && end == text.data() + text.size()) return value;
+            return {};
+        }
+        case Kind::boolean:
+            if (text == "true" || text == "false") return text == "true";
+            return {};
+        case Kind::choice: {
+            const auto found = std::find(row.choices.begin(), row.choices.end(), text);
+            if (found != row.choices.end()) return static_cast<int>(found - row.choices.begin());
+            return {};
+        }
+        case Kind::color:
+            if (const auto value = preset::read_hex_color(text)) return *value;
+            [[fallthrough]];
+        case Kind::vector:
+            if (const auto value = read_vector(text)) return *value;
+            return {};
+        case Kind::text:
+        case Kind::path:
+            return std::string(text);
+    }
+    return {};
+}
+
+void check_table(const Table& table, void* owner, const std::string& pointer, std::vector<Fault>& faults) {
+    const std::size_t before = faults.size();
+    for (const Parameter& row : table.rows)
+        if (std::string reason = row.check(row.get(owner)); !reason.empty())
+            faults.push_back({"", join_pointer(pointer, row.key), std::move(reason)});
+    if (faults.size() == before)  // a rule says nothing useful of values that are not allowed anyway
+        for (const Rule& rule : table.rules)
+            if (std::string reason = rule.check(owner); !reason.empty())
+                faults.push_back({"", join_pointer(pointer, rule.key), std::move(reason)});
+    for (const Table& child : table.tables) {
+        const std::string inner = join_pointer(pointer, child.key);
+        void* member = child.member(owner);
+        if (!child.list) {
+            check_table(child, member, inner, faults);
+            continue;
+        }
+        const std::size_t size = child.list->size(member);
+        if (size > child.list->maximum) faults.push_back({"", inner, preset::too_many(size, child.list->maximum)});
+        for (std::size_t i = 0; i < std::min(size, child.list->maximum); ++i)
+            check_table(child, child.list->at(member, i), join_pointer(inner, std::to_string(i)), faults);
+    }
+}
+
+}  // namespace
+
+Place find_parameter(const Table& root, void* document, std::string_view key) {
+    std::vector<std::string_view> parts = split(key.substr(key.starts_with('/') ? 1 : 0), "./");
+    const Table* table = &root;
+    void* owner = document;
+    std::string pointer;
+    for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
+        table = table->find(parts[i]);
+        if (!table) fail_unknown(root, document, key);
+        owner = table->member(owner);
+        pointer = join_pointer(pointer, parts[i]);
+        if (!table->list) continue;
+        if (++i + 1 == parts.size()) fail_unknown(root, document, key);
+        owner = find_element(*table, owner, parts[i], key);
+        pointer = join_pointer(pointer, parts[i]);
+    }
+    const Parameter* row = table->find_row(parts.back());
+    if (!row) fail_unknown(root, document, key);
+    return {row, owner, join_pointer(pointer, row->key)};
+}
+
+void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value) {
+    const Place place = find_parameter(root, document, key);
+    const std::optional<Value> read = read_value(*place.row, value);
+    if (!read) fail(key, in_quotes(value) + " is not " + place.row->expected());
+    if (std::string reason = place.row->check(*read); !reason.empty()) fail(key, std::move(reason));
+    place.row->set(place.owner, *read);
+}
+
+std::vector<Fault> check(const Table& root, const void* document) {
+    std::vector<Fault> faults;
+    check_table(root, const_cast<void*>(document), "", faults);  // only addresses are taken
+    return faults;
+}
+
+}  // namespace lapfx

@@ -1,0 +1,190 @@
+// The rows of a scene. A scene is for previews only, so the ranges are wide: they catch slips, not taste.
+#include "lapfx/scene.h"
+
+#include "lapfx/file.h"
+#include "preset/document.h"
+#include "preset/tables.h"
+#include "preset/text.h"
+
+namespace lapfx {
+
+namespace preset {
+
+const Format scene_format{
+    .format = "lapfx.scene",
+    .version = 1,
+    .title = "lapfx scene",
+    .help =
+        "What a preset is previewed on. Lengths in mm, angles in degrees, times in s from the start of the "
+        "scene; files "
+        "relative to the scene.",
+    .table = scene_table,
+};
+
+namespace {
+
+constexpr Range place{-10'000, 10'000, 1, "mm"};
+constexpr Range direction{-1'000, 1'000, 0.1};
+constexpr Range file_scale{0, 1e6, 0.1, "mm per unit of the file"};
+constexpr Range event_time{0, 3600, 0.1, "s"};
+constexpr std::string_view scale_help =
+    "Size of one unit of the file; 0 decides by format: glTF in metres, others in mm.";
+
+constexpr Parameter organ_rows[] = {
+    required(path<&SceneOrgan::file>("file", "File", "The organ's surface: .glb, .gltf, .obj, .ply, .stl or .off.")),
+    number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help),
+    vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
+                                  "About the x, then the y, then the z axis."),
+};
+
+constexpr Parameter tool_rows[] = {
+    path<&SceneTool::file>("file", "File", "The instrument, its tip at the origin; empty draws none."),
+    number<&SceneTool::scale>("scale", "Scale", file_scale, scale_help),
+    vector<&SceneTool::port>("port", "Port", place, "Where the shaft enters the abdomen."),
+};
+
+using C = SceneCamera;
+constexpr Parameter camera_rows[] = {
+    vector<&C::eye>("eye", "Eye", place, "Where the endoscope's tip is."),
+    vector<&C::target>("target", "Target", place, "What it looks at."),
+    vector<&C::up>("up", "Up", direction, "What is up in the picture; any length."),
+    number<&C::field_of_view>("field_of_view", "Field of view", {5, 150, 1, "degrees"}, "Vertical angle of view."),
+    number<&C::exposure>("exposure", "Exposure", {0.01, 100, 0.05, "", Scale::logarithmic},
+                         "Factor on the light of the whole picture, before the display curve."),
+    number<&C::vignette>("vignette", "Vignette", {0, 1, 0.01},
+                         "0 is the whole rectangle, 1 the round picture of an endoscope."),
+};
+
+std::string check_target(const void* owner) {
+    const C& camera = *static_cast<const C*>(owner);
+    return camera.eye == camera.target ? "the same as eye: the camera looks nowhere" : "";
+}
+
+std::string check_up(const void* owner) {
+    const C& camera = *static_cast<const C*>(owner);
+    const glm::dvec3 view = camera.target - camera.eye;
+    if (view == glm::dvec3(0)) return {};  // the target is blamed for that
+    // As a sine, so that neither length matters; a zero vector counts as parallel.
+    const double sine_length = glm::length(glm::cross(view, camera.up));
+    return sine_length <= 1e-6 * glm::length(view) * glm::length(camera.up) ? "zero or along the view" : "";
+}
+
+constexpr Rule camera_rules[] = {{"target", check_target}, {"up", check_up}};
+
+constexpr Parameter light_rows[] = {
+    number<&SceneLight::intensity>("intensity", "Intensity", {0, 100, 0.05},
+                                   "Brightness of the lamp; 1 lights white at the focus distance to 1."),
+    number<&SceneLight::focus_distance>("focus_distance", "Focus distance", {1, 2000, 1, "mm"},
+                                        "Distance from the lamp at which the intensity holds."),
+    number<&SceneLight::beam_angle>("beam_angle", "Beam angle", {1, 180, 1, "degrees"}, "Full angle of the beam."),
+    color<&SceneLight::color>("color", "Colour", "Colour of the lamp."),
+};
+
+constexpr std::string_view actions[] = {"cauterise", "cut", "coagulate", "tear"};
+
+using E = ToolContact;
+constexpr Parameter event_rows[] = {
+    choice<&E::action>(
+        "action", "Action", actions,
+        "cauterise: heat, which closes, chars or divides. cut and tear: a wound. coagulate: heat that only "
+        "closes wounds."),
+    number<&E::time>("time", "Time", event_time, "When the tool touches the organ."),
+    number<&E::duration>("duration", "Duration", event_time, "How long it stays."),
+    required(vector<&E::position>("position", "Position", place, "Where it touches.")),
+    same_as("position", vector<&E::to>("to", "To", place, "Where it has moved to at the end.")),
+    number<&E::power>("power", "Power", {0, 1, 0.01}, "Cautery power."),
+    number<&E::strength>("strength", "Strength", {0, 10, 0.05},
+                         "Strength of the wound: a factor on the preset's speed."),
+};
+
+constexpr Parameter reference_rows[] = {
+    path<&SceneReference::file>("file", "File", "The surgery video or image sequence to match; empty for none."),
+    number<&SceneReference::offset>("offset", "Offset", {-86'400, 86'400, 0.05, "s"},
+                                    "Time in the reference when the scene starts."),
+};
+
+constexpr Parameter scene_rows[] = {
+    text<&Scene::name>("name", "Name", 100, "What the scene is called in lists."),
+    path<&Scene::preset>("preset", "Preset", "The preset that the scene opens with; empty for the defaults."),
+    integer<&Scene::seed>("seed", "Seed", {0, 2'147'483'647, 1},
+                          "Start of all that is random; the same seed, the same picture."),
+    number<&Scene::duration>("duration", "Duration", {0.1, 3600, 0.5, "s"}, "Length of the scene."),
+    vector<&Scene::gravity>("gravity", "Gravity", direction, "Where blood runs; any length."),
+};
+
+constexpr Rule scene_rules[] = {{"gravity", [](const void* owner) -> std::string {
+                                     const glm::dvec3& gravity = static_cast<const Scene*>(owner)->gravity;
+                                     return gravity == glm::dvec3(0) ? "zero: it has no direction" : "";
+                                 }}};
+
+constexpr std::size_t most_events = 4096;
+
+constexpr Table scene_tables[] = {
+    table<&Scene::organ>("organ", "Organ", "The surface that bleeds.", {organ_rows}),
+    table<&Scene::tool>("tool", "Tool", "The instrument that is drawn while an event runs.", {tool_rows}),
+    table<&Scene::camera>("camera", "Camera", "The endoscope.", {camera_rows, {}, camera_rules}),
+    table<&Scene::light>("light", "Light", "The endoscope's lamp, at the camera.", {light_rows}),
+    list<&Scene::events, most_events>("events", "Events", "What the tool does, in any order.", {event_rows}),
+    table<&Scene::reference>("reference", "Reference", "The surgery video to match.", {reference_rows}),
+};
+
+}  // namespace
+
+}  // namespace preset
+
+const Table& scene_table() {
+    static constexpr Table root{.key = "",
+                                .name = "Scene",
+                                .help = "What a preset is previewed on.",
+                                .rows = preset::scene_rows,
+                                .tables = preset::scene_tables,
+                                .rules = preset::scene_rules};
+    return root;
+}
+
+Scene parse_scene(std::string_view json, const std::string& name, const std::filesystem::path& folder) {
+    Scene made;
+    preset::read_document(preset::scene_format, preset::parse_json(json, name), name, &made);
+    made.folder = folder;
+    return made;
+}
+
+Scene load_scene(const std::filesystem::path& path) {
+    return parse_scene(read_file(path, preset::longest_document), path.string(), path.parent_path());
+}
+
+std::string write_scene(const Scene& scene) {
+    return preset::write_document(preset::scene_format, &scene);
+}
+
+void save_scene(const Scene& scene, const std::filesystem::path& path) {
+    preset::save_document(preset::scene_format, &scene, path);
+}
+
+std::string scene_schema() {
+    Scene defaults;
+    return preset::write_schema(preset::scene_format, &defaults);
+}
+
+CheckedDocument check_document(const std::filesystem::path& path) {
+    const std::string name = path.string();
+    const preset::Json json = preset::parse_json(read_file(path, preset::longest_document), name);
+    const preset::Json* format = json.find("format");
+    if (format && format->text == preset::scene_format.format) {
+        Scene scene;
+        preset::read_document(preset::scene_format, json, name, &scene);
+        return {"scene", scene.name};
+    }
+    if (format && format->text == preset::preset_format.format) {
+        Preset made;
+        preset::read_document(preset::preset_format, json, name, &made);
+        return {"preset", made.name};
+    }
+    const std::string found = json.type != preset::Json::Type::object ? json.shown() + " in place of an object"
+                              : format                                ? format->shown() + " is not known"
+                                                                      : "missing";
+    throw Error(Failure::bad_input, Fault{name, json.type == preset::Json::Type::object ? "/format" : "",
+                                          found + "; expected \"lapfx.preset\" or \"lapfx.scene\""});
+}
+
+}  // namespace lapfx

@@ -1,0 +1,63 @@
+#include "render/camera.h"
+
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace lapfx::render {
+
+namespace {
+
+constexpr double nearest = 2.0, farthest = 1500.0;  // mm: from touching the lens to across an inflated abdomen
+
+constexpr double approach = 0.6, withdrawal = 0.8;  // s
+constexpr double drawn_back = 70.0;                 // mm
+
+/// How far the tip is from the organ along the shaft, mm; nothing when the tool is out of the way.
+std::optional<double> retreat(const ToolContact& contact, double time) {
+    if (time >= contact.time && time <= contact.end()) return 0.0;
+    const double share = time < contact.time ? (contact.time - time) / approach : (time - contact.end()) / withdrawal;
+    if (share >= 1.0) return std::nullopt;
+    return drawn_back * glm::smoothstep(0.0, 1.0, share);
+}
+
+}  // namespace
+
+View view_of(const SceneCamera& camera, const SceneLight& light, glm::ivec2 size) {
+    View view;
+    view.view = glm::mat4(glm::lookAt(camera.eye, camera.target, camera.up));
+    view.projection = glm::mat4(
+        glm::perspective(glm::radians(camera.field_of_view), static_cast<double>(size.x) / size.y, nearest, farthest));
+    view.lamp = {.intensity = light.intensity,
+                 .focus_distance = light.focus_distance,
+                 .beam_angle = light.beam_angle,
+                 .color = light.color};
+    return view;
+}
+
+glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 size) {
+    const double height = std::tan(glm::radians(camera.field_of_view) / 2.0);
+    const glm::dvec2 ndc = pixel / glm::dvec2(size) * 2.0 - 1.0;
+    const glm::dvec3 in_camera(ndc.x * height * size.x / size.y, -ndc.y * height, -1.0);
+    const glm::dmat3 to_camera(glm::lookAt(camera.eye, camera.target, camera.up));
+    return glm::normalize(glm::transpose(to_camera) * in_camera);
+}
+
+std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time) {
+    std::optional<double> least;
+    glm::dvec3 tip{0.0};
+    for (const ToolContact& contact : contacts) {
+        const std::optional<double> away = retreat(contact, time);
+        if (!away || (least && *least <= *away)) continue;
+        least = away;
+        tip = contact.tip(time);
+    }
+    if (!least || glm::distance(port, tip) < 1e-6) return std::nullopt;
+    const glm::dvec3 shaft = glm::normalize(port - tip);
+    // The hook's own x axis stays level.
+    const glm::dvec3 reference = std::abs(shaft.y) < 0.99 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
+    const glm::dvec3 x = glm::normalize(glm::cross(reference, shaft));
+    return glm::mat4(glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(shaft, x), 0.0), glm::dvec4(shaft, 0.0),
+                                glm::dvec4(tip + *least * shaft, 1.0)));
+}
+
+}  // namespace lapfx::render

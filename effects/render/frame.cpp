@@ -1,0 +1,80 @@
+#include "render/frame.h"
+
+#include <string>
+
+#include "lapfx/error.h"
+
+namespace lapfx::render {
+
+namespace {
+
+constexpr int samples = 4;
+// What lies beyond the tissue: an unlit cavity, a trace of red.
+constexpr float cavity[4] = {0.004f, 0.0006f, 0.0006f, 1.0f};
+
+void require_complete(const gl::Framebuffer& framebuffer, glm::ivec2 size) {
+    if (glCheckNamedFramebufferStatus(framebuffer.name(), GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE) return;
+    throw Error(Failure::runtime, Fault{.file = "",
+                                        .place = "",
+                                        .reason = "the driver cannot make a frame of " + std::to_string(size.x) + "x" +
+                                                  std::to_string(size.y) + " pixels"});
+}
+
+}  // namespace
+
+Frame::Frame() : post_("fullscreen.vert", "post.frag") {}
+
+void Frame::resize(glm::ivec2 size) {
+    if (size == size_) return;
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (size.x < 1 || size.y < 1 || size.x > most || size.y > most)
+        throw Error(Failure::bad_input,
+                    Fault{.file = "",
+                          .place = "size",
+                          .reason = std::to_string(size.x) + "x" + std::to_string(size.y) + " is outside 1x1 to " +
+                                    std::to_string(most) + "x" + std::to_string(most) + " pixels"});
+    color_ = gl::Texture({.size = size, .format = GL_RGBA16F, .samples = samples});
+    depth_ = gl::Texture({.size = size, .format = GL_DEPTH_COMPONENT32F, .samples = samples});
+    resolved_color_ = gl::Texture({.size = size, .format = GL_RGBA16F, .filter = GL_NEAREST});
+    resolved_depth_ = gl::Texture({.size = size, .format = GL_DEPTH_COMPONENT32F, .filter = GL_NEAREST});
+    scene_ = gl::Framebuffer(color_, &depth_);
+    resolve_ = gl::Framebuffer(resolved_color_, &resolved_depth_);
+    smoke_ = gl::Framebuffer(resolved_color_, nullptr);  // its depth is read while the smoke is drawn
+    require_complete(scene_, size);
+    require_complete(resolve_, size);
+    size_ = size;
+}
+
+void Frame::begin_scene() const noexcept {
+    glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
+    glViewport(0, 0, size_.x, size_.y);
+    glDisable(GL_SCISSOR_TEST);
+    glEnable(GL_MULTISAMPLE);
+    glDepthMask(GL_TRUE);
+    constexpr float far = 1.0f;
+    glClearNamedFramebufferfv(scene_.name(), GL_COLOR, 0, cavity);
+    glClearNamedFramebufferfv(scene_.name(), GL_DEPTH, 0, &far);
+}
+
+void Frame::begin_smoke() const noexcept {
+    glBlitNamedFramebuffer(scene_.name(), resolve_.name(), 0, 0, size_.x, size_.y, 0, 0, size_.x, size_.y,
+                           GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT, GL_NEAREST);
+    glBindFramebuffer(GL_FRAMEBUFFER, smoke_.name());
+}
+
+void Frame::finish(GLuint framebuffer, float exposure, float vignette) const noexcept {
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer);
+    glDisable(GL_BLEND);
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_FRAMEBUFFER_SRGB);  // post.frag encodes
+    glBindTextureUnit(0, resolved_color_.name());
+    glBindVertexArray(no_attributes_.name());
+    post_.set("u_exposure", exposure);
+    post_.set("u_vignette", vignette);
+    post_.set("u_size", glm::vec2(size_));
+    post_.use();
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+}  // namespace lapfx::render

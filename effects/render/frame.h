@@ -1,0 +1,31 @@
+// The off-screen frame: scene in linear light with multisampling, smoke over the resolved picture, then the camera's
+// response into an 8-bit sRGB picture. One frame path for the editor, `lapfx render` and hosts that use Preview.
+#pragma once
+
+#include "gl/objects.h"
+#include "gl/program.h"
+
+namespace lapfx::render {
+
+class Frame {
+  public:
+    /// Throws Error (runtime) when a shader does not compile.
+    Frame();
+
+    /// Makes the targets for `size` unless they are that size. Throws Error (runtime) when the driver cannot.
+    void resize(glm::ivec2 size);
+    void begin_scene() const noexcept;  ///< binds and clears the multisampled target
+    void begin_smoke() const noexcept;  ///< resolves it; binds the resolved colour
+    GLuint scene_depth() const noexcept { return resolved_depth_.name(); }
+    /// Writes the finished picture into `framebuffer`, lower left corner first.
+    void finish(GLuint framebuffer, float exposure, float vignette) const noexcept;
+
+  private:
+    glm::ivec2 size_{0};
+    gl::Texture color_, depth_, resolved_color_, resolved_depth_;
+    gl::Framebuffer scene_, smoke_, resolve_;
+    gl::Program post_;
+    gl::VertexArray no_attributes_;
+};
+
+}  // namespace lapfx::render

@@ -1,0 +1,106 @@
+#include "render/organ_gpu.h"
+
+#include <array>
+
+namespace lapfx::render {
+
+namespace {
+
+gl::Texture one_texel(std::array<std::uint8_t, 4> value) {
+    gl::Texture texture({.wrap = GL_REPEAT});
+    texture.upload(GL_RGBA, value.data());
+    return texture;
+}
+
+gl::Texture upload(const Image& image, GLenum format) {
+    const glm::ivec2 size(image.width, image.height);
+    gl::Texture texture({.size = size, .format = format, .levels = gl::level_count(size), .wrap = GL_REPEAT});
+    texture.upload(GL_RGBA, image.pixels.data());
+    texture.generate_mipmaps();
+    return texture;
+}
+
+template <typename T>
+gl::Buffer buffer_of(const std::vector<T>& data) {
+    return gl::Buffer(std::span<const T>(data));
+}
+
+}  // namespace
+
+OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
+    : program_("organ.vert", "organ.frag"),
+      char_(buffer_of(std::vector<float>(organ.positions.size(), 0.0f))),
+      indices_(buffer_of(organ.indices)),
+      white_(one_texel({255, 255, 255, 255})),
+      flat_(one_texel({128, 128, 255, 255})),
+      parts_(organ.parts),
+      tissue_(bleed != nullptr) {
+    vertices_.push_back(buffer_of(organ.positions));
+    vertices_.push_back(buffer_of(organ.normals));
+    vertices_.push_back(buffer_of(organ.tangents));
+    vertices_.push_back(buffer_of(organ.uvs));
+    vertices_.push_back(buffer_of(organ.colors));
+    constexpr int components[] = {3, 3, 4, 2, 4};
+    for (GLuint i = 0; i < vertices_.size(); ++i) vertex_array_.attribute(i, vertices_[i], components[i]);
+    vertex_array_.attribute(5, bleed != nullptr ? *bleed : char_,
+                            1);  // an instrument's char stays 0: so does its blood
+    vertex_array_.attribute(6, char_, 1);
+    vertex_array_.indices(indices_);
+    upload_textures(organ);
+}
+
+void OrganGpu::upload_textures(const Organ& organ) {
+    // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice.
+    textures_.reserve(organ.materials.size() * 2);
+    std::vector<const gl::Texture*> color(organ.images.size()), normal(organ.images.size());
+    const auto texture = [&](int image, std::vector<const gl::Texture*>& known, GLenum format,
+                             const gl::Texture& none) -> const gl::Texture* {
+        if (image < 0) return &none;
+        const auto i = static_cast<std::size_t>(image);
+        if (known[i] == nullptr) {
+            textures_.push_back(upload(organ.images[i], format));
+            known[i] = &textures_.back();
+        }
+        return known[i];
+    };
+    for (const lapfx::Material& m : organ.materials)
+        materials_.push_back({.base_color = texture(m.base_color_image, color, GL_SRGB8_ALPHA8, white_),
+                              .normal_map = texture(m.normal_image, normal, GL_RGBA8, flat_),
+                              .factor = m.base_color,
+                              .roughness = m.roughness,
+                              .normal_scale = m.normal_scale,
+                              .double_sided = m.double_sided});
+}
+
+void OrganGpu::send_char(std::span<const float> values) const noexcept {
+    char_.update(0, values.size_bytes(), values.data());
+}
+
+void OrganGpu::draw(const glm::mat4& model) const noexcept {
+    glEnable(GL_DEPTH_TEST);
+    glDepthFunc(GL_LESS);
+    glDepthMask(GL_TRUE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(vertex_array_.name());
+    program_.set("u_model", model);
+    program_.set("u_tissue", tissue_ ? 1 : 0);
+    program_.use();
+    for (const Part& part : parts_) draw_part(part);
+}
+
+void OrganGpu::draw_part(const Part& part) const noexcept {
+    const Material& material = materials_[static_cast<std::size_t>(part.material)];
+    // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never culled.
+    const bool cull = !tissue_ && !material.double_sided;
+    cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
+    glBindTextureUnit(0, material.base_color->name());
+    glBindTextureUnit(1, material.normal_map->name());
+    program_.set("u_base_factor", material.factor);
+    program_.set("u_roughness", material.roughness);
+    program_.set("u_normal_scale", material.normal_scale);
+    const auto offset = static_cast<std::size_t>(part.first_index) * sizeof(std::uint32_t);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
+}
+
+}  // namespace lapfx::render

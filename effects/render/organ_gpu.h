@@ -1,0 +1,45 @@
+// An organ on the GPU and its shader. Render thread, context current; the view block bound at 0, bleeding's at 1.
+#pragma once
+
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "lapfx/organ.h"
+
+namespace lapfx::render {
+
+class OrganGpu {
+  public:
+    /// Uploads vertices and textures. `bleed` is attribute 5 (mm, per organ vertex); null for an instrument, which neither
+    /// bleeds nor chars. Throws Error (runtime) when the shader does not compile.
+    OrganGpu(const Organ& organ, const gl::Buffer* bleed);
+
+    void send_char(std::span<const float> values) const noexcept;
+    /// `model`: organ space to scene space, rigid.
+    void draw(const glm::mat4& model) const noexcept;
+
+  private:
+    struct Material {
+        const gl::Texture* base_color;
+        const gl::Texture* normal_map;
+        glm::vec4 factor;
+        float roughness, normal_scale;
+        bool double_sided;
+    };
+    void upload_textures(const Organ& organ);
+    void draw_part(const Part& part) const noexcept;
+
+    gl::Program program_;
+    gl::VertexArray vertex_array_;
+    std::vector<gl::Buffer> vertices_;
+    gl::Buffer char_;
+    gl::Buffer indices_;
+    std::vector<gl::Texture> textures_;
+    gl::Texture white_, flat_;
+    std::vector<Material> materials_;
+    std::vector<Part> parts_;
+    bool tissue_;
+};
+
+}  // namespace lapfx::render

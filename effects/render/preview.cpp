@@ -1,0 +1,121 @@
+#include "lapfx/preview.h"
+
+#include <optional>
+
+#include "gl/state_guard.h"
+#include "render/camera.h"
+#include "render/frame.h"
+#include "render/organ_gpu.h"
+#include "render/view_block.h"
+
+namespace lapfx {
+
+namespace {
+
+EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options) {
+    return {.seed = static_cast<std::uint32_t>(scene.seed),
+            .gravity = scene.gravity,
+            .clip_folders = options.clip_folders,
+            .wait_for_clips = options.wait_for_clips};
+}
+
+/// The instrument, if the scene names one.
+std::optional<render::OrganGpu> load_tool(const Scene& scene) {
+    if (scene.tool.file.empty()) return std::nullopt;
+    return render::OrganGpu(load_organ(scene.folder / scene.tool.file, {.scale = scene.tool.scale}), nullptr);
+}
+
+}  // namespace
+
+struct Preview::State {
+    State(const Scene& wanted, const Preset& preset, const PreviewOptions& options)
+        : scene(wanted),
+          organ(load_organ(wanted.folder / wanted.organ.file,
+                           {.scale = wanted.organ.scale, .rotation = wanted.organ.rotation})),
+          effects(organ, preset, effects_options(wanted, options)),
+          tool(load_tool(wanted)) {
+        effects.set_contacts(scene.events);
+    }
+
+    Scene scene;
+    Organ organ;
+    Effects effects;
+    std::optional<render::OrganGpu> tool;
+    render::ViewBlock view_block;
+    render::Frame frame;
+
+    void draw_tool(const View& view, double time) noexcept {
+        if (!tool) return;
+        const auto pose = render::tool_pose(scene.events, scene.tool.port, time);
+        if (!pose) return;
+        const gl::StateGuard guard;
+        view_block.bind(view);
+        tool->draw(*pose);
+    }
+};
+
+Preview::Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options)
+    : state_(std::make_unique<State>(scene, preset, options)) {}
+Preview::Preview(Preview&&) noexcept = default;
+Preview& Preview::operator=(Preview&&) noexcept = default;
+Preview::~Preview() = default;
+
+void Preview::draw(double time, glm::ivec2 size, unsigned framebuffer) {
+    State& s = *state_;
+    s.frame.resize(size);
+    const View view = render::view_of(s.scene.camera, s.scene.light, size);
+    s.effects.seek(time);
+    s.frame.begin_scene();
+    s.effects.draw_organ(view);
+    s.draw_tool(view, time);
+    s.frame.begin_smoke();
+    s.effects.draw_smoke(view, s.frame.scene_depth());
+    s.frame.finish(framebuffer, static_cast<float>(s.scene.camera.exposure),
+                   static_cast<float>(s.scene.camera.vignette));
+}
+
+Image Preview::image(double time, glm::ivec2 size) {
+    state_->frame.resize(size);  // refuses a size the driver cannot make, before anything is allocated for it
+    const gl::Texture target({.size = size, .format = GL_RGBA8});
+    const gl::Framebuffer framebuffer(target, nullptr);
+    draw(time, size, framebuffer.name());
+    const std::size_t row = static_cast<std::size_t>(size.x) * 4;
+    std::vector<std::uint8_t> upward(row * static_cast<std::size_t>(size.y));
+    glGetTextureImage(target.name(), 0, GL_RGBA, GL_UNSIGNED_BYTE, static_cast<GLsizei>(upward.size()), upward.data());
+    if (const GLenum error = glGetError(); error != GL_NO_ERROR)
+        throw Error(Failure::runtime, Fault{.file = "",
+                                            .place = "",
+                                            .reason = "OpenGL error " + std::to_string(error) + " in the frame at " +
+                                                      std::to_string(time) + " s"});
+    Image image{.width = size.x, .height = size.y, .pixels = std::vector<std::uint8_t>(upward.size()), .name = ""};
+    for (std::size_t y = 0; y < static_cast<std::size_t>(size.y); ++y)
+        std::copy_n(upward.end() - static_cast<std::ptrdiff_t>((y + 1) * row), row,
+                    image.pixels.begin() + static_cast<std::ptrdiff_t>(y * row));
+    return image;
+}
+
+void Preview::set_preset(const Preset& preset) {
+    state_->effects.set_preset(preset);
+}
+void Preview::set_camera(const SceneCamera& camera) {
+    state_->scene.camera = camera;
+}
+void Preview::set_contacts(std::span<const ToolContact> contacts) {
+    state_->scene.events.assign(contacts.begin(), contacts.end());
+    state_->effects.set_contacts(contacts);
+}
+const SceneCamera& Preview::camera() const {
+    return state_->scene.camera;
+}
+const Organ& Preview::organ() const {
+    return state_->organ;
+}
+Amounts Preview::amounts() const {
+    return state_->effects.amounts();
+}
+
+std::optional<OrganHit> Preview::pick(glm::dvec2 pixel, glm::ivec2 size) const {
+    return state_->effects.pick(state_->scene.camera.eye, render::ray_through(state_->scene.camera, pixel, size));
+}
+
+}  // namespace lapfx

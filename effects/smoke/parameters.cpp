@@ -1,0 +1,139 @@
+// The parameters of smoke (paper: "Smoke generation", figures 1 and 2).
+//
+// Keying makes transparent smoke out of a clip that was filmed before a plain background, per pixel, in 8-bit code values
+// (shaders/keying.glsl, smoke/keying_cpu.h):
+//
+//   l     = ramp(Y, luma_low, luma_high); polarity dark: of 255 - Y
+//   c     = ramp(distance of (Cb, Cr) from key_color's, chroma_low, chroma_high); 1 when both bounds are 0
+//   alpha = l * c * (1 + noise_strength * noise(position / noise_scale, drifting by noise_drift)), within 0..1
+//
+// The ramps are linear: mixing smoke of one colour over a flat background is. A plume is a quad at the tool tip; when the
+// tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical thickness E:
+//
+//   dE/dt = accumulation * power - ventilation * E
+//   transmission per channel = (1 - alpha) ^ extinction;  picture = picture * transmission + color * (1 - transmission)
+//
+// Why these defaults:
+// - luma 16 to 200: black of a video signal to the brightest smoke of clips lit from the side; chroma off, since clips on
+//   black carry no colour; spill 0 for the same reason.
+// - noise: lobes of a quarter of the clip, a third of alpha, drifting 0.15 clip heights a second: a looping clip never
+//   looks the same, but no pattern of its own is seen.
+// - plume 45 mm: about a third of the view at a working distance of 120 mm. Fades 0.3 and 1.2 s: smoke starts at once and
+//   lingers. Rise 6 mm/s: warm smoke under gas at rest.
+// - haze 0.12 per second against 0.05 per second: ten seconds of cautery veil the view, and it clears in half a minute.
+// - colours and extinction: haze over a dark cavity measures 96, 83, 99 (8-bit sRGB) against 43, 1, 3 without: it adds
+//   about 55, 82, 96, bluish grey. Red passes more than blue, so extinction rises from red to blue.
+#include "preset/tables.h"
+
+namespace lapfx::preset {
+
+namespace {
+
+constexpr std::string_view roles[] = {"plume", "haze"};
+constexpr std::string_view polarities[] = {"light", "dark"};
+
+using S = SmokeClip;
+constexpr Parameter clip_rows[] = {
+    required(contained(path<&S::file>("file", "File",
+                                      "The smoke video: a file in the folder of the preset, or a bare name that the "
+                                      "simulator looks up."))),
+    choice<&S::role>("role", "Role", roles,
+                     "plume: the paper's source smoke at the tool tip. haze: its environmental smoke over "
+                     "the whole view."),
+    choice<&S::polarity>("polarity", "Polarity", polarities,
+                         "light: light smoke before a dark background. dark: dark smoke before a light background."),
+    number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
+    number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic}, "Speed of playing; 1 is as filmed."),
+    number<&S::source_x>("source_x", "Source x", {0, 1, 0.01, "clip widths"},
+                         "Where in the frame the smoke starts, from the left: this point is put on the tool tip."),
+    number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
+                         "Where in the frame the smoke starts, from the top."),
+};
+
+constexpr Range luma{0, 255, 1, "code values"};
+constexpr Range chroma{0, 180, 1, "code values"};
+
+using K = KeyingParameters;
+constexpr Parameter keying_rows[] = {
+    number<&K::luma_low>("luma_low", "Luma low", luma,
+                         "Luma up to which a pixel is background: the lower of the paper's luminance thresholds."),
+    number<&K::luma_high>("luma_high", "Luma high", luma,
+                          "Luma from which a pixel is fully smoke: the upper of the paper's luminance thresholds."),
+    color<&K::key_color>("key_color", "Key colour",
+                         "Colour of the background, from which chroma distance is measured."),
+    number<&K::chroma_low>(
+        "chroma_low", "Chroma low", chroma,
+        "Distance from the key colour in Cb and Cr up to which a pixel is still background. With both "
+        "chroma bounds 0, chroma is not used."),
+    number<&K::chroma_high>(
+        "chroma_high", "Chroma high", chroma,
+        "Distance from the key colour in Cb and Cr from which a pixel is fully smoke, whatever its luma."),
+    number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is taken out of the smoke."),
+    number<&K::noise_scale>("noise_scale", "Noise scale", {0.01, 2, 0.01, "clip heights", Scale::logarithmic},
+                            "Width of one lobe of the Perlin noise on alpha."),
+    number<&K::noise_strength>("noise_strength", "Noise strength", {0, 1, 0.01},
+                               "How much the Perlin noise changes alpha, so that a looping clip never looks the same."),
+    number<&K::noise_drift>("noise_drift", "Noise drift", {0, 2, 0.01, "clip heights/s"}, "How fast the noise moves."),
+};
+
+constexpr Rule keying_rules[] = {
+    {"luma_low",
+     [](const void* owner) {
+         const K& k = *static_cast<const K*>(owner);
+         return below(k.luma_low, "luma_high", k.luma_high);
+     }},
+    {"chroma_low",
+     [](const void* owner) {
+         const K& k = *static_cast<const K*>(owner);
+         return not_above(k.chroma_low, "chroma_high", k.chroma_high);
+     }},
+};
+
+constexpr Range extinction{0, 2, 0.01};
+constexpr Range fade{0, 10, 0.1, "s"};
+
+using P = PlumeParameters;
+constexpr Parameter plume_rows[] = {
+    number<&P::size>("size", "Size", {1, 300, 1, "mm", Scale::logarithmic},
+                     "Height of the plume when it leaves the tip."),
+    number<&P::density>("density", "Density", {0, 4, 0.05}, "How thick the plume is at full emission; 1 is as keyed."),
+    number<&P::rise>("rise", "Rise", {0, 100, 0.5, "mm/s"}, "How fast the plume drifts up from the tip."),
+    number<&P::growth>("growth", "Growth", {0, 3, 0.01, "1/s"},
+                       "By which part of its size the plume grows in a second."),
+    number<&P::fade_in>("fade_in", "Fade in", fade, "How long the plume takes to full density once cautery starts."),
+    number<&P::fade_out>("fade_out", "Fade out", fade, "How long the plume stays once cautery ends."),
+    color<&P::color>("color", "Colour", "Colour of thick plume under the endoscope's lamp."),
+    vector<&P::extinction>("extinction", "Extinction", extinction,
+                           "How strongly red, green and blue are held back; real smoke passes more red than blue."),
+};
+
+using H = HazeParameters;
+constexpr Parameter haze_rows[] = {
+    number<&H::accumulation>("accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
+                             "How fast cautery at full emission fills the view with the paper's environmental smoke."),
+    number<&H::ventilation>("ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
+                            "Which part of the haze leaves per second; 0 keeps it for ever."),
+    number<&H::unevenness>("unevenness", "Unevenness", {0, 1, 0.01},
+                           "0 is an even veil, 1 takes all its shape from the haze clips and noise."),
+    color<&H::color>("color", "Colour", "Colour of dense haze under the endoscope's lamp."),
+    vector<&H::extinction>("extinction", "Extinction", extinction,
+                           "How strongly red, green and blue are held back; real smoke passes more red than blue."),
+};
+
+constexpr std::size_t most_clips = 32;  // twice the fifteen streams of the paper's benchmark
+
+}  // namespace
+
+Table smoke_table() {
+    using A = SmokeParameters;
+    static constexpr Table tables[] = {
+        list<&A::clips, most_clips>("clips", "Clips", "Smoke videos and how each is used.", {clip_rows}),
+        table<&A::keying>("keying", "Keying", "How smoke is told from the background of its clip.",
+                          {keying_rows, {}, keying_rules}),
+        table<&A::plume>("plume", "Plume", "The paper's source smoke, at the tool tip.", {plume_rows}),
+        table<&A::haze>("haze", "Haze", "The paper's environmental smoke, over the whole view.", {haze_rows}),
+    };
+    return table<&Preset::smoke>("smoke", "Smoke", "Smoke at the tool tip and over the view.", {{}, tables});
+}
+
+}  // namespace lapfx::preset

@@ -1,0 +1,101 @@
+#include "smoke/smoke.h"
+
+#include <cmath>
+
+#include "gl/noise.h"
+
+namespace lapfx::smoke {
+
+namespace {
+
+/// Decoded frames held in main memory over all streams (paper, table 1: MAX_TEXTURES).
+constexpr int max_textures = 64;
+constexpr int most_buffers = 8;  // more than a few frames ahead buys nothing and costs memory
+
+/// A repeatable number for the n-th thing that wants chance.
+std::uint32_t chance(std::uint32_t seed, std::size_t n) {
+    return gl::noise_hash({static_cast<int>(n), 17, 4}, seed);
+}
+
+/// Where smoke rises to on screen, unit.
+glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
+    const glm::vec2 on_screen(glm::mat3(view) * glm::vec3(up));
+    const float length = glm::length(on_screen);
+    return length > 1e-3f ? on_screen / length : glm::vec2(0.0f, 1.0f);
+}
+
+}  // namespace
+
+void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
+    const auto& wanted = preset.smoke.clips;
+    const int buffers = std::clamp(max_textures / std::max(1, static_cast<int>(wanted.size())), 2, most_buffers);
+    std::vector<Clip> clips;
+    for (const SmokeClip& clip : wanted) {
+        const auto path = find_clip(clip.file, preset.folder, search_path);
+        const auto same = std::find_if(clips_.begin(), clips_.end(), [&](const Clip& c) { return c.path == path; });
+        clips.push_back({path, same != clips_.end() ? same->textures : std::make_shared<ClipTextures>(path, buffers)});
+    }
+    clips_ = std::move(clips);
+    parameters_ = preset.smoke;
+}
+
+void Smoke::set_contacts(std::span<const ToolContact> contacts) {
+    contacts_.assign(contacts.begin(), contacts.end());
+    emissions_.clear();
+    for (const ToolContact& contact : contacts_)
+        if (contact.hot()) emissions_.push_back({contact.time, contact.end(), contact.power});
+}
+
+const gl::Texture& Smoke::frame_at(std::size_t clip, double time, Policy policy) noexcept {
+    ClipTextures& textures = *clips_[clip].textures;
+    const int count = textures.info().frame_count;
+    const double start = chance(seed_, clip) % static_cast<std::uint32_t>(count);
+    const double played = std::floor(start + time * textures.info().fps * parameters_.clips[clip].speed);
+    const double looped = std::fmod(std::fmod(played, count) + count, count);
+    return textures.frame(std::clamp(static_cast<int>(looped), 0, count - 1), policy);
+}
+
+void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept {
+    gpu_.begin(scene_depth);
+    double haze_weight = 0.0;
+    for (const SmokeClip& clip : parameters_.clips)
+        if (clip.role == ClipRole::haze) haze_weight += clip.weight;
+    for (std::size_t i = 0; i < clips_.size(); ++i)
+        if (parameters_.clips[i].role == ClipRole::plume) draw_plume(i, view, up, time, policy);
+    // Haze lies between the camera and everything, so it comes last; several clips share its density.
+    for (std::size_t i = 0; i < clips_.size(); ++i)
+        if (parameters_.clips[i].role == ClipRole::haze && haze_weight > 0.0)
+            draw_haze(i, time, parameters_.clips[i].weight / haze_weight, policy);
+}
+
+void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept {
+    const SmokeClip& settings = parameters_.clips[clip];
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const PlumeState state = plume_state(contacts_[i], parameters_.plume, up, time);
+        if (state.density * settings.weight <= 0.0) continue;
+        const Layer layer{.frame = &frame_at(clip, time, policy),
+                          .clip = &settings,
+                          .color = parameters_.plume.color,
+                          .extinction = parameters_.plume.extinction,
+                          .density = state.density * settings.weight,
+                          .time = time,
+                          .seed = chance(seed_ + 1, clip * 4099 + i)};
+        gpu_.plume(layer, parameters_.keying, glm::vec3(state.anchor), static_cast<float>(state.height),
+                   screen_up(view, up));
+    }
+}
+
+void Smoke::draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept {
+    const double density = haze(time) * share;
+    if (density <= 0.0) return;
+    const Layer layer{.frame = &frame_at(clip, time, policy),
+                      .clip = &parameters_.clips[clip],
+                      .color = parameters_.haze.color,
+                      .extinction = parameters_.haze.extinction,
+                      .density = density,
+                      .time = time,
+                      .seed = chance(seed_ + 2, clip)};
+    gpu_.haze(layer, parameters_.keying, static_cast<float>(parameters_.haze.unevenness));
+}
+
+}  // namespace lapfx::smoke

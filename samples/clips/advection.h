@@ -1,0 +1,64 @@
+// Semi-Lagrangian advection (Stam 1999) with the MacCormack correction of Selle, Fedkiw, Kim, Liu and
+// Rossignac (2008).
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "field.h"
+
+namespace clips {
+
+/// Which blocks of 8 x 8 x 8 samples hold or may soon hold smoke. The rest is skipped: most of the box is
+/// empty.
+class ActiveBlocks {
+  public:
+    static constexpr int edge = 8;
+
+    explicit ActiveBlocks(glm::ivec3 samples);
+
+    /// Marks the blocks with a value above `threshold`, and their neighbours up to `reach` samples away.
+    void find(const Field& field, float threshold, float reach);
+    void set_all();
+    bool operator()(int i, int j, int k) const { return blocks_[block(i / edge, j / edge, k / edge)] != 0; }
+
+    /// Calls body(i_begin, i_end, j, k) for each active run of at most eight samples of planes [k_begin,
+    /// k_end).
+    template <class Body>
+    void runs(int k_begin, int k_end, const Body& body) const {
+        for (int k = k_begin; k < k_end; ++k)
+            for (int j = 0; j < samples_.y; ++j)
+                for (int b = 0; b < count_.x; ++b)
+                    if (blocks_[block(b, j / edge, k / edge)])
+                        body(b * edge, std::min((b + 1) * edge, samples_.x), j, k);
+    }
+
+  private:
+    std::size_t block(int x, int y, int z) const { return (std::size_t(z) * count_.y + y) * count_.x + x; }
+
+    glm::ivec3 samples_;
+    glm::ivec3 count_;
+    std::vector<std::uint8_t> blocks_;
+};
+
+/// Advects fields that share one lattice along one velocity. Keeps its buffers from step to step.
+class Advector {
+  public:
+    explicit Advector(const Field& lattice);
+
+    ActiveBlocks& active() { return active_; }
+
+    /// Follows the flow back over `dt` seconds from every active sample: second-order Runge-Kutta.
+    void trace(const Velocity& velocity, float dt);
+
+    /// Moves one field along the traced paths. Values outside the active blocks become 0.
+    void advect(Field& field);
+
+  private:
+    Field guess_;
+    Field result_;
+    std::vector<glm::vec3> from_;
+    ActiveBlocks active_;
+};
+
+}  // namespace clips

@@ -1,0 +1,50 @@
+// The solver: velocity, temperature and smoke density in a box, stepped with stable fluids (Stam 1999).
+//
+// Density lies on a finer lattice than velocity. What makes smoke look sharp is density stretched and folded
+// by the flow; the flow itself is smoother, and its pressure is what costs time.
+#pragma once
+
+#include "advection.h"
+#include "field.h"
+#include "forces.h"
+#include "projection.h"
+
+namespace clips {
+
+struct FluidSettings {
+    glm::ivec3 cells{48, 64, 32};
+    int detail = 2;  ///< density samples per cell and axis
+    Walls walls;
+    float lift = 0.0f;         ///< cells/s^2 per unit of temperature
+    float weight = 0.0f;       ///< cells/s^2 per unit of density
+    float confinement = 0.0f;  ///< 1/s
+    float drag = 0.1f;         ///< 1/s
+    float cooling = 1.0f;      ///< 1/s
+    int pressure_cycles = 3;
+    bool fill = false;  ///< smoke is everywhere: advect every sample
+};
+
+class Fluid {
+  public:
+    explicit Fluid(const FluidSettings& settings);
+
+    const FluidSettings& settings() const { return settings_; }
+
+    /// Moves smoke, heat and the flow itself along the flow.
+    void advect(float dt);
+    /// Adds buoyancy and confinement to what `forces` holds, applies all, and projects.
+    void push(Forces& forces, float dt);
+
+    Velocity velocity;
+    Field temperature;
+    Field density;
+
+  private:
+    float fastest() const;
+
+    FluidSettings settings_;
+    Projection projection_;
+    Advector move_u_, move_v_, move_w_, move_temperature_, move_density_;
+};
+
+}  // namespace clips

@@ -1,0 +1,43 @@
+// Smoke out of a video frame (paper: figure 1): luma and chroma thresholds take the background away, Perlin noise varies
+// what is left. Mirrored on the CPU by effects/smoke/keying_cpu.h; tests/parity/keying_test.cpp compares them.
+// Code values: 0..255 as in the clip, BT.601 luma and chroma (full range).
+
+struct LapfxKeying {
+    float luma_low, luma_high;      // background at or below low, whole smoke at or above high
+    vec2 key_chroma;                // Cb, Cr of the background colour, code values around 0
+    float chroma_low, chroma_high;  // the same for the distance from key_chroma; high 0 = not used
+    float spill;                    // 0..1, how much of the background's colour is taken out of the smoke
+    float dark;                     // 1: smoke is darker than its background
+};
+
+float lapfx_luma(vec3 code) { return dot(code, vec3(0.299, 0.587, 0.114)); }
+
+vec2 lapfx_chroma(vec3 code) {
+    float luma = lapfx_luma(code);
+    return vec2((code.b - luma) / 1.772, (code.r - luma) / 1.402);
+}
+
+float lapfx_ramp(float value, float low, float high) { return clamp((value - low) / max(high - low, 1e-3), 0.0, 1.0); }
+
+// Opacity 0..1 of the smoke in one pixel. The ramps are linear, for smoke of one colour over a flat background is mixed
+// linearly: luma and chroma distance both grow in proportion to its opacity.
+float lapfx_key_alpha(vec3 code, LapfxKeying key) {
+    float luma = lapfx_luma(code);
+    float luma_alpha = lapfx_ramp(key.dark > 0.5 ? 255.0 - luma : luma, key.luma_low, key.luma_high);
+    float chroma_alpha = key.chroma_high > 0.0
+                             ? lapfx_ramp(distance(lapfx_chroma(code), key.key_chroma), key.chroma_low, key.chroma_high)
+                             : 1.0;
+    return luma_alpha * chroma_alpha;
+}
+
+// The smoke's own chroma, code values: with `spill` the part that leans towards the background's colour is removed.
+vec2 lapfx_despill(vec2 chroma, LapfxKeying key) {
+    float strength = dot(key.key_chroma, key.key_chroma);
+    float lean = strength > 1.0 ? max(dot(chroma, key.key_chroma) / strength, 0.0) : 0.0;
+    return chroma - key.spill * lean * key.key_chroma;
+}
+
+// Alpha varied by noise in -1..1: mean kept, never outside 0..1.
+float lapfx_vary_alpha(float alpha, float noise, float strength) {
+    return clamp(alpha * (1.0 + strength * noise), 0.0, 1.0);
+}

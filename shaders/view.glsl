@@ -1,0 +1,20 @@
+// The camera and the lamp beside it; filled from render/view_block.h. Lengths mm, colours linear.
+layout(std140, binding = 0) uniform LapfxView {
+    mat4 u_view;        // organ space to camera space
+    mat4 u_projection;
+    vec4 u_eye;         // xyz: camera in organ space
+    vec4 u_axis;        // xyz: unit viewing direction in organ space
+    vec4 u_light;       // rgb: colour * intensity; a: focus distance, where a white surface facing the lamp is lit to 1
+    vec4 u_beam;        // x: cosine at which the lamp has half its strength; y: ambient share; zw: unused
+};
+
+// Light that arrives at a point from the lamp: the inverse square of the distance, and the beam's fall-off.
+vec3 lapfx_lamp(vec3 position) {
+    vec3 to_point = position - u_eye.xyz;
+    float distance_mm = max(length(to_point), 1.0);
+    float cosine = dot(to_point, u_axis.xyz) / distance_mm;
+    // exp2(-x) with x = 1 at the half angle; 1 - cos grows with the square of the angle.
+    float beam = exp2(-(1.0 - cosine) / max(1.0 - u_beam.x, 1e-4));
+    float reach = u_light.a / distance_mm;
+    return u_light.rgb * min(reach * reach, 9.0) * beam;
+}

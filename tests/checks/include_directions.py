@@ -1,0 +1,227 @@
+#!/usr/bin/env python3
+"""Checks that dependencies run one way.
+
+    editor, samples -> effects/include/lapfx/*.h
+    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> {organ, preset, gl} -> effects/include/lapfx/*.h
+
+With --self-test, checks the checker: each rule on made-up files that break it and on ones that keep it.
+"""
+import os
+import re
+import sys
+
+import source_files
+
+PUBLIC = "effects/include/lapfx/"
+# The facade: it knows all of the core, so nothing that it is made of may include it.
+FACADE = ("effects.h", "preview.h")
+LEVELS = {"organ": 0, "preset": 0, "gl": 0, "bleeding": 1, "smoke": 1, "cautery": 1, "render": 2, "": 3}
+INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
+STANDARD = re.compile(r"[a-z_0-9]+")
+GL = ("glad/", "GL/", "EGL/", "GLES", "KHR/")
+
+
+def includes_of(text):
+    """(quoted, name) of every #include."""
+    return [(bool(quoted), quoted or angled) for quoted, angled in INCLUDE.findall(text)]
+
+
+def part(path):
+    """The folder of effects/ that a file lies in, '' at its top, None outside of it or in its public headers."""
+    pieces = path.split("/")
+    if pieces[0] != "effects" or path.startswith("effects/include/"):
+        return None
+    return pieces[1] if len(pieces) > 2 else ""
+
+
+def resolve(path, name, files):
+    """The project's file that an #include in `path` means, or None: a system header, or a generated one."""
+    top = path.split("/")[0]
+    for folder in (os.path.dirname(path), top, "effects/include", "effects", "editor", "samples", "tests"):
+        candidate = os.path.normpath(os.path.join(folder, name)).replace(os.sep, "/")
+        if candidate in files:
+            return candidate
+    return None
+
+
+def public_fault(path, target, name):
+    """A public header is small and stands alone: the standard library, GLM and its likes."""
+    if target is None:
+        allowed = STANDARD.fullmatch(name) or name.startswith("glm/")
+        return None if allowed else f"a public header may include the standard library, GLM and lapfx/*.h, not {name}"
+    if not target.startswith(PUBLIC):
+        return "a public header may not include an internal one"
+    if target[len(PUBLIC):] in FACADE and path[len(PUBLIC):] not in FACADE:
+        return "only lapfx/preview.h and lapfx/effects.h know each other: they are above the other headers"
+    return None
+
+
+def effects_fault(path, target):
+    """Inside the core: downwards only."""
+    here = part(path)
+    if target is None:
+        return None
+    if target.startswith(PUBLIC):
+        if target[len(PUBLIC):] in FACADE and here not in ("", "render"):
+            return f"{target[len('effects/include/'):]} is above effects/{here}"
+        return None
+    there = part(target)
+    if there is None:
+        return f"the core knows nothing of {target.split('/')[0]}/"
+    if here == there:
+        return None
+    if here not in LEVELS or there not in LEVELS:
+        return f"effects/{here if here not in LEVELS else there} has no level in {os.path.basename(__file__)}"
+    if LEVELS[here] == LEVELS[there]:
+        return f"effects/{here} and effects/{there} are of one level and do not know each other"
+    if LEVELS[here] < LEVELS[there]:
+        return f"effects/{there} is above effects/{here}" if there else f"the top of effects/ is above effects/{here}"
+    return None
+
+
+def toolkit_fault(target, name):
+    """The UI toolkit: events in, draw list out."""
+    if name.startswith("GLFW/"):
+        return "the UI toolkit does not know the window system"
+    if target is not None and not target.startswith("editor/ui/"):
+        return "the UI toolkit stands alone"
+    return None
+
+
+def outside_fault(target):
+    """The editor and the samples see of the core what any simulator sees."""
+    if target is not None and target.startswith("effects/") and not target.startswith(PUBLIC):
+        return "this is an internal header of effects/; only lapfx/*.h may be included here"
+    return None
+
+
+def fault_of(path, target, name):
+    if path.startswith(PUBLIC):
+        return public_fault(path, target, name)
+    if path.startswith("effects/"):
+        return effects_fault(path, target)
+    if path.startswith("editor/ui/"):
+        return toolkit_fault(target, name)
+    if path.startswith("editor/panels/") and name.startswith((*GL, "GLFW/")):
+        return "panels draw through the UI toolkit, not with OpenGL"
+    if path.startswith(("editor/", "samples/")):
+        return outside_fault(target)
+    return None  # tests may look anywhere
+
+
+def reachable(path, graph):
+    """{file: the file that includes it} for all that `path` includes, directly or not."""
+    seen, waiting = {}, [path]
+    while waiting:
+        current = waiting.pop()
+        for target in graph[current]:
+            if target not in seen and target != path:
+                seen[target] = current
+                waiting.append(target)
+    return seen
+
+
+def cpu_gpu_faults(texts, graph):
+    """An effect's CPU part and GPU part never see each other, and the CPU part sees no OpenGL; nor by a detour."""
+    for path in sorted(texts):
+        kind = re.search(r"_(cpu|gpu)\.(?:h|cpp)$", path)
+        if not path.startswith("effects/") or not kind:
+            continue
+        other = "_gpu." if kind[1] == "cpu" else "_cpu."
+        for target, by in sorted({**reachable(path, graph), path: path}.items()):
+            through = "" if by == path else f" (through {by})"
+            if other in os.path.basename(target):
+                yield f"{path}: includes {target}{through}: the CPU part and the GPU part never include each other"
+            if kind[1] == "cpu":
+                for _, name in includes_of(texts[target]):
+                    if name.startswith(GL):
+                        yield f"{path}: reaches {name} through {target}: the CPU part knows no OpenGL"
+
+
+def check(texts):
+    """Faults of {path: text}."""
+    files = set(texts)
+    graph = {}
+    for path, text in sorted(texts.items()):
+        graph[path] = []
+        for _, name in includes_of(text):
+            target = resolve(path, name, files)
+            if target is not None:
+                graph[path].append(target)
+            fault = fault_of(path, target, name)
+            if fault:
+                yield f"{path}: includes {name}: {fault}"
+    yield from cpu_gpu_faults(texts, graph)
+
+
+# (what is wrong, or None if nothing is; {path: text}).
+EXAMPLES = [
+    (None, {"effects/render/frame.cpp": '#include "bleeding/wounds.h"', "effects/bleeding/wounds.h": "",
+            "effects/effects.cpp": '#include "lapfx/effects.h"\n#include "render/frame.h"',
+            "effects/render/frame.h": '#include "lapfx/preview.h"\n#include <glad/gl.h>', PUBLIC + "effects.h": "",
+            PUBLIC + "preview.h": '#include "lapfx/effects.h"\n#include <glm/vec3.hpp>\n#include <vector>'}),
+    (None, {"editor/match/fit.cpp": '#include "lapfx/effects.h"\n#include <nlopt.hpp>', PUBLIC + "effects.h": ""}),
+    (None, {"tests/parity/ooze_test.cpp": '#include "bleeding/ooze_cpu.h"\n#include "bleeding/ooze_gpu.h"',
+            "effects/bleeding/ooze_cpu.h": "", "effects/bleeding/ooze_gpu.h": ""}),
+    (None, {"effects/smoke/smoke.cpp": '#include "smoke/keying_cpu.h"\n#include "smoke/keying_gpu.h"',
+            "effects/smoke/keying_cpu.h": "", "effects/smoke/keying_gpu.h": "#include <glad/gl.h>"}),
+    ("effects/render is above effects/bleeding",
+     {"effects/bleeding/wounds.cpp": '#include "render/frame.h"', "effects/render/frame.h": ""}),
+    ("effects/smoke is above effects/gl", {"effects/gl/a.cpp": '#include "../smoke/b.h"', "effects/smoke/b.h": ""}),
+    ("are of one level", {"effects/smoke/a.cpp": '#include "cautery/b.h"', "effects/cautery/b.h": ""}),
+    ("the top of effects/ is above", {"effects/render/a.cpp": '#include "all.h"', "effects/all.h": ""}),
+    ("has no level", {"effects/new/a.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),
+    ("lapfx/effects.h is above effects/organ",
+     {"effects/organ/a.cpp": '#include "lapfx/effects.h"', PUBLIC + "effects.h": ""}),
+    ("lapfx/preview.h is above effects/smoke",
+     {"effects/smoke/a.cpp": '  #  include <lapfx/preview.h>', PUBLIC + "preview.h": ""}),
+    ("the core knows nothing of editor/",
+     {"effects/render/a.cpp": '#include "../../editor/ui/id.h"', "editor/ui/id.h": ""}),
+    ("they are above the other headers",
+     {PUBLIC + "organ.h": '#include "lapfx/effects.h"', PUBLIC + "effects.h": ""}),
+    ("may not include an internal one", {PUBLIC + "organ.h": '#include "gl/b.h"', "effects/gl/b.h": ""}),
+    ("not glad/gl.h", {PUBLIC + "effects.h": "#include <glad/gl.h>"}),
+    ("not opencv2/core.hpp", {PUBLIC + "organ.h": "#include <opencv2/core.hpp>"}),
+    ("not OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh",
+     {PUBLIC + "organ.h": "#include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>"}),
+    ("not tiny_gltf.h", {PUBLIC + "organ.h": '#include "tiny_gltf.h"'}),
+    ("not nlohmann/json.hpp", {PUBLIC + "preset.h": "#include <nlohmann/json.hpp>"}),
+    ("the UI toolkit does not know the window system", {"editor/ui/input.h": "#include <GLFW/glfw3.h>"}),
+    ("the UI toolkit stands alone", {"editor/ui/a.cpp": '#include "lapfx/preset.h"', PUBLIC + "preset.h": ""}),
+    ("the UI toolkit stands alone", {"editor/ui/a.cpp": '#include "panels/b.h"', "editor/panels/b.h": ""}),
+    ("panels draw through the UI toolkit", {"editor/panels/a.cpp": "#include <glad/gl.h>"}),
+    ("only lapfx/*.h may be included here",
+     {"editor/app.cpp": '#include "../effects/render/frame.h"', "effects/render/frame.h": ""}),
+    ("only lapfx/*.h may be included here", {"samples/make.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),
+    ("never include each other",
+     {"effects/smoke/key_cpu.cpp": '#include "smoke/key_gpu.h"', "effects/smoke/key_gpu.h": ""}),
+    ("never include each other",
+     {"effects/smoke/key_gpu.cpp": '#include "key_cpu.h"', "effects/smoke/key_cpu.h": ""}),
+    ("(through effects/smoke/key.h)",
+     {"effects/smoke/key_cpu.cpp": '#include "key.h"', "effects/smoke/key.h": '#include "key_gpu.h"',
+      "effects/smoke/key_gpu.h": ""}),
+    ("knows no OpenGL", {"effects/smoke/key_cpu.cpp": '#include "gl/a.h"', "effects/gl/a.h": "#include <glad/gl.h>"}),
+    ("knows no OpenGL", {"effects/smoke/key_cpu.h": "#include <glad/gl.h>"}),
+]
+
+
+def self_test():
+    for expected, texts in EXAMPLES:
+        found = list(check(texts))
+        if expected is None and found:
+            yield f"clean files, yet: {found}"
+        if expected is not None and not any(expected in fault for fault in found):
+            yield f"expected a fault with '{expected}' for {texts}, found: {found}"
+
+
+def main():
+    if "--self-test" in sys.argv[1:]:
+        return source_files.report(list(self_test()))
+    paths = [path for path in source_files.project_files() if path.endswith(source_files.CPP)]
+    if not any(path.startswith("effects/") for path in paths):
+        return source_files.report(["no source files found: the check has nothing to look at"])
+    return source_files.report(list(check({path: source_files.read(path) for path in paths})))
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""Checks the tree: what lies at the top, that code is ASCII (strings of C++ aside) without stray blanks, that files stay readable.
+
+With --self-test, checks the checker on made-up files.
+"""
+import os
+import re
+import sys
+
+import source_files
+
+TOP = {"CMakeLists.txt", "README.md", "editor", "effects", "shaders", "presets", "samples", "tests"}
+TEXT = source_files.CPP + source_files.SHADERS + (".cmake", "CMakeLists.txt", ".py", ".sh", ".md")
+LIMITED = source_files.CPP + source_files.SHADERS
+MAX_LINES = 600
+STRING = re.compile(rb'"(?:\\.|[^"\\])*"')  # what a person reads, such as a unit, may be UTF-8
+COMMANDS = ("editor/start", "tests/run", "tests/accept", ".ci/run")
+
+
+def top_faults(paths):
+    for top in sorted({path.split("/")[0] for path in paths}):
+        if top not in TOP and not top.startswith("."):
+            yield f"{top}: not one of the entries of the top level ({', '.join(sorted(TOP))}, dot-files)"
+
+
+def text_faults(path, data):
+    lines = data.split(b"\n")
+    for number, line in enumerate(lines, 1):
+        code = STRING.sub(b"", line) if path.endswith(source_files.CPP) else line
+        if not code.isascii():
+            yield f"{path}:{number}: not ASCII"
+        if line != line.rstrip():
+            yield f"{path}:{number}: blanks or a carriage return at the end of the line"
+    if data and lines[-1] != b"":
+        yield f"{path}:{len(lines)}: no newline at the end of the file"
+    if path.endswith(LIMITED) and len(lines) - 1 > MAX_LINES:
+        yield f"{path}: {len(lines) - 1} lines; at most {MAX_LINES}, then it is two files"
+
+
+def self_test():
+    cases = [
+        (list(top_faults(["effects/a.cpp", ".ci/run", "README.md"])), 0),
+        (list(top_faults(["docs/a.md", "tests/run", "Makefile"])), 2),
+        (list(text_faults("a.cpp", b"int a;\n")), 0),
+        (list(text_faults("a.cpp", b"int a; \n")), 1),
+        (list(text_faults("a.cpp", b"int a;\r\n")), 1),
+        (list(text_faults("a.cpp", b"int a;")), 1),
+        (list(text_faults("a.cpp", "// 3 \u00b5m\n".encode())), 1),
+        (list(text_faults("a.cpp", 'const char* unit = "3 \\"\u00b5m";\n'.encode())), 0),
+        (list(text_faults("a.cpp", 'f("s"); // \u00b5m\n'.encode())), 1),
+        (list(text_faults("a.cmake", 'message("\u00b5m")\n'.encode())), 1),
+        (list(text_faults("a.cpp", b"\n" * MAX_LINES)), 0),
+        (list(text_faults("a.cpp", b"\n" * (MAX_LINES + 1))), 1),
+        (list(text_faults("a.md", b"\n" * (MAX_LINES + 1))), 0),
+    ]
+    for number, (faults, expected) in enumerate(cases):
+        if len(faults) != expected:
+            yield f"case {number}: expected {expected} faults, found {faults}"
+
+
+def check():
+    paths = source_files.project_files()
+    yield from top_faults(paths)
+    for path in paths:
+        if path.endswith(TEXT) or path in COMMANDS:
+            with open(os.path.join(source_files.ROOT, path), "rb") as file:
+                yield from text_faults(path, file.read())
+    for path in COMMANDS:
+        if not os.access(os.path.join(source_files.ROOT, path), os.X_OK):
+            yield f"{path}: missing, or has no executable bit"
+
+
+if __name__ == "__main__":
+    sys.exit(source_files.report(list(self_test() if "--self-test" in sys.argv[1:] else check())))

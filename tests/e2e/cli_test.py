@@ -1,0 +1,277 @@
+#!/usr/bin/env python3
+"""The command line from outside: exit codes, messages, and what is left on the disk. cli_test.py LAPFX [NAME]
+
+Exit 0 done; 1 failed while running; 2 wrong usage or bad input. Data on stdout, messages on stderr, a line per fault:
+`lapfx: FILE: PLACE: REASON`. Nothing is left half written, however a command ends. Each case runs in an empty folder
+that holds the files of FILES; with NAME only the cases whose name contains it are run.
+"""
+import json
+import os
+import re
+import signal
+import struct
+import subprocess
+import sys
+import tempfile
+import time
+from dataclasses import dataclass
+from typing import Callable, Optional, Tuple
+
+LIMIT_S = 240  # for one command, also under a sanitizer
+RENDER = ("render", "scene.json", "--backend", "osmesa", "--size", "64x48")
+
+SCENE = {
+    "format": "lapfx.scene", "version": 1, "name": "cli test", "duration": 60,
+    "organ": {"file": "organ.obj"},
+    "events": [{"action": "cut", "time": 0.1, "duration": 0.2, "position": [0, 0, 0]}],
+}
+# A square of 100 mm in the plane z = 0, facing the camera's default place.
+ORGAN = """v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0
+vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1
+f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n"""
+
+
+def document(kind, **values):
+    return json.dumps({"format": f"lapfx.{kind}", "version": 1, **values})
+
+
+FILES = {
+    "scene.json": json.dumps(SCENE),
+    "organ.obj": ORGAN,
+    "good.json": document("preset", bleeding={"speed": 2.0}),
+    "low.json": document("preset", bleeding={"speed": -3}),
+    "typo.json": document("preset", bleeding={"sped": 2.0}),
+    "cut off.json": '{"format": "lapfx.preset", "vers',
+    "words.json": "not JSON at all",
+    "empty.json": "",
+    "future.json": json.dumps({"format": "lapfx.preset", "version": 999}),
+    "no organ.scene.json": json.dumps({**SCENE, "organ": {"file": "nowhere.obj"}}),
+    "bad organ.scene.json": json.dumps({**SCENE, "organ": {"file": "words.json"}}),
+    "words.glb": "not a mesh at all",
+    "kept.png": "was here before",
+    "folder/": None,
+}
+
+
+@dataclass
+class Case:
+    name: str
+    arguments: Tuple[str, ...]
+    code: int
+    file: Optional[str] = None  # the one line on stderr is about this file
+    says: str = ""  # a regular expression that is found on stderr
+    prints: Optional[str] = ""  # a regular expression that all of stdout matches
+    leaves: Tuple[str, ...] = ()  # new files, nothing else is new
+    then: Optional[Callable[[str], None]] = None  # looks at what is left, raises AssertionError
+
+
+def is_png(folder, name, size):
+    with open(os.path.join(folder, name), "rb") as file:
+        data = file.read()
+    assert data.startswith(b"\x89PNG\r\n\x1a\n") and data.endswith(b"IEND\xaeB`\x82"), f"{name} is not a whole PNG"
+    assert struct.unpack(">II", data[16:24]) == size, f"{name} is {struct.unpack('>II', data[16:24])}, not {size}"
+
+
+def is_video(folder, name, size, frames):
+    done = subprocess.run(
+        ["ffprobe", "-v", "error", "-count_frames", "-select_streams", "v:0", "-show_entries",
+         "stream=width,height,nb_read_frames", "-of", "csv=p=0", os.path.join(folder, name)],
+        capture_output=True, encoding="utf-8", check=False)
+    found = done.stdout.strip()
+    assert found == f"{size[0]},{size[1]},{frames}", f"{name}: expected {size} and {frames} frames, ffprobe: {found}"
+
+
+USAGE = [
+    Case("usage: no such verb", ("paint",), 2, says="paint"),
+    Case("usage: no such option", ("--paint",), 2, says="--paint"),
+    Case("usage: help", ("--help",), 0, prints=r"(?s).*render.*"),
+    Case("usage: version", ("--version",), 0, prints=r".*\d+\.\d+\.\d+\n"),
+    Case("usage: help of render", ("render", "--help"), 0, prints=r"(?s).*--size.*--fps.*"),
+    Case("usage: help of check", ("check", "--help"), 0, prints=r"(?s).*FILE.*"),
+    Case("usage: help of inspect", ("inspect", "--help"), 0, prints=r"(?s).*FILE.*"),
+    Case("usage: help of edit", ("edit", "--help"), 0, prints=r"(?s).+"),
+]
+
+INPUT = [
+    Case("check: nothing", ("check",), 2),
+    Case("check: good", ("check", "good.json", "scene.json"), 0, prints=r"(?s)good\.json.*scene\.json.*"),
+    Case("check: missing", ("check", "missing.json"), 2, "missing.json"),
+    Case("check: folder", ("check", "folder"), 2, "folder"),
+    Case("check: empty", ("check", "empty.json"), 2, "empty.json"),
+    Case("check: words", ("check", "words.json"), 2, "words.json"),
+    Case("check: cut off", ("check", "cut off.json"), 2, "cut off.json"),
+    Case("check: newer than we are", ("check", "future.json"), 2, "future.json", says="999"),
+    Case("check: below the minimum", ("check", "low.json"), 2, "low.json",
+         says=r"^lapfx: low\.json: /bleeding/speed: -3\b.*\b0 mm/s"),
+    Case("check: unknown key, nearest one named", ("check", "typo.json"), 2, "typo.json",
+         says=r"/bleeding/sped: .*\bspeed\b"),
+    Case("check: every file is looked at", ("check", "low.json", "good.json", "typo.json"), 2,
+         says=r"(?s)^lapfx: low\.json: .*\nlapfx: typo\.json: ", prints=r"(?s)good\.json.*"),
+    Case("inspect: nothing", ("inspect",), 2),
+    Case("inspect: missing", ("inspect", "missing.glb"), 2, "missing.glb"),
+    Case("inspect: folder", ("inspect", "folder"), 2, "folder"),
+    Case("inspect: not a mesh", ("inspect", "words.glb"), 2, "words.glb"),
+    Case("inspect: good", ("inspect", "organ.obj"), 0, prints=r"(?s).*\b2\b.*"),
+]
+
+RENDERING = [
+    Case("render: no scene", ("render", "-o", "out.png"), 2),
+    Case("render: no output", RENDER + ("--at", "1"), 2, says="--output"),
+    Case("render: missing scene", ("render", "missing.json", "-o", "out.png"), 2, "missing.json"),
+    Case("render: folder for a scene", ("render", "folder", "-o", "out.png"), 2, "folder"),
+    Case("render: preset for a scene", ("render", "good.json", "-o", "out.png"), 2, "good.json"),
+    Case("render: missing preset", RENDER + ("--preset", "missing.json", "-o", "out.png"), 2, "missing.json"),
+    Case("render: folder for a preset", RENDER + ("--preset", "folder", "-o", "out.png"), 2, "folder"),
+    Case("render: cut off preset", RENDER + ("--preset", "cut off.json", "-o", "out.png"), 2, "cut off.json"),
+    Case("render: preset out of range", RENDER + ("--preset", "low.json", "-o", "out.png"), 2, "low.json",
+         says=r"/bleeding/speed: -3\b"),
+    Case("render: scene without its organ", ("render", "no organ.scene.json", "-o", "out.png"), 2, says="nowhere.obj"),
+    Case("render: organ is no mesh", ("render", "bad organ.scene.json", "-o", "out.png"), 2, says="words.json"),
+    Case("render: set an unknown key", RENDER + ("--set", "paint=1", "-o", "out.png"), 2, says="paint"),
+    Case("render: set without a value", RENDER + ("--set", "bleeding.speed", "-o", "out.png"), 2, says="bleeding.speed"),
+    Case("render: no such backend", ("render", "scene.json", "--backend", "paper", "-o", "out.png"), 2, says="paper"),
+    Case("render: size in words", ("render", "scene.json", "--size", "large", "-o", "out.png"), 2, says="large"),
+    Case("render: size of nothing", ("render", "scene.json", "--size", "0x48", "-o", "out.png"), 2, says="0x48"),
+    Case("render: no frames a second", RENDER + ("--fps", "0", "-o", "out.mp4"), 2, says=r"fps"),
+    Case("render: backwards", RENDER + ("--from", "2", "--to", "1", "-o", "out.mp4"), 2),
+    Case("render: a moment and a stretch", RENDER + ("--at", "1", "--to", "2", "-o", "out.png"), 2),
+    Case("render: unknown kind of output", RENDER + ("--at", "1", "-o", "out.paint"), 2, says=r"out\.paint"),
+    Case("render: bad input spares an older output",
+         ("render", "missing.json", "-o", "kept.png"), 2, "missing.json"),
+    Case("render: folder of the output is a file", RENDER + ("--at", "1", "-o", "organ.obj/out.png"), 1,
+         says=r"organ\.obj/out\.png"),
+    Case("render: video into what is a file", RENDER + ("--to", "0.2", "-o", "organ.obj/out.mp4"), 1,
+         says=r"organ\.obj/out\.mp4"),
+    Case("render: an image", RENDER + ("--at", "0.5", "-o", "out.png"), 0, leaves=("out.png",),
+         then=lambda folder: is_png(folder, "out.png", (64, 48))),
+    Case("render: a preset and a value", RENDER + ("--preset", "good.json", "--set", "bleeding.speed=4", "--at", "0.5",
+         "-o", "out.png"), 0, leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
+    Case("render: a video", RENDER + ("--fps", "10", "--from", "1", "--to", "2", "-o", "out.mp4"), 0,
+         leaves=("out.mp4",), then=lambda folder: is_video(folder, "out.mp4", (64, 48), 10)),
+    Case("render: numbered images", RENDER + ("--fps", "10", "--to", "0.3", "-o", "out_%04d.png"), 0,
+         leaves=("out_0000.png", "out_0001.png", "out_0002.png"),
+         then=lambda folder: is_png(folder, "out_0002.png", (64, 48))),
+]
+
+
+def fill(folder):
+    for name, text in FILES.items():
+        path = os.path.join(folder, name)
+        if text is None:
+            os.mkdir(path)
+        else:
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+
+
+def contents(folder):
+    """{path: bytes} of all files in a folder."""
+    found = {}
+    for at, _, names in os.walk(folder):
+        for name in names:
+            with open(os.path.join(at, name), "rb") as file:
+                found[os.path.relpath(os.path.join(at, name), folder)] = file.read()
+    return found
+
+
+def faults_of(case, folder, done, before):
+    """What is not as the case says."""
+    if done.returncode != case.code:
+        yield f"exit code {done.returncode}, expected {case.code}"
+    if case.prints is not None and not re.fullmatch(case.prints, done.stdout):
+        yield f"stdout does not match {case.prints!r}"
+    lines = done.stderr.splitlines()
+    if case.code != 0:
+        if not lines:
+            yield "no message on stderr"
+        for line in lines:
+            if not line.startswith("lapfx: ") or not line.isprintable():
+                yield f"not a message of lapfx: {line!r}"
+    if case.file is not None and not (len(lines) == 1 and lines[0].startswith(f"lapfx: {case.file}: ")):
+        yield f"stderr is not the one line 'lapfx: {case.file}: ...'"
+    if not re.search(case.says, done.stderr):
+        yield f"stderr does not say {case.says!r}"
+    after = contents(folder)
+    if sorted(set(after) - set(before)) != sorted(case.leaves):
+        yield f"left {sorted(set(after) - set(before))}, expected {sorted(case.leaves)}"
+    yield from (f"changed {name}" for name in before if after.get(name) != before[name])
+    if case.then and done.returncode == 0:
+        try:
+            case.then(folder)
+        except (AssertionError, OSError) as fault:
+            yield str(fault)
+
+
+def run_case(lapfx, case, folder):
+    before = contents(folder)
+    try:
+        done = subprocess.run([lapfx, *case.arguments], cwd=folder, capture_output=True, encoding="utf-8", timeout=LIMIT_S,
+                              stdin=subprocess.DEVNULL, check=False)
+    except subprocess.TimeoutExpired:
+        yield f"not done after {LIMIT_S} s"
+        return
+    faults = list(faults_of(case, folder, done, before))
+    if faults:
+        yield from faults
+        yield f"stdout: {done.stdout[:2000]!r}"
+        yield f"stderr: {done.stderr[:2000]!r}"
+
+
+def run_interrupted(lapfx, output, number, folder):
+    """A render that would take minutes, interrupted once it is under way, ends soon and leaves nothing half done."""
+    before = contents(folder)
+    with subprocess.Popen([lapfx, "render", "scene.json", "--backend", "osmesa", "--size", "640x480", "--fps", "60",
+                           "-o", output], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE, encoding="utf-8") as render:
+        # Under way: its files appear, wherever they are being written; a program that shows none gets 5 s.
+        deadline = time.monotonic() + 5
+        while render.poll() is None and time.monotonic() < deadline and contents(folder).keys() == before.keys():
+            time.sleep(0.02)
+        time.sleep(0.3)
+        if render.poll() is not None:
+            yield f"ended before it was interrupted: {render.returncode}, {render.communicate()}"
+            return
+        render.send_signal(number)
+        try:
+            _, messages = render.communicate(timeout=60)
+        except subprocess.TimeoutExpired:
+            render.kill()
+            yield "still running 60 s after it was interrupted"
+            return
+    if render.returncode not in (1, 128 + number, -number):
+        yield f"exit code {render.returncode} after an interrupt: {messages[-500:]!r}"
+    for name in sorted(contents(folder).keys() - before.keys()):
+        try:  # of numbered images the finished ones may stay
+            assert "%" in output and re.fullmatch(r"out_\d{4}\.png", name), f"left {name}"
+            is_png(folder, name, (640, 480))
+        except AssertionError as fault:
+            yield str(fault)
+
+
+def main():
+    if len(sys.argv) not in (2, 3):
+        print(__doc__)
+        return 2
+    lapfx = os.path.abspath(sys.argv[1])
+    tests = [(case.name, lambda folder, case=case: run_case(lapfx, case, folder))
+             for case in USAGE + INPUT + RENDERING]
+    for output in ("out.mp4", "out_%04d.png"):
+        for number in (signal.SIGINT, signal.SIGTERM):
+            tests.append((f"render: {number.name} while it writes {output}",
+                          lambda folder, o=output, n=number: run_interrupted(lapfx, o, n, folder)))
+    tests = [test for test in tests if len(sys.argv) < 3 or sys.argv[2] in test[0]]
+    failed = 0
+    for name, test in tests:
+        with tempfile.TemporaryDirectory(prefix="lapfx cli ") as folder:
+            fill(folder)
+            faults = list(test(folder))
+        failed += bool(faults)
+        if faults:
+            print(f"FAILED {name}")
+            print("".join(f"    {fault}\n" for fault in faults), end="")
+    print(f"{len(tests) - failed} of {len(tests)} cases passed")
+    return 1 if failed or not tests else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,67 @@
+// `lapfx check` as a program: what goes to stdout and stderr, and its exit code.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include "unit/preset/support.h"
+
+namespace lapfx {
+
+namespace {
+
+struct Result {
+    int code = -1;
+    std::string out;
+    std::string err;
+};
+
+Result run_lapfx(const test::Folder& folder, const std::string& arguments) {
+    const std::string command = "cd '" + folder.path().string() + "' && '" LAPFX_BINARY_DIR "/lapfx' " +
+                                arguments + " > out.txt 2> err.txt";
+    const int status = std::system(command.c_str());
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_text(folder / "out.txt"),
+            test::read_text(folder / "err.txt")};
+}
+
+class CheckCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!std::filesystem::exists(LAPFX_BINARY_DIR "/lapfx")) GTEST_SKIP() << "the program is not built";
+        folder.write("good.json", test::preset_text(R"(, "name": "Ooze")"));
+        folder.write("scene.json", test::scene_text());
+        folder.write("bad.json", test::preset_text(R"(, "bleeding": {"speed": -3, "sped": 1})"));
+    }
+    test::Folder folder;
+};
+
+TEST_F(CheckCommand, GoodFilesAreNamedOnStdout) {
+    const Result result = run_lapfx(folder, "check good.json scene.json");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.out, "good.json: preset \"Ooze\", ok\nscene.json: scene \"\", ok\n");
+    EXPECT_EQ(result.err, "");
+}
+
+TEST_F(CheckCommand, EveryFaultOfEveryFileIsALineOnStderr) {
+    const Result result = run_lapfx(folder, "check bad.json good.json missing.json .");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "good.json: preset \"Ooze\", ok\n");
+    EXPECT_EQ(result.err,
+              "lapfx: bad.json: /bleeding/sped: unknown key; nearest is \"speed\"\n"
+              "lapfx: bad.json: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)\n"
+              "lapfx: missing.json: cannot be read: No such file or directory\n"
+              "lapfx: .: not a plain file but a folder\n");
+}
+
+TEST_F(CheckCommand, PrintsTheSchemas) {
+    EXPECT_EQ(run_lapfx(folder, "check --schema preset").out, preset_schema());
+    EXPECT_EQ(run_lapfx(folder, "check --schema scene").out, scene_schema());
+}
+
+TEST_F(CheckCommand, WrongUsageIsExitCodeTwo) {
+    for (const char* arguments :
+         {"check", "check --schema organ", "check --schema", "check --schema preset good.json"})
+        EXPECT_EQ(run_lapfx(folder, arguments).code, 2) << arguments;
+}
+
+}  // namespace
+
+}  // namespace lapfx

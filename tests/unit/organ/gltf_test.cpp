@@ -1,0 +1,295 @@
+#include "unit/organ/fixtures.h"
+
+namespace lapfx::test {
+namespace {
+
+using nlohmann::json;
+
+class Gltf : public testing::Test {
+  protected:
+    Organ load(const Triangle& triangle, const OrganOptions& options = {}) {
+        return load_organ(folder.write("t.glb", triangle.file()), options);
+    }
+    std::string fault(const Triangle& triangle) { return fault_of(folder.write("t.glb", triangle.file())); }
+    TemporaryFolder folder;
+};
+
+TEST_F(Gltf, MetresBecomeMillimetres) {
+    const Organ organ = load({});
+    ASSERT_EQ(organ.positions.size(), 3u);
+    EXPECT_EQ(organ.positions[1], glm::vec3(100, 0, 0));
+    EXPECT_EQ(organ.indices, (std::vector<std::uint32_t>{0, 1, 2}));
+    EXPECT_EQ(organ.scale, 1000.0);
+    EXPECT_EQ(organ.name, "t");
+    EXPECT_EQ(organ.parts[0].name, "t");
+}
+
+TEST_F(Gltf, ScaleAndRotationOfTheOptions) {
+    const Organ organ = load({}, {.scale = 10.0, .rotation = {90, 0, 0}});
+    EXPECT_NEAR(organ.positions[2].y, 0.0f, 1e-6f);
+    EXPECT_NEAR(organ.positions[2].z, 1.0f, 1e-6f);  // y turns to z about x
+}
+
+TEST_F(Gltf, MissingAttributesAreMade) {
+    const Organ organ = load({});
+    EXPECT_FALSE(organ.has_uvs);
+    EXPECT_FALSE(organ.has_colors);
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(organ.normals[i], glm::vec3(0, 0, 1));
+        EXPECT_NEAR(glm::dot(glm::vec3(organ.tangents[i]), organ.normals[i]), 0.0f, 1e-6f);
+        EXPECT_EQ(organ.colors[i], glm::vec4(1));
+    }
+    EXPECT_EQ(organ.materials.size(), 1u);
+}
+
+TEST_F(Gltf, MirroredNodeStaysOutward) {
+    Triangle triangle;
+    triangle.json["nodes"][0]["scale"] = {-1, 1, 1};
+    const Organ organ = load(triangle);
+    EXPECT_EQ(organ.positions[organ.indices[1]].y, 100.0f);
+    EXPECT_EQ(organ.positions[organ.indices[2]].x, -100.0f);
+    EXPECT_EQ(organ.normals[0], glm::vec3(0, 0, 1));
+}
+
+TEST_F(Gltf, NodesMoveTheirChildren) {
+    Triangle triangle;
+    triangle.json["nodes"] = json::parse(
+        R"([{"children": [1], "translation": [1, 0, 0]}, {"mesh": 0, "rotation": [0, 0, 0.70710678, 0.70710678]}])");
+    const Organ organ = load(triangle);
+    EXPECT_NEAR(organ.positions[1].x, 1000.0f, 1e-3f);  // x turns to y about z, then moves by 1 m
+    EXPECT_NEAR(organ.positions[1].y, 100.0f, 1e-3f);
+}
+
+TEST_F(Gltf, WithoutSceneAllRootNodes) {
+    Triangle triangle;
+    triangle.json.erase("scene");
+    triangle.json.erase("scenes");
+    EXPECT_EQ(load(triangle).triangle_count(), 1u);
+}
+
+TEST_F(Gltf, OnlyTheDefaultScene) {
+    Triangle triangle;
+    triangle.json["scene"] = 1;
+    triangle.json["scenes"] = json::parse(R"([{"nodes": [0]}, {"nodes": []}])");
+    EXPECT_EQ(fault(triangle), "no triangles: the file holds no surface");
+}
+
+TEST_F(Gltf, IndicesOfEverySize) {
+    const std::vector<std::uint8_t> small{2, 0, 1};
+    const std::vector<std::uint16_t> medium{2, 0, 1};
+    const std::vector<std::uint32_t> large{2, 0, 1};
+    const std::pair<std::string, int> kinds[] = {{bytes_of(small), 5121}, {bytes_of(medium), 5123}, {bytes_of(large), 5125}};
+    for (const auto& [bytes, type] : kinds) {
+        Triangle triangle;
+        triangle.primitive()["indices"] = triangle.add_accessor(bytes, type, 3, "SCALAR");
+        EXPECT_EQ(load(triangle).indices, (std::vector<std::uint32_t>{2, 0, 1})) << type;
+    }
+}
+
+/*  3---2   a strip 0 1 3 2 and a fan 0 1 2 3 give the same square, facing +z
+    | / |
+    0---1   */
+TEST_F(Gltf, StripsAndFans) {
+    const std::string corners = bytes_of<float>({0, 0, 0, 1, 0, 0, 1, 1, 0, 0, 1, 0});
+    for (const int mode : {5, 6}) {
+        Triangle square;
+        square.primitive()["attributes"]["POSITION"] = square.add_accessor(corners, 5126, 4, "VEC3");
+        const std::vector<std::uint8_t> order = mode == 5 ? std::vector<std::uint8_t>{0, 1, 3, 2} : std::vector<std::uint8_t>{0, 1, 2, 3};
+        square.primitive()["indices"] = square.add_accessor(bytes_of(order), 5121, 4, "SCALAR");
+        square.primitive()["mode"] = mode;
+        const Organ organ = load(square);
+        EXPECT_EQ(organ.triangle_count(), 2u);
+        for (const glm::vec3& normal : organ.normals) EXPECT_EQ(normal, glm::vec3(0, 0, 1)) << mode;
+        EXPECT_EQ(report(organ).boundary_edges, 4u);
+    }
+}
+
+TEST_F(Gltf, SparseAccessorReplacesValues) {
+    Triangle triangle;
+    const int indices = triangle.add_view(bytes_of<std::uint16_t>({1}));
+    const int values = triangle.add_view(bytes_of<float>({0.2f, 0, 0}));
+    triangle.json["accessors"][0]["sparse"] = {{"count", 1},
+                                               {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                               {"values", {{"bufferView", values}}}};
+    EXPECT_EQ(load(triangle).positions[1], glm::vec3(200, 0, 0));
+    triangle.json["accessors"][0]["sparse"]["indices"]["byteOffset"] = 1;
+    EXPECT_EQ(fault(triangle), "/accessors/0/sparse/indices: needs 2 bytes at 1, buffer view 1 has 2");
+}
+
+TEST_F(Gltf, QuantisedPositionsAndNormals) {
+    Triangle triangle;
+    triangle.json["extensionsRequired"] = {"KHR_mesh_quantization"};
+    const std::string corners = bytes_of<std::int16_t>({0, 0, 0, 0, 32767, 0, 0, 0, 0, 32767, 0, 0});
+    const int position = triangle.add_accessor(corners, 5122, 3, "VEC3", true);
+    triangle.json["bufferViews"].back()["byteStride"] = 8;
+    triangle.primitive()["attributes"]["POSITION"] = position;
+    const std::string up = bytes_of<std::int8_t>({0, 0, 127, 0, 0, 0, 127, 0, 0, 0, 127, 0});
+    triangle.primitive()["attributes"]["NORMAL"] = triangle.add_accessor(up, 5120, 3, "VEC3", true);
+    triangle.json["bufferViews"].back()["byteStride"] = 4;
+    const Organ organ = load(triangle);
+    EXPECT_EQ(organ.positions[1], glm::vec3(1000, 0, 0));
+    EXPECT_EQ(organ.normals[2], glm::vec3(0, 0, 1));
+}
+
+TEST_F(Gltf, VertexColoursOfEveryKind) {
+    const std::string floats = bytes_of<float>({1, 0, 0, 0, 1, 0, 0, 0, 0.5f});
+    const std::string bytes = bytes_of<std::uint8_t>({255, 0, 0, 51, 0, 255, 0, 255, 0, 0, 255, 255});
+    const std::string shorts = bytes_of<std::uint16_t>({65535, 0, 0, 0, 65535, 0, 0, 0, 65535});
+    Triangle triangle;
+    triangle.primitive()["attributes"]["COLOR_0"] = triangle.add_accessor(floats, 5126, 3, "VEC3");
+    Organ organ = load(triangle);
+    EXPECT_TRUE(organ.has_colors);
+    EXPECT_EQ(organ.colors[2], glm::vec4(0, 0, 0.5f, 1));
+    triangle.primitive()["attributes"]["COLOR_0"] = triangle.add_accessor(bytes, 5121, 3, "VEC4", true);
+    organ = load(triangle);
+    EXPECT_EQ(organ.colors[0], glm::vec4(1, 0, 0, 0.2f));
+    triangle.primitive()["attributes"]["COLOR_0"] = triangle.add_accessor(shorts, 5123, 3, "VEC3", true);
+    triangle.json["bufferViews"].back()["byteStride"] = nullptr;
+    EXPECT_EQ(load(triangle).colors[1], glm::vec4(0, 1, 0, 1));
+}
+
+TEST_F(Gltf, MaterialValues) {
+    Triangle triangle;
+    triangle.json["materials"] = json::parse(R"([{"name": "wet", "doubleSided": true,
+        "pbrMetallicRoughness": {"baseColorFactor": [0.5, 0.25, 0.125, 1], "roughnessFactor": 0.3}}])");
+    triangle.primitive()["material"] = 0;
+    const Material material = load(triangle).materials[0];
+    EXPECT_EQ(material.name, "wet");
+    EXPECT_EQ(material.base_color, glm::vec4(0.5f, 0.25f, 0.125f, 1));
+    EXPECT_FLOAT_EQ(material.roughness, 0.3f);
+    EXPECT_TRUE(material.double_sided);
+    EXPECT_EQ(material.base_color_image, -1);
+    triangle.primitive()["material"] = 1;
+    EXPECT_EQ(fault(triangle), "/meshes/0/primitives/0/material: material 1 is not in the file");
+}
+
+TEST_F(Gltf, TextureTransformMovesTheCoordinates) {
+    Triangle triangle;
+    triangle.primitive()["attributes"]["TEXCOORD_0"] =
+        triangle.add_accessor(bytes_of<float>({0, 0, 1, 0, 0, 1}), 5126, 3, "VEC2");
+    triangle.primitive()["material"] = 0;
+    triangle.json["textures"] = json::parse(R"([{"source": 0}])");
+    triangle.json["images"] = json::parse(R"([{"uri": "missing.png"}])");
+    triangle.json["materials"] = json::parse(R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0,
+        "extensions": {"KHR_texture_transform": {"offset": [0.25, 0.5], "scale": [2, 3]}}}}}])");
+    const Organ organ = load(triangle);
+    EXPECT_EQ(organ.uvs[1], glm::vec2(2.25f, 0.5f));
+    EXPECT_EQ(organ.uvs[2], glm::vec2(0.25f, 3.5f));
+    EXPECT_TRUE(has_warning(organ.warnings, "texture missing.png: no such file; it is left out"));
+}
+
+TEST_F(Gltf, UnknownRequiredExtensionIsNamed) {
+    Triangle triangle;
+    triangle.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    EXPECT_EQ(fault(triangle), "/extensionsRequired: needs the extension KHR_draco_mesh_compression, which is not read");
+}
+
+TEST_F(Gltf, FilesStayInTheFolder) {
+    Triangle triangle;
+    const std::pair<const char*, const char*> wrong[] = {
+        {"http://example.org/a.bin", "is a URL; only plain files beside this file are read"},
+        {"file:///etc/passwd", "is a URL; only plain files beside this file are read"},
+        {"/etc/passwd", "is an absolute path; only files beside this file are read"},
+        {"../a.bin", "leads out of the folder of this file"},
+        {"b/%2e%2e/../a.bin", "leads out of the folder of this file"}};
+    for (const auto& [uri, reason] : wrong) {
+        triangle.json["buffers"][0]["uri"] = uri;
+        const std::string text = fault_of(folder.write("t.gltf", triangle.json.dump()));
+        EXPECT_TRUE(text.starts_with("/buffers/0/uri: ") && text.ends_with(reason)) << text;
+    }
+    triangle.json["buffers"][0]["uri"] = "a%20b.bin";
+    EXPECT_EQ(fault_of(folder.write("t.gltf", triangle.json.dump())), "/buffers/0: a%20b.bin: no such file");
+    folder.write("a b.bin", triangle.binary);
+    EXPECT_EQ(load_organ(folder.write("t.gltf", triangle.json.dump())).triangle_count(), 1u);
+}
+
+TEST_F(Gltf, DataUris) {
+    Triangle triangle;
+    triangle.json["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAA";
+    EXPECT_EQ(load_organ(folder.write("t.gltf", triangle.json.dump())).positions[1], glm::vec3(1000, 0, 0));
+    triangle.json["buffers"][0]["uri"] = "data:application/octet-stream;base64,AAAA!";
+    EXPECT_EQ(fault_of(folder.write("t.gltf", triangle.json.dump())),
+              "/buffers/0/uri: is a data URI that is not valid base64");
+}
+
+TEST_F(Gltf, EveryRangeIsChecked) {
+    const std::pair<const char*, const char*> wrong[] = {
+        {R"({"accessors": [{"bufferView": 7}]})", "/accessors/0: buffer view 7 is not in the file"},
+        {R"({"accessors": [{"count": 4}]})", "/accessors/0: needs 48 bytes at 0, buffer view 0 has 36"},
+        {R"({"accessors": [{"count": 4294967296}]})", "/accessors/0: has 4294967296 elements, more than the limit"},
+        {R"({"accessors": [{"byteOffset": 18446744073709551615}]})",
+         "/accessors/0: needs 36 bytes at 18446744073709551615, buffer view 0 has 36"},
+        {R"({"bufferViews": [{"buffer": 3}]})", "/bufferViews/0: buffer 3 is not in the file"},
+        {R"({"bufferViews": [{"byteLength": 37}]})", "/bufferViews/0: bytes 0 to 37 are not in buffer 0 of 36 bytes"},
+        {R"({"bufferViews": [{"byteStride": 8}]})", "/accessors/0: byteStride 8 is less than an element's 12 bytes"},
+        {R"({"buffers": [{"byteLength": 40}]})", "/buffers/0: truncated: has 36 of 40 bytes"},
+        {R"({"nodes": [{"mesh": 2}]})", "/nodes/0/mesh: mesh 2 is not in the file"},
+        {R"({"nodes": [{"children": [0]}]})", "/nodes/0: is its own ancestor"},
+        {R"({"nodes": [{"matrix": [1, 2]}]})", "/nodes/0/matrix: has 2 numbers, expected 16"},
+        {R"({"scene": 5})", "/scene: scene 5 is not in the file"},
+        {R"({"asset": {"version": "1.0"}})", "/asset/version: is \"1.0\", only 2.0 is read"},
+        {R"({"meshes": 3})", "/meshes: is no array"}};
+    for (const auto& [patch, reason] : wrong) {
+        Triangle triangle;
+        const json changes = json::parse(patch);
+        for (const auto& [key, value] : changes.items()) {
+            if (value.is_array()) triangle.json[key][0].update(value[0]);
+            else triangle.json[key] = value;
+        }
+        EXPECT_EQ(fault(triangle), reason) << patch;
+    }
+}
+
+TEST_F(Gltf, IndexOutOfRangeIsLeftOutWithAWarning) {
+    Triangle triangle;
+    triangle.primitive()["indices"] = triangle.add_accessor(bytes_of<std::uint8_t>({0, 1, 2, 0, 1, 9}), 5121, 6, "SCALAR");
+    const Organ organ = load(triangle);
+    EXPECT_EQ(organ.triangle_count(), 1u);
+    EXPECT_TRUE(has_warning(organ.warnings, "1 triangle names vertices that are not in the file; left out"));
+}
+
+TEST_F(Gltf, TruncatedAtEveryLengthIsAFault) {
+    const std::string whole = Triangle().file();
+    for (std::size_t length = 0; length < whole.size(); ++length)
+        EXPECT_NE(fault_of(folder.write("t.glb", whole.substr(0, length))), "") << length;
+}
+
+TEST_F(Gltf, DamagedBytesNeverCrash) {
+    const std::string whole = Triangle().file();
+    for (std::size_t at = 0; at < whole.size(); ++at)
+        for (const char value : {'\0', '\xff', '9', '{', '-'}) {
+            std::string damaged = whole;
+            damaged[at] = value;
+            fault_of(folder.write("t.glb", damaged));  // a fault or an organ, both are right
+        }
+}
+
+TEST_F(Gltf, DeepJsonIsRefused) {
+    const std::string deep = R"({"asset": {"version": "2.0"}, "a": )" + std::string(100000, '[');
+    EXPECT_EQ(fault_of(folder.write("t.gltf", deep)), "its JSON is nested deeper than 64 levels");
+}
+
+TEST_F(Gltf, DamagedMeshoptIsRefused) {
+    Triangle triangle;
+    triangle.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+    auto& view = triangle.json["bufferViews"][0];
+    const json good = {{"buffer", 0}, {"byteLength", 36}, {"byteStride", 12}, {"count", 3}, {"mode", "ATTRIBUTES"}};
+    const std::string at = "/bufferViews/0/extensions/EXT_meshopt_compression: ";
+    const std::pair<json, std::string> wrong[] = {
+        {{}, "its compressed data is damaged"},
+        {{{"byteStride", 10}}, "byteStride 10 does not fit mode ATTRIBUTES"},
+        {{{"count", -1}}, "count is missing or not a whole number from 0"},
+        {{{"count", 2000000000}}, "count 2000000000 is too large"},
+        {{{"mode", "X"}}, "mode is \"X\", allowed are ATTRIBUTES, TRIANGLES, INDICES"},
+        {{{"filter", "OCTAHEDRAL"}}, "filter \"OCTAHEDRAL\" does not fit byteStride 12"},
+        {{{"byteLength", 99}}, "bytes 0 to 99 are not in buffer 0 of 36 bytes"}};
+    for (const auto& [patch, reason] : wrong) {
+        json extension = good;
+        if (patch.is_object()) extension.update(patch);
+        view["extensions"]["EXT_meshopt_compression"] = extension;
+        EXPECT_EQ(fault(triangle), at + reason);
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::test

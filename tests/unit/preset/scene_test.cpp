@@ -1,0 +1,133 @@
+#include "lapfx/scene.h"
+
+#include <gmock/gmock.h>
+
+#include "unit/preset/support.h"
+
+namespace lapfx {
+
+namespace {
+
+using test::scene_faults;
+using test::scene_text;
+using testing::ElementsAre;
+
+const std::string organ = R"(, "organ": {"file": "o.ply"})";
+
+TEST(Scene, OrganAloneIsEnough) {
+    const Scene scene = parse_scene(scene_text(), "s.json", "here");
+    EXPECT_EQ(scene.organ.file, "o.ply");
+    EXPECT_EQ(scene.duration, 12.0);
+    EXPECT_EQ(scene.camera.field_of_view, 60.0);
+    EXPECT_EQ(scene.folder, "here");
+    EXPECT_TRUE(scene.events.empty());
+}
+
+TEST(Scene, OrganFileIsRequired) {
+    const std::string fault = "s.json: /organ/file: missing; expected the name of a local file";
+    EXPECT_THAT(scene_faults(scene_text("")), ElementsAre(fault));
+    EXPECT_THAT(scene_faults(scene_text(R"(, "organ": {})")), ElementsAre(fault));
+    EXPECT_THAT(scene_faults(scene_text(R"(, "organ": {"file": ""})")),
+                ElementsAre("s.json: /organ/file: empty; expected the name of a local file"));
+}
+
+TEST(Scene, EventStaysAtItsPositionUnlessToIsGiven) {
+    const Scene scene = parse_scene(scene_text(organ + R"(, "events": [
+        {"position": [1, 2, 3]},
+        {"position": [1, 2, 3], "to": [4, 5, 6], "action": "tear", "time": 9},
+        {"position": [7, 8, 9], "time": 2}])"),
+                                    "s.json");
+    ASSERT_EQ(scene.events.size(), 3u);
+    EXPECT_EQ(scene.events[0].to, glm::dvec3(1, 2, 3));
+    EXPECT_EQ(scene.events[1].to, glm::dvec3(4, 5, 6));
+    EXPECT_EQ(scene.events[1].action, ToolAction::tear);
+    EXPECT_EQ(scene.events[2].time, 2.0) << "the order of the file is kept";
+}
+
+TEST(Scene, EventPositionIsRequired) {
+    EXPECT_THAT(
+        scene_faults(scene_text(organ + R"(, "events": [{"time": 1}])")),
+        ElementsAre("s.json: /events/0/position: missing; expected [x, y, z], each -10000 to 10000 mm"));
+}
+
+TEST(Scene, NamesFaults) {
+    struct Bad {
+        const char* members;
+        const char* fault;
+    };
+    const Bad cases[] = {
+        {R"(, "camera": {"eye": [0, 0, 0]})", "/camera/target: the same as eye: the camera looks nowhere"},
+        {R"(, "camera": {"up": [0, 0, -2]})", "/camera/up: zero or along the view"},
+        {R"(, "camera": {"up": [0, 0, 0]})", "/camera/up: zero or along the view"},
+        {R"(, "camera": {"eye": [0, 99999, 0]})",
+         "/camera/eye: y = 99999 is above the maximum 10000 mm (allowed: -10000 to 10000 mm)"},
+        {R"(, "gravity": [0, 0, 0])", "/gravity: zero: it has no direction"},
+        {R"(, "seed": -1)", "/seed: -1 is below the minimum 0 (allowed: 0 to 2147483647)"},
+        {R"(, "seed": 2147483648)", "/seed: 2147483648 is not a whole number from 0 to 2147483647"},
+        {R"(, "duration": 0)", "/duration: 0 is below the minimum 0.1 s (allowed: 0.1 to 3600 s)"},
+        {R"(, "preset": "http://x/p.json")",
+         "/preset: \"http://x/p.json\" is a URL or a protocol; expected the name of a local file"},
+        {R"(, "events": [{"position": [0, 0, 0], "action": "cuts"}])",
+         "/events/0/action: \"cuts\" is not one of \"cauterise\", \"cut\", \"coagulate\", \"tear\"; nearest "
+         "is "
+         "\"cut\""},
+        {R"(, "bleeding": {})", "/bleeding: unknown key; nearest is \"seed\""},
+    };
+    for (const Bad& bad : cases)
+        EXPECT_THAT(scene_faults(scene_text(organ + bad.members)),
+                    ElementsAre("s.json: " + std::string(bad.fault)));
+}
+
+TEST(Scene, PathsMayLeaveTheFolder) {
+    const Scene scene = parse_scene(
+        scene_text(
+            R"(, "organ": {"file": "../organs/o.glb"}, "preset": "../presets/p.json", "tool": {"file": ""},
+                      "reference": {"file": "/data/%04d.png"})"),
+        "s.json");
+    EXPECT_EQ(scene.preset, "../presets/p.json");
+    EXPECT_EQ(scene.reference.file, "/data/%04d.png");
+}
+
+TEST(Scene, EventsHaveALimit) {
+    std::string events;
+    for (int i = 0; i < 4097; ++i) events += (i ? "," : "") + std::string(R"({"position":[0,0,0]})");
+    EXPECT_THAT(scene_faults(scene_text(organ + R"(, "events": [)" + events + "]")),
+                ElementsAre("s.json: /events: 4097 elements; at most 4096 are allowed"));
+}
+
+TEST(Scene, SavesAndLoads) {
+    const test::Folder folder;
+    const Scene scene = test::full_scene();
+    save_scene(scene, folder / "s.json");
+    EXPECT_EQ(write_scene(load_scene(folder / "s.json")), write_scene(scene));
+    EXPECT_THAT(test::faults_of([&] { save_scene(Scene{}, folder / "x.json"); }),
+                ElementsAre((folder / "x.json").string() +
+                            ": /organ/file: empty; expected the name of a local file"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "x.json"));
+}
+
+TEST(CheckDocument, TellsPresetsFromScenes) {
+    const test::Folder folder;
+    const CheckedDocument preset = check_document(folder.write("p", test::preset_text(R"(, "name": "N")")));
+    EXPECT_EQ(preset.kind, "preset");
+    EXPECT_EQ(preset.name, "N");
+    EXPECT_EQ(check_document(folder.write("s", scene_text())).kind, "scene");
+    const auto faults = [&](const std::string& text) {
+        return test::faults_of([&] { check_document(folder.write("x", text)); });
+    };
+    const std::string file = (folder / "x").string();
+    EXPECT_THAT(faults("{}"),
+                ElementsAre(file + ": /format: missing; expected \"lapfx.preset\" or \"lapfx.scene\""));
+    EXPECT_THAT(
+        faults(R"({"format": "gltf"})"),
+        ElementsAre(file + ": /format: \"gltf\" is not known; expected \"lapfx.preset\" or \"lapfx.scene\""));
+    EXPECT_THAT(faults("[]"),
+                ElementsAre(file + ": an array of 0 in place of an object; expected \"lapfx.preset\" or "
+                                   "\"lapfx.scene\""));
+    EXPECT_THAT(faults(scene_text("")),
+                ElementsAre(file + ": /organ/file: missing; expected the name of a local file"));
+}
+
+}  // namespace
+
+}  // namespace lapfx
