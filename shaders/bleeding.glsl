@@ -41,5 +41,8 @@ LapfxBlood lapfx_blood(float bleed, vec3 slope, vec3 position) {
     float rim = 0.9;
     float steep = u_blood_surface.x / rim * exp(-depth / rim);
     blood.slope = steep * (0.5 * slope - strength / scale * noise.yzw);
+    // Blood on living tissue is never still: a gentle swell breaks its highlights up.
+    vec4 swell = lapfx_fractal_noise(position / 3.5, min(octaves, 1), uint(u_blood_surface.z) + 31u);
+    blood.slope += 0.16 * clamp(depth / 1.5, 0.0, 1.0) * swell.yzw;
     return blood;
 }

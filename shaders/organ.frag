@@ -42,6 +42,14 @@ vec3 mapped_normal(vec3 normal, out float spread) {
     return normalize(bumped);
 }
 
+// The film that wets tissue follows its bumps and has fine ripples of its own: they break highlights into the clusters of
+// small white spots that every laparoscopic picture is full of.
+vec3 film_normal(vec3 geometric, vec3 normal) {
+    vec3 ripple = lapfx_fractal_noise(v_rest / 2.1, 2 * u_tissue, 5u).yzw;
+    vec3 film = mix(geometric, normal, 0.8) - 0.045 * (ripple - geometric * dot(geometric, ripple));
+    return normalize(film);
+}
+
 // Gradient over the surface of a value that is linear in each triangle (Mikkelsen, "Bump Mapping Unparametrized
 // Surfaces on the GPU", 2010).
 vec3 surface_gradient(float value, vec3 normal) {
@@ -114,7 +122,7 @@ void main() {
     Tissue tissue;
     tissue.albedo = base.rgb;
     tissue.normal = mapped_normal(geometric, spread);
-    tissue.film_normal = normalize(mix(geometric, tissue.normal, 0.8));
+    tissue.film_normal = film_normal(geometric, tissue.normal);
     tissue.roughness = clamp(sqrt(u_roughness * u_roughness + spread), 0.08, 1.0);
     tissue.wetness = 1.0;
     add_char(tissue);

@@ -13,6 +13,9 @@ struct Block {
 
 constexpr GLuint block_binding = 2;
 
+/// Smoke that rises along tissue is turned away from it, into the room where the camera is.
+constexpr float lean = 0.7f;
+
 Block fill(const Layer& layer, const KeyingParameters& k) {
     const glm::ivec2 size = layer.frame->size();
     const bool mirrored = (layer.seed & 1u) != 0u;
@@ -63,6 +66,7 @@ void SmokeGpu::plume(const Layer& layer, const KeyingParameters& keying, glm::ve
     plume_.set("u_extent", glm::vec2(height * aspect, height));
     plume_.set("u_source", glm::vec2(mirrored ? 1.0f - source_x : source_x, static_cast<float>(layer.clip->source_y)));
     plume_.set("u_up", up);
+    plume_.set("u_lean", lean);
     plume_.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }

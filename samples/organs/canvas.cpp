@@ -10,11 +10,29 @@ namespace {
 
 constexpr int gutter = 6;  // texels painted past a patch's edge, so that filtering finds tissue there
 
-dvec3 beside(const Patch& patch, const VesselNode& from, const VesselNode& to) {
-    const dvec3 normal = sample(patch, from.uv.x, from.uv.y).vertex.normal;
-    const dvec3 side = glm::cross(normal, to.position - from.position);
-    const double length = glm::length(side);
-    return length > 1e-9 ? side / length : dvec3(0.0);
+/// For every node the direction across the vessel, within the surface, turning smoothly along it.
+std::vector<dvec3> sides(const Patch& patch, const VesselTree& tree) {
+    std::vector<std::size_t> onward(tree.size());
+    for (std::size_t i = 0; i < tree.size(); ++i) onward[i] = i;
+    for (std::size_t i = tree.size(); i-- > 0;) {  // the widest child goes on
+        if (tree[i].parent < 0) continue;
+        std::size_t& next = onward[static_cast<std::size_t>(tree[i].parent)];
+        if (next == static_cast<std::size_t>(tree[i].parent) || tree[i].radius >= tree[next].radius) next = i;
+    }
+    std::vector<dvec3> found(tree.size(), dvec3(0.0));
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        std::size_t from = i;
+        std::size_t to = i;
+        for (int k = 0; k < 2; ++k) {
+            if (tree[from].parent >= 0) from = static_cast<std::size_t>(tree[from].parent);
+            to = onward[to];
+        }
+        const dvec3 normal = sample(patch, tree[i].uv.x, tree[i].uv.y).vertex.normal;
+        const dvec3 side = glm::cross(normal, tree[to].position - tree[from].position);
+        const double length = glm::length(side);
+        if (length > 1e-9) found[i] = side / length;
+    }
+    return found;
 }
 
 std::vector<std::uint8_t> jpeg(const cv::Mat& image, int quality) {
@@ -46,16 +64,15 @@ dvec2 Canvas::patch_uv(const Patch& patch, int x, int y) const {
 }
 
 void Canvas::draw(const Patch& patch, const VesselTree& tree, const VesselStyle& style) {
-    for (const VesselNode& node : tree) {
-        if (node.parent < 0 || node.radius < style.thinnest) continue;
-        VesselNode from = tree[static_cast<std::size_t>(node.parent)];
-        VesselNode to = node;
+    const std::vector<dvec3> side = sides(patch, tree);
+    for (std::size_t i = 0; i < tree.size(); ++i) {
+        if (tree[i].parent < 0 || tree[i].radius < style.thinnest) continue;
+        const std::size_t parent = static_cast<std::size_t>(tree[i].parent);
+        VesselNode from = tree[parent];
+        VesselNode to = tree[i];
         from.radius = std::min(from.radius, to.radius * 1.3);
-        if (style.aside != 0.0) {
-            const dvec3 side = beside(patch, from, to);
-            from.position += side * (style.aside * from.radius);
-            to.position += side * (style.aside * to.radius);
-        }
+        from.position += side[parent] * (style.aside * from.radius);
+        to.position += side[i] * (style.aside * to.radius);
         segment(patch, from, to, style);
     }
 }

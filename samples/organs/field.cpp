@@ -13,11 +13,14 @@ View field_view() {
 
 namespace {
 
+constexpr dvec3 wall_centre(0.0, 0.0, 8.0);
+constexpr dvec3 wall_size(180.0, 145.0, 128.0);
+
 /// How far inside the greater omentum's rim a point of the field's plane lies, mm.
 double inside_apron(const dvec2& xy) {
-    static const std::vector<dvec2> rim = {{178, 96},  {128, 74},  {103, 50},   {88, 22},
-                                           {77, -6},   {62, -34},  {36, -60},   {0, -80},
-                                           {-40, -94}, {-84, -88}, {-124, -62}, {-186, -34}};
+    static const std::vector<dvec2> rim = {{178, 96},  {128, 74},   {103, 50},  {88, 22},   {77, -6},
+                                           {62, -34},  {36, -60},   {0, -80},   {-40, -94}, {-78, -90},
+                                           {-98, -68}, {-116, -42}, {-190, -22}};
     return -beside_line(rim, xy) + 8.0 * fbm(dvec3(xy, 0.0) * 0.035, 3, 152u);
 }
 
@@ -155,8 +158,7 @@ Patch wall_shape() {
         const double r = glm::length(disc);
         const double polar = 2.25 * r;
         const dvec2 around = r > 1e-9 ? disc / r : dvec2(0.0);
-        return dvec3(180.0 * std::sin(polar) * around.x, 145.0 * std::sin(polar) * around.y,
-                     8.0 - 128.0 * std::cos(polar));
+        return wall_centre + wall_size * dvec3(std::sin(polar) * around, -std::cos(polar));
     });
     displace(patch, [](const Vertex& at) {
         const dvec3& p = at.rest;
@@ -189,8 +191,9 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
         const double fullness = ramp(-2.0, 0.7 * rise, depth);
         const double large = lobules(vertex.rest, 25.0, 151u).height;
         const double middle = lobules(vertex.rest, 11.5, 401u).height;
-        const double swell =
-            7.0 * (large - 0.45) + 5.0 * (middle - 0.45) + 4.0 * fbm(vertex.rest * 0.03, 2, 153u);
+        const double swell = 7.0 * (large - 0.45) + 5.0 * (middle - 0.45) +
+                             1.3 * (lobules(vertex.rest, 5.5, 402u).height - 0.45) +
+                             4.0 * fbm(vertex.rest * 0.03, 2, 153u);
         thickness.push_back(-4.5 + (full + 4.5) * ramp(-4.0, rise, depth) + fullness * swell);
         vertex.mask = ramp(-1.0, 0.5 * full, thickness.back());
     }
@@ -200,10 +203,11 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
         const dvec3 out = glm::normalize(vertex.normal + 1.1 * field_view().toward);
         vertex.position += out * std::max(thickness[next++], -5.0);
     }
-    update_normals(patch);
+    relax(patch, 2);
     for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
         const dvec3 seen = field_view().seen(patch.vertices[i].position);
-        patch.hidden[i] = seen.z < ground.bare.at({seen.x, seen.y}) - 1.5;
+        const dvec3 in_wall = (patch.vertices[i].position - wall_centre) / wall_size;
+        patch.hidden[i] = seen.z < ground.bare.at({seen.x, seen.y}) - 1.5 || glm::length(in_wall) > 1.1;
     }
     return patch;
 }
@@ -213,13 +217,13 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
 Patch bed_shape() {
     return make_patch(60, 60, [](double u, double v) {
         const dvec2 xy(glm::mix(-215.0, 215.0, u), glm::mix(215.0, -215.0, v));
-        const double back = 0.8 * std::max(0.0, xy.y - 42.0) + 0.15 * std::max(0.0, -xy.x - 60.0);
+        const double back = 1.5 * std::max(0.0, xy.y - 42.0) + 0.15 * std::max(0.0, -xy.x - 60.0);
         return field_view().place(xy, -50.0 - back + 9.0 * fbm(dvec3(xy * 0.014, 0.0), 2, 171u));
     });
 }
 
 Patch apron_shape(const Ground& ground) {
-    return lay_fat(ground, {-170, -150}, {196, 130}, 140, 108, inside_apron, 10.0, 26.0);
+    return lay_fat(ground, {-170, -150}, {196, 112}, 140, 104, inside_apron, 10.0, 26.0);
 }
 
 Patch cardia_fat_shape(const Ground& ground) {

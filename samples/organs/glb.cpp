@@ -85,9 +85,8 @@ int add_colors(tinygltf::Model& model, const std::vector<double>& light) {
     std::vector<std::uint16_t> values;
     const auto code = [](double x) { return static_cast<std::uint16_t>(std::lround(clamp01(x) * 65535.0)); };
     for (const double open : light) {
-        const double red = std::pow(open, 0.8);
-        const double rest = std::pow(open, 1.25);
-        values.insert(values.end(), {code(red), code(rest), code(rest), 65535});
+        values.insert(values.end(), {code(std::pow(open, 0.7)), code(std::pow(open, 1.35)),
+                                     code(std::pow(open, 1.5)), 65535});
     }
     const int view = add_view(model, values.data(), values.size() * 2, TINYGLTF_TARGET_ARRAY_BUFFER);
     const int accessor =

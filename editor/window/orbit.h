@@ -1,0 +1,21 @@
+// Moving a scene's camera by hand. Pure functions on the camera, no window; angles radians, lengths mm.
+#pragma once
+
+#include "lapfx/organ.h"
+#include "lapfx/scene.h"
+
+namespace lapfx::window {
+
+/// Turns the eye around the target: `right` about the camera's up, `up` about its right axis. Never over the poles.
+void orbit(SceneCamera& camera, double right, double up);
+
+/// Moves eye and target together by this many pixels of a frame `height` pixels high, so that the target follows the pointer.
+void pan(SceneCamera& camera, glm::dvec2 pixels, double height);
+
+/// Moves the eye to `factor` times its distance from the target, within 5 mm to 2 m.
+void zoom(SceneCamera& camera, double factor);
+
+/// A camera that sees the whole organ from the front.
+SceneCamera frame(const OrganReport& organ);
+
+}  // namespace lapfx::window

@@ -1,0 +1,194 @@
+#include "window/viewer.h"
+
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "lapfx/preview.h"
+#include "window/glfw_window.h"
+#include "window/orbit.h"
+
+namespace lapfx::window {
+
+namespace {
+
+constexpr double still_longest = 0.5;  // s; a frame that took longer (a stopped process) does not make time jump
+
+/// What the user does, turned into a camera, contacts and a time. No drawing.
+class Viewer {
+  public:
+    Viewer(GlfwWindow& window, Preview& preview, const Scene& scene)
+        : window_(window),
+          preview_(preview),
+          contacts_(scene.events),
+          camera_(scene.camera),
+          home_(scene.camera),
+          duration_(scene.duration) {
+        glfwSetWindowUserPointer(window.get(), this);
+        glfwSetMouseButtonCallback(window.get(), [](GLFWwindow* w, int button, int action, int) {
+            self(w).button(button, action == GLFW_PRESS);
+        });
+        glfwSetCursorPosCallback(window.get(), [](GLFWwindow* w, double, double) { self(w).moved(); });
+        glfwSetScrollCallback(window.get(), [](GLFWwindow* w, double, double y) { self(w).scrolled(y); });
+        glfwSetKeyCallback(window.get(), [](GLFWwindow* w, int key, int, int action, int) {
+            if (action != GLFW_RELEASE) self(w).key(key);
+        });
+        glfwSetWindowRefreshCallback(window.get(), [](GLFWwindow* w) { self(w).changed_ = true; });
+        glfwSetFramebufferSizeCallback(window.get(), [](GLFWwindow* w, int, int) { self(w).changed_ = true; });
+    }
+
+    void run() {
+        double before = glfwGetTime();
+        while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE) {
+            playing_ || changed_ ? glfwPollEvents() : glfwWaitEvents();
+            const double now = glfwGetTime();
+            if (playing_) advance(std::min(now - before, still_longest));
+            before = now;
+            if (playing_ || changed_) draw();
+        }
+    }
+
+  private:
+    enum class Drag { none, orbit, pan, cauterise };
+
+    static Viewer& self(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
+
+    void advance(double seconds) {
+        time_ += seconds;
+        if (drag_ == Drag::cauterise) {
+            hold_contact();
+        } else if (time_ > duration_) {
+            time_ = 0.0;
+        }
+    }
+
+    void draw() {
+        changed_ = false;
+        const glm::ivec2 size = window_.framebuffer_size();
+        if (size.x < 1 || size.y < 1) {  // minimised: nothing to draw, and no busy loop
+            glfwWaitEventsTimeout(0.1);
+            return;
+        }
+        preview_.draw(time_, size);
+        glfwSwapBuffers(window_.get());
+        show_state();
+    }
+
+    void show_state() {
+        const Amounts amounts = preview_.amounts();
+        char title[160];
+        std::snprintf(title, sizeof title, "lapfx  %s %.1f s  blood %.0f mm2  haze %.2f  %s",
+                      playing_ ? "playing" : "paused", time_, amounts.blood_area, amounts.haze,
+                      drag_ == Drag::cauterise ? "cauterising" : "");
+        if (title_ != title) glfwSetWindowTitle(window_.get(), title);
+        title_ = title;
+    }
+
+    void button(int button, bool pressed) {
+        changed_ = true;
+        if (!pressed) {
+            drag_ = Drag::none;
+            return;
+        }
+        at_ = window_.pointer();
+        const bool shift = glfwGetKey(window_.get(), GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
+        if (button == GLFW_MOUSE_BUTTON_MIDDLE || (shift && button == GLFW_MOUSE_BUTTON_RIGHT)) {
+            drag_ = Drag::pan;
+        } else if (button == GLFW_MOUSE_BUTTON_LEFT && begin_contact()) {
+            drag_ = Drag::cauterise;
+        } else {
+            drag_ = Drag::orbit;
+        }
+    }
+
+    /// The left button burns where it meets the organ, for as long as it is held. A burn needs time, so it plays.
+    bool begin_contact() {
+        const auto hit = preview_.pick(at_, window_.framebuffer_size());
+        if (!hit) return false;
+        contacts_.push_back({.action = ToolAction::cauterise,
+                             .time = time_,
+                             .duration = 0.0,
+                             .position = hit->position,
+                             .to = hit->position});
+        preview_.set_contacts(contacts_);
+        playing_ = true;
+        return true;
+    }
+
+    void hold_contact() {
+        ToolContact& contact = contacts_.back();
+        contact.duration = time_ - contact.time;
+        duration_ = std::max(duration_, time_);
+        preview_.set_contacts(contacts_);
+    }
+
+    void moved() {
+        const glm::dvec2 now = window_.pointer(), by = now - at_;
+        if (drag_ == Drag::none) return;
+        const double height = window_.framebuffer_size().y;
+        if (drag_ == Drag::orbit) orbit(camera_, by.x / height * std::numbers::pi, by.y / height * std::numbers::pi);
+        if (drag_ == Drag::pan) pan(camera_, by, height);
+        at_ = now;
+        show_camera();
+    }
+
+    void scrolled(double notches) {
+        zoom(camera_, std::pow(0.9, notches));
+        show_camera();
+    }
+
+    void key(int key) {
+        changed_ = true;
+        switch (key) {
+            case GLFW_KEY_SPACE:
+                playing_ = !playing_;
+                break;
+            case GLFW_KEY_HOME:
+                camera_ = home_;
+                show_camera();
+                break;
+            case GLFW_KEY_R:
+                time_ = 0.0;
+                break;
+            case GLFW_KEY_RIGHT:
+                time_ = std::min(time_ + 0.1, duration_);
+                break;
+            case GLFW_KEY_LEFT:
+                time_ = std::max(time_ - 0.1, 0.0);
+                break;
+            case GLFW_KEY_ESCAPE:
+                glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
+                break;
+            default:
+                break;
+        }
+    }
+
+    void show_camera() {
+        preview_.set_camera(camera_);
+        changed_ = true;
+    }
+
+    GlfwWindow& window_;
+    Preview& preview_;
+    std::vector<ToolContact> contacts_;
+    SceneCamera camera_, home_;
+    double duration_;
+    double time_ = 0.0;
+    bool playing_ = true;
+    bool changed_ = true;
+    Drag drag_ = Drag::none;
+    glm::dvec2 at_{0.0};
+    std::string title_;
+};
+
+}  // namespace
+
+void view(const Scene& scene, const Preset& preset, const std::vector<std::filesystem::path>& clip_folders) {
+    GlfwWindow window({1280, 1024}, "lapfx");
+    const Context context = Context::external(glfwGetProcAddress);
+    Preview preview(scene, preset, {.clip_folders = clip_folders});
+    Viewer(window, preview, scene).run();
+}
+
+}  // namespace lapfx::window
