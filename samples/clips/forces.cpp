@@ -63,10 +63,10 @@ void Forces::add_confinement(const Velocity& velocity, float strength) {
 }
 
 void Forces::add_turbulence(const TurbulenceTile& tile, float scale, glm::vec3 drift, float strength,
-                            const Field* where) {
+                            const Field* where, float gain) {
     for_cells(cells_, [&](int i, int j, int k) {
         const glm::vec3 x = centre(i, j, k);
-        const float weight = where ? std::min(1.0f, where->sample(x)) : 1.0f;
+        const float weight = where ? std::min(1.0f, gain * where->sample(x)) : 1.0f;
         if (weight < 1e-3f) return;
         // The second tile is turned by swapping axes, so that the two never line up.
         const glm::vec3 a = tile.sample(x * scale + drift);

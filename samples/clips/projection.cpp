@@ -137,7 +137,7 @@ void Projection::cycle(std::size_t index) {
     smooth(level, 2);
 }
 
-void Projection::project(Velocity& velocity, int cycles) {
+void Projection::project(Velocity& velocity, const Field& expansion, int cycles) {
     Level& top = levels_.front();
     const glm::ivec3 n = top.cells;
     if (walls_.bottom)
@@ -149,7 +149,8 @@ void Projection::project(Velocity& velocity, int cycles) {
                 for (int i = 0; i < n.x; ++i)
                     top.rhs[top.at(i, j, k)] = velocity.u.at(i + 1, j, k) - velocity.u.at(i, j, k) +
                                                velocity.v.at(i, j + 1, k) - velocity.v.at(i, j, k) +
-                                               velocity.w.at(i, j, k + 1) - velocity.w.at(i, j, k);
+                                               velocity.w.at(i, j, k + 1) - velocity.w.at(i, j, k) -
+                                               expansion.at(i, j, k);
     });
     for (int c = 0; c < cycles; ++c) cycle(0);
     set_ghosts(top, top.p);

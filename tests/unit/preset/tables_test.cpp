@@ -65,7 +65,7 @@ TEST(Tables, EveryMemberOfASceneHasItsRow) {
     expect_complete<SceneTool>(*scene.find("tool"));
     expect_complete<SceneCamera>(*scene.find("camera"));
     expect_complete<SceneLight>(*scene.find("light"));
-    expect_complete<SceneEvent>(*scene.find("events"));
+    expect_complete<ToolContact>(*scene.find("events"));
     expect_complete<SceneReference>(*scene.find("reference"));
 }
 
