@@ -30,8 +30,7 @@ double inside_cardia_fat(const dvec2& xy) {
                                             {-10, -28}, {-30, -47}, {-64, -59}, {-112, -62}};
     double where = 0.0;
     const double off = std::abs(beside_line(line, xy, &where));
-    const double width =
-        glm::mix(20.0, 10.0, ramp(0.15, 0.7, where)) + 6.0 * fbm(dvec3(xy, 3.0) * 0.045, 3, 161u);
+    const double width = glm::mix(20.0, 10.0, ramp(0.15, 0.7, where)) + 6.0 * fbm(dvec3(xy, 3.0) * 0.045, 3, 161u);
     return width - off - 12.0 * ramp(0.95, 1.0, where);
 }
 
@@ -56,8 +55,7 @@ Patch stomach_shape() {
             glm::normalize(along(spine, std::min(v + 0.01, 1.0)) - along(spine, std::max(v - 0.01, 0.0)));
         const dvec3 front = glm::normalize(eye - axis * glm::dot(eye, axis));
         const dvec3 side = glm::cross(front, axis);
-        const dvec2 size =
-            along(radius, v) * std::sqrt(clamp01(1.0 - std::pow(1.0 - std::min(v / 0.22, 1.0), 2.0)));
+        const dvec2 size = along(radius, v) * std::sqrt(clamp01(1.0 - std::pow(1.0 - std::min(v / 0.22, 1.0), 2.0)));
         const double angle = (u - 0.5) * 2.0 * 2.25;
         return centre + front * (size.x * std::cos(angle)) + side * (size.y * std::sin(angle));
     });
@@ -67,8 +65,7 @@ Patch stomach_shape() {
         const double swell = 9.0 * fbm(p * 0.016, 2, 101u);
         const double dents = 3.0 * fbm(p * 0.045, 3, 102u);
         // Slack folds run along the body, deepest near the fundus.
-        const dvec3 bent =
-            dvec3(p.x * 0.030 + p.y * 0.006, p.y * 0.009, p.z * 0.012) + 0.35 * perlin3(p * 0.018, 103u);
+        const dvec3 bent = dvec3(p.x * 0.030 + p.y * 0.006, p.y * 0.009, p.z * 0.012) + 0.35 * perlin3(p * 0.018, 103u);
         const double fold = std::pow(ridges(bent, 1, 104u), 4.0);
         return swell + dents - 4.5 * fold;
     });
@@ -80,9 +77,8 @@ Patch stomach_shape() {
 }
 
 Patch liver_edge_shape() {
-    const std::vector<dvec3> edge = {{-190, -62, -26}, {-150, -46, -6}, {-114, -28, 6}, {-82, -8, 13},
-                                     {-50, 12, 12},    {-14, 26, 8},    {22, 48, -6},   {60, 66, -26},
-                                     {98, 76, -50},    {140, 86, -80}};
+    const std::vector<dvec3> edge = {{-190, -62, -26}, {-150, -46, -6}, {-114, -28, 6}, {-82, -8, 13}, {-50, 12, 12},
+                                     {-14, 26, 8},     {22, 48, -6},    {60, 66, -26},  {98, 76, -50}, {140, 86, -80}};
     // Across: x up from the edge, y towards the eye; from the top of the front over the sharp edge to the
     // underside.
     const std::vector<dvec2> section = {{150, -44}, {118, -14}, {88, 4},    {58, 13}, {34, 14.5},
@@ -91,8 +87,7 @@ Patch liver_edge_shape() {
     const dvec3 eye = field_view().toward;
     Patch patch = make_patch(78, 56, [&](double u, double v) {
         const dvec3 on = along(edge, u);
-        const dvec3 run =
-            glm::normalize(along(edge, std::min(u + 0.02, 1.0)) - along(edge, std::max(u - 0.02, 0.0)));
+        const dvec3 run = glm::normalize(along(edge, std::min(u + 0.02, 1.0)) - along(edge, std::max(u - 0.02, 0.0)));
         const dvec3 front = glm::normalize(eye - run * glm::dot(eye, run));
         const dvec3 up = glm::cross(front, run);
         const dvec2 across = along(section, v);
@@ -102,14 +97,12 @@ Patch liver_edge_shape() {
     });
     for (int row = 0; row < patch.rows; ++row) {
         const double across = along(section, static_cast<double>(row) / (patch.rows - 1)).x;
-        for (int column = 0; column < patch.columns; ++column)
-            patch.at(column, row).mask = ramp(11.0, 0.0, across);
+        for (int column = 0; column < patch.columns; ++column) patch.at(column, row).mask = ramp(11.0, 0.0, across);
     }
     displace(patch, [](const Vertex& at) {
         const dvec3& p = at.rest;
         const double slack = 1.0 - 0.8 * at.mask;
-        return slack * (7.0 * fbm(p * 0.013, 2, 121u) + 3.0 * fbm(p * 0.035, 2, 123u)) +
-               0.8 * fbm(p * 0.07, 3, 122u);
+        return slack * (7.0 * fbm(p * 0.013, 2, 121u) + 3.0 * fbm(p * 0.035, 2, 123u)) + 0.8 * fbm(p * 0.07, 3, 122u);
     });
     return patch;
 }
@@ -123,13 +116,11 @@ Patch lesser_omentum_shape() {
         const double x = glm::mix(-185.0, right, u);
         const double from_right = right - x;
         const double taut = -15.0 - 0.02 * from_right * ramp(0.0, 60.0, from_right);
-        const double sag =
-            -25.0 * std::sin(pi * clamp01(from_right / 170.0)) * (0.6 + 0.4 * std::sin(pi * v));
+        const double sag = -25.0 * std::sin(pi * clamp01(from_right / 170.0)) * (0.6 + 0.4 * std::sin(pi * v));
         // The oesophagus lifts the membrane on its way to the hiatus.
         const double off = x - (6.0 - 0.34 * (y - 10.0));
         const double gullet = 13.0 * std::exp(-off * off / 120.0) * ramp(-14.0, 16.0, y);
-        const double back = -0.35 * std::max(0.0, y - 18.0) -
-                            0.95 * std::max(0.0, x - 22.0) * ramp(24.0, 60.0, y) -
+        const double back = -0.35 * std::max(0.0, y - 18.0) - 0.95 * std::max(0.0, x - 22.0) * ramp(24.0, 60.0, y) -
                             0.18 * std::max(0.0, -y - 50.0);
         return dvec3(x, y, taut + sag + gullet + back);
     });
@@ -209,6 +200,7 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
         const dvec3 in_wall = (patch.vertices[i].position - wall_centre) / wall_size;
         patch.hidden[i] = seen.z < ground.bare.at({seen.x, seen.y}) - 1.5 || glm::length(in_wall) > 1.1;
     }
+    hide_islands(patch);
     return patch;
 }
 

@@ -32,8 +32,7 @@ Field make_field() {
     };
     field.apron = apron_shape(bridged(bed, 18.0));
     field.cardia_fat = cardia_fat_shape(bridged(seen, 11.0));
-    const std::vector<Patch*> organs = {&field.stomach, &field.liver, &field.omentum, &field.apron,
-                                        &field.cardia_fat};
+    const std::vector<Patch*> organs = {&field.stomach, &field.liver, &field.omentum, &field.apron, &field.cardia_fat};
     std::vector<Patch*> lit = organs;
     lit.push_back(&field.wall);
     find_light(lit, {organs.begin(), organs.end()}, 48, 45.0);
@@ -52,8 +51,7 @@ void draw_single(Canvas& canvas, const Patch& patch, const VesselTree& tree) {
 }
 
 Surface textured(const std::string& name, const Patch& patch, double roughness, const Tissue& tissue,
-                 const Growth& growth, int size,
-                 void (*draw)(Canvas&, const Patch&, const VesselTree&) = draw_pairs) {
+                 const Growth& growth, int size, void (*draw)(Canvas&, const Patch&, const VesselTree&) = draw_pairs) {
     Surface made;
     made.name = name;
     made.roughness = roughness;
@@ -75,7 +73,7 @@ Surface stomach(const Patch& patch, int size) {
     growth.satisfied = 1.9;
     growth.capillary = 0.085;
     growth.seed = 11;
-    return textured("stomach", patch, 0.34, stomach_tissue, growth, size);
+    return textured("stomach", patch, 0.28, stomach_tissue, growth, size);
 }
 
 Surface lesser_omentum(const Patch& patch, int size) {
@@ -84,7 +82,7 @@ Surface lesser_omentum(const Patch& patch, int size) {
     growth.thickest = 0.48;
     growth.winding = 3.0;
     growth.seed = 21;
-    return textured("lesser omentum", patch, 0.36, membrane_tissue, growth, size);
+    return textured("lesser omentum", patch, 0.30, membrane_tissue, growth, size);
 }
 
 Growth fat_growth(std::uint32_t seed) {
@@ -101,13 +99,13 @@ Growth fat_growth(std::uint32_t seed) {
 Surface greater_omentum(const Patch& patch, int size) {
     Growth growth = fat_growth(31);
     growth.stems = {{{0.9, 0.3}, {0.7, 0.5}, {0.55, 0.62}, {0.4, 0.75}, {0.1, 0.9}}};
-    return textured("greater omentum", patch, 0.30, fat_tissue, growth, size);
+    return textured("greater omentum", patch, 0.23, fat_tissue, growth, size);
 }
 
 Surface cardia_fat(const Patch& patch, int size) {
     Growth growth = fat_growth(41);
     growth.stems = {{{0.68, 0.2}, {0.60, 0.4}, {0.57, 0.6}, {0.45, 0.75}, {0.3, 0.85}}};
-    return textured("cardia fat", patch, 0.30, fat_tissue, growth, size);
+    return textured("cardia fat", patch, 0.23, fat_tissue, growth, size);
 }
 
 Surface liver(const Patch& patch, int size) {
@@ -115,7 +113,7 @@ Surface liver(const Patch& patch, int size) {
     growth.stems = {{{0.3, 0.02}, {0.35, 0.2}}, {{0.75, 0.02}, {0.7, 0.2}}};
     growth.thickest = 0.25;
     growth.seed = 51;
-    return textured("liver", patch, 0.30, liver_tissue, growth, size, draw_single);
+    return textured("liver", patch, 0.25, liver_tissue, growth, size, draw_single);
 }
 
 Surface wall(const Patch& patch, int size) {
@@ -131,10 +129,9 @@ Surface wall(const Patch& patch, int size) {
 
 void make_lagb(const std::filesystem::path& folder, int size) {
     const Field field = make_field();
-    const std::vector<Surface> surfaces = {
-        stomach(field.stomach, size),       lesser_omentum(field.omentum, size / 2),
-        greater_omentum(field.apron, size), cardia_fat(field.cardia_fat, size / 2),
-        liver(field.liver, size / 2),       wall(field.wall, size / 2)};
+    const std::vector<Surface> surfaces = {stomach(field.stomach, size),       lesser_omentum(field.omentum, size / 2),
+                                           greater_omentum(field.apron, size), cardia_fat(field.cardia_fat, size / 2),
+                                           liver(field.liver, size / 2),       wall(field.wall, size / 2)};
     write_glb(folder / "lagb.glb", "gastric banding field", surfaces);
 }
 
