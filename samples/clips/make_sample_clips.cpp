@@ -1,6 +1,6 @@
 // Makes the sample clips: solves smoke in 3-D and films it.
 //
-//     make_sample_clips --output samples/clips            all clips, about a quarter of an hour of one core
+//     make_sample_clips --output samples/clips            all clips, about ten minutes of one core
 //     make_sample_clips --output /tmp/clips --quick       a coarse grid and few frames, for tests
 //     make_sample_clips --output /tmp/clips --only haze_rolling --cells 64
 //

@@ -1,6 +1,5 @@
 // Smoke that rises from the tool tip: the thick plume and the thin wisps, which differ in numbers only.
 #include <cmath>
-#include <numbers>
 
 #include "noise.h"
 #include "parallel.h"
