@@ -11,7 +11,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     const cv::Mat a = cv::imread(argv[1], cv::IMREAD_COLOR), b = cv::imread(argv[2], cv::IMREAD_COLOR);
-    const auto result = lapfx::test::compare(a, b, {.max_difference = std::atoi(argv[3])});
-    std::cout << result.text() << '\n';
-    return result.same ? 0 : 1;
+    const auto result = lapfx::tests::compare(a, b, {.max_difference = std::atoi(argv[3])});
+    std::cout << result.reason << '\n';
+    return result.passed ? 0 : 1;
 }
