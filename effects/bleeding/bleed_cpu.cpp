@@ -14,12 +14,20 @@ double reach(const BleedingParameters& parameters) {
     return parameters.max_extent / (1.0 - std::min(parameters.gravity_bias, 0.95));
 }
 
+double longest_edge(const Surface& surface) {
+    double longest = 0.0;
+    const auto& p = surface.positions;
+    for (const auto& c : surface.triangles)
+        for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(p[c[i]], p[c[(i + 1) % 3]]));
+    return longest;
+}
+
 /// Share of a triangle where a value linear in it is above zero.
 double share_above_zero(double a, double b, double c) {
     double v[3] = {a, b, c};
     std::sort(v, v + 3);
+    if (v[2] <= 0.0) return 0.0;  // first: three zeros are none, blood shows above the threshold
     if (v[0] >= 0.0) return 1.0;
-    if (v[2] <= 0.0) return 0.0;
     if (v[1] <= 0.0) return v[2] * v[2] / ((v[2] - v[0]) * (v[2] - v[1]));
     return 1.0 - v[0] * v[0] / ((v[0] - v[1]) * (v[0] - v[2]));
 }
@@ -27,7 +35,11 @@ double share_above_zero(double a, double b, double c) {
 }  // namespace
 
 BleedField::BleedField(const Surface& surface, glm::dvec3 down)
-    : surface_(surface), down_(down), surface_values_(surface.positions.size()), values_(surface.weld.size()) {
+    : surface_(surface),
+      down_(down),
+      longest_edge_(longest_edge(surface)),
+      surface_values_(surface.positions.size()),
+      values_(surface.weld.size()) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
@@ -49,7 +61,7 @@ BleedField::Spread BleedField::spread_from(glm::dvec3 position, double limit) co
 }
 
 void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& parameters) {
-    const double limit = reach(parameters);
+    const double limit = reach(parameters) + longest_edge_;  // one vertex more, so that the edge is interpolated
     std::vector<Spread> spreads;
     for (const Wound& wound : wounds) {
         const auto known = std::find_if(spreads_.begin(), spreads_.end(), [&](const Spread& s) {
@@ -78,7 +90,9 @@ Dirty BleedField::update(double time) noexcept {
     }
     if (!changed || touched_.empty()) return {};
     stale_ = false;
-    for (const std::uint32_t v : touched_) surface_values_[v] = 0.0f;
+    // Below this a vertex is no neighbour of blood: it stays as it is until the front comes near.
+    const auto driest = static_cast<float>(-longest_edge_ * (1.0 + parameters_.gravity_bias));
+    for (const std::uint32_t v : touched_) surface_values_[v] = wounds_.empty() ? 0.0f : driest;
     for (std::size_t w = 0; w < wounds_.size(); ++w) {
         const Spread& spread = spreads_[w];
         const auto source = static_cast<float>(sources_[w]);

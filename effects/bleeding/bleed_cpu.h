@@ -1,7 +1,8 @@
 // Bleed value per vertex: b(x, t) = max over wounds of max(0, s_w(t) - d_w(x)), mm. d_w is the travel
 // distance, shortened downhill and lengthened uphill: a constant drift g added to a metric changes every path
 // between two points by the same amount, so d_w(x) = d(x) - gravity_bias * (drop from the wound to x) is the
-// exact distance in that (Randers) metric. One thread at a time.
+// exact distance in that (Randers) metric. Within a triangle of the edge b is carried on below 0: cut off at the
+// vertices, the edge would move outwards, the farther the coarser the mesh. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -32,7 +33,7 @@ class BleedField {
     /// Values at `time`; nothing is computed, and the range is empty, when no source value has changed.
     Dirty update(double time) noexcept;
 
-    std::span<const float> values() const { return values_; }  ///< per organ vertex, mm
+    std::span<const float> values() const { return values_; }  ///< per organ vertex, mm; 0 or less: dry
     double area() const noexcept;                              ///< mm2 of surface above the threshold, noise aside
     int growing(double time) const noexcept;                   ///< wounds that still grow
 
@@ -49,6 +50,7 @@ class BleedField {
 
     const Surface& surface_;
     glm::dvec3 down_;
+    double longest_edge_;  // mm
     BleedingParameters parameters_;
     std::vector<Wound> wounds_;
     std::vector<Spread> spreads_;  // parallel to wounds_

@@ -1,5 +1,7 @@
 #include "bleeding/front_cpu.h"
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <queue>
 
@@ -32,58 +34,70 @@ double unfold(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, dou
     const double cy = std::sqrt(std::max(0.0, glm::dot(ac, ac) - cx * cx));
     const double sx = (da * da - db * db + length * length) / (2.0 * length);
     const double sy_squared = da * da - sx * sx;
-    if (sy_squared < 0.0 || cy <= 0.0) return along_edges;
-    const double sy = std::sqrt(sy_squared);
+    // A source on the line through ab comes out as a hair below 0; anything more is no triangle.
+    if (sy_squared < -1e-9 * da * da || cy <= 0.0) return along_edges;
+    const double sy = std::sqrt(std::max(sy_squared, 0.0));
     const double crossing = sx + (cx - sx) * sy / (sy + cy);
     if (crossing < 0.0 || crossing > length) return along_edges;
     return std::hypot(cx - sx, cy + sy);
 }
 
+/// Marching that also corrects: near a point source, and with obtuse triangles, a vertex can be met before both ends of the
+/// edge that its straight line crosses are known for good. unfold() never shrinks when a distance that goes in grows, so
+/// offers made from preliminary distances are too long at worst, and are replaced when the better ones arrive.
 class March {
   public:
-    explicit March(const Surface& surface)
-        : surface_(surface), distance_(surface.positions.size(), unreached), done_(surface.positions.size(), false) {}
+    explicit March(const Surface& surface) : surface_(surface), distance_(surface.positions.size(), unreached) {}
 
     void offer(std::uint32_t vertex, double distance) {
-        if (done_[vertex] || distance >= distance_[vertex]) return;
+        if (!(distance < distance_[vertex] - least_gain)) return;
+        if (distance_[vertex] == unreached) met_.push_back(vertex);
         distance_[vertex] = distance;
         front_.push({distance, vertex});
     }
 
     std::vector<Reached> run(double limit) {
-        std::vector<Reached> reached;
         while (!front_.empty()) {
             const auto [distance, vertex] = front_.top();
+            // Just beyond the limit there may be one end of an edge that is crossed on the way to a vertex within it.
+            if (distance > limit + longest_edge_) break;
             front_.pop();
-            if (done_[vertex] || distance > distance_[vertex]) continue;  // an older, longer offer
-            if (distance > limit) break;
-            done_[vertex] = true;
-            reached.push_back({vertex, distance});
-            for (const std::uint32_t triangle : surface_.triangles_at(vertex)) spread_over(triangle);
+            if (distance > distance_[vertex]) continue;  // an older, longer offer
+            for (const std::uint32_t triangle : surface_.triangles_at(vertex)) spread_over(triangle, vertex);
         }
+        std::vector<Reached> reached;
+        for (const std::uint32_t vertex : met_)
+            if (distance_[vertex] <= limit) reached.push_back({vertex, distance_[vertex]});
+        std::sort(reached.begin(), reached.end(), [](const Reached& a, const Reached& b) {
+            return a.distance != b.distance ? a.distance < b.distance : a.vertex < b.vertex;
+        });
         return reached;
     }
 
   private:
-    /// Offers a distance to each open corner of the triangle, from the corners that are done.
-    void spread_over(std::uint32_t triangle) {
+    static constexpr double least_gain = 1e-9;  // mm; less is rounding, and would only go in circles
+
+    /// Offers a distance to both other corners of the triangle, now that the one at `from` has changed.
+    void spread_over(std::uint32_t triangle, std::uint32_t from) {
         const auto& corners = surface_.triangles[triangle];
+        const auto& p = surface_.positions;
         for (int i = 0; i < 3; ++i) {
             const std::uint32_t c = corners[i], a = corners[(i + 1) % 3], b = corners[(i + 2) % 3];
-            if (done_[c] || (!done_[a] && !done_[b])) continue;
-            const auto& p = surface_.positions;
-            if (done_[a] && done_[b])
+            if (c == from) continue;
+            longest_edge_ = std::max(longest_edge_, glm::distance(p[from], p[c]));
+            const std::uint32_t other = a == from ? b : a;
+            if (distance_[other] < unreached)
                 offer(c, unfold(p[a], p[b], p[c], distance_[a], distance_[b]));
             else
-                offer(c,
-                      done_[a] ? distance_[a] + glm::distance(p[a], p[c]) : distance_[b] + glm::distance(p[b], p[c]));
+                offer(c, distance_[from] + glm::distance(p[from], p[c]));
         }
     }
 
     const Surface& surface_;
     std::vector<double> distance_;
-    std::vector<char> done_;
+    std::vector<std::uint32_t> met_;  // vertices with a distance, in no order
     std::priority_queue<Candidate> front_;
+    double longest_edge_ = 0.0;
 };
 
 }  // namespace

@@ -64,7 +64,7 @@ double closing_time(const ToolContact& contact, const CauteryParameters& c, glm:
     const double delay = time_to(c.coagulation_temperature, contact, c);
     const double heated = dwell(contact);
     if (delay > heated || glm::distance(tip, point) > heated_radius(heated, c) + wound_spacing) return never;
-    return contact.time + share * contact.duration + delay;
+    return contact.time + share * (contact.duration - heated) + delay;
 }
 
 }  // namespace

@@ -1,0 +1,100 @@
+#include "smoke/keying_cpu.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace lapfx::smoke {
+namespace {
+
+constexpr Keying by_luma{
+    .luma_low = 16, .luma_high = 216, .key_chroma = {0, 0}, .chroma_low = 0, .chroma_high = 0, .spill = 0, .dark = 0};
+
+/// Before a green screen.
+Keying by_chroma() {
+    Keying key = by_luma;
+    key.luma_low = -1.0f;
+    key.luma_high = 0.0f;
+    key.key_chroma = chroma({0, 255, 0});
+    key.chroma_low = 40.0f;
+    key.chroma_high = 140.0f;
+    key.spill = 1.0f;
+    return key;
+}
+
+TEST(Keying, LumaAndChromaAreThoseOfBt601) {
+    EXPECT_NEAR(luma({255, 255, 255}), 255.0f, 1e-4f);
+    EXPECT_NEAR(luma({100, 0, 0}), 29.9f, 1e-4f);
+    EXPECT_NEAR(luma({0, 100, 0}), 58.7f, 1e-4f);
+    EXPECT_NEAR(luma({0, 0, 100}), 11.4f, 1e-4f);
+    EXPECT_NEAR(chroma({128, 128, 128}).x, 0.0f, 1e-4f);
+    EXPECT_NEAR(chroma({128, 128, 128}).y, 0.0f, 1e-4f);
+    EXPECT_NEAR(chroma({0, 0, 255}).x, 127.5f, 1e-3f);  // the definition: half of full scale
+    EXPECT_NEAR(chroma({255, 0, 0}).y, 127.5f, 1e-3f);
+}
+
+TEST(Keying, LumaRampIsLinearBetweenItsThresholds) {
+    for (const auto& [grey, alpha] :
+         {std::pair{0.f, 0.f}, {16.f, 0.f}, {66.f, 0.25f}, {116.f, 0.5f}, {216.f, 1.f}, {255.f, 1.f}})
+        EXPECT_NEAR(key_alpha(glm::vec3(grey), by_luma), alpha, 1e-5f) << grey;
+}
+
+TEST(Keying, DarkPolarityKeysTheNegative) {
+    Keying key = by_luma;
+    key.dark = 1.0f;
+    for (const auto& [grey, alpha] : {std::pair{255.f, 0.f}, {239.f, 0.f}, {139.f, 0.5f}, {39.f, 1.f}, {0.f, 1.f}})
+        EXPECT_NEAR(key_alpha(glm::vec3(grey), key), alpha, 1e-5f) << grey;
+}
+
+TEST(Keying, MixedSmokeKeepsItsOpacity) {
+    // The reason why the ramps are linear: white smoke of opacity a over the key colour has alpha a.
+    Keying key = by_chroma();
+    key.chroma_low = 0.0f;
+    key.chroma_high = glm::length(key.key_chroma);
+    for (float a = 0.0f; a <= 1.0f; a += 0.125f)
+        EXPECT_NEAR(key_alpha(glm::mix(glm::vec3(0, 255, 0), glm::vec3(255), a), key), a, 1e-4f);
+}
+
+TEST(Keying, ChromaIsUnusedWithBothBoundsZero) {
+    EXPECT_NEAR(key_alpha({0, 255, 0}, by_luma), ramp(luma({0, 255, 0}), 16, 216), 1e-6f);
+}
+
+TEST(Keying, DespillTakesOutTheKeyColourOnly) {
+    Keying key = by_chroma();
+    const glm::vec2 across(-key.key_chroma.y, key.key_chroma.x);
+    const glm::vec2 spilled = 0.3f * key.key_chroma + 0.2f * across;
+    EXPECT_NEAR(glm::distance(despill(spilled, key), 0.2f * across), 0.0f, 1e-4f);
+    key.spill = 0.5f;
+    EXPECT_NEAR(glm::distance(despill(spilled, key), 0.15f * key.key_chroma + 0.2f * across), 0.0f, 1e-4f);
+    EXPECT_EQ(despill(-key.key_chroma, key), -key.key_chroma) << "the opposite colour stays";
+    EXPECT_EQ(despill({12, -5}, by_luma), glm::vec2(12, -5)) << "a grey background has no colour to take out";
+}
+
+TEST(Keying, VaryingKeepsAlphaWithinBounds) {
+    EXPECT_NEAR(vary_alpha(0.5f, 0.4f, 0.5f), 0.6f, 1e-6f);
+    EXPECT_NEAR(vary_alpha(0.5f, -0.4f, 0.5f), 0.4f, 1e-6f);
+    EXPECT_EQ(vary_alpha(0.9f, 1.0f, 1.0f), 1.0f);
+    EXPECT_EQ(vary_alpha(0.9f, -1.5f, 1.0f), 0.0f);
+    EXPECT_EQ(vary_alpha(0.3f, 0.8f, 0.0f), 0.3f);
+}
+
+TEST(Keying, WhateverAPixelHoldsAlphaIsWithinZeroAndOne) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
+    for (const Keying& key : {by_luma, by_chroma()})
+        for (const float r : {nan, infinity, -infinity, -64.0f, 0.0f, 320.0f})
+            for (const float g : {nan, infinity, -infinity, 128.0f})
+                for (const float b : {nan, infinity, -infinity, 128.0f}) {
+                    const float alpha = vary_alpha(key_alpha({r, g, b}, key), 0.5f, 0.35f);
+                    EXPECT_TRUE(alpha >= 0.0f && alpha <= 1.0f) << r << ' ' << g << ' ' << b << ": " << alpha;
+                }
+}
+
+TEST(Keying, EqualThresholdsAreAStep) {
+    Keying key = by_luma;
+    key.luma_low = key.luma_high = 100.0f;
+    EXPECT_EQ(key_alpha(glm::vec3(99.9f), key), 0.0f);
+    EXPECT_EQ(key_alpha(glm::vec3(100.1f), key), 1.0f);
+}
+
+}  // namespace
+}  // namespace lapfx::smoke
