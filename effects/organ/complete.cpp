@@ -2,7 +2,7 @@
 #include "organ/mend.h"
 #include "organ/weld.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -163,4 +163,4 @@ void complete(Organ& organ, const Missing& missing) {
     make_tangents(organ);
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

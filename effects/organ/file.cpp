@@ -5,7 +5,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace fs = std::filesystem;
 
@@ -125,4 +125,4 @@ bool decode_base64(std::string_view text, Bytes& out) {
     return true;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 #include "organ/gltf_material.h"
 #include "organ/gltf_nodes.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -154,4 +154,4 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -201,4 +201,4 @@ std::vector<std::uint32_t> read_indices(GltfDocument& document, int index, const
     return indices;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -6,7 +6,7 @@
 #include "organ/meshopt.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -266,4 +266,4 @@ std::span<const std::uint8_t> GltfDocument::image_bytes(int index, Bytes& storag
     }
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -14,7 +14,7 @@
 
 #include "organ/file.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 struct GltfDocument {
     std::string file;              ///< as faults name it
@@ -37,4 +37,4 @@ struct GltfDocument {
 GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file,
                                 const Bytes& bytes);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

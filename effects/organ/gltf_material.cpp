@@ -2,7 +2,7 @@
 
 #include "organ/image.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -171,4 +171,4 @@ std::vector<UvUse> read_materials(GltfDocument& document, RawOrgan& organ) {
     return uses;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -118,4 +118,4 @@ std::vector<MeshInstance> mesh_instances(const GltfDocument& document) {
     return instances;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

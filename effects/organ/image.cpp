@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -62,4 +62,4 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
     return {};
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -91,4 +91,4 @@ bool image_size(File file, ImageSize& size) {
     return false;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include "organ/weld.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -238,4 +238,4 @@ Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing) {
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -103,4 +103,4 @@ Bytes decode_meshopt(const GltfDocument& document, const tinygltf::Value& extens
     return out;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

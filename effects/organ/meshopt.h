@@ -6,7 +6,7 @@
 
 #include "organ/gltf_document.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// `length` bytes at `offset` of a buffer. Throws Error when they are not there.
 std::span<const std::uint8_t> bytes_of(const GltfDocument& document, int buffer, std::size_t offset,
@@ -16,4 +16,4 @@ std::span<const std::uint8_t> bytes_of(const GltfDocument& document, int buffer,
 Bytes decode_meshopt(const GltfDocument& document, const tinygltf::Value& extension,
                      const std::string& place);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -7,7 +7,7 @@
 #include "organ/image.h"
 #include "organ/soup.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace fs = std::filesystem;
 
@@ -166,4 +166,4 @@ void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder,
     }
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

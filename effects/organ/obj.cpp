@@ -6,7 +6,7 @@
 #include "organ/obj_text.h"
 #include "organ/openmesh_reader.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -78,4 +78,4 @@ RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, co
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

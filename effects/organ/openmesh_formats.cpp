@@ -4,7 +4,7 @@
 
 #include "organ/openmesh_reader.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -113,4 +113,4 @@ RawOrgan read_off(const std::string& file, const Bytes& bytes) {
     return organ_of(soup);
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

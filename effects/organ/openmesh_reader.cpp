@@ -8,7 +8,7 @@
 #include <mutex>
 #include <sstream>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -177,4 +177,4 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     return true;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

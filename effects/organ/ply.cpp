@@ -7,7 +7,7 @@
 #include "organ/ply_header.h"
 #include "organ/soup.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -279,4 +279,4 @@ RawOrgan read_ply(const std::string& file, const Bytes& bytes) {
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -156,4 +156,4 @@ PlyHeader read_ply_header(const std::string& file, std::string_view text) {
     return HeaderReader(file, text).read();
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

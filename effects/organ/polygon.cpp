@@ -1,6 +1,6 @@
 #include "organ/polygon.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -80,4 +80,4 @@ void triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& ou
     for (std::uint32_t i = 2; i < ring.size(); ++i) out.insert(out.end(), {0u, i - 1, i});
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

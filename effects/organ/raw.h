@@ -9,7 +9,7 @@
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// More than this is refused: such a file is no organ, and would take the machine down with it.
 constexpr std::size_t maximum_triangles = 20'000'000;
@@ -47,4 +47,4 @@ std::string counted(std::size_t count, const char* one, const char* many);
     throw Error(Failure::bad_input, Fault{file, place, reason});
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

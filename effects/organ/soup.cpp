@@ -2,7 +2,7 @@
 
 #include "organ/polygon.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -114,4 +114,4 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
     return parts;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -5,7 +5,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// Corners without texture coordinates have this u.
 constexpr float no_uv = std::numeric_limits<float>::quiet_NaN();
@@ -31,4 +31,4 @@ glm::vec4 linear_color(const glm::vec4& srgb);
 /// are those of the parts. Vertices that no face uses stay in the first part, so that they are counted later.
 std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

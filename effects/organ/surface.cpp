@@ -72,7 +72,7 @@ double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dve
 }  // namespace
 
 Surface::Surface(const Organ& organ) {
-    mesh::Weld welded = mesh::weld_positions(organ.positions);
+    organ::Weld welded = organ::weld_positions(organ.positions);
     weld = std::move(welded.point);
     positions.resize(welded.points);
     for (std::size_t v = 0; v < weld.size(); ++v) positions[weld[v]] = glm::dvec3(organ.positions[v]);

@@ -20,7 +20,7 @@ TEST(ReadPreset, EmptyDocumentTakesAllDefaults) {
 }
 
 TEST(ReadPreset, ReadsValuesOfEveryKind) {
-    const Preset preset = parse_preset(preset_text(R"(, "name": "Öl", "vessels": {},
+    const Preset preset = parse_preset(preset_text(R"(, "name": "\u00d6l", "vessels": {},
         "bleeding": {"speed": 6, "noise_octaves": 2.0, "color_thin": "#FF8000", "color_deep": [0, 0.5, 1]},
         "smoke": {"clips": [{"file": "a.mp4", "role": "haze", "polarity": "dark", "weight": 0.5}]})"),
                                        "p.json");

@@ -29,7 +29,7 @@ TEST_P(ShippedPreset, LoadsAndIsWrittenAsItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedPreset,
-                         testing::Values("slow_ooze.json", "brisk_bleed.json", "hook_cautery_plume.json",
+                         testing::Values("gastric_banding.json", "slow_ooze.json", "brisk_bleed.json", "hook_cautery_plume.json",
                                          "heavy_haze.json"),
                          [](const auto& test) {
                              const std::string name = test.param;
@@ -40,7 +40,7 @@ TEST(ShippedPresets, AreAllTested) {
     int presets = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(LAPFX_SOURCE_DIR) / "presets"))
         if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema") ++presets;
-    EXPECT_EQ(presets, 4);
+    EXPECT_EQ(presets, 5);
 }
 
 TEST(SavePreset, LoadsAgainFromItsFolder) {
