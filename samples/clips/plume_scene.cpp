@@ -37,7 +37,7 @@ struct PlumeNumbers {
     float fade_high = 1.3f;   ///< 1/s near the top
     float erosion = 0.03f;    ///< density/s taken from everywhere: thins edges into wisps
     LightSettings light;
-    float extinction = 85.0f;  ///< 1/H
+    float extinction = 130.0f;  ///< 1/H
 };
 
 class PlumeScene : public Scene {
