@@ -10,8 +10,8 @@ namespace lapfx::commands {
 namespace {
 
 void row(const char* name, const std::string& value) {
-    std::cout << "  " << name << std::string(20 - std::min<std::size_t>(std::string_view(name).size(), 19), ' ') << value
-              << '\n';
+    std::cout << "  " << name << std::string(20 - std::min<std::size_t>(std::string_view(name).size(), 19), ' ')
+              << value << '\n';
 }
 
 void show_preset(const Preset& preset) {

@@ -34,7 +34,6 @@ struct GltfDocument {
 
 /// Throws Error: no glTF, malformed JSON, a version other than 2, a missing buffer, a required extension that
 /// is not read (each named).
-GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file,
-                                const Bytes& bytes);
+GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
 }  // namespace lapfx::organ

@@ -38,8 +38,7 @@ Format format_of(const std::filesystem::path& path, const Bytes& bytes) {
     return Format::unknown;
 }
 
-organ::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file,
-                    const Bytes& bytes) {
+organ::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
     switch (format) {
         case Format::gltf:
             if (lower_extension(path) == ".glb" && !starts(bytes, "glTF"))

@@ -42,8 +42,7 @@ void transform(RawPart& part, const glm::dmat4& matrix);
 std::string counted(std::size_t count, const char* one, const char* many);
 
 /// The error of every reader: the file has to change.
-[[noreturn]] inline void refuse(const std::string& file, const std::string& place,
-                                const std::string& reason) {
+[[noreturn]] inline void refuse(const std::string& file, const std::string& place, const std::string& reason) {
     throw Error(Failure::bad_input, Fault{file, place, reason});
 }
 

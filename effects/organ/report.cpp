@@ -72,8 +72,8 @@ std::string size_warning(double longest, double scale) {
         if (distance(factor) < distance(best)) best = factor;
     const bool fits = longest * best >= shortest_organ && longest * best <= longest_organ;
     return "its longest side is " + number(longest) + " mm, which is no size of an organ" +
-           (fits ? "; is the unit wrong? scale " + number(scale * best) + " would make it " +
-                       number(longest * best) + " mm"
+           (fits ? "; is the unit wrong? scale " + number(scale * best) + " would make it " + number(longest * best) +
+                       " mm"
                  : "");
 }
 

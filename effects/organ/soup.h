@@ -16,7 +16,7 @@ struct Soup {
     std::vector<glm::vec4> colors;   ///< empty or one per position; linear
     std::vector<glm::vec2> uvs;      ///< empty or one per position; v up, as these formats have it
 
-    std::vector<std::uint32_t> corners;  ///< positions of all faces, one after the other; may be out of range
+    std::vector<std::uint32_t> corners;    ///< positions of all faces, one after the other; may be out of range
     std::vector<std::uint32_t> first{0};   ///< where each face starts in `corners`, and the end
     std::vector<glm::vec2> corner_uvs;     ///< empty or one per corner; v up
     std::vector<std::uint32_t> face_part;  ///< empty (one part) or the part of each face

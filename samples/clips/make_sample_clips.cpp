@@ -87,13 +87,11 @@ void film(Scene& scene, const Options& options, const Take& take,
 
 void make_plume(const Options& options) {
     const auto scene = make_thick_plume(scene_options(options, plume_take, 0));
-    Encoder on_black(options.output / "plume_thick.mp4", width, height, fps,
-                     "-crf 16 -preset slow -aq-mode 3");
+    Encoder on_black(options.output / "plume_thick.mp4", width, height, fps, "-crf 16 -preset slow -aq-mode 3");
     // Few bits, no deblocking, sensor noise left in: the poor recording that keying has to cope with.
     Encoder on_green(options.output / "plume_green.mp4", width, height, fps,
                      "-crf 26 -preset medium -tune grain -x264-params no-deblock=1");
-    Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps,
-                  "-crf 15 -preset slow -aq-mode 3");
+    Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps, "-crf 15 -preset slow -aq-mode 3");
     film(*scene, options, plume_take, [&](int frame, const Picture& picture) {
         on_black.write(over(picture, black));
         RgbFrame green = over(picture, studio_green);
