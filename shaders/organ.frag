@@ -125,7 +125,9 @@ void main() {
     tissue.film_normal = film_normal(geometric, tissue.normal);
     tissue.roughness = clamp(sqrt(u_roughness * u_roughness + spread), 0.08, 1.0);
     tissue.wetness = 1.0;
-    add_char(tissue);
-    add_blood(tissue, geometric);
+    if (u_tissue == 1) {  // the blood block is bound for tissue only
+        add_char(tissue);
+        add_blood(tissue, geometric);
+    }
     o_color = vec4(shade(tissue, geometric), 1.0);
 }

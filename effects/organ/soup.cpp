@@ -2,7 +2,7 @@
 
 #include "organ/polygon.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -42,6 +42,7 @@ class PartBuilder {
         if (!soup_.normals.empty()) part_.normals.push_back(soup_.normals[position]);
         if (!soup_.colors.empty()) part_.colors.push_back(soup_.colors[position]);
         next_copy_.push_back(first_copy_[position]);
+        sources_.push_back(position);
         first_copy_[position] = copy;
         return copy;
     }
@@ -65,7 +66,10 @@ class PartBuilder {
         for (const std::uint32_t i : local_) part_.indices.push_back(whole ? vertices_[i] : none);
     }
 
+    /// Leaves first_copy as it was found: clearing all of it for each of many small parts would take for
+    /// ever.
     void finish() {
+        for (const std::uint32_t position : sources_) first_copy_[position] = none;
         if (!any_uv_) part_.uvs.clear();
     }
 
@@ -74,6 +78,7 @@ class PartBuilder {
     RawPart& part_;
     std::vector<std::uint32_t>& first_copy_;  ///< soup position to part vertex
     std::vector<std::uint32_t> next_copy_;    ///< part vertex to the next one at the same position
+    std::vector<std::uint32_t> sources_;      ///< soup position of each part vertex
     std::vector<glm::vec3> ring_;
     std::vector<std::uint32_t> vertices_, local_;
     bool any_uv_ = false;
@@ -92,13 +97,12 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
     if (parts.empty()) parts.emplace_back();
     std::vector<std::vector<std::uint32_t>> faces_of(parts.size());
     for (std::size_t face = 0; face < soup.faces(); ++face)
-        faces_of[soup.face_part.empty() ? 0 : soup.face_part[face]].push_back(
-            static_cast<std::uint32_t>(face));
+        faces_of[soup.face_part.empty() ? 0 : soup.face_part[face]].push_back(static_cast<std::uint32_t>(face));
     std::vector<char> used(soup.positions.size(), 0);
     for (const std::uint32_t corner : soup.corners)
         if (corner < used.size()) used[corner] = 1;
+    std::vector<std::uint32_t> first_copy(soup.positions.size(), none);
     for (std::size_t p = 0; p < parts.size(); ++p) {
-        std::vector<std::uint32_t> first_copy(soup.positions.size(), none);
         PartBuilder builder(soup, parts[p], first_copy);
         for (const std::uint32_t face : faces_of[p]) builder.add_face(face);
         if (p == 0)
@@ -109,4 +113,4 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
     return parts;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

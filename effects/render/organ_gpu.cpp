@@ -51,15 +51,13 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
 
 void OrganGpu::upload_textures(const Organ& organ) {
     // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice.
-    textures_.reserve(organ.materials.size() * 2);
-    std::vector<const gl::Texture*> color(organ.images.size()), normal(organ.images.size());
-    const auto texture = [&](int image, std::vector<const gl::Texture*>& known, GLenum format,
-                             const gl::Texture& none) -> const gl::Texture* {
-        if (image < 0) return &none;
+    std::vector<GLuint> color(organ.images.size(), 0), normal(organ.images.size(), 0);
+    const auto texture = [&](int image, std::vector<GLuint>& known, GLenum format, const gl::Texture& none) {
+        if (image < 0) return none.name();
         const auto i = static_cast<std::size_t>(image);
-        if (known[i] == nullptr) {
+        if (known[i] == 0) {
             textures_.push_back(upload(organ.images[i], format));
-            known[i] = &textures_.back();
+            known[i] = textures_.back().name();
         }
         return known[i];
     };
@@ -93,8 +91,8 @@ void OrganGpu::draw_part(const Part& part) const noexcept {
     // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never culled.
     const bool cull = !tissue_ && !material.double_sided;
     cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
-    glBindTextureUnit(0, material.base_color->name());
-    glBindTextureUnit(1, material.normal_map->name());
+    glBindTextureUnit(0, material.base_color);
+    glBindTextureUnit(1, material.normal_map);
     program_.set("u_base_factor", material.factor);
     program_.set("u_roughness", material.roughness);
     program_.set("u_normal_scale", material.normal_scale);

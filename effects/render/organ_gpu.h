@@ -21,8 +21,7 @@ class OrganGpu {
 
   private:
     struct Material {
-        const gl::Texture* base_color;
-        const gl::Texture* normal_map;
+        GLuint base_color, normal_map;  ///< textures' names, which a move of this object leaves as they are
         glm::vec4 factor;
         float roughness, normal_scale;
         bool double_sided;

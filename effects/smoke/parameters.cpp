@@ -22,7 +22,8 @@
 //   lingers. Rise 6 mm/s: warm smoke under gas at rest.
 // - haze 0.12 per second against 0.05 per second: ten seconds of cautery veil the view, and it clears in half a minute.
 // - colours and extinction: haze over a dark cavity measures 96, 83, 99 (8-bit sRGB) against 43, 1, 3 without: it adds
-//   about 55, 82, 96, bluish grey. Red passes more than blue, so extinction rises from red to blue.
+//   about 55, 82, 96, bluish grey before a red cavity. The smoke itself is lit by lamp and tissue, a warm grey of 96, 83, 99
+//   where nothing shows through. Red passes more than blue, so extinction rises from red to blue.
 #include "preset/tables.h"
 
 namespace lapfx::preset {

@@ -43,13 +43,16 @@ Advector::Advector(const Field& lattice)
       from_(guess_.values.size()),
       active_(lattice.size) {}
 
-void Advector::trace(const Velocity& velocity, float dt) {
+void Advector::trace(const Flow& flow, float dt, const SmallEddies& eddies) {
     for_slabs(guess_.size.z, [&](int begin, int end) {
         active_.runs(begin, end, [&](int i_begin, int i_end, int j, int k) {
             for (int i = i_begin; i < i_end; ++i) {
                 const glm::vec3 x = guess_.position(i, j, k);
-                const glm::vec3 middle = x - 0.5f * dt * velocity.sample(x);
-                from_[guess_.index(i, j, k)] = x - dt * velocity.sample(middle);
+                const glm::vec3 start = flow.sample(x);
+                glm::vec3 speed = flow.sample(x - 0.5f * dt * start);
+                if (eddies.tile)
+                    speed += eddies.share * glm::length(start) * eddies.tile->sample(x * eddies.scale + eddies.drift);
+                from_[guess_.index(i, j, k)] = x - dt * speed;
             }
         });
     });

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "field.h"
+#include "noise.h"
 
 namespace clips {
 
@@ -41,6 +42,15 @@ class ActiveBlocks {
     std::vector<std::uint8_t> blocks_;
 };
 
+/// Swirls smaller than the velocity grid can carry, seen by density only. As strong as a share of the local
+/// speed: a plain form of wavelet turbulence (Kim, Thuerey, James and Gross 2008).
+struct SmallEddies {
+    const TurbulenceTile* tile = nullptr;
+    float scale = 0.0f;     ///< tiles per cell
+    glm::vec3 drift{0.0f};  ///< tiles
+    float share = 0.0f;     ///< of the local speed
+};
+
 /// Advects fields that share one lattice along one velocity. Keeps its buffers from step to step.
 class Advector {
   public:
@@ -49,7 +59,7 @@ class Advector {
     ActiveBlocks& active() { return active_; }
 
     /// Follows the flow back over `dt` seconds from every active sample: second-order Runge-Kutta.
-    void trace(const Velocity& velocity, float dt);
+    void trace(const Flow& flow, float dt, const SmallEddies& eddies = {});
 
     /// Moves one field along the traced paths. Values outside the active blocks become 0.
     void advect(Field& field);

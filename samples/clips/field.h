@@ -20,10 +20,7 @@ struct Field {
 
     Field() = default;
     Field(glm::ivec3 samples, glm::vec3 first, float step)
-        : size(samples),
-          origin(first),
-          spacing(step),
-          values(std::size_t(samples.x) * samples.y * samples.z, 0.0f) {}
+        : size(samples), origin(first), spacing(step), values(std::size_t(samples.x) * samples.y * samples.z, 0.0f) {}
 
     std::size_t index(int i, int j, int k) const { return (std::size_t(k) * size.y + j) * size.x + i; }
     float& at(int i, int j, int k) { return values[index(i, j, k)]; }
@@ -80,13 +77,44 @@ struct Velocity {
           v(n + glm::ivec3(0, 1, 0), {0.5f, 0.0f, 0.5f}, 1.0f),
           w(n + glm::ivec3(0, 0, 1), {0.5f, 0.5f, 0.0f}, 1.0f) {}
 
-    glm::vec3 sample(glm::vec3 position) const {
-        return {u.sample(position), v.sample(position), w.sample(position)};
-    }
     glm::vec3 at_cell(int i, int j, int k) const {
         return 0.5f * glm::vec3(u.at(i, j, k) + u.at(i + 1, j, k), v.at(i, j, k) + v.at(i, j + 1, k),
                                 w.at(i, j, k) + w.at(i, j, k + 1));
     }
+};
+
+/// The same velocity gathered at cell centres: one interpolation instead of three where paths are traced. The
+/// fourth component is padding, so that a sample is one vector register.
+class Flow {
+  public:
+    explicit Flow(glm::ivec3 cells) : cells_(cells), values_(std::size_t(cells.x) * cells.y * cells.z) {}
+
+    void gather(const Velocity& velocity, int k_begin, int k_end) {
+        for (int k = k_begin; k < k_end; ++k)
+            for (int j = 0; j < cells_.y; ++j)
+                for (int i = 0; i < cells_.x; ++i) values_[index(i, j, k)] = glm::vec4(velocity.at_cell(i, j, k), 0.0f);
+    }
+
+    glm::vec3 sample(glm::vec3 p) const {
+        const float x = std::clamp(p.x - 0.5f, 0.0f, float(cells_.x) - 1.001f);
+        const float y = std::clamp(p.y - 0.5f, 0.0f, float(cells_.y) - 1.001f);
+        const float z = std::clamp(p.z - 0.5f, 0.0f, float(cells_.z) - 1.001f);
+        const int i = int(x), j = int(y), k = int(z);
+        const float fx = x - float(i), fy = y - float(j), fz = z - float(k);
+        const glm::vec4* a = values_.data() + index(i, j, k);
+        const glm::vec4* b = a + cells_.x;
+        const glm::vec4* c = a + std::size_t(cells_.x) * cells_.y;
+        const glm::vec4* d = c + cells_.x;
+        const glm::vec4 near = (a[0] * (1 - fx) + a[1] * fx) * (1 - fy) + (b[0] * (1 - fx) + b[1] * fx) * fy;
+        const glm::vec4 far = (c[0] * (1 - fx) + c[1] * fx) * (1 - fy) + (d[0] * (1 - fx) + d[1] * fx) * fy;
+        return glm::vec3(near * (1 - fz) + far * fz);
+    }
+
+  private:
+    std::size_t index(int i, int j, int k) const { return (std::size_t(k) * cells_.y + j) * cells_.x + i; }
+
+    glm::ivec3 cells_;
+    std::vector<glm::vec4> values_;
 };
 
 }  // namespace clips

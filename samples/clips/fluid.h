@@ -18,6 +18,7 @@ struct FluidSettings {
     float lift = 0.0f;         ///< cells/s^2 per unit of temperature
     float weight = 0.0f;       ///< cells/s^2 per unit of density
     float confinement = 0.0f;  ///< 1/s
+    float viscosity = 0.0f;    ///< cells^2/s
     float drag = 0.1f;         ///< 1/s
     float cooling = 1.0f;      ///< 1/s
     int pressure_cycles = 3;
@@ -31,19 +32,23 @@ class Fluid {
     const FluidSettings& settings() const { return settings_; }
 
     /// Moves smoke, heat and the flow itself along the flow.
-    void advect(float dt);
+    void advect(float dt, const SmallEddies& eddies);
     /// Adds buoyancy and confinement to what `forces` holds, applies all, and projects.
     void push(Forces& forces, float dt);
 
     Velocity velocity;
     Field temperature;
     Field density;
+    Field expansion;  ///< 1/s, at cell centres: heated gas takes more room; set anew for each step
 
   private:
     float fastest() const;
+    void diffuse(Field& component, float amount);
 
     FluidSettings settings_;
     Projection projection_;
+    Flow flow_;
+    std::vector<float> scratch_;
     Advector move_u_, move_v_, move_w_, move_temperature_, move_density_;
 };
 

@@ -51,8 +51,7 @@ void Forces::add_confinement(const Velocity& velocity, float strength) {
         vorticity_[index(i, j, k)] = glm::vec4(curl, glm::length(curl));
     });
     for_cells(cells_, [&](int i, int j, int k) {
-        if (glm::any(glm::equal(glm::ivec3(i, j, k), glm::ivec3(0))) ||
-            glm::any(glm::equal(glm::ivec3(i, j, k), last)))
+        if (glm::any(glm::equal(glm::ivec3(i, j, k), glm::ivec3(0))) || glm::any(glm::equal(glm::ivec3(i, j, k), last)))
             return;
         const auto size = [&](int a, int b, int c) { return vorticity_[index(a, b, c)].w; };
         const glm::vec3 uphill(size(i + 1, j, k) - size(i - 1, j, k), size(i, j + 1, k) - size(i, j - 1, k),
@@ -63,10 +62,10 @@ void Forces::add_confinement(const Velocity& velocity, float strength) {
 }
 
 void Forces::add_turbulence(const TurbulenceTile& tile, float scale, glm::vec3 drift, float strength,
-                            const Field* where) {
+                            const Field* where, float gain) {
     for_cells(cells_, [&](int i, int j, int k) {
         const glm::vec3 x = centre(i, j, k);
-        const float weight = where ? std::min(1.0f, where->sample(x)) : 1.0f;
+        const float weight = where ? std::min(1.0f, gain * where->sample(x)) : 1.0f;
         if (weight < 1e-3f) return;
         // The second tile is turned by swapping axes, so that the two never line up.
         const glm::vec3 a = tile.sample(x * scale + drift);

@@ -8,8 +8,8 @@
 namespace clips {
 namespace {
 
-constexpr float refresh_rate = 0.45f;  ///< 1/s, how fast density is drawn back to the drifting unevenness
-constexpr float margin = 0.1f;         ///< of the box's height on every side of the picture, against inflow
+constexpr float refresh_rate = 0.3f;  ///< 1/s, how fast density is drawn back to the drifting unevenness
+constexpr float margin = 0.1f;        ///< of the box's height on every side of the picture, against inflow
 
 class HazeScene : public Scene {
   public:
@@ -17,7 +17,7 @@ class HazeScene : public Scene {
         : options_(options),
           h_(float(options.cells_high)),
           cells_(options.cells_high * 3 / 2, options.cells_high, options.cells_high / 3),
-          tile_(2, 3, 0.5f, hash(options.seed, 11)) {
+          tile_(2, 4, 0.6f, hash(options.seed, 11)) {
         cells_ = (cells_ + 15) / 16 * 16;
     }
 
@@ -32,7 +32,7 @@ class HazeScene : public Scene {
     }
     LightSettings light() const override {
         LightSettings l;
-        l.extinction = 2.2f / h_;
+        l.extinction = 2.9f / h_;
         l.shadow = 0.6f;
         l.direct = 0.7f;
         l.ambient = 0.2f;
@@ -51,7 +51,7 @@ class HazeScene : public Scene {
     }
     void stir(const Fluid&, Forces& forces, float time) override {
         const float turn = time / options_.length;
-        forces.add_turbulence(tile_, 1.0f / (1.3f * h_), {turn, 0.0f, -turn}, 0.06f * h_, nullptr);
+        forces.add_turbulence(tile_, 1.0f / (0.9f * h_), {turn, 0.0f, -turn}, 0.16f * h_, nullptr);
     }
 
   private:
@@ -77,7 +77,7 @@ void HazeScene::refresh(Field& density, float time, float share) const {
             for (int j = 0; j < coarse.size.y; ++j)
                 for (int i = 0; i < coarse.size.x; ++i) {
                     const glm::vec3 p = coarse.position(i, j, k) * (3.0f / h_) + drift;
-                    const float n = fractal3(p, period, 3, 0.55f, hash(options_.seed, 12));
+                    const float n = fractal3(p, period, 3, 0.5f, hash(options_.seed, 12));
                     coarse.at(i, j, k) = glm::smoothstep(-0.55f, 0.75f, n);
                 }
     });

@@ -1,6 +1,6 @@
 // Makes the sample clips: solves smoke in 3-D and films it.
 //
-//     make_sample_clips --output samples/clips            all clips, about a quarter of an hour of one core
+//     make_sample_clips --output samples/clips            all clips, about ten minutes of one core
 //     make_sample_clips --output /tmp/clips --quick       a coarse grid and few frames, for tests
 //     make_sample_clips --output /tmp/clips --only haze_rolling --cells 64
 //
@@ -31,31 +31,49 @@ struct Options {
     std::uint32_t seed = 2010;
     int cells = 0;
     int threads = 0;
+    int only_frames = 0;
     bool quick = false;
     std::vector<std::string> only;
 
     bool wants(const std::string& name) const {
         return only.empty() || std::find(only.begin(), only.end(), name) != only.end();
     }
-    int frames(float seconds) const { return quick ? blend_frames + 3 : int(seconds * fps); }
+    int frames(float seconds) const {
+        return only_frames ? only_frames : quick ? blend_frames + 3 : int(seconds * fps);
+    }
     int grid(int full) const { return cells ? cells : quick ? 32 : full; }
 };
 
-/// Solves a scene and hands over its pictures as a loop. The warm-up lets smoke fill its path before the
-/// first frame.
-void film(Scene& scene, const Options& options, int frames, float warm_up, int substeps,
+/// How a scene is filmed.
+struct Take {
+    float seconds;
+    float warm_up;  ///< seconds in which smoke fills its path before the first frame
+    int cells;      ///< over the box's height
+    int substeps;   ///< per frame: 2 where smoke moves several cells a frame
+};
+constexpr Take plume_take{5.0f, 2.5f, 112, 2};
+constexpr Take wisps_take{5.0f, 4.0f, 96, 2};
+constexpr Take haze_take{6.0f, 3.0f, 80, 1};
+
+SceneOptions scene_options(const Options& options, const Take& take, std::uint32_t salt) {
+    return {options.seed + salt, options.grid(take.cells), take.seconds};
+}
+
+/// Solves a scene and hands over its pictures as a loop.
+void film(Scene& scene, const Options& options, const Take& take,
           const std::function<void(int, const Picture&)>& output) {
     Fluid fluid(scene.fluid());
     Forces forces(scene.fluid().cells);
     VolumeRenderer renderer(fluid.density, scene.light(), scene.view(), width, height);
+    const int frames = options.frames(take.seconds);
     LoopBlend loop(frames, blend_frames, output);
     scene.start(fluid);
-    const int first = -int((options.quick ? 0.3f : warm_up) * fps) - blend_frames;
-    const float dt = 1.0f / float(fps * substeps);
+    const int first = -int((options.quick ? 0.3f : take.warm_up) * fps) - blend_frames;
+    const float dt = 1.0f / float(fps * take.substeps);
     for (int frame = first; frame < frames; ++frame) {
-        for (int step = 0; step < substeps; ++step) {
-            const float time = float(frame * substeps + step) * dt;
-            fluid.advect(dt);
+        for (int step = 0; step < take.substeps; ++step) {
+            const float time = float(frame * take.substeps + step) * dt;
+            fluid.advect(dt, scene.eddies(time));
             scene.emit(fluid, time, dt);
             forces.clear();
             scene.stir(fluid, forces, time);
@@ -68,20 +86,16 @@ void film(Scene& scene, const Options& options, int frames, float warm_up, int s
 }
 
 void make_plume(const Options& options) {
-    const float seconds = 5.0f;
-    const int frames = options.frames(seconds);
-    const auto scene = make_thick_plume({options.seed, options.grid(144), seconds});
-    Encoder on_black(options.output / "plume_thick.mp4", width, height, fps,
-                     "-crf 20 -preset slower -aq-mode 3");
-    // Little bit rate and no deblocking: the noisy recording that keying has to cope with.
+    const auto scene = make_thick_plume(scene_options(options, plume_take, 0));
+    Encoder on_black(options.output / "plume_thick.mp4", width, height, fps, "-crf 16 -preset slow -aq-mode 3");
+    // Few bits, no deblocking, sensor noise left in: the poor recording that keying has to cope with.
     Encoder on_green(options.output / "plume_green.mp4", width, height, fps,
-                     "-crf 35 -preset medium -x264-params no-deblock=1");
-    Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps,
-                  "-crf 17 -preset slower -aq-mode 3");
-    film(*scene, options, frames, 2.5f, 1, [&](int frame, const Picture& picture) {
+                     "-crf 26 -preset medium -tune grain -x264-params no-deblock=1");
+    Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps, "-crf 15 -preset slow -aq-mode 3");
+    film(*scene, options, plume_take, [&](int frame, const Picture& picture) {
         on_black.write(over(picture, black));
         RgbFrame green = over(picture, studio_green);
-        add_sensor_noise(green, 2.0f, hash(options.seed, std::uint32_t(frame)));
+        add_sensor_noise(green, 5.0f, hash(options.seed, std::uint32_t(frame)));
         on_green.write(green);
         alpha.write(alpha_as_grey(picture));
     });
@@ -90,26 +104,21 @@ void make_plume(const Options& options) {
     alpha.close();
 }
 
-void make_simple(const Options& options, const std::string& name, Scene& scene, int frames, float warm_up,
-                 const std::string& quality) {
+void make_on_black(const std::string& name, Scene& scene, const Options& options, const Take& take,
+                   const std::string& quality) {
     Encoder encoder(options.output / (name + ".mp4"), width, height, fps, quality);
-    film(scene, options, frames, warm_up, 1,
-         [&](int, const Picture& picture) { encoder.write(over(picture, black)); });
+    film(scene, options, take, [&](int, const Picture& picture) { encoder.write(over(picture, black)); });
     encoder.close();
 }
 
 void make_wisps(const Options& options) {
-    const float seconds = 5.0f;
-    const auto scene = make_thin_wisps({options.seed + 1, options.grid(144), seconds});
-    make_simple(options, "wisps_thin", *scene, options.frames(seconds), 3.0f,
-                "-crf 19 -preset slower -aq-mode 3");
+    const auto scene = make_thin_wisps(scene_options(options, wisps_take, 1));
+    make_on_black("wisps_thin", *scene, options, wisps_take, "-crf 16 -preset slow -aq-mode 3");
 }
 
 void make_haze(const Options& options) {
-    const float seconds = 6.0f;
-    const auto scene = make_rolling_haze({options.seed + 2, options.grid(96), seconds});
-    make_simple(options, "haze_rolling", *scene, options.frames(seconds), 3.0f,
-                "-crf 18 -preset slower -aq-mode 3");
+    const auto scene = make_rolling_haze(scene_options(options, haze_take, 2));
+    make_on_black("haze_rolling", *scene, options, haze_take, "-crf 18 -preset slow -aq-mode 3");
 }
 
 void parse(int argc, char** argv, Options& options, CLI::App& app) {
@@ -118,6 +127,8 @@ void parse(int argc, char** argv, Options& options, CLI::App& app) {
     app.add_option("--cells", options.cells, "velocity cells over the box's height, a multiple of 16")
         ->check(CLI::Range(16, 512));
     app.add_option("--threads", options.threads, "0: all cores")->check(CLI::Range(0, 64));
+    app.add_option("--frames", options.only_frames, "length of the clips; 0: their own")
+        ->check(CLI::Range(blend_frames, 1000));
     app.add_flag("--quick", options.quick, "a coarse grid and few frames");
     app.add_option("--only", options.only, "clips to make")
         ->check(CLI::IsMember({"plume", "wisps_thin", "haze_rolling"}));

@@ -1,6 +1,5 @@
 // Smoke that rises from the tool tip: the thick plume and the thin wisps, which differ in numbers only.
 #include <cmath>
-#include <numbers>
 
 #include "noise.h"
 #include "parallel.h"
@@ -12,27 +11,33 @@ namespace {
 /// Lengths are in heights of the picture (H), times in seconds.
 struct PlumeNumbers {
     int sources = 1;
-    float radius = 0.028f;     ///< H
+    int detail = 2;            ///< density samples per cell and axis
+    float radius = 0.022f;     ///< H
     float wander = 0.01f;      ///< H, how far a source strays from the tip
     float wander_rate = 2.0f;  ///< 1/s
     float density = 1.0f;
     float heat = 1.0f;
-    float jet = 0.45f;         ///< H/s
-    float sway = 0.2f;         ///< H/s, sideways
+    float expansion = 14.0f;   ///< 1/s in the source
+    float jet = 0.4f;          ///< H/s
+    float sway = 0.3f;         ///< H/s, sideways
     float puff_rate = 2.4f;    ///< 1/s
     float puff_depth = 0.5f;   ///< 0: steady, 1: stops between puffs
     float grain = 60.0f;       ///< 1/H, lumps in the source
-    float lift = 4.0f;         ///< H/s^2
-    float cooling = 0.45f;     ///< 1/s
-    float confinement = 0.6f;  ///< 1/s
-    float stir = 0.5f;         ///< H/s^2
-    float stir_size = 0.4f;    ///< H, edge of a turbulence tile
-    int stir_lobes = 4;
-    float fade = 0.1f;       ///< 1/s near the source
-    float fade_high = 1.3f;  ///< 1/s near the top
-    float erosion = 0.02f;   ///< density/s taken from everywhere: thins edges into wisps
+    float lift = 2.2f;         ///< H/s^2
+    float cooling = 0.5f;      ///< 1/s
+    float viscosity = 4e-5f;   ///< H^2/s
+    float confinement = 0.4f;  ///< 1/s
+    float stir = 5.0f;         ///< H/s^2
+    float stir_size = 0.26f;   ///< H, edge of a turbulence tile
+    int stir_lobes = 6;
+    float stir_gain = 1.0f;   ///< 1 over the density from which on it is stirred fully
+    float eddies = 0.12f;     ///< share of the local speed
+    float eddy_size = 0.12f;  ///< H, edge of a tile
+    float fade = 0.1f;        ///< 1/s near the source
+    float fade_high = 1.3f;   ///< 1/s near the top
+    float erosion = 0.03f;    ///< density/s taken from everywhere: thins edges into wisps
     LightSettings light;
-    float extinction = 70.0f;  ///< 1/H
+    float extinction = 130.0f;  ///< 1/H
 };
 
 class PlumeScene : public Scene {
@@ -49,8 +54,10 @@ class PlumeScene : public Scene {
     FluidSettings fluid() const override {
         FluidSettings f;
         f.cells = cells_;
+        f.detail = n_.detail;
         f.lift = n_.lift * h_;
         f.confinement = n_.confinement;
+        f.viscosity = n_.viscosity * h_ * h_;
         f.cooling = n_.cooling;
         return f;
     }
@@ -71,6 +78,7 @@ class PlumeScene : public Scene {
     }
 
     void emit(Fluid& fluid, float time, float dt) override;
+    SmallEddies eddies(float time) const override;
     void stir(const Fluid& fluid, Forces& forces, float time) override;
 
   private:
@@ -104,8 +112,7 @@ float PlumeScene::wave(float time, float rate, std::uint32_t salt) const {
 PlumeScene::Source PlumeScene::source(int index, float time) const {
     const auto salt = std::uint32_t(100 * (index + 1));
     const int beats = std::max(1, int(std::lround(n_.puff_rate * options_.length)));
-    const float phase =
-        time * float(beats) / options_.length + 0.25f * wave(time, 1.2f, salt) + 0.37f * float(index);
+    const float phase = time * float(beats) / options_.length + 0.25f * wave(time, 1.2f, salt) + 0.37f * float(index);
     // Cautery comes in pulses: fast onset, slower end, each of its own strength.
     const float saw = phase - std::floor(phase);
     const float pulse = std::min(1.0f, saw / 0.15f) * std::exp(-2.2f * saw);
@@ -117,8 +124,8 @@ PlumeScene::Source PlumeScene::source(int index, float time) const {
                           wave(time, n_.wander_rate, salt + 4));
     const glm::vec3 lean(wave(time, 1.1f, salt + 5) + 0.6f * wave(time, 5.0f, salt + 6), 0.0f,
                          wave(time, 1.3f, salt + 7) + 0.6f * wave(time, 5.0f, salt + 8));
-    s.centre = glm::vec3(0.5f, 0.0f, 0.5f) * glm::vec3(cells_) + glm::vec3(0.0f, 0.085f * h_, 0.0f) +
-               n_.wander * h_ * stray;
+    s.centre =
+        glm::vec3(0.5f, 0.0f, 0.5f) * glm::vec3(cells_) + glm::vec3(0.0f, 0.085f * h_, 0.0f) + n_.wander * h_ * stray;
     s.speed = h_ * (glm::vec3(0.0f, n_.jet * (0.4f + 0.9f * s.strength), 0.0f) + n_.sway * lean);
     return s;
 }
@@ -162,6 +169,7 @@ void PlumeScene::emit_heat(Fluid& fluid, const Source& s, float time, float dt) 
         const float target = n_.heat * s.strength * lumps(s, heat.position(i, j, k), time);
         float& t = heat.at(i, j, k);
         t += share * std::max(0.0f, target - t);
+        fluid.expansion.at(i, j, k) += n_.expansion * target;
     });
 }
 
@@ -194,6 +202,7 @@ void PlumeScene::fade(Field& density, float dt) const {
 
 void PlumeScene::emit(Fluid& fluid, float time, float dt) {
     fade(fluid.density, dt);
+    std::fill(fluid.expansion.values.begin(), fluid.expansion.values.end(), 0.0f);
     for (int index = 0; index < n_.sources; ++index) {
         const Source s = source(index, time);
         emit_smoke(fluid, s, time, dt);
@@ -204,41 +213,60 @@ void PlumeScene::emit(Fluid& fluid, float time, float dt) {
     }
 }
 
+SmallEddies PlumeScene::eddies(float time) const {
+    const float rise = std::max(1.0f, std::round(0.3f * options_.length / n_.eddy_size));
+    const float turn = time / options_.length;
+    return {&tile_, 1.0f / (n_.eddy_size * h_), {2.0f * turn, -rise * turn, -turn}, n_.eddies};
+}
+
 void PlumeScene::stir(const Fluid& fluid, Forces& forces, float time) {
     // The tiles move upwards with the smoke, a whole number of times per clip.
     const float rise = std::max(1.0f, std::round(0.3f * options_.length / n_.stir_size));
     const float turn = time / options_.length;
-    forces.add_turbulence(tile_, 1.0f / (n_.stir_size * h_), {turn, -rise * turn, -turn}, n_.stir * h_,
-                          &fluid.density);
+    forces.add_turbulence(tile_, 1.0f / (n_.stir_size * h_), {turn, -rise * turn, -turn}, n_.stir * h_, &fluid.density,
+                          n_.stir_gain);
 }
 
 }  // namespace
 
 std::unique_ptr<Scene> make_thick_plume(const SceneOptions& options) {
     PlumeNumbers n;
-    n.light.shadow = 0.5f;
+    n.light.shadow = 0.65f;
+    n.light.direct = 0.95f;
+    n.light.ambient = 0.14f;
     return std::make_unique<PlumeScene>(options, n);
 }
 
 std::unique_ptr<Scene> make_thin_wisps(const SceneOptions& options) {
     PlumeNumbers n;
-    n.sources = 2;
-    n.radius = 0.014f;
-    n.wander = 0.015f;
-    n.wander_rate = 1.4f;
+    n.sources = 3;
+    n.detail = 3;
+    n.radius = 0.011f;
+    n.wander = 0.03f;
+    n.wander_rate = 1.2f;
     n.density = 0.7f;
-    n.jet = 0.25f;
-    n.sway = 0.08f;
-    n.puff_rate = 1.0f;
-    n.puff_depth = 0.5f;
-    n.lift = 3.0f;
-    n.cooling = 0.9f;
-    n.confinement = 0.4f;
-    n.stir = 0.25f;
-    n.fade = 0.2f;
-    n.erosion = 0.01f;
-    n.extinction = 45.0f;
-    n.light.direct = 0.75f;
+    n.expansion = 2.0f;
+    n.jet = 0.3f;
+    n.sway = 0.2f;
+    n.puff_rate = 0.8f;
+    n.puff_depth = 0.6f;
+    n.lift = 3.6f;
+    n.cooling = 0.5f;
+    n.confinement = 0.5f;
+    n.viscosity = 5e-5f;
+    n.stir = 1.2f;
+    n.stir_gain = 5.0f;
+    n.stir_size = 0.4f;
+    n.eddies = 0.07f;
+    n.eddy_size = 0.2f;
+    n.stir_lobes = 4;
+    n.fade = 0.03f;
+    n.fade_high = 1.0f;
+    n.erosion = 0.006f;
+    n.extinction = 80.0f;
+    n.light.shadow = 0.5f;
+    n.light.direct = 0.85f;
+    n.light.ambient = 0.15f;
     return std::make_unique<PlumeScene>(options, n);
 }
 

@@ -21,8 +21,7 @@ void for_planes(glm::ivec3 cells, const Body& body) {
 Projection::Projection(glm::ivec3 cells, Walls walls) : walls_(walls) {
     float h = 1.0f;
     for (;;) {
-        const std::size_t count =
-            std::size_t(cells.x + 2) * std::size_t(cells.y + 2) * std::size_t(cells.z + 2);
+        const std::size_t count = std::size_t(cells.x + 2) * std::size_t(cells.y + 2) * std::size_t(cells.z + 2);
         levels_.push_back(
             {cells, h * h, std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)});
         const bool halves = cells.x % 2 == 0 && cells.y % 2 == 0 && cells.z % 2 == 0;
@@ -98,8 +97,7 @@ void Projection::restrict_to(const Level& fine, Level& coarse) const {
                 for (int i = 0; i < coarse.cells.x; ++i) {
                     float sum = 0.0f;
                     for (int c = 0; c < 8; ++c)
-                        sum +=
-                            fine.residual[fine.at(2 * i + (c & 1), 2 * j + ((c >> 1) & 1), 2 * k + (c >> 2))];
+                        sum += fine.residual[fine.at(2 * i + (c & 1), 2 * j + ((c >> 1) & 1), 2 * k + (c >> 2))];
                     coarse.rhs[coarse.at(i, j, k)] = 0.125f * sum;
                 }
     });
@@ -137,7 +135,7 @@ void Projection::cycle(std::size_t index) {
     smooth(level, 2);
 }
 
-void Projection::project(Velocity& velocity, int cycles) {
+void Projection::project(Velocity& velocity, const Field& expansion, int cycles) {
     Level& top = levels_.front();
     const glm::ivec3 n = top.cells;
     if (walls_.bottom)
@@ -149,7 +147,8 @@ void Projection::project(Velocity& velocity, int cycles) {
                 for (int i = 0; i < n.x; ++i)
                     top.rhs[top.at(i, j, k)] = velocity.u.at(i + 1, j, k) - velocity.u.at(i, j, k) +
                                                velocity.v.at(i, j + 1, k) - velocity.v.at(i, j, k) +
-                                               velocity.w.at(i, j, k + 1) - velocity.w.at(i, j, k);
+                                               velocity.w.at(i, j, k + 1) - velocity.w.at(i, j, k) -
+                                               expansion.at(i, j, k);
     });
     for (int c = 0; c < cycles; ++c) cycle(0);
     set_ghosts(top, top.p);

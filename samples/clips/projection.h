@@ -17,9 +17,10 @@ class Projection {
   public:
     Projection(glm::ivec3 cells, Walls walls);
 
-    /// Subtracts the pressure gradient. Each V-cycle takes the divergence down by about a factor of 8; the
-    /// pressure of the step before is the first guess.
-    void project(Velocity& velocity, int cycles);
+    /// Subtracts the pressure gradient, so that the divergence becomes `expansion` (1/s, cell centres). Each
+    /// V-cycle takes the divergence down by about a factor of 8; the pressure of the step before is the first
+    /// guess.
+    void project(Velocity& velocity, const Field& expansion, int cycles);
 
     /// Root mean square divergence, 1/s.
     static double divergence(const Velocity& velocity);
@@ -32,8 +33,7 @@ class Projection {
         std::vector<float> p, rhs, residual;
 
         std::size_t at(int i, int j, int k) const {
-            return (std::size_t(k + 1) * std::size_t(cells.y + 2) + std::size_t(j + 1)) *
-                       std::size_t(cells.x + 2) +
+            return (std::size_t(k + 1) * std::size_t(cells.y + 2) + std::size_t(j + 1)) * std::size_t(cells.x + 2) +
                    std::size_t(i + 1);
         }
     };

@@ -31,6 +31,8 @@ class Scene {
     virtual void start(Fluid&) {}
     /// Adds smoke, heat and speed for a step, and lets smoke fade.
     virtual void emit(Fluid& fluid, float time, float dt) = 0;
+    /// Swirls too small for the grid.
+    virtual SmallEddies eddies(float) const { return {}; }
     /// Adds what stirs the flow.
     virtual void stir(const Fluid& fluid, Forces& forces, float time) = 0;
 };

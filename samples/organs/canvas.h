@@ -44,6 +44,7 @@ class Canvas {
     std::vector<std::uint8_t> normal_jpeg(int size, int quality) const;
 
   private:
+    void find_normals(const Patch& patch, const cv::Rect& box);
     void segment(const Patch& patch, const VesselNode& from, const VesselNode& to, const VesselStyle& style);
     cv::Rect texels(const Patch& patch, int margin) const;
     dvec2 patch_uv(const Patch& patch, int x, int y) const;

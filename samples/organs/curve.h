@@ -17,8 +17,7 @@ Point along(const std::vector<Point>& points, double t) {
     const double f = x - i;
     const auto point = [&](int k) {
         if (k < 0) return 2.0 * points[0] - points[1];
-        if (k > last)
-            return 2.0 * points[static_cast<std::size_t>(last)] - points[static_cast<std::size_t>(last - 1)];
+        if (k > last) return 2.0 * points[static_cast<std::size_t>(last)] - points[static_cast<std::size_t>(last - 1)];
         return points[static_cast<std::size_t>(k)];
     };
     const Point a = point(i - 1);

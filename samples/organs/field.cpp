@@ -13,11 +13,14 @@ View field_view() {
 
 namespace {
 
+constexpr dvec3 wall_centre(0.0, 0.0, 8.0);
+constexpr dvec3 wall_size(180.0, 145.0, 128.0);
+
 /// How far inside the greater omentum's rim a point of the field's plane lies, mm.
 double inside_apron(const dvec2& xy) {
-    static const std::vector<dvec2> rim = {{178, 96},  {128, 74},  {103, 50},   {88, 22},
-                                           {77, -6},   {62, -34},  {36, -60},   {0, -80},
-                                           {-40, -94}, {-84, -88}, {-124, -62}, {-186, -34}};
+    static const std::vector<dvec2> rim = {{178, 96},  {128, 74},   {103, 50},  {88, 22},   {77, -6},
+                                           {62, -34},  {36, -60},   {0, -80},   {-40, -94}, {-78, -90},
+                                           {-98, -68}, {-116, -42}, {-190, -22}};
     return -beside_line(rim, xy) + 8.0 * fbm(dvec3(xy, 0.0) * 0.035, 3, 152u);
 }
 
@@ -27,8 +30,7 @@ double inside_cardia_fat(const dvec2& xy) {
                                             {-10, -28}, {-30, -47}, {-64, -59}, {-112, -62}};
     double where = 0.0;
     const double off = std::abs(beside_line(line, xy, &where));
-    const double width =
-        glm::mix(20.0, 10.0, ramp(0.15, 0.7, where)) + 6.0 * fbm(dvec3(xy, 3.0) * 0.045, 3, 161u);
+    const double width = glm::mix(20.0, 10.0, ramp(0.15, 0.7, where)) + 6.0 * fbm(dvec3(xy, 3.0) * 0.045, 3, 161u);
     return width - off - 12.0 * ramp(0.95, 1.0, where);
 }
 
@@ -53,8 +55,7 @@ Patch stomach_shape() {
             glm::normalize(along(spine, std::min(v + 0.01, 1.0)) - along(spine, std::max(v - 0.01, 0.0)));
         const dvec3 front = glm::normalize(eye - axis * glm::dot(eye, axis));
         const dvec3 side = glm::cross(front, axis);
-        const dvec2 size =
-            along(radius, v) * std::sqrt(clamp01(1.0 - std::pow(1.0 - std::min(v / 0.22, 1.0), 2.0)));
+        const dvec2 size = along(radius, v) * std::sqrt(clamp01(1.0 - std::pow(1.0 - std::min(v / 0.22, 1.0), 2.0)));
         const double angle = (u - 0.5) * 2.0 * 2.25;
         return centre + front * (size.x * std::cos(angle)) + side * (size.y * std::sin(angle));
     });
@@ -64,8 +65,7 @@ Patch stomach_shape() {
         const double swell = 9.0 * fbm(p * 0.016, 2, 101u);
         const double dents = 3.0 * fbm(p * 0.045, 3, 102u);
         // Slack folds run along the body, deepest near the fundus.
-        const dvec3 bent =
-            dvec3(p.x * 0.030 + p.y * 0.006, p.y * 0.009, p.z * 0.012) + 0.35 * perlin3(p * 0.018, 103u);
+        const dvec3 bent = dvec3(p.x * 0.030 + p.y * 0.006, p.y * 0.009, p.z * 0.012) + 0.35 * perlin3(p * 0.018, 103u);
         const double fold = std::pow(ridges(bent, 1, 104u), 4.0);
         return swell + dents - 4.5 * fold;
     });
@@ -77,9 +77,8 @@ Patch stomach_shape() {
 }
 
 Patch liver_edge_shape() {
-    const std::vector<dvec3> edge = {{-190, -62, -26}, {-150, -46, -6}, {-114, -28, 6}, {-82, -8, 13},
-                                     {-50, 12, 12},    {-14, 26, 8},    {22, 48, -6},   {60, 66, -26},
-                                     {98, 76, -50},    {140, 86, -80}};
+    const std::vector<dvec3> edge = {{-190, -62, -26}, {-150, -46, -6}, {-114, -28, 6}, {-82, -8, 13}, {-50, 12, 12},
+                                     {-14, 26, 8},     {22, 48, -6},    {60, 66, -26},  {98, 76, -50}, {140, 86, -80}};
     // Across: x up from the edge, y towards the eye; from the top of the front over the sharp edge to the
     // underside.
     const std::vector<dvec2> section = {{150, -44}, {118, -14}, {88, 4},    {58, 13}, {34, 14.5},
@@ -88,8 +87,7 @@ Patch liver_edge_shape() {
     const dvec3 eye = field_view().toward;
     Patch patch = make_patch(78, 56, [&](double u, double v) {
         const dvec3 on = along(edge, u);
-        const dvec3 run =
-            glm::normalize(along(edge, std::min(u + 0.02, 1.0)) - along(edge, std::max(u - 0.02, 0.0)));
+        const dvec3 run = glm::normalize(along(edge, std::min(u + 0.02, 1.0)) - along(edge, std::max(u - 0.02, 0.0)));
         const dvec3 front = glm::normalize(eye - run * glm::dot(eye, run));
         const dvec3 up = glm::cross(front, run);
         const dvec2 across = along(section, v);
@@ -99,14 +97,12 @@ Patch liver_edge_shape() {
     });
     for (int row = 0; row < patch.rows; ++row) {
         const double across = along(section, static_cast<double>(row) / (patch.rows - 1)).x;
-        for (int column = 0; column < patch.columns; ++column)
-            patch.at(column, row).mask = ramp(11.0, 0.0, across);
+        for (int column = 0; column < patch.columns; ++column) patch.at(column, row).mask = ramp(11.0, 0.0, across);
     }
     displace(patch, [](const Vertex& at) {
         const dvec3& p = at.rest;
         const double slack = 1.0 - 0.8 * at.mask;
-        return slack * (7.0 * fbm(p * 0.013, 2, 121u) + 3.0 * fbm(p * 0.035, 2, 123u)) +
-               0.8 * fbm(p * 0.07, 3, 122u);
+        return slack * (7.0 * fbm(p * 0.013, 2, 121u) + 3.0 * fbm(p * 0.035, 2, 123u)) + 0.8 * fbm(p * 0.07, 3, 122u);
     });
     return patch;
 }
@@ -120,13 +116,11 @@ Patch lesser_omentum_shape() {
         const double x = glm::mix(-185.0, right, u);
         const double from_right = right - x;
         const double taut = -15.0 - 0.02 * from_right * ramp(0.0, 60.0, from_right);
-        const double sag =
-            -25.0 * std::sin(pi * clamp01(from_right / 170.0)) * (0.6 + 0.4 * std::sin(pi * v));
+        const double sag = -25.0 * std::sin(pi * clamp01(from_right / 170.0)) * (0.6 + 0.4 * std::sin(pi * v));
         // The oesophagus lifts the membrane on its way to the hiatus.
         const double off = x - (6.0 - 0.34 * (y - 10.0));
         const double gullet = 13.0 * std::exp(-off * off / 120.0) * ramp(-14.0, 16.0, y);
-        const double back = -0.35 * std::max(0.0, y - 18.0) -
-                            0.95 * std::max(0.0, x - 22.0) * ramp(24.0, 60.0, y) -
+        const double back = -0.35 * std::max(0.0, y - 18.0) - 0.95 * std::max(0.0, x - 22.0) * ramp(24.0, 60.0, y) -
                             0.18 * std::max(0.0, -y - 50.0);
         return dvec3(x, y, taut + sag + gullet + back);
     });
@@ -155,8 +149,7 @@ Patch wall_shape() {
         const double r = glm::length(disc);
         const double polar = 2.25 * r;
         const dvec2 around = r > 1e-9 ? disc / r : dvec2(0.0);
-        return dvec3(180.0 * std::sin(polar) * around.x, 145.0 * std::sin(polar) * around.y,
-                     8.0 - 128.0 * std::cos(polar));
+        return wall_centre + wall_size * dvec3(std::sin(polar) * around, -std::cos(polar));
     });
     displace(patch, [](const Vertex& at) {
         const dvec3& p = at.rest;
@@ -189,8 +182,9 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
         const double fullness = ramp(-2.0, 0.7 * rise, depth);
         const double large = lobules(vertex.rest, 25.0, 151u).height;
         const double middle = lobules(vertex.rest, 11.5, 401u).height;
-        const double swell =
-            7.0 * (large - 0.45) + 5.0 * (middle - 0.45) + 4.0 * fbm(vertex.rest * 0.03, 2, 153u);
+        const double swell = 7.0 * (large - 0.45) + 5.0 * (middle - 0.45) +
+                             1.3 * (lobules(vertex.rest, 5.5, 402u).height - 0.45) +
+                             4.0 * fbm(vertex.rest * 0.03, 2, 153u);
         thickness.push_back(-4.5 + (full + 4.5) * ramp(-4.0, rise, depth) + fullness * swell);
         vertex.mask = ramp(-1.0, 0.5 * full, thickness.back());
     }
@@ -200,11 +194,13 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
         const dvec3 out = glm::normalize(vertex.normal + 1.1 * field_view().toward);
         vertex.position += out * std::max(thickness[next++], -5.0);
     }
-    update_normals(patch);
+    relax(patch, 2);
     for (std::size_t i = 0; i < patch.vertices.size(); ++i) {
         const dvec3 seen = field_view().seen(patch.vertices[i].position);
-        patch.hidden[i] = seen.z < ground.bare.at({seen.x, seen.y}) - 1.5;
+        const dvec3 in_wall = (patch.vertices[i].position - wall_centre) / wall_size;
+        patch.hidden[i] = seen.z < ground.bare.at({seen.x, seen.y}) - 1.5 || glm::length(in_wall) > 1.1;
     }
+    hide_islands(patch);
     return patch;
 }
 
@@ -213,17 +209,17 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
 Patch bed_shape() {
     return make_patch(60, 60, [](double u, double v) {
         const dvec2 xy(glm::mix(-215.0, 215.0, u), glm::mix(215.0, -215.0, v));
-        const double back = 0.8 * std::max(0.0, xy.y - 42.0) + 0.15 * std::max(0.0, -xy.x - 60.0);
+        const double back = 1.5 * std::max(0.0, xy.y - 42.0) + 0.15 * std::max(0.0, -xy.x - 60.0);
         return field_view().place(xy, -50.0 - back + 9.0 * fbm(dvec3(xy * 0.014, 0.0), 2, 171u));
     });
 }
 
 Patch apron_shape(const Ground& ground) {
-    return lay_fat(ground, {-170, -150}, {196, 130}, 140, 108, inside_apron, 10.0, 26.0);
+    return lay_fat(ground, {-170, -150}, {196, 112}, 140, 104, inside_apron, 10.0, 26.0);
 }
 
 Patch cardia_fat_shape(const Ground& ground) {
-    return lay_fat(ground, {-112, -98}, {54, 72}, 100, 104, inside_cardia_fat, 7.0, 15.0);
+    return lay_fat(ground, {-112, -98}, {54, 72}, 138, 142, inside_cardia_fat, 7.0, 15.0);
 }
 
 }  // namespace organs

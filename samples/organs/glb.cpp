@@ -37,8 +37,7 @@ int add_accessor(tinygltf::Model& model, int view, int component, int type, std:
 }
 
 int add_floats(tinygltf::Model& model, const std::vector<float>& values, int type, std::size_t width) {
-    const int view =
-        add_view(model, values.data(), values.size() * sizeof(float), TINYGLTF_TARGET_ARRAY_BUFFER);
+    const int view = add_view(model, values.data(), values.size() * sizeof(float), TINYGLTF_TARGET_ARRAY_BUFFER);
     return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_FLOAT, type, values.size() / width);
 }
 
@@ -85,9 +84,8 @@ int add_colors(tinygltf::Model& model, const std::vector<double>& light) {
     std::vector<std::uint16_t> values;
     const auto code = [](double x) { return static_cast<std::uint16_t>(std::lround(clamp01(x) * 65535.0)); };
     for (const double open : light) {
-        const double red = std::pow(open, 0.8);
-        const double rest = std::pow(open, 1.25);
-        values.insert(values.end(), {code(red), code(rest), code(rest), 65535});
+        values.insert(values.end(),
+                      {code(std::pow(open, 0.7)), code(std::pow(open, 1.35)), code(std::pow(open, 1.5)), 65535});
     }
     const int view = add_view(model, values.data(), values.size() * 2, TINYGLTF_TARGET_ARRAY_BUFFER);
     const int accessor =
@@ -98,15 +96,14 @@ int add_colors(tinygltf::Model& model, const std::vector<double>& light) {
 
 int add_indices(tinygltf::Model& model, const Mesh& mesh) {
     if (mesh.positions.size() > 65535) {
-        const int view = add_view(model, mesh.indices.data(), mesh.indices.size() * 4,
-                                  TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
+        const int view =
+            add_view(model, mesh.indices.data(), mesh.indices.size() * 4, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
         return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT, TINYGLTF_TYPE_SCALAR,
                             mesh.indices.size());
     }
     const std::vector<std::uint16_t> values(mesh.indices.begin(), mesh.indices.end());
     const int view = add_view(model, values.data(), values.size() * 2, TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
-    return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR,
-                        values.size());
+    return add_accessor(model, view, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR, values.size());
 }
 
 int add_texture(tinygltf::Model& model, const std::string& name, const std::vector<std::uint8_t>& jpeg) {
@@ -168,15 +165,13 @@ void check(const std::filesystem::path& path) {
         throw std::runtime_error(path.string() + ": does not load again: " + error + warning);
     }
     for (const tinygltf::Image& image : model.images) {
-        if (image.width <= 0)
-            throw std::runtime_error(path.string() + ": " + image.name + " does not decode");
+        if (image.width <= 0) throw std::runtime_error(path.string() + ": " + image.name + " does not decode");
     }
 }
 
 }  // namespace
 
-void write_glb(const std::filesystem::path& path, const std::string& name,
-               const std::vector<Surface>& surfaces) {
+void write_glb(const std::filesystem::path& path, const std::string& name, const std::vector<Surface>& surfaces) {
     tinygltf::Model model;
     model.asset.version = "2.0";
     model.asset.generator = "lapfx sample organs";

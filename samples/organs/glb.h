@@ -24,7 +24,6 @@ struct Surface {
 };
 
 /// Throws std::runtime_error when the file cannot be written, or does not load again.
-void write_glb(const std::filesystem::path& path, const std::string& name,
-               const std::vector<Surface>& surfaces);
+void write_glb(const std::filesystem::path& path, const std::string& name, const std::vector<Surface>& surfaces);
 
 }  // namespace organs

@@ -70,8 +70,7 @@ void HeightMap::drape(double radius) {
             for (int x = 1; x + 1 < cells_; ++x) {
                 const std::size_t i = static_cast<std::size_t>(y * cells_ + x);
                 const std::size_t row = static_cast<std::size_t>(cells_);
-                const double mean =
-                    0.25 * (before[i - 1] + before[i + 1] + before[i - row] + before[i + row]);
+                const double mean = 0.25 * (before[i - 1] + before[i + 1] + before[i - row] + before[i + row]);
                 height_[i] = std::max(under[i], mean);
             }
         }
@@ -118,8 +117,7 @@ void find_light(const std::vector<Patch*>& lit, const std::vector<const Patch*>&
         }
     }
     for (std::size_t k = 0; k < lit.size(); ++k) {
-        for (std::size_t j = 0; j < lit[k]->vertices.size(); ++j)
-            lit[k]->vertices[j].light = open[k][j] / total[k][j];
+        for (std::size_t j = 0; j < lit[k]->vertices.size(); ++j) lit[k]->vertices[j].light = open[k][j] / total[k][j];
     }
 }
 

@@ -42,8 +42,7 @@ Patch sweep(const std::vector<Ring>& rings, int around) {
 constexpr double axis_height = 4.6;  // of the shaft above the tip, mm
 
 /// Round parts on the shaft's axis; edges are given as close pairs of rings.
-Surface turned(const std::string& name, const std::vector<dvec2>& profile, const dvec3& color,
-               double roughness) {
+Surface turned(const std::string& name, const std::vector<dvec2>& profile, const dvec3& color, double roughness) {
     std::vector<Ring> rings;
     for (const dvec2& at : profile) rings.push_back({{0.0, axis_height, at.x}, dvec2(at.y)});
     Surface surface;
@@ -75,8 +74,8 @@ Surface hook() {
     surface.metallic = 0.9;
     Patch patch = sweep(rings, 20);
     for (Vertex& vertex : patch.vertices) {  // the tip is burnt
-        vertex.light = glm::mix(
-            0.35, 1.0, ramp(0.2, 3.4, vertex.position.y + 0.5 * fbm(vertex.position * 1.5, 2, 231u)));
+        vertex.light =
+            glm::mix(0.35, 1.0, ramp(0.2, 3.4, vertex.position.y + 0.5 * fbm(vertex.position * 1.5, 2, 231u)));
     }
     append(surface.mesh, patch);
     return surface;

@@ -85,7 +85,7 @@ void make_liver_lobe(const std::filesystem::path& folder, int size) {
 
     Surface surface;
     surface.name = "liver lobe";
-    surface.roughness = 0.30;
+    surface.roughness = 0.25;
     Canvas canvas(size);
     for (const Patch* patch : {&front, &back}) {
         append(surface.mesh, *patch);

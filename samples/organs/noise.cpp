@@ -59,8 +59,7 @@ double perlin(const dvec3& p, std::uint32_t seed) {
     const double u = fade(f.x);
     const double v = fade(f.y);
     const double w = fade(f.z);
-    const double near_side =
-        glm::mix(glm::mix(corner[0], corner[1], u), glm::mix(corner[2], corner[3], u), v);
+    const double near_side = glm::mix(glm::mix(corner[0], corner[1], u), glm::mix(corner[2], corner[3], u), v);
     const double far_side = glm::mix(glm::mix(corner[4], corner[5], u), glm::mix(corner[6], corner[7], u), v);
     return glm::mix(near_side, far_side, w);
 }
@@ -87,8 +86,7 @@ double ridges(const dvec3& p, int octaves, std::uint32_t seed) {
     double strength = 1.0;
     double frequency = 1.0;
     for (int i = 0; i < octaves; ++i) {
-        const double crest =
-            1.0 - std::abs(perlin(p * frequency, seed + static_cast<std::uint32_t>(i) * 29u)) * 1.6;
+        const double crest = 1.0 - std::abs(perlin(p * frequency, seed + static_cast<std::uint32_t>(i) * 29u)) * 1.6;
         sum += strength * clamp01(crest) * clamp01(crest);
         total += strength;
         strength *= 0.5;
@@ -105,8 +103,7 @@ Cell worley(const dvec3& p, std::uint32_t seed) {
         const int y = static_cast<int>(base.y) + (i / 3) % 3 - 1;
         const int z = static_cast<int>(base.z) + i / 9 - 1;
         const std::uint32_t id = hash(seed, x, y, z);
-        const dvec3 point =
-            dvec3(x, y, z) + dvec3(unit(id), unit(mix_bits(id + 1u)), unit(mix_bits(id + 2u)));
+        const dvec3 point = dvec3(x, y, z) + dvec3(unit(id), unit(mix_bits(id + 1u)), unit(mix_bits(id + 2u)));
         const double distance = glm::length(point - p);
         if (distance < best.nearest) {
             best.second = best.nearest;

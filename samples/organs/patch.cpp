@@ -15,8 +15,7 @@ std::size_t index_of(const Patch& patch, int column, int row) {
 bool all_hidden(const Patch& patch, int column, int row) {
     if (patch.hidden.empty()) return false;
     return patch.hidden[index_of(patch, column, row)] && patch.hidden[index_of(patch, column + 1, row)] &&
-           patch.hidden[index_of(patch, column, row + 1)] &&
-           patch.hidden[index_of(patch, column + 1, row + 1)];
+           patch.hidden[index_of(patch, column, row + 1)] && patch.hidden[index_of(patch, column + 1, row + 1)];
 }
 
 dvec3 column_step(const Patch& patch, int column, int row) {
@@ -28,8 +27,7 @@ dvec3 column_step(const Patch& patch, int column, int row) {
 dvec3 row_step(const Patch& patch, int column, int row) {
     const int above = std::max(row - 1, 0);
     const int below = std::min(row + 1, patch.rows - 1);
-    return (patch.at(column, below).position - patch.at(column, above).position) /
-           static_cast<double>(below - above);
+    return (patch.at(column, below).position - patch.at(column, above).position) / static_cast<double>(below - above);
 }
 
 }  // namespace
@@ -103,49 +101,53 @@ SurfacePoint sample(const Patch& patch, double u, double v) {
         point.vertex.light += weight[i] * corner[i]->light;
     }
     point.vertex.normal = glm::normalize(point.vertex.normal);
-    point.du =
-        glm::mix(corner[1]->position - corner[0]->position, corner[3]->position - corner[2]->position, t);
-    point.dv =
-        glm::mix(corner[2]->position - corner[0]->position, corner[3]->position - corner[1]->position, s);
+    point.du = glm::mix(corner[1]->position - corner[0]->position, corner[3]->position - corner[2]->position, t);
+    point.dv = glm::mix(corner[2]->position - corner[0]->position, corner[3]->position - corner[1]->position, s);
     point.du *= patch.columns - 1;
     point.dv *= patch.rows - 1;
     return point;
 }
 
+namespace {
+
+void add_vertex(Mesh& mesh, const Patch& patch, int column, int row) {
+    const Vertex& vertex = patch.at(column, row);
+    const dvec3 along = column_step(patch, column, row);
+    const dvec3 tangent = along - vertex.normal * glm::dot(vertex.normal, along);
+    const double length = glm::length(tangent);
+    const dvec2 uv(static_cast<double>(column) / (patch.columns - 1), static_cast<double>(row) / (patch.rows - 1));
+    mesh.positions.push_back(vertex.position);
+    mesh.normals.push_back(vertex.normal);
+    mesh.tangents.push_back(length > 1e-12 ? tangent / length : dvec3(1.0, 0.0, 0.0));
+    mesh.uvs.push_back(glm::mix(patch.uv_min, patch.uv_max, uv));
+    mesh.light.push_back(vertex.light);
+}
+
+}  // namespace
+
 void append(Mesh& mesh, const Patch& patch) {
     std::vector<std::uint32_t> number(patch.vertices.size(), UINT32_MAX);
-    const auto add = [&](int column, int row) {
-        const std::size_t i = index_of(patch, column, row);
-        if (number[i] != UINT32_MAX) return number[i];
-        number[i] = static_cast<std::uint32_t>(mesh.positions.size());
-        const Vertex& vertex = patch.vertices[i];
-        const dvec3 along = column_step(patch, column, row);
-        const dvec3 tangent = along - vertex.normal * glm::dot(vertex.normal, along);
-        const double length = glm::length(tangent);
-        const dvec2 uv(static_cast<double>(column) / (patch.columns - 1),
-                       static_cast<double>(row) / (patch.rows - 1));
-        mesh.positions.push_back(vertex.position);
-        mesh.normals.push_back(vertex.normal);
-        mesh.tangents.push_back(length > 1e-12 ? tangent / length : dvec3(1.0, 0.0, 0.0));
-        mesh.uvs.push_back(glm::mix(patch.uv_min, patch.uv_max, uv));
-        mesh.light.push_back(vertex.light);
-        return number[i];
+    const auto use = [&](std::size_t i) {
+        if (number[i] == UINT32_MAX) {
+            number[i] = static_cast<std::uint32_t>(mesh.positions.size());
+            add_vertex(mesh, patch, static_cast<int>(i) % patch.columns, static_cast<int>(i) / patch.columns);
+        }
+        mesh.indices.push_back(number[i]);
     };
-    const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        const dvec3 normal =
-            glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
-        if (glm::length(normal) > 1e-6) mesh.indices.insert(mesh.indices.end(), {a, b, c});
+    const auto place = [&](std::size_t i) { return patch.vertices[i].position; };
+    const auto triangle = [&](std::size_t a, std::size_t b, std::size_t c) {
+        if (glm::length(glm::cross(place(b) - place(a), place(c) - place(a))) < 1e-6) return;
+        for (const std::size_t i : {a, b, c}) use(i);
     };
     for (int row = 0; row + 1 < patch.rows; ++row) {
         for (int column = 0; column + 1 < patch.columns; ++column) {
             if (all_hidden(patch, column, row)) continue;
-            const std::uint32_t a = add(column, row);
-            const std::uint32_t b = add(column + 1, row);
-            const std::uint32_t c = add(column, row + 1);
-            const std::uint32_t d = add(column + 1, row + 1);
+            const std::size_t a = index_of(patch, column, row);
+            const std::size_t b = index_of(patch, column + 1, row);
+            const std::size_t c = index_of(patch, column, row + 1);
+            const std::size_t d = index_of(patch, column + 1, row + 1);
             // The shorter diagonal: folds bend along it.
-            if (glm::distance(mesh.positions[a], mesh.positions[d]) <
-                glm::distance(mesh.positions[b], mesh.positions[c])) {
+            if (glm::distance(place(a), place(d)) < glm::distance(place(b), place(c))) {
                 triangle(a, c, d);
                 triangle(a, d, b);
             } else {
@@ -154,6 +156,34 @@ void append(Mesh& mesh, const Patch& patch) {
             }
         }
     }
+}
+
+void hide_islands(Patch& patch) {
+    std::vector<int> island(patch.vertices.size(), -1);
+    std::vector<std::size_t> sizes;
+    for (std::size_t start = 0; start < island.size(); ++start) {
+        if (patch.hidden[start] || island[start] >= 0) continue;
+        const int number = static_cast<int>(sizes.size());
+        std::vector<std::size_t> reached = {start};
+        island[start] = number;
+        for (std::size_t next = 0; next < reached.size(); ++next) {
+            const int column = static_cast<int>(reached[next]) % patch.columns;
+            const int row = static_cast<int>(reached[next]) / patch.columns;
+            for (int k = 0; k < 9; ++k) {
+                const int x = column + k % 3 - 1;
+                const int y = row + k / 3 - 1;
+                if (x < 0 || y < 0 || x >= patch.columns || y >= patch.rows) continue;
+                const std::size_t i = index_of(patch, x, y);
+                if (patch.hidden[i] || island[i] >= 0) continue;
+                island[i] = number;
+                reached.push_back(i);
+            }
+        }
+        sizes.push_back(reached.size());
+    }
+    if (sizes.empty()) return;
+    const auto largest = std::max_element(sizes.begin(), sizes.end()) - sizes.begin();
+    for (std::size_t i = 0; i < island.size(); ++i) patch.hidden[i] = island[i] != largest;
 }
 
 void weld_normals(std::vector<Patch*> patches) {

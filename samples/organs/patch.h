@@ -31,9 +31,7 @@ struct Patch {
     dvec2 uv_max{1.0};
 
     Vertex& at(int column, int row) { return vertices[static_cast<std::size_t>(row * columns + column)]; }
-    const Vertex& at(int column, int row) const {
-        return vertices[static_cast<std::size_t>(row * columns + column)];
-    }
+    const Vertex& at(int column, int row) const { return vertices[static_cast<std::size_t>(row * columns + column)]; }
 };
 
 /// The surface at (u, v), interpolated; du and dv are the derivatives, mm per whole patch.
@@ -64,6 +62,9 @@ struct Mesh {
     std::vector<std::uint32_t> indices;
 };
 void append(Mesh& mesh, const Patch& patch);
+
+/// Hides all but the largest connected piece of what is not hidden.
+void hide_islands(Patch& patch);
 
 /// Gives vertices that lie at the same place in several patches one normal.
 void weld_normals(std::vector<Patch*> patches);

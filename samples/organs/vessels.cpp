@@ -71,8 +71,8 @@ void look_at_new(const VesselTree& tree, std::size_t first, double satisfied, st
 
 /// One step: every vessel node that is somebody's nearest grows towards the mean of those that ask. False:
 /// none grew.
-bool extend(const Patch& patch, const Growth& growth, const std::vector<Demand>& demands,
-            std::vector<int>& children, VesselTree& tree) {
+bool extend(const Patch& patch, const Growth& growth, const std::vector<Demand>& demands, std::vector<int>& children,
+            VesselTree& tree) {
     std::vector<dvec3> pull(tree.size(), dvec3(0.0));
     for (const Demand& demand : demands) {
         if (demand.content || demand.nearest < 0) continue;

@@ -23,7 +23,7 @@ using VesselTree = std::vector<VesselNode>;
 struct Growth {
     std::vector<std::vector<dvec2>> stems;  ///< where the network starts: lines over the patch, uv
     int waves = 4;
-    int demands = 14;  ///< how many points ask for blood in the first wave; each wave has three times as many
+    int demands = 14;         ///< how many points ask for blood in the first wave; each wave has three times as many
     double step = 1.3;        ///< mm
     double satisfied = 2.4;   ///< mm: in the last wave, a point this near to a vessel is content
     double capillary = 0.10;  ///< radius at the ends, mm

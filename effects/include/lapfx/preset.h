@@ -98,7 +98,7 @@ struct HazeParameters {
     double accumulation = 0.12;
     double ventilation = 0.05;
     double unevenness = 0.5;
-    glm::dvec3 color{0.52, 0.54, 0.60};
+    glm::dvec3 color{0.46, 0.41, 0.46};
     glm::dvec3 extinction{0.80, 1.0, 1.12};
 };
 

@@ -1,5 +1,6 @@
-// Every mesh of the folder of real and of deliberately broken files: those that are listed here are refused, with a
-// fault that says this; all others load. The folder is no part of the project; set LAPFX_TEST_DATA to where it lies.
+// Every mesh of the folder of real and of deliberately broken files: those that are listed here are refused,
+// with a fault that says this; all others load. The folder is no part of the project; set LAPFX_TEST_DATA to
+// where it lies.
 #include <algorithm>
 #include <set>
 
@@ -50,7 +51,7 @@ constexpr Refused refused[] = {
     {"StanfordImporter/Test/invalid-signature.ply", "line 1: a PLY starts with the line ply"},
     {"StanfordImporter/Test/unknown-line.ply", "line 6: \"heh\" is not known"},
     {"StanfordImporter/Test/unsupported-face-size.ply", "truncated"},
-    {"GltfImporter/Test/required-extensions-unsupported.gltf", "needs the extension EXT_lights_image_based"},
+    {"CgltfImporter/Test/required-extensions-unsupported.gltf", "needs the extension EXT_lights_image_based"},
     {"GltfImporter/Test/version-legacy.gltf", "/asset/version: is \"1.0\", only 2.0 is read"},
     {"GltfImporter/Test/scene-invalid-node-oob.gltf", "/nodes: node 7 is not in the file"},
     {"GltfImporter/Test/buffer-invalid-short-size.gltf", "/buffers/0: truncated: has 12 of 24 bytes"},
@@ -61,16 +62,27 @@ constexpr Refused refused[] = {
     {"magnum-plugins/src/MagnumPlugins/*StanfordImporter", ""}};
 
 /// Files of those two folders that do have one.
-const std::set<std::string> whole = {
-    "mesh-colors.gltf", "mesh-primitives-types.gltf", "mesh-skin-attributes.gltf", "ascii.ply", "crlf.ply",
-    "custom-components-be.ply", "custom-components-duplicate.ply", "custom-components.ply", "per-face-colors-be.ply",
-    "per-face-normals-objectid.ply", "positions-char-colors4-ushort-texcoords-uchar-indices-short-be.ply",
-    "positions-colors-normals-texcoords-float-objectid-uint-indices-int-be.ply",
-    "positions-colors-normals-texcoords-float-objectid-uint-indices-int.ply", "positions-colors4-float-indices-int.ply",
-    "positions-colors4-normals-texcoords-float-indices-int-be-unaligned.ply", "positions-float-indices-uint.ply",
-    "positions-short-colors-uchar-texcoords-ushort-indices-char.ply",
-    "positions-uchar-normals-char-objectid-short-indices-ushort.ply",
-    "positions-ushort-normals-short-objectid-uchar-indices-uchar-be.ply", "triangle-fast-path-be.ply", "whitespace.ply"};
+const std::set<std::string> whole = {"mesh-colors.gltf",
+                                     "mesh-primitives-types.gltf",
+                                     "mesh-skin-attributes.gltf",
+                                     "ascii.ply",
+                                     "crlf.ply",
+                                     "custom-components-be.ply",
+                                     "custom-components-duplicate.ply",
+                                     "custom-components.ply",
+                                     "per-face-colors-be.ply",
+                                     "per-face-normals-objectid.ply",
+                                     "positions-char-colors4-ushort-texcoords-uchar-indices-short-be.ply",
+                                     "positions-colors-normals-texcoords-float-objectid-uint-indices-int-be.ply",
+                                     "positions-colors-normals-texcoords-float-objectid-uint-indices-int.ply",
+                                     "positions-colors4-float-indices-int.ply",
+                                     "positions-colors4-normals-texcoords-float-indices-int-be-unaligned.ply",
+                                     "positions-float-indices-uint.ply",
+                                     "positions-short-colors-uchar-texcoords-ushort-indices-char.ply",
+                                     "positions-uchar-normals-char-objectid-short-indices-ushort.ply",
+                                     "positions-ushort-normals-short-objectid-uchar-indices-uchar-be.ply",
+                                     "triangle-fast-path-be.ply",
+                                     "whitespace.ply"};
 
 const Refused* find_refused(const std::string& path, const std::string& name) {
     for (const Refused& row : refused) {
@@ -109,7 +121,8 @@ void expect_sound(const Organ& organ) {
         wrong += material.base_color_image >= static_cast<int>(organ.images.size()) ||
                  material.normal_image >= static_cast<int>(organ.images.size());
     for (const Image& image : organ.images)
-        wrong += image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+        wrong +=
+            image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
     EXPECT_EQ(wrong, 0u);
     EXPECT_EQ(covered, organ.indices.size());
 }
@@ -155,9 +168,15 @@ class Data : public testing::Test {
     fs::path folder;
 };
 
-TEST_F(Data, Organs) { walk("organs"); }
-TEST_F(Data, Gltf) { walk("gltf"); }
-TEST_F(Data, Meshes) { walk("meshes"); }
+TEST_F(Data, Organs) {
+    walk("organs");
+}
+TEST_F(Data, Gltf) {
+    walk("gltf");
+}
+TEST_F(Data, Meshes) {
+    walk("meshes");
+}
 
 TEST_F(Data, CountsAndTextures) {
     struct Row {

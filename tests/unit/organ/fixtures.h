@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
 #include <atomic>
 #include <cstdlib>
 #include <cstring>
@@ -10,8 +12,6 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <sys/stat.h>
-#include <unistd.h>
 
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
@@ -71,7 +71,9 @@ std::string bytes_of(const std::vector<T>& values) {
     return bytes;
 }
 
-inline std::string word(std::uint32_t value) { return bytes_of<std::uint32_t>({value}); }
+inline std::string word(std::uint32_t value) {
+    return bytes_of<std::uint32_t>({value});
+}
 
 /// A .glb of a JSON and one binary chunk.
 inline std::string glb(const nlohmann::json& json, std::string binary) {

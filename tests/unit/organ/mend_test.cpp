@@ -11,11 +11,11 @@ Organ load(const std::string& text) {
 
 TEST(Mend, EachKindIsCounted) {
     const Organ organ = load(std::string(cube_obj) +
-                             "v 5 5 5\n"              // unused
-                             "v 20 0 0\nv 30 0 0\n"   // on a line with the first
-                             "f 1 10 11\n"            // no area
-                             "f 4 3 2\nf 3 2 4\n"     // there already, once more turned on
-                             "f 2 3 4\n");            // its back: another triangle
+                             "v 5 5 5\n"             // unused
+                             "v 20 0 0\nv 30 0 0\n"  // on a line with the first
+                             "f 1 10 11\n"           // no area
+                             "f 4 3 2\nf 3 2 4\n"    // there already, once more turned on
+                             "f 2 3 4\n");           // its back: another triangle
     EXPECT_EQ(organ.triangle_count(), 13u);
     EXPECT_TRUE(has_warning(organ.warnings, "1 triangle without area left out"));
     EXPECT_TRUE(has_warning(organ.warnings, "3 vertices belong to no triangle; left out"));
@@ -31,8 +31,10 @@ TEST(Mend, DuplicateTriangles) {
 TEST(Complete, NormalsAreSmoothAcrossSplitVertices) {
     // The cube's corners, each face with texture coordinates of its own.
     std::string text(cube_obj, std::strchr(cube_obj, 'f'));
-    text += "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-            "f 4/1 3/2 2/3 1/4\nf 5/1 6/2 7/3 8/4\nf 1/1 2/2 6/3 5/4\nf 2/2 3/3 7/4 6/1\nf 3/3 4/4 8/1 7/2\nf 4/2 1/3 5/4 8/1\n";
+    text +=
+        "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+        "f 4/1 3/2 2/3 1/4\nf 5/1 6/2 7/3 8/4\nf 1/1 2/2 6/3 5/4\nf 2/2 3/3 7/4 6/1\nf 3/3 4/4 8/1 7/2\nf "
+        "4/2 1/3 5/4 8/1\n";
     const Organ organ = load(text);
     EXPECT_GT(organ.positions.size(), 8u);
     for (std::size_t v = 0; v < organ.positions.size(); ++v) {
@@ -47,8 +49,8 @@ TEST(Complete, NormalsAreSmoothAcrossSplitVertices) {
     }
 }
 
-/*  u grows to the right and v down in the image, y of a normal map up: on an unmirrored square the tangent is +x,
-    the bitangent +y and w = 1. Mirrored in u, the tangent turns and w with it.  */
+/*  u grows to the right and v down in the image, y of a normal map up: on an unmirrored square the tangent is
+   +x, the bitangent +y and w = 1. Mirrored in u, the tangent turns and w with it.  */
 TEST(Complete, TangentsFollowTheTexture) {
     const std::string square = "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\n";
     const Organ plain = load(square + "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nf 1/1 2/2 3/3 4/4\n");
@@ -90,9 +92,10 @@ TEST(Report, ComponentsAndSize) {
 TEST(Report, SizeThatCannotBeNamesAScale) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("m.obj", "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nf 1 2 3\n");
-    EXPECT_EQ(report(load_organ(file)).warnings,
-              std::vector<std::string>{"its longest side is 0.2 mm, which is no size of an organ; is the unit wrong? scale "
-                                       "1000 would make it 200 mm"});
+    EXPECT_EQ(
+        report(load_organ(file)).warnings,
+        std::vector<std::string>{"its longest side is 0.2 mm, which is no size of an organ; is the unit wrong? scale "
+                                 "1000 would make it 200 mm"});
     EXPECT_TRUE(has_warning(report(load_organ(file, {.scale = 1e5})).warnings, "scale 1000 would make it 200 mm"));
     EXPECT_TRUE(report(load_organ(file, {.scale = 1000.0})).warnings.empty());
 }

@@ -17,7 +17,8 @@ Organ sheet(std::uint32_t n) {
     Organ organ;
     for (std::uint32_t y = 0; y <= n; ++y)
         for (std::uint32_t x = 0; x <= n; ++x)
-            organ.positions.emplace_back(x, y, std::sin(0.7f * static_cast<float>(x)) + std::cos(0.9f * static_cast<float>(y)));
+            organ.positions.emplace_back(
+                x, y, std::sin(0.7f * static_cast<float>(x)) + std::cos(0.9f * static_cast<float>(y)));
     for (std::uint32_t y = 0; y < n; ++y)
         for (std::uint32_t x = 0; x < n; ++x) {
             const std::uint32_t a = y * (n + 1) + x, b = a + 1, c = a + n + 1, d = c + 1;
@@ -76,7 +77,8 @@ TEST(Surface, TreeAgreesWithEveryTriangleTried) {
         double best = 1e9;
         for (std::uint32_t t = 0; t < surface.triangles.size(); ++t) {
             Organ one;
-            for (const std::uint32_t point : surface.triangles[t]) one.positions.push_back(glm::vec3(surface.positions[point]));
+            for (const std::uint32_t point : surface.triangles[t])
+                one.positions.push_back(glm::vec3(surface.positions[point]));
             one.indices = {0, 1, 2};
             best = std::min(best, Surface(one).closest_point(p).distance);
         }
@@ -87,7 +89,8 @@ TEST(Surface, TreeAgreesWithEveryTriangleTried) {
         EXPECT_EQ(surface.intersect_ray(above, {0, 0, -1}, hit), inside);
         if (inside) {
             glm::dvec3 at(0.0);
-            for (int c = 0; c < 3; ++c) at += hit.weights[c] * surface.positions[surface.triangles[hit.triangle][static_cast<std::size_t>(c)]];
+            for (int c = 0; c < 3; ++c)
+                at += hit.weights[c] * surface.positions[surface.triangles[hit.triangle][static_cast<std::size_t>(c)]];
             EXPECT_NEAR(glm::length(at - hit.position), 0.0, 1e-9);
             EXPECT_NEAR(hit.position.x, p.x, 1e-12);
         }

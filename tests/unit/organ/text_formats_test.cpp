@@ -29,7 +29,8 @@ TEST_F(Obj, CubeOfQuads) {
     EXPECT_EQ(r.maximum - r.minimum, glm::dvec3(10.0));
 }
 
-/* Three triangles at one edge, and a triangle wound against its neighbour: a half-edge mesh would drop them.  */
+/* Three triangles at one edge, and a triangle wound against its neighbour: a half-edge mesh would drop them.
+ */
 TEST_F(Obj, NonManifoldFacesStay) {
     const Organ organ = load("v 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 -9 0\nv 0 0 9\nf 1 2 3\nf 1 2 4\nf 1 2 5\n");
     EXPECT_EQ(organ.triangle_count(), 3u);
@@ -42,9 +43,9 @@ TEST_F(Obj, TextureCoordinatesOfCornersSplitVertices) {
         "v 0 0 0\nv 9 0 0\nv 9 9 0\nv 0 9 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt 0.5 0.5\n"
         "f 1/1 2/2 3/3\nf 1/5 3/3 4/4\n");
     EXPECT_TRUE(organ.has_uvs);
-    EXPECT_EQ(organ.positions.size(), 5u);       // the first one twice
-    EXPECT_EQ(organ.uvs[0], glm::vec2(0, 1));    // the origin is at the top here, at the bottom in OBJ
-    EXPECT_EQ(report(organ).boundary_edges, 4u); // the seam is none
+    EXPECT_EQ(organ.positions.size(), 5u);        // the first one twice
+    EXPECT_EQ(organ.uvs[0], glm::vec2(0, 1));     // the origin is at the top here, at the bottom in OBJ
+    EXPECT_EQ(report(organ).boundary_edges, 4u);  // the seam is none
 }
 
 TEST_F(Obj, VertexThatIsNoNumberKeepsTheIndicesOfOthers) {
@@ -77,7 +78,8 @@ TEST_F(Obj, ConcavePolygonKeepsItsArea) {
     double area = 0.0;
     for (std::size_t i = 0; i < organ.indices.size(); i += 3) {
         const glm::vec3 a = organ.positions[organ.indices[i]];
-        const glm::vec3 n = glm::cross(organ.positions[organ.indices[i + 1]] - a, organ.positions[organ.indices[i + 2]] - a);
+        const glm::vec3 n =
+            glm::cross(organ.positions[organ.indices[i + 1]] - a, organ.positions[organ.indices[i + 2]] - a);
         EXPECT_GT(n.z, 0.0f);
         area += n.z / 2;
     }
@@ -87,10 +89,12 @@ TEST_F(Obj, ConcavePolygonKeepsItsArea) {
 TEST_F(Obj, MaterialsTexturesAndNormalMaps) {
     cv::imwrite((folder.path() / "a b.png").string(), cv::Mat(2, 3, CV_8UC3, cv::Scalar(10, 20, 30)));
     cv::imwrite((folder.path() / "n.png").string(), cv::Mat(4, 4, CV_8UC3, cv::Scalar(255, 128, 128)));
-    folder.write("m.mtl", "newmtl red\nKd 1 0 0\nPr 0.25\nnewmtl skin\nmap_Kd -s 1 1 1 a b.png\nnorm n.png\n"
-                          "newmtl none\nmap_Kd gone.png\n");
-    const Organ organ = load("mtllib m.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nvt 0 0\nvt 1 0\nvt 0 1\n"
-                             "o first\nusemtl red\nf 1/1 2/2 3/3\nusemtl skin\nf 1/1 2/2 4/3\nusemtl lost\nf 2/1 3/2 4/3\n");
+    folder.write("m.mtl",
+                 "newmtl red\nKd 1 0 0\nPr 0.25\nnewmtl skin\nmap_Kd -s 1 1 1 a b.png\nnorm n.png\n"
+                 "newmtl none\nmap_Kd gone.png\n");
+    const Organ organ = load(
+        "mtllib m.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nvt 0 0\nvt 1 0\nvt 0 1\n"
+        "o first\nusemtl red\nf 1/1 2/2 3/3\nusemtl skin\nf 1/1 2/2 4/3\nusemtl lost\nf 2/1 3/2 4/3\n");
     ASSERT_EQ(organ.parts.size(), 3u);
     EXPECT_EQ(organ.parts[0].name, "first");
     EXPECT_EQ(organ.parts[1].first_index, 3u);
@@ -115,21 +119,28 @@ TEST_F(Obj, MissingLibraryIsAWarning) {
 
 TEST_F(Obj, LibraryThatIsAPipeIsNotWaitedFor) {
     ASSERT_EQ(mkfifo((folder.path() / "p.mtl").c_str(), 0600), 0);
-    EXPECT_TRUE(has_warning(load(std::string("mtllib p.mtl\n") + cube_obj).warnings, "is a pipe, expected a plain file"));
+    EXPECT_TRUE(
+        has_warning(load(std::string("mtllib p.mtl\n") + cube_obj).warnings, "is a pipe, expected a plain file"));
 }
 
 TEST_F(Obj, PointsAndOtherFilesAreRefused) {
     EXPECT_EQ(fault_of(folder.write("m.obj", "v 0 0 0\nv 1 0 0\n")), "no triangles: the file holds 2 points only");
-    EXPECT_EQ(fault_of(folder.write("m.obj", std::string("\0\0\0\x20" "ftypisom", 12))), "is no OBJ: it is not a text file");
+    EXPECT_EQ(fault_of(folder.write("m.obj", std::string("\0\0\0\x20"
+                                                         "ftypisom",
+                                                         12))),
+              "is no OBJ: it is not a text file");
     EXPECT_EQ(fault_of(folder.write("m.obj", "words\n")), "no triangles: the file holds no surface");
 }
 
 TEST_F(Ply, TextWithColoursAndDoubles) {
-    const fs::path file = folder.write("m.ply",
-        "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\n"
-        "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty list uchar int more\nelement face 1\n"
-        "property list uchar int vertex_indices\nend_header\n"
-        "0 0 0 255 0 0 0\n9 0 0 0 255 0 1 7\n9 9 0 0 0 255 2 7 8\n0 9 0 0 0 0 0\n4 0 1 2 3\n");
+    const fs::path file =
+        folder.write("m.ply",
+                     "ply\nformat ascii 1.0\ncomment c\nelement vertex 4\nproperty double x\nproperty double "
+                     "y\nproperty double z\n"
+                     "property uchar red\nproperty uchar green\nproperty uchar blue\nproperty list uchar int "
+                     "more\nelement face 1\n"
+                     "property list uchar int vertex_indices\nend_header\n"
+                     "0 0 0 255 0 0 0\n9 0 0 0 255 0 1 7\n9 9 0 0 0 255 2 7 8\n0 9 0 0 0 0 0\n4 0 1 2 3\n");
     const Organ organ = load_organ(file);
     EXPECT_EQ(organ.triangle_count(), 2u);
     EXPECT_EQ(organ.positions[2], glm::vec3(9, 9, 0));
@@ -145,8 +156,8 @@ TEST_F(Ply, BinaryOfBothOrders) {
     const std::string points = bytes_of<float>({0, 0, 0, 9, 0, 0, 0, 9, 0}), face = bytes_of<std::int32_t>({0, 1, 2});
     for (const bool big : {false, true}) {
         const std::string head = std::string("ply\nformat binary_") + (big ? "big" : "little") +
-            "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-            "element face 1\nproperty list uchar int vertex_index\nend_header\n";
+                                 "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                 "element face 1\nproperty list uchar int vertex_index\nend_header\n";
         const std::string whole = head + (big ? swapped(points) : points) + "\3" + (big ? swapped(face) : face);
         EXPECT_EQ(load_organ(folder.write("m.ply", whole)).positions[1], glm::vec3(9, 0, 0));
         EXPECT_EQ(fault_of(folder.write("m.ply", whole.substr(0, whole.size() - 1))),
@@ -155,8 +166,9 @@ TEST_F(Ply, BinaryOfBothOrders) {
 }
 
 TEST_F(Ply, ImpossibleCountsAreRefused) {
-    const std::string head = "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
-                             "property float z\nend_header\n1 2 3\n";
+    const std::string head =
+        "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
+        "property float z\nend_header\n1 2 3\n";
     EXPECT_EQ(fault_of(folder.write("m.ply", head)), "truncated: the header promises 4000000000 of element vertex");
     EXPECT_EQ(fault_of(folder.write("m.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n")),
               "line 3: \"x\" is no count");
@@ -174,12 +186,14 @@ TEST_F(Stl, BinaryJoinsVertices) {
               "truncated: 2 triangles need 184 bytes, the file has 150");
     std::string nan = bytes;
     nan.replace(84 + 12, 4, word(0x7fc00000));  // x of the first vertex
-    EXPECT_TRUE(has_warning(load_organ(folder.write("m.stl", nan)).warnings, "1 vertex has NaN or infinite coordinates"));
+    EXPECT_TRUE(
+        has_warning(load_organ(folder.write("m.stl", nan)).warnings, "1 vertex has NaN or infinite coordinates"));
 }
 
 TEST_F(Stl, Text) {
-    const std::string facet = "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\n"
-                              "endloop\nendfacet\n";
+    const std::string facet =
+        "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\n"
+        "endloop\nendfacet\n";
     EXPECT_EQ(load_organ(folder.write("m.stl", facet + "endsolid s\n")).positions[1], glm::vec3(9, 0, 0));
     EXPECT_EQ(fault_of(folder.write("m.stl", facet.substr(0, 60))), "truncated: the file ends within a facet");
 }
@@ -200,7 +214,8 @@ TEST(Load, FilesThatAreNoFiles) {
     EXPECT_EQ(fault_of("/dev/zero"), "is a device, expected a plain file");
     ASSERT_EQ(mkfifo((folder.path() / "p.obj").c_str(), 0600), 0);
     EXPECT_EQ(fault_of(folder.path() / "p.obj"), "is a pipe, expected a plain file");
-    EXPECT_EQ(fault_of(folder.write("m.xyz", "1 2 3")), "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+    EXPECT_EQ(fault_of(folder.write("m.xyz", "1 2 3")),
+              "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
     EXPECT_EQ(fault_of(folder.write("m.obj", cube_obj), {.scale = -1.0}), "scale -1.000000 is not above 0");
 }
 

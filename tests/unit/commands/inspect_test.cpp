@@ -1,0 +1,123 @@
+// `lapfx inspect` as a program: what goes to stdout and stderr, and its exit code.
+#include <sys/wait.h>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+#include <sstream>
+
+#include "unit/organ/fixtures.h"
+
+namespace lapfx::test {
+namespace {
+
+struct Result {
+    int code = -1;
+    std::string out, err;
+};
+
+std::string read_text(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file, std::ios::binary).rdbuf();
+    return text.str();
+}
+
+class InspectCommand : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (!fs::exists(LAPFX_BINARY_DIR "/lapfx")) GTEST_SKIP() << "the program is not built";
+    }
+    Result run(const std::string& arguments) {
+        const std::string command = "cd '" + folder.path().string() +
+                                    "' && timeout 20 '" LAPFX_BINARY_DIR "/lapfx' inspect " + arguments +
+                                    " > out.txt 2> err.txt < /dev/null";
+        const int status = std::system(command.c_str());
+        return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder.path() / "out.txt"),
+                read_text(folder.path() / "err.txt")};
+    }
+    void write_video(const char* name) {
+        cv::VideoWriter writer((folder.path() / name).string(), cv::CAP_FFMPEG,
+                               cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, cv::Size(64, 48));
+        for (int i = 0; i < 5; ++i) writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar(i * 20, 0, 0)));
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(InspectCommand, Mesh) {
+    folder.write("cube.obj", cube_obj);
+    const Result result = run("cube.obj");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.out,
+              "cube.obj: mesh\n"
+              "  vertices            8\n"
+              "  triangles           12\n"
+              "  components          1\n"
+              "  boundary edges      0\n"
+              "  non-manifold edges  0\n"
+              "  size                10.0 x 10.0 x 10.0 mm\n"
+              "  scale               1 mm per unit of the file\n"
+              "  texture coordinates made\n"
+              "  vertex colours      none\n"
+              "  parts               1\n"
+              "                      (unnamed): 12 triangles, material default\n"
+              "  materials           1\n"
+              "                      default: base colour texture none, normal map none, roughness 0.50\n"
+              "  textures            0\n");
+}
+
+TEST_F(InspectCommand, VideoAndImage) {
+    write_video("clip.avi");
+    cv::imwrite((folder.path() / "grey.png").string(), cv::Mat(3, 5, CV_16UC1, cv::Scalar(7)));
+    const Result result = run("clip.avi grey.png");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_EQ(result.out,
+              "clip.avi: video\n  size                64x48\n  frames per second   10\n  frames              5\n"
+              "  duration            0.500 s\n  codec               MJPG\n"
+              "grey.png: image\n  size                5x3\n  channels            grey, 16 bit\n");
+}
+
+TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {
+    folder.write("cube.obj", cube_obj);
+    folder.write("empty.glb", "");
+    folder.write("text.mp4", "no video at all, but some text that is long enough to look at");
+    write_video("video.avi");
+    fs::copy_file(folder.path() / "video.avi", folder.path() / "video.obj");
+    ASSERT_EQ(mkfifo((folder.path() / "pipe.mp4").c_str(), 0600), 0);
+    const Result result = run("gone.glb empty.glb text.mp4 video.obj pipe.mp4 cube.obj .");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_TRUE(result.out.starts_with("cube.obj: mesh\n"));
+    EXPECT_EQ(result.err,
+              "lapfx: gone.glb: no such file\n"
+              "lapfx: empty.glb: is empty\n"
+              "lapfx: text.mp4: is no video that can be opened\n"
+              "lapfx: video.obj: is no OBJ: it is not a text file\n"
+              "lapfx: pipe.mp4: is a pipe or device, expected a plain file\n"
+              "lapfx: .: is a folder, expected a file\n");
+}
+
+TEST_F(InspectCommand, NoProtocolAndNoPlaylist) {
+    write_video("clip.avi");
+    folder.write("list.mp4", "ffconcat version 1.0\nfile clip.avi\n");
+    folder.write("hls.mp4", "#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\nclip.avi\n#EXT-X-ENDLIST\n");
+    const Result result = run("list.mp4 hls.mp4 concat:clip.avi file:clip.avi");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err,
+              "lapfx: list.mp4: is no video that can be opened\n"
+              "lapfx: hls.mp4: is no video that can be opened\n"
+              "lapfx: concat:clip.avi: no such file\n"
+              "lapfx: file:clip.avi: no such file\n");
+}
+
+TEST_F(InspectCommand, TruncatedVideo) {
+    write_video("clip.avi");
+    const std::string whole = read_text(folder.path() / "clip.avi");
+    folder.write("short.avi", whole.substr(0, 300));
+    EXPECT_EQ(run("short.avi").code, 2);
+}
+
+TEST_F(InspectCommand, WrongUsage) {
+    EXPECT_EQ(run("").code, 2);
+}
+
+}  // namespace
+}  // namespace lapfx::test
