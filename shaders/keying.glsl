@@ -17,7 +17,10 @@ vec2 lapfx_chroma(vec3 code) {
     return vec2((code.b - luma) / 1.772, (code.r - luma) / 1.402);
 }
 
-float lapfx_ramp(float value, float low, float high) { return clamp((value - low) / max(high - low, 1e-3), 0.0, 1.0); }
+// Within 0..1; NaN, from a pixel that holds one, counts as nothing (clamp() may give anything then).
+float lapfx_unit(float x) { return x > 0.0 ? min(x, 1.0) : 0.0; }
+
+float lapfx_ramp(float value, float low, float high) { return lapfx_unit((value - low) / max(high - low, 1e-3)); }
 
 // Opacity 0..1 of the smoke in one pixel. The ramps are linear, for smoke of one colour over a flat background is mixed
 // linearly: luma and chroma distance both grow in proportion to its opacity.
@@ -39,5 +42,5 @@ vec2 lapfx_despill(vec2 chroma, LapfxKeying key) {
 
 // Alpha varied by noise in -1..1: mean kept, never outside 0..1.
 float lapfx_vary_alpha(float alpha, float noise, float strength) {
-    return clamp(alpha * (1.0 + strength * noise), 0.0, 1.0);
+    return lapfx_unit(alpha * (1.0 + strength * noise));
 }

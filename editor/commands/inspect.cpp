@@ -44,8 +44,7 @@ Kind kind_by_content(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(16, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (head.starts_with("glTF") || head.starts_with("ply\n") || head.starts_with("ply\r"))
-        return Kind::organ;
+    if (head.starts_with("glTF") || head.starts_with("ply\n") || head.starts_with("ply\r")) return Kind::organ;
     if (head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff") || head.substr(8, 4) == "WEBP")
         return Kind::image;
     const std::size_t first = head.find_first_not_of(" \t\r\n");
@@ -99,10 +98,9 @@ void inspect_files(const std::vector<std::string>& files) {
 void add_inspect(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("inspect", "Tell what a mesh, clip, preset, scene or image holds");
     auto files = std::make_shared<std::vector<std::string>>();
-    verb->add_option(
-            "FILE", *files,
-            "Mesh (.glb .gltf .obj .ply .stl .off), video (.mp4 .mov .webm .mkv .avi ...), preset or scene "
-            "(.json), image (.png .jpg .webp .bmp)")
+    verb->add_option("FILE", *files,
+                     "Mesh (.glb .gltf .obj .ply .stl .off), video (.mp4 .mov .webm .mkv .avi ...), preset or scene "
+                     "(.json), image (.png .jpg .webp .bmp)")
         ->required();
     verb->callback([files] { inspect_files(*files); });
 }

@@ -1,30 +1,45 @@
 // Presets and scenes.
-#include <fstream>
 #include <iostream>
-#include <nlohmann/json.hpp>
 
 #include "commands/inspect.h"
-#include "lapfx/error.h"
+#include "lapfx/preset.h"
+#include "lapfx/scene.h"
 
 namespace lapfx::commands {
 
+namespace {
+
+void row(const char* name, const std::string& value) {
+    std::cout << "  " << name << std::string(20 - std::min<std::size_t>(std::string_view(name).size(), 19), ' ')
+              << value << '\n';
+}
+
+void show_preset(const Preset& preset) {
+    row("format", "lapfx.preset");
+    row("name", preset.name);
+    row("description", preset.description);
+    for (const SmokeClip& clip : preset.smoke.clips)
+        row("clip", clip.file + (clip.role == ClipRole::plume ? ", plume" : ", haze"));
+}
+
+void show_scene(const Scene& scene) {
+    row("format", "lapfx.scene");
+    row("name", scene.name);
+    row("preset", scene.preset.empty() ? "none" : scene.preset);
+    row("organ", scene.organ.file);
+    row("tool", scene.tool.file.empty() ? "none" : scene.tool.file);
+    row("events", std::to_string(scene.events.size()));
+}
+
+}  // namespace
+
 void inspect_document(const std::filesystem::path& file) {
-    using nlohmann::json;
-    std::ifstream in(file, std::ios::binary);
-    const json document = json::parse(in, nullptr, false);
-    const auto refuse = [&](const char* place, const char* reason) {
-        throw Error(Failure::bad_input, Fault{file.string(), place, reason});
-    };
-    if (!document.is_object()) refuse("", "is no JSON object");
-    const std::string format =
-        document.contains("format") && document["format"].is_string() ? document["format"] : "";
-    if (format != "lapfx.preset" && format != "lapfx.scene")
-        refuse("/format", "is neither \"lapfx.preset\" nor \"lapfx.scene\"");
-    const json version = document.value("version", json()), name = document.value("name", json());
-    std::cout << file.string() << ": " << (format == "lapfx.preset" ? "preset" : "scene") << '\n'
-              << "  format              " << format << '\n'
-              << "  version             " << (version.is_number_integer() ? version.dump() : "none") << '\n'
-              << "  name                " << (name.is_string() ? name.get<std::string>() : "none") << '\n';
+    const CheckedDocument found = check_document(file);  // every fault, before anything is shown
+    std::cout << file.string() << ": " << found.kind << '\n';
+    if (found.kind == "preset")
+        show_preset(load_preset(file));
+    else
+        show_scene(load_scene(file));
 }
 
 }  // namespace lapfx::commands

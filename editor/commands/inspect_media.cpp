@@ -71,8 +71,8 @@ void inspect_image(const std::filesystem::path& file) {
     constexpr const char* kinds[] = {"", "grey", "grey and alpha", "colour", "colour and alpha"};
     std::cout << file.string() << ": image\n"
               << "  size                " << pixels.cols << "x" << pixels.rows << '\n'
-              << "  channels            " << kinds[std::min(pixels.channels(), 4)] << ", "
-              << 8 * pixels.elemSize1() << " bit\n";
+              << "  channels            " << kinds[std::min(pixels.channels(), 4)] << ", " << 8 * pixels.elemSize1()
+              << " bit\n";
 }
 
 void inspect_video(const std::filesystem::path& file) {
@@ -91,24 +91,23 @@ void inspect_video(const std::filesystem::path& file) {
     if (!decoded) refuse(file, "is a video without a frame that can be decoded");
 
     const double rate = video.get(cv::CAP_PROP_FPS), frames = video.get(cv::CAP_PROP_FRAME_COUNT);
-    const bool rate_known = std::isfinite(rate) && rate > 0.0,
-               count_known = std::isfinite(frames) && frames >= 1.0;
+    const bool rate_known = std::isfinite(rate) && rate > 0.0, count_known = std::isfinite(frames) && frames >= 1.0;
     char text[160];
     std::cout << file.string() << ": video\n"
               << "  size                " << frame.cols << "x" << frame.rows << '\n';
-    std::snprintf(text, sizeof text,
-                  rate_known ? "  frames per second   %.6g\n" : "  frames per second   unknown\n", rate);
+    std::snprintf(text, sizeof text, rate_known ? "  frames per second   %.6g\n" : "  frames per second   unknown\n",
+                  rate);
     std::cout << text;
-    std::snprintf(text, sizeof text,
-                  count_known ? "  frames              %.0f\n" : "  frames              unknown\n", frames);
+    std::snprintf(text, sizeof text, count_known ? "  frames              %.0f\n" : "  frames              unknown\n",
+                  frames);
     std::cout << text;
     if (rate_known && count_known) {
         std::snprintf(text, sizeof text, "  duration            %.3f s\n", frames / rate);
         std::cout << text;
     }
     const std::string codec = matroska_codec(file);
-    std::cout << "  codec               "
-              << (codec.empty() ? fourcc_text(video.get(cv::CAP_PROP_FOURCC)) : codec) << '\n';
+    std::cout << "  codec               " << (codec.empty() ? fourcc_text(video.get(cv::CAP_PROP_FOURCC)) : codec)
+              << '\n';
 }
 
 }  // namespace lapfx::commands

@@ -38,9 +38,8 @@ std::string image_text(const Organ& organ, int image) {
 void print_materials(const Organ& organ) {
     row("materials", std::to_string(organ.materials.size()));
     for (const Material& material : organ.materials)
-        row("", named(material.name) + ": base colour texture " +
-                    image_text(organ, material.base_color_image) + ", normal map " +
-                    image_text(organ, material.normal_image) + ", roughness " +
+        row("", named(material.name) + ": base colour texture " + image_text(organ, material.base_color_image) +
+                    ", normal map " + image_text(organ, material.normal_image) + ", roughness " +
                     text_of("%.2f", material.roughness) + (material.double_sided ? ", double sided" : ""));
     row("textures", std::to_string(organ.images.size()));
     for (const Image& image : organ.images)
@@ -59,8 +58,7 @@ void inspect_organ(const std::filesystem::path& file) {
     row("components", std::to_string(report.components));
     row("boundary edges", std::to_string(report.boundary_edges));
     row("non-manifold edges", std::to_string(report.non_manifold_edges));
-    row("size",
-        text_of("%.1f", size.x) + " x " + text_of("%.1f", size.y) + " x " + text_of("%.1f", size.z) + " mm");
+    row("size", text_of("%.1f", size.x) + " x " + text_of("%.1f", size.y) + " x " + text_of("%.1f", size.z) + " mm");
     row("scale", text_of("%g", organ.scale) + " mm per unit of the file");
     row("texture coordinates", organ.has_uvs ? "from the file" : "made");
     row("vertex colours", organ.has_colors ? "from the file" : "none");

@@ -2,7 +2,7 @@
 #include "organ/mend.h"
 #include "organ/weld.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -137,8 +137,7 @@ void make_tangents(Organ& organ) {
     bool all_there = true;
     for (std::size_t v = 0; v < organ.tangents.size(); ++v) {
         const glm::vec4 given = organ.tangents[v];
-        const glm::vec3 t =
-            given.w == 0.0f ? glm::vec3(0.0f) : in_surface(glm::vec3(given), organ.normals[v]);
+        const glm::vec3 t = given.w == 0.0f ? glm::vec3(0.0f) : in_surface(glm::vec3(given), organ.normals[v]);
         organ.tangents[v] = t == glm::vec3(0.0f) ? glm::vec4(0.0f) : glm::vec4(t, given.w < 0 ? -1.0f : 1.0f);
         all_there &= organ.tangents[v].w != 0.0f;
     }
@@ -163,4 +162,4 @@ void complete(Organ& organ, const Missing& missing) {
     make_tangents(organ);
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

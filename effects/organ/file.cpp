@@ -5,7 +5,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace fs = std::filesystem;
 
@@ -80,10 +80,8 @@ fs::path file_beside(const fs::path& folder, std::string_view reference, const s
                      const std::string& place) {
     const std::string shown = "\"" + std::string(reference.substr(0, 120)) + "\"";
     if (reference.empty()) refuse(file, place, "names no file");
-    if (reference.find('\0') != std::string_view::npos)
-        refuse(file, place, "the file name holds a NUL character");
-    if (has_scheme(reference))
-        refuse(file, place, shown + " is a URL; only plain files beside this file are read");
+    if (reference.find('\0') != std::string_view::npos) refuse(file, place, "the file name holds a NUL character");
+    if (has_scheme(reference)) refuse(file, place, shown + " is a URL; only plain files beside this file are read");
     const fs::path path = fs::path(std::string(reference)).lexically_normal();
     if (path.is_absolute() || path.has_root_path())
         refuse(file, place, shown + " is an absolute path; only files beside this file are read");
@@ -125,4 +123,4 @@ bool decode_base64(std::string_view text, Bytes& out) {
     return true;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

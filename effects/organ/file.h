@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 using Bytes = std::vector<std::uint8_t>;
 
@@ -29,4 +29,4 @@ bool has_scheme(std::string_view reference);
 /// Standard base64; false when the text is none.
 bool decode_base64(std::string_view text, Bytes& out);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 #include "organ/gltf_material.h"
 #include "organ/gltf_nodes.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -15,9 +15,8 @@ int attribute(const tinygltf::Primitive& primitive, const std::string& name) {
 }
 
 /// An attribute with `low` to `high` components and as many elements as there are positions.
-FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive& primitive,
-                              const std::string& name, int low, int high, std::size_t count,
-                              const std::string& place) {
+FloatArray optional_attribute(GltfDocument& document, const tinygltf::Primitive& primitive, const std::string& name,
+                              int low, int high, std::size_t count, const std::string& place) {
     const int accessor = attribute(primitive, name);
     if (accessor < 0) return {low, {}};
     const std::string at = place + "/attributes/" + name;
@@ -36,8 +35,7 @@ std::vector<Vector> vectors(const FloatArray& array, Vector fill) {
     const int components = std::min(array.components, static_cast<int>(Vector::length()));
     for (std::size_t i = 0; i < out.size(); ++i)
         for (int c = 0; c < components; ++c)
-            out[i][c] =
-                array.values[i * static_cast<std::size_t>(array.components) + static_cast<std::size_t>(c)];
+            out[i][c] = array.values[i * static_cast<std::size_t>(array.components) + static_cast<std::size_t>(c)];
     return out;
 }
 
@@ -57,8 +55,8 @@ std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode)
     return out;
 }
 
-RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive,
-                       const std::vector<UvUse>& uses, const std::string& place) {
+RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive, const std::vector<UvUse>& uses,
+                       const std::string& place) {
     const int position = attribute(primitive, "POSITION");
     if (primitive.extensions.contains("KHR_draco_mesh_compression") &&
         (position < 0 || static_cast<std::size_t>(position) >= document.model.accessors.size() ||
@@ -87,8 +85,7 @@ RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primit
     part.uvs = vectors<glm::vec2>(read("TEXCOORD_" + std::to_string(use.set), 2, 2), glm::vec2(0.0f));
     if (use != UvUse{}) {
         for (glm::vec2& uv : part.uvs) uv = use.apply(uv);
-        if (use.rotation != 0.0f || use.scale.x * use.scale.y < 0.0f)
-            part.tangents.clear();  // they follow the UVs
+        if (use.rotation != 0.0f || use.scale.x * use.scale.y < 0.0f) part.tangents.clear();  // they follow the UVs
     }
 
     std::vector<std::uint32_t> order;
@@ -111,8 +108,7 @@ void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnin
     const tinygltf::Model& model = document.model;
     if (model.nodes.empty() && !model.meshes.empty())
         warnings.push_back("the file has no nodes: every mesh is taken, where it is");
-    if (document.has_skins)
-        warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
+    if (document.has_skins) warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
     const bool morphs = std::any_of(model.meshes.begin(), model.meshes.end(), [](const tinygltf::Mesh& mesh) {
         return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),
                            [](const tinygltf::Primitive& primitive) { return !primitive.targets.empty(); });
@@ -138,8 +134,7 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
                 ++left_out;
                 continue;
             }
-            const std::string place =
-                "/meshes/" + std::to_string(instance.mesh) + "/primitives/" + std::to_string(i);
+            const std::string place = "/meshes/" + std::to_string(instance.mesh) + "/primitives/" + std::to_string(i);
             RawPart part = read_primitive(document, mesh.primitives[i], uses, place);
             part.name = !mesh.name.empty() ? mesh.name : instance.node;
             total += part.indices.size() / 3;
@@ -149,9 +144,8 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
         }
     }
     if (left_out > 0)
-        organ.warnings.push_back(counted(left_out, "primitive", "primitives") +
-                                 " of points or lines left out");
+        organ.warnings.push_back(counted(left_out, "primitive", "primitives") + " of points or lines left out");
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -98,15 +98,14 @@ bool is_index_type(int type) {
 /// Elements in a view; throws unless the last byte of the last element lies in it.
 Elements elements_in(GltfDocument& document, int view, std::size_t offset, std::size_t count, int type,
                      std::size_t components, bool may_stride, const std::string& place) {
-    Elements out{document.view(view, place),         count, components,
-                 bytes_per_value(type) * components, type,  false};
+    Elements out{document.view(view, place), count, components, bytes_per_value(type) * components, type, false};
     const std::size_t element = out.stride;
     const std::size_t stride = document.model.bufferViews[static_cast<std::size_t>(view)].byteStride;
     if (may_stride && stride != 0) {
         if (stride < element)
             refuse(document.file, place,
-                   "byteStride " + std::to_string(stride) + " is less than an element's " +
-                       std::to_string(element) + " bytes");
+                   "byteStride " + std::to_string(stride) + " is less than an element's " + std::to_string(element) +
+                       " bytes");
         out.stride = stride;
     }
     const std::size_t need = count == 0 ? 0 : (count - 1) * out.stride + element;
@@ -132,31 +131,28 @@ const tinygltf::Accessor& checked(const GltfDocument& document, int index, const
 }
 
 /// The elements that replace those of the view, one by one.
-void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, FloatArray& array,
-                const std::string& at) {
+void substitute(GltfDocument& document, const tinygltf::Accessor& accessor, FloatArray& array, const std::string& at) {
     const auto& sparse = accessor.sparse;
     const std::string place = at + "/sparse";
-    if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count ||
-        sparse.indices.byteOffset < 0 || sparse.values.byteOffset < 0 ||
-        !is_index_type(sparse.indices.componentType))
+    if (sparse.count < 0 || static_cast<std::size_t>(sparse.count) > accessor.count || sparse.indices.byteOffset < 0 ||
+        sparse.values.byteOffset < 0 || !is_index_type(sparse.indices.componentType))
         refuse(document.file, place, "has a count, offset or componentType that cannot be");
     const auto count = static_cast<std::size_t>(sparse.count), components = components_of(accessor.type);
     const Elements indices =
-        elements_in(document, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset),
-                    count, sparse.indices.componentType, 1, false, place + "/indices");
+        elements_in(document, sparse.indices.bufferView, static_cast<std::size_t>(sparse.indices.byteOffset), count,
+                    sparse.indices.componentType, 1, false, place + "/indices");
     const Elements values =
-        elements_in(document, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset),
-                    count, accessor.componentType, components, false, place + "/values");
+        elements_in(document, sparse.values.bufferView, static_cast<std::size_t>(sparse.values.byteOffset), count,
+                    accessor.componentType, components, false, place + "/values");
     const std::size_t size = bytes_per_value(accessor.componentType);
     for (std::size_t i = 0; i < count; ++i) {
         const std::size_t target = index_at(indices.bytes.data() + i * indices.stride, indices.type);
         if (target >= accessor.count)
             refuse(document.file, place,
-                   "index " + std::to_string(target) + " is not below the count " +
-                       std::to_string(accessor.count));
+                   "index " + std::to_string(target) + " is not below the count " + std::to_string(accessor.count));
         for (std::size_t c = 0; c < components; ++c)
-            array.values[target * components + c] = value_at(
-                values.bytes.data() + i * values.stride + c * size, values.type, accessor.normalized);
+            array.values[target * components + c] =
+                value_at(values.bytes.data() + i * values.stride + c * size, values.type, accessor.normalized);
     }
 }
 
@@ -169,13 +165,12 @@ std::size_t accessor_count(const GltfDocument& document, int accessor, const std
 FloatArray read_floats(GltfDocument& document, int index, const std::string& place) {
     const tinygltf::Accessor& accessor = checked(document, index, place);
     const std::string at = "/accessors/" + std::to_string(index);
-    const std::size_t components = components_of(accessor.type),
-                      size = bytes_per_value(accessor.componentType);
+    const std::size_t components = components_of(accessor.type), size = bytes_per_value(accessor.componentType);
     FloatArray array{static_cast<int>(components), {}};
     array.values.assign(accessor.count * components, 0.0f);  // without a view: zeros
     if (accessor.bufferView >= 0) {
-        const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset,
-                                              accessor.count, accessor.componentType, components, true, at);
+        const Elements elements = elements_in(document, accessor.bufferView, accessor.byteOffset, accessor.count,
+                                              accessor.componentType, components, true, at);
         float* out = array.values.data();
         for (std::size_t i = 0; i < accessor.count; ++i)
             for (std::size_t c = 0; c < components; ++c)
@@ -201,4 +196,4 @@ std::vector<std::uint32_t> read_indices(GltfDocument& document, int index, const
     return indices;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -7,7 +7,7 @@
 
 #include "organ/gltf_document.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// The values of an accessor as floats: normalised integers become 0..1 or -1..1, others keep their value;
 /// sparse substitutions are made.
@@ -27,4 +27,4 @@ std::vector<std::uint32_t> read_indices(GltfDocument& document, int accessor, co
 /// Elements of an accessor without reading it. Throws Error when it is not in the file.
 std::size_t accessor_count(const GltfDocument& document, int accessor, const std::string& place);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -6,7 +6,7 @@
 #include "organ/meshopt.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -48,8 +48,7 @@ Chunks split_glb(const Bytes& bytes, const std::string& file) {
     constexpr std::uint32_t json_type = 0x4e4f534a, binary_type = 0x004e4942;
     if (bytes.size() < 20) refuse(file, "", "truncated: the file ends within the header of a binary glTF");
     if (word(bytes, 4) != 2)
-        refuse(file, "",
-               "binary glTF version " + std::to_string(word(bytes, 4)) + " is not read, expected 2");
+        refuse(file, "", "binary glTF version " + std::to_string(word(bytes, 4)) + " is not read, expected 2");
     const std::size_t length = word(bytes, 8), json_length = word(bytes, 12);
     if (length > bytes.size())
         refuse(file, "",
@@ -86,8 +85,7 @@ json parse(std::string_view text, const std::string& file) {
     } catch (const json::exception& fault) {
         const std::string what = fault.what();
         const std::size_t start = what.find("parse error");
-        refuse(file, "",
-               "its JSON cannot be read: " + what.substr(start == std::string::npos ? 0 : start, 160));
+        refuse(file, "", "its JSON cannot be read: " + what.substr(start == std::string::npos ? 0 : start, 160));
     }
 }
 
@@ -140,8 +138,7 @@ void read_buffers(GltfDocument& document, const json& buffers, std::span<const s
         const json& source = buffers[i];
         const std::string place = "/buffers/" + std::to_string(i);
         tinygltf::Buffer buffer;
-        if (!source.is_object() || !source.contains("byteLength") ||
-            !source["byteLength"].is_number_unsigned())
+        if (!source.is_object() || !source.contains("byteLength") || !source["byteLength"].is_number_unsigned())
             refuse(document.file, place, "has no byteLength");
         const std::size_t length = source["byteLength"];
         const std::string uri = text_member(source, "uri");
@@ -150,15 +147,13 @@ void read_buffers(GltfDocument& document, const json& buffers, std::span<const s
         else if (is_data_uri(uri))
             buffer.data = data_uri(uri, document.file, place + "/uri");
         else if (!uri.empty())
-            buffer.data =
-                read_file(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"),
-                          document.file, place + ": " + uri);
+            buffer.data = read_file(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"),
+                                    document.file, place + ": " + uri);
         else if (!is_fallback(source))
             refuse(document.file, place, "has no uri, and the file has no binary chunk for it");
         if (!buffer.data.empty() && buffer.data.size() < length)
             refuse(document.file, place,
-                   "truncated: has " + std::to_string(buffer.data.size()) + " of " + std::to_string(length) +
-                       " bytes");
+                   "truncated: has " + std::to_string(buffer.data.size()) + " of " + std::to_string(length) + " bytes");
         if (buffer.data.size() > length) buffer.data.resize(length);
         document.model.buffers.push_back(std::move(buffer));
     }
@@ -206,17 +201,14 @@ void run_tinygltf(GltfDocument& document, const json& structure) {
     }
     const auto& used = document.model.extensionsUsed;
     if (!done && std::find(used.begin(), used.end(), "KHR_draco_mesh_compression") != used.end())
-        refuse(document.file, "/extensionsUsed",
-               "needs the extension KHR_draco_mesh_compression, which is not read");
+        refuse(document.file, "/extensionsUsed", "needs the extension KHR_draco_mesh_compression, which is not read");
     // It drops a primitive that it cannot read with no more than a message, and goes on.
-    if (!done || !error.empty())
-        refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
+    if (!done || !error.empty()) refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
 }
 
 }  // namespace
 
-GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file,
-                                const Bytes& bytes) {
+GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
     GltfDocument document;
     document.file = file;
     document.folder = path.parent_path();
@@ -228,10 +220,8 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
     document.has_skins = structure.contains("skins");
-    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"})
-        structure.erase(unused);
-    for (const char* list :
-         {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
+    for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
+    for (const char* list : {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
         if (structure.contains(list) && !structure[list].is_array())
             refuse(file, std::string("/") + list, "is no array");
     run_tinygltf(document, structure);
@@ -246,8 +236,7 @@ std::span<const std::uint8_t> GltfDocument::view(int index, const std::string& p
     if (const auto done = decoded.find(index); done != decoded.end()) return done->second;
     const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(index)];
     const std::string view_place = "/bufferViews/" + std::to_string(index);
-    if (const auto compressed = view.extensions.find("EXT_meshopt_compression");
-        compressed != view.extensions.end())
+    if (const auto compressed = view.extensions.find("EXT_meshopt_compression"); compressed != view.extensions.end())
         return decoded[index] = decode_meshopt(*this, compressed->second, view_place);
     return bytes_of(*this, view.buffer, view.byteOffset, view.byteLength, view_place);
 }
@@ -266,4 +255,4 @@ std::span<const std::uint8_t> GltfDocument::image_bytes(int index, Bytes& storag
     }
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -14,7 +14,7 @@
 
 #include "organ/file.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 struct GltfDocument {
     std::string file;              ///< as faults name it
@@ -34,7 +34,6 @@ struct GltfDocument {
 
 /// Throws Error: no glTF, malformed JSON, a version other than 2, a missing buffer, a required extension that
 /// is not read (each named).
-GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file,
-                                const Bytes& bytes);
+GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

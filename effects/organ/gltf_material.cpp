@@ -2,7 +2,7 @@
 
 #include "organ/image.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -116,8 +116,7 @@ void specular_glossiness(const Value& extension, Material& material, TextureUse&
         material.roughness = 1.0f - static_cast<float>(number(extension.Get("glossinessFactor"), 1.0));
     if (!extension.Has("diffuseTexture") || !extension.Get("diffuseTexture").IsObject()) return;
     const Value& texture = extension.Get("diffuseTexture");
-    if (texture.Has("index") && texture.Get("index").IsInt())
-        base.texture = texture.Get("index").GetNumberAsInt();
+    if (texture.Has("index") && texture.Get("index").IsInt()) base.texture = texture.Get("index").GetNumberAsInt();
     if (texture.Has("texCoord") && texture.Get("texCoord").IsInt())
         base.uv.set = texture.Get("texCoord").GetNumberAsInt();
 }
@@ -132,8 +131,7 @@ UvUse read_material(const tinygltf::Material& from, int index, Images& images, R
     material.normal_scale = static_cast<float>(from.normalTexture.scale);
     material.double_sided = from.doubleSided;
 
-    TextureUse base{pbr.baseColorTexture.index,
-                    uv_use(pbr.baseColorTexture.texCoord, pbr.baseColorTexture.extensions)};
+    TextureUse base{pbr.baseColorTexture.index, uv_use(pbr.baseColorTexture.texCoord, pbr.baseColorTexture.extensions)};
     const TextureUse normal{from.normalTexture.index,
                             uv_use(from.normalTexture.texCoord, from.normalTexture.extensions)};
     const auto old = from.extensions.find("KHR_materials_pbrSpecularGlossiness");
@@ -144,8 +142,7 @@ UvUse read_material(const tinygltf::Material& from, int index, Images& images, R
     const bool both = material.base_color_image >= 0 && material.normal_image >= 0;
     if (both && base.uv != normal.uv) {
         // The vertices carry one set of texture coordinates.
-        organ.warnings.push_back("material " + from.name +
-                                 ": its normal map has other texture coordinates than its " +
+        organ.warnings.push_back("material " + from.name + ": its normal map has other texture coordinates than its " +
                                  "base colour; the normal map is left out");
         material.normal_image = -1;
     }
@@ -171,4 +168,4 @@ std::vector<UvUse> read_materials(GltfDocument& document, RawOrgan& organ) {
     return uses;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -7,7 +7,7 @@
 #include "organ/gltf_document.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// Which texture coordinates a material wants, and how it moves them (KHR_texture_transform).
 struct UvUse {
@@ -25,4 +25,4 @@ struct UvUse {
 /// throws Error.
 std::vector<UvUse> read_materials(GltfDocument& document, RawOrgan& organ);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

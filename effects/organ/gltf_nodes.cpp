@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 #include <glm/gtc/quaternion.hpp>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -50,8 +50,7 @@ std::vector<int> root_nodes(const tinygltf::Model& model) {
 std::vector<int> start_nodes(const GltfDocument& document) {
     const tinygltf::Model& model = document.model;
     if (model.defaultScene >= static_cast<int>(model.scenes.size()) || model.defaultScene < -1)
-        refuse(document.file, "/scene",
-               "scene " + std::to_string(model.defaultScene) + " is not in the file");
+        refuse(document.file, "/scene", "scene " + std::to_string(model.defaultScene) + " is not in the file");
     if (model.scenes.empty()) return root_nodes(model);
     return model.scenes[static_cast<std::size_t>(std::max(model.defaultScene, 0))].nodes;
 }
@@ -84,8 +83,7 @@ class Walk {
   private:
     /// The last one first, so that they come off the stack in order.
     void push(const std::vector<int>& nodes, std::size_t depth, const glm::dmat4& parent) {
-        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node)
-            stack_.push_back({*node, depth, parent});
+        for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack_.push_back({*node, depth, parent});
     }
 
     void enter(const Visit& visit) {
@@ -96,8 +94,7 @@ class Walk {
         const tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(visit.node)];
         const glm::dmat4 matrix = visit.parent * local_matrix(node, visit.node, document_.file);
         if (node.mesh >= static_cast<int>(model_.meshes.size()) || node.mesh < -1)
-            refuse(document_.file, place + "/mesh",
-                   "mesh " + std::to_string(node.mesh) + " is not in the file");
+            refuse(document_.file, place + "/mesh", "mesh " + std::to_string(node.mesh) + " is not in the file");
         if (node.mesh >= 0) instances_.push_back({node.mesh, node.name, matrix});
         push(node.children, visit.depth + 1, matrix);
     }
@@ -118,4 +115,4 @@ std::vector<MeshInstance> mesh_instances(const GltfDocument& document) {
     return instances;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

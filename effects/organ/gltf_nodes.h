@@ -7,7 +7,7 @@
 #include "organ/gltf_document.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 struct MeshInstance {
     int mesh = -1;
@@ -19,4 +19,4 @@ struct MeshInstance {
 /// all meshes. A cycle and an index that is not in the file throw Error.
 std::vector<MeshInstance> mesh_instances(const GltfDocument& document);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

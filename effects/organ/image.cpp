@@ -5,7 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -48,8 +48,7 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
     cv::Mat rgba;
     try {
         // The codecs only read; imdecode takes a non-const array all the same.
-        const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U,
-                              const_cast<std::uint8_t*>(file.data()));
+        const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U, const_cast<std::uint8_t*>(file.data()));
         const cv::Mat pixels = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
         if (pixels.empty()) return "cannot be decoded";
         if (!to_rgba(pixels, rgba)) return "has a pixel format that is not read";
@@ -62,4 +61,4 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
     return {};
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

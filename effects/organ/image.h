@@ -7,7 +7,7 @@
 
 #include "lapfx/organ.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// Limits on one image: what OpenGL drivers take, and a GiB of memory.
 constexpr int maximum_image_side = 16384;
@@ -25,4 +25,4 @@ bool image_size(std::span<const std::uint8_t> file, ImageSize& size);
 /// Decodes a whole image file into `image` (its name stays). Returns why not, or an empty string.
 std::string decode_image(std::span<const std::uint8_t> file, Image& image);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -39,8 +39,7 @@ bool jpeg_size(File file, ImageSize& size) {
             ++at;
             continue;
         }
-        const bool frame =
-            marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
+        const bool frame = marker >= 0xc0 && marker <= 0xcf && marker != 0xc4 && marker != 0xc8 && marker != 0xcc;
         if (frame) {
             size = {big(file, at + 7, 2), big(file, at + 5, 2)};
             return true;
@@ -91,4 +90,4 @@ bool image_size(File file, ImageSize& size) {
     return false;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -11,7 +11,7 @@ namespace lapfx {
 
 namespace {
 
-using mesh::Bytes;
+using organ::Bytes;
 
 enum class Format { gltf, obj, ply, stl, off, unknown };
 
@@ -38,25 +38,24 @@ Format format_of(const std::filesystem::path& path, const Bytes& bytes) {
     return Format::unknown;
 }
 
-mesh::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file,
-                    const Bytes& bytes) {
+organ::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
     switch (format) {
         case Format::gltf:
             if (lower_extension(path) == ".glb" && !starts(bytes, "glTF"))
-                mesh::refuse(file, "", "is no binary glTF: it does not start with glTF");
-            return mesh::read_gltf(path, file, bytes);
+                organ::refuse(file, "", "is no binary glTF: it does not start with glTF");
+            return organ::read_gltf(path, file, bytes);
         case Format::obj:
-            return mesh::read_obj(path, file, bytes);
+            return organ::read_obj(path, file, bytes);
         case Format::ply:
-            return mesh::read_ply(file, bytes);
+            return organ::read_ply(file, bytes);
         case Format::stl:
-            return mesh::read_stl(file, bytes);
+            return organ::read_stl(file, bytes);
         case Format::off:
-            return mesh::read_off(file, bytes);
+            return organ::read_off(file, bytes);
         case Format::unknown:
             break;
     }
-    mesh::refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+    organ::refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
 }
 
 glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
@@ -73,23 +72,23 @@ glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
 Organ load_organ(const std::filesystem::path& path, const OrganOptions& options) {
     const std::string file = path.string();
     if (!std::isfinite(options.scale) || options.scale < 0.0)
-        mesh::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
-    mesh::RawOrgan raw;
+        organ::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
+    organ::RawOrgan raw;
     Format format = Format::unknown;
     {
-        const Bytes bytes = mesh::read_file(path, file);
+        const Bytes bytes = organ::read_file(path, file);
         format = format_of(path, bytes);
         raw = read(format, path, file, bytes);
     }
     const double scale = options.scale > 0.0 ? options.scale : format == Format::gltf ? 1000.0 : 1.0;
     const glm::dmat4 matrix = to_millimetres(scale, options.rotation);
-    for (mesh::RawPart& part : raw.parts) mesh::transform(part, matrix);
+    for (organ::RawPart& part : raw.parts) organ::transform(part, matrix);
 
-    mesh::Missing missing;
-    Organ organ = mesh::mend(std::move(raw), file, missing);
+    organ::Missing missing;
+    Organ organ = organ::mend(std::move(raw), file, missing);
     organ.name = path.stem().string();
     organ.scale = scale;
-    mesh::complete(organ, missing);
+    organ::complete(organ, missing);
     return organ;
 }
 

@@ -4,7 +4,7 @@
 
 #include "organ/weld.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -29,8 +29,7 @@ template <class Vector>
 void append(std::vector<Vector>& to, const std::vector<Vector>& from, std::size_t count, Vector fill) {
     const std::size_t start = to.size();
     to.resize(start + count, fill);
-    if (from.size() == count)
-        std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(start));
+    if (from.size() == count) std::copy(from.begin(), from.end(), to.begin() + static_cast<std::ptrdiff_t>(start));
 }
 
 void append_triangles(Organ& organ, const RawPart& part, std::uint32_t base, Counts& counts) {
@@ -107,10 +106,8 @@ void drop_triangles(Organ& organ, Counts& counts) {
     for (Part& part : organ.parts) {
         const std::uint32_t first = out;
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; i += 3) {
-            const std::array<std::uint32_t, 3> v{organ.indices[i], organ.indices[i + 1],
-                                                 organ.indices[i + 2]};
-            const glm::vec3 &a = organ.positions[v[0]], &b = organ.positions[v[1]],
-                            &c = organ.positions[v[2]];
+            const std::array<std::uint32_t, 3> v{organ.indices[i], organ.indices[i + 1], organ.indices[i + 2]};
+            const glm::vec3 &a = organ.positions[v[0]], &b = organ.positions[v[1]], &c = organ.positions[v[2]];
             if (!usable(a) || !usable(b) || !usable(c))
                 ++counts.not_finite;
             else if (!has_area(a, b, c))
@@ -166,8 +163,7 @@ void drop_empty_parts(Organ& organ, Missing& missing) {
 
 /// Every part gets a material, and every colour is a number.
 void settle_materials(Organ& organ) {
-    const bool bare =
-        std::any_of(organ.parts.begin(), organ.parts.end(), [](const Part& p) { return p.material < 0; });
+    const bool bare = std::any_of(organ.parts.begin(), organ.parts.end(), [](const Part& p) { return p.material < 0; });
     if (bare || organ.materials.empty()) {
         for (Part& part : organ.parts)
             if (part.material < 0) part.material = static_cast<int>(organ.materials.size());
@@ -196,8 +192,7 @@ void warn(Organ& organ, const Counts& counts) {
     const auto say = [&](std::size_t count, const char* one, const char* many, const std::string& rest) {
         if (count > 0) organ.warnings.push_back(counted(count, one, many) + rest);
     };
-    say(counts.out_of_range, "triangle names", "triangles name",
-        " vertices that are not in the file; left out");
+    say(counts.out_of_range, "triangle names", "triangles name", " vertices that are not in the file; left out");
     say(counts.not_finite_vertices, "vertex has", "vertices have",
         " NaN or infinite coordinates; left out with " + counted(counts.not_finite, "triangle", "triangles"));
     say(counts.no_area, "triangle", "triangles", " without area left out");
@@ -215,9 +210,8 @@ Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing) {
     }
     if (triangles == 0)
         refuse(file, "",
-               vertices == 0
-                   ? "no triangles: the file holds no surface"
-                   : "no triangles: the file holds " + counted(vertices, "point", "points") + " only");
+               vertices == 0 ? "no triangles: the file holds no surface"
+                             : "no triangles: the file holds " + counted(vertices, "point", "points") + " only");
     if (triangles > maximum_triangles || vertices > 3 * maximum_triangles)
         refuse(file, "", "has more than 20 million triangles");
 
@@ -238,4 +232,4 @@ Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing) {
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -3,7 +3,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// What complete() has to make.
 struct Missing {
@@ -19,4 +19,4 @@ Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing);
 /// Makes what is missing: smooth normals, texture coordinates, tangents; all others become unit length.
 void complete(Organ& organ, const Missing& missing);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -4,7 +4,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -29,8 +29,7 @@ Compressed parse(const tinygltf::Value& object, const std::string& file, const s
                                    number(object, "count", -1)};
     constexpr const char* keys[] = {"buffer", "byteOffset", "byteLength", "byteStride", "count"};
     for (std::size_t i = 0; i < std::size(values); ++i)
-        if (values[i] < 0)
-            refuse(file, place, std::string(keys[i]) + " is missing or not a whole number from 0");
+        if (values[i] < 0) refuse(file, place, std::string(keys[i]) + " is missing or not a whole number from 0");
     Compressed out{static_cast<int>(values[0]),
                    static_cast<std::size_t>(values[1]),
                    static_cast<std::size_t>(values[2]),
@@ -39,8 +38,7 @@ Compressed parse(const tinygltf::Value& object, const std::string& file, const s
                    "",
                    "NONE"};
     if (object.Has("mode") && object.Get("mode").IsString()) out.mode = object.Get("mode").Get<std::string>();
-    if (object.Has("filter") && object.Get("filter").IsString())
-        out.filter = object.Get("filter").Get<std::string>();
+    if (object.Has("filter") && object.Get("filter").IsString()) out.filter = object.Get("filter").Get<std::string>();
     return out;
 }
 
@@ -51,37 +49,31 @@ void check(const Compressed& c, const std::string& file, const std::string& plac
         refuse(file, place, "mode is \"" + c.mode + "\", allowed are ATTRIBUTES, TRIANGLES, INDICES");
     const bool stride_fits =
         attributes ? c.stride > 0 && c.stride <= 256 && c.stride % 4 == 0 : c.stride == 2 || c.stride == 4;
-    if (!stride_fits)
-        refuse(file, place, "byteStride " + std::to_string(c.stride) + " does not fit mode " + c.mode);
+    if (!stride_fits) refuse(file, place, "byteStride " + std::to_string(c.stride) + " does not fit mode " + c.mode);
     if (c.mode == "TRIANGLES" && c.count % 3 != 0)
         refuse(file, place, "count " + std::to_string(c.count) + " is not a multiple of 3");
-    if (c.count > 3 * maximum_triangles)
-        refuse(file, place, "count " + std::to_string(c.count) + " is too large");
-    const bool filter_fits = c.filter == "NONE" ||
-                             (c.filter == "OCTAHEDRAL" && (c.stride == 4 || c.stride == 8)) ||
+    if (c.count > 3 * maximum_triangles) refuse(file, place, "count " + std::to_string(c.count) + " is too large");
+    const bool filter_fits = c.filter == "NONE" || (c.filter == "OCTAHEDRAL" && (c.stride == 4 || c.stride == 8)) ||
                              (c.filter == "QUATERNION" && c.stride == 8) || c.filter == "EXPONENTIAL";
     if (!filter_fits || (!attributes && c.filter != "NONE"))
-        refuse(file, place,
-               "filter \"" + c.filter + "\" does not fit byteStride " + std::to_string(c.stride));
+        refuse(file, place, "filter \"" + c.filter + "\" does not fit byteStride " + std::to_string(c.stride));
 }
 
 }  // namespace
 
-std::span<const std::uint8_t> bytes_of(const GltfDocument& document, int buffer, std::size_t offset,
-                                       std::size_t length, const std::string& place) {
+std::span<const std::uint8_t> bytes_of(const GltfDocument& document, int buffer, std::size_t offset, std::size_t length,
+                                       const std::string& place) {
     if (buffer < 0 || static_cast<std::size_t>(buffer) >= document.model.buffers.size())
         refuse(document.file, place, "buffer " + std::to_string(buffer) + " is not in the file");
     const std::vector<unsigned char>& data = document.model.buffers[static_cast<std::size_t>(buffer)].data;
     if (offset > data.size() || length > data.size() - offset)
         refuse(document.file, place,
-               "bytes " + std::to_string(offset) + " to " + std::to_string(offset + length) +
-                   " are not in buffer " + std::to_string(buffer) + " of " + std::to_string(data.size()) +
-                   " bytes");
+               "bytes " + std::to_string(offset) + " to " + std::to_string(offset + length) + " are not in buffer " +
+                   std::to_string(buffer) + " of " + std::to_string(data.size()) + " bytes");
     return std::span(data).subspan(offset, length);
 }
 
-Bytes decode_meshopt(const GltfDocument& document, const tinygltf::Value& extension,
-                     const std::string& place) {
+Bytes decode_meshopt(const GltfDocument& document, const tinygltf::Value& extension, const std::string& place) {
     const std::string at = place + "/extensions/EXT_meshopt_compression";
     const Compressed c = parse(extension, document.file, at);
     check(c, document.file, at);
@@ -103,4 +95,4 @@ Bytes decode_meshopt(const GltfDocument& document, const tinygltf::Value& extens
     return out;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -7,7 +7,7 @@
 #include "organ/image.h"
 #include "organ/soup.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace fs = std::filesystem;
 
@@ -28,16 +28,14 @@ std::string lower(std::string text) {
 std::string map_file(std::istringstream& line, float& bump) {
     std::string word, rest;
     std::streampos before = line.tellg();
-    while (line >> word && word.size() > 1 && word[0] == '-' &&
-           std::isalpha(static_cast<unsigned char>(word[1]))) {
+    while (line >> word && word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]))) {
         const int values = word == "-mm" ? 2 : word == "-o" || word == "-s" || word == "-t" ? 3 : 1;
         for (int i = 0; i < values; ++i) {
             before = line.tellg();
             std::string value;
             if (!(line >> value)) return {};
             // -o, -s and -t may have fewer numbers than three.
-            const bool number =
-                !value.empty() && value.find_first_not_of("+-.0123456789eE") == std::string::npos;
+            const bool number = !value.empty() && value.find_first_not_of("+-.0123456789eE") == std::string::npos;
             if (i > 0 && values == 3 && !number) {
                 line.seekg(before);
                 break;
@@ -166,4 +164,4 @@ void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder,
     }
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -8,11 +8,10 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// Appends the materials of the libraries, and their textures, to `organ`. A library or texture that is
 /// missing or broken is a warning: an OBJ is often passed on without them.
-void read_mtl(const std::vector<std::string>& libraries, const std::filesystem::path& folder,
-              RawOrgan& organ);
+void read_mtl(const std::vector<std::string>& libraries, const std::filesystem::path& folder, RawOrgan& organ);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

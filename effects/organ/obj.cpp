@@ -6,7 +6,7 @@
 #include "organ/obj_text.h"
 #include "organ/openmesh_reader.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -63,8 +63,7 @@ RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, co
     read_mtl(text.libraries, path.parent_path(), organ);
     warn_of_missing_materials(text, organ);
     if (text.bad_faces > 0)
-        organ.warnings.push_back(counted(text.bad_faces, "face", "faces") +
-                                 " without 3 readable corners left out");
+        organ.warnings.push_back(counted(text.bad_faces, "face", "faces") + " without 3 readable corners left out");
     if (text.flat_faces > 0)
         organ.warnings.push_back(counted(text.flat_faces, "face names", "faces name") +
                                  " less than 3 different vertices; left out");
@@ -78,4 +77,4 @@ RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, co
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -5,10 +5,10 @@
 #include "organ/file.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// One part for each run of a material. Throws Error when the file is no text or cannot be read; lines that
 /// make no sense are left out with a warning.
 RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

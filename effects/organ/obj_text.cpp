@@ -4,7 +4,7 @@
 #include <charconv>
 #include <cmath>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -172,4 +172,4 @@ ObjText clean_obj(std::string_view source) {
     return cleaner.take();
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

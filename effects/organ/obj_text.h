@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 struct ObjText {
     std::string text;  ///< v, vt, vn and f lines only
@@ -30,4 +30,4 @@ struct ObjText {
 
 ObjText clean_obj(std::string_view source);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

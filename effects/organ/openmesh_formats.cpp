@@ -4,7 +4,7 @@
 
 #include "organ/openmesh_reader.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -25,9 +25,8 @@ void replace_words_for_not_finite(std::string& text) {
         const auto is = [&](const char* word) {
             const std::size_t length = std::strlen(word);
             if (i + length > text.size() || letter(i + length)) return false;
-            return std::equal(
-                word, word + length, text.begin() + static_cast<std::ptrdiff_t>(i),
-                [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
+            return std::equal(word, word + length, text.begin() + static_cast<std::ptrdiff_t>(i),
+                              [](char a, char b) { return a == std::tolower(static_cast<unsigned char>(b)); });
         };
         for (const char* word : {"nan", "inf", "infinity"})
             if (is(word)) text.replace(i, std::strlen(word), "1e30");
@@ -95,8 +94,7 @@ RawOrgan read_stl(const std::string& file, const Bytes& bytes) {
     std::uint32_t triangles = 0;
     if (bytes.size() >= stl_header) std::memcpy(&triangles, bytes.data() + 80, 4);
     // The header of a binary file may start with "solid" too; its length is what tells.
-    const bool exact =
-        bytes.size() >= stl_header && bytes.size() == stl_header + std::size_t{triangles} * stl_triangle;
+    const bool exact = bytes.size() >= stl_header && bytes.size() == stl_header + std::size_t{triangles} * stl_triangle;
     if (!exact && text_of(bytes).substr(0, 64).find("solid") != std::string_view::npos)
         return read_text_stl(file, bytes);
     if (bytes.size() < stl_header) refuse(file, "", "truncated: the file ends within the header of an STL");
@@ -113,4 +111,4 @@ RawOrgan read_off(const std::string& file, const Bytes& bytes) {
     return organ_of(soup);
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

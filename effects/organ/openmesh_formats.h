@@ -4,7 +4,7 @@
 #include "organ/file.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// Binary or text. Throws Error: truncated, or neither.
 RawOrgan read_stl(const std::string& file, const Bytes& bytes);
@@ -12,4 +12,4 @@ RawOrgan read_stl(const std::string& file, const Bytes& bytes);
 /// Text. Throws Error: truncated, malformed.
 RawOrgan read_off(const std::string& file, const Bytes& bytes);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

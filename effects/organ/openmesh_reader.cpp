@@ -8,7 +8,7 @@
 #include <mutex>
 #include <sstream>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -54,8 +54,7 @@ class Collector : public IO::BaseImporter {
         const glm::vec3 normal(n[0], n[1], n[2]);
         // Two normals at one vertex: a hard edge, or a bad exporter. Neither suits an organ; it gets a smooth
         // one.
-        const bool differs =
-            there != glm::vec3(0.0f) && glm::dot(there, normal) < 0.9f * glm::dot(there, there);
+        const bool differs = there != glm::vec3(0.0f) && glm::dot(there, normal) < 0.9f * glm::dot(there, there);
         if (differs) hard_[index(v)] = 1;
         there = normal;
     }
@@ -177,4 +176,4 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     return true;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

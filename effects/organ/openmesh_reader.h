@@ -6,7 +6,7 @@
 
 #include "organ/soup.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 enum class OpenMeshFormat { obj, off, stl_ascii, stl_binary };
 
@@ -14,4 +14,4 @@ enum class OpenMeshFormat { obj, off, stl_ascii, stl_binary };
 /// state in its readers: one thread at a time is let in.
 bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& soup);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

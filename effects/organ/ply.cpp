@@ -7,7 +7,7 @@
 #include "organ/ply_header.h"
 #include "organ/soup.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -32,8 +32,7 @@ class PlyNumbers {
         if (code == std::errc::invalid_argument) {
             const std::size_t stop = std::min(data_.find_first_of(" \t\r\n", at), data_.size());
             refuse(file_, "",
-                   "\"" + std::string(data_.substr(at, std::min<std::size_t>(stop - at, 40))) +
-                       "\" is no number");
+                   "\"" + std::string(data_.substr(at, std::min<std::size_t>(stop - at, 40))) + "\" is no number");
         }
         data_.remove_prefix(static_cast<std::size_t>(end - data_.data()));
         return value;
@@ -112,9 +111,9 @@ class PlyReader {
         for (const PlyElement& element : header_.elements) {
             // Every element takes a byte at least.
             if (!element.properties.empty() && element.count > numbers_.left())
-                refuse(file_, "",
-                       "truncated: the header promises " + std::to_string(element.count) + " of element " +
-                           element.name);
+                refuse(
+                    file_, "",
+                    "truncated: the header promises " + std::to_string(element.count) + " of element " + element.name);
             if (element.name == "vertex")
                 vertices(element);
             else if (element.name == "face" || element.name == "tristrips")
@@ -163,20 +162,17 @@ class PlyReader {
         if (!all<glm::vec3>(position)) refuse(file_, "", "its vertices have no x, y and z");
         for (std::size_t i = 0; i < element.count; ++i) {
             row(element);
-            const auto at = [&](int column) {
-                return static_cast<float>(values_[static_cast<std::size_t>(column)]);
-            };
+            const auto at = [&](int column) { return static_cast<float>(values_[static_cast<std::size_t>(column)]); };
             soup_.positions.emplace_back(at(position[0]), at(position[1]), at(position[2]));
-            if (all<glm::vec3>(normal))
-                soup_.normals.emplace_back(at(normal[0]), at(normal[1]), at(normal[2]));
+            if (all<glm::vec3>(normal)) soup_.normals.emplace_back(at(normal[0]), at(normal[1]), at(normal[2]));
             if (all<glm::vec2>(uv)) soup_.uvs.emplace_back(at(uv[0]), at(uv[1]));
             if (all<glm::vec3>(color)) {
                 const auto channel = [&](int column) {
                     const PlyType type = element.properties[static_cast<std::size_t>(column)].type;
                     return static_cast<float>(values_[static_cast<std::size_t>(column)] / color_range(type));
                 };
-                soup_.colors.push_back(linear_color({channel(color[0]), channel(color[1]), channel(color[2]),
-                                                     alpha >= 0 ? channel(alpha) : 1.0f}));
+                soup_.colors.push_back(linear_color(
+                    {channel(color[0]), channel(color[1]), channel(color[2]), alpha >= 0 ? channel(alpha) : 1.0f}));
             }
         }
     }
@@ -243,8 +239,7 @@ class PlyReader {
 
     void texcoords(const PlyProperty& property) {
         const std::size_t count = list_length(property);
-        for (std::size_t c = 0; c < count; ++c)
-            face_uvs_.push_back(static_cast<float>(numbers_.next(property.type)));
+        for (std::size_t c = 0; c < count; ++c) face_uvs_.push_back(static_cast<float>(numbers_.next(property.type)));
     }
 
     /// MeshLab's "texcoord" list: u and v of each corner.
@@ -279,4 +274,4 @@ RawOrgan read_ply(const std::string& file, const Bytes& bytes) {
     return organ;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

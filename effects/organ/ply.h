@@ -8,10 +8,10 @@
 #include "organ/file.h"
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// x y z, nx ny nz, texture coordinates (s t, u v, texture_u texture_v), colours (red green blue alpha) and
 /// the faces' vertex lists; all else is skipped. Throws Error: malformed header, truncated, malformed number.
 RawOrgan read_ply(const std::string& file, const Bytes& bytes);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

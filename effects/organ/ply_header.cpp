@@ -4,7 +4,7 @@
 
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -63,15 +63,12 @@ class HeaderReader {
     }
 
   private:
-    [[noreturn]] void wrong(const std::string& reason) const {
-        refuse(file_, "line " + std::to_string(line_), reason);
-    }
+    [[noreturn]] void wrong(const std::string& reason) const { refuse(file_, "line " + std::to_string(line_), reason); }
 
     std::vector<std::string> next() {
         const std::size_t end = text_.find(line_end_, at_);
         ++line_;
-        if (end == std::string_view::npos || end - at_ > 4096)
-            wrong("truncated: the header has no end_header");
+        if (end == std::string_view::npos || end - at_ > 4096) wrong("truncated: the header has no end_header");
         const std::string_view line = text_.substr(at_, end - at_);
         at_ = end + 1;
         return words_of(line);
@@ -156,4 +153,4 @@ PlyHeader read_ply_header(const std::string& file, std::string_view text) {
     return HeaderReader(file, text).read();
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

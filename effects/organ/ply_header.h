@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 enum class PlyType { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
 enum class PlyCoding { text, little_endian, big_endian };
@@ -37,4 +37,4 @@ std::size_t size_of(PlyType type);
 /// Throws Error with the number of the line that is wrong.
 PlyHeader read_ply_header(const std::string& file, std::string_view text);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -1,6 +1,6 @@
 #include "organ/polygon.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -23,8 +23,7 @@ Ring flattened(std::span<const glm::vec3> ring, const glm::dvec3& normal) {
     const int drop = size.x > size.y && size.x > size.z ? 0 : size.y > size.z ? 1 : 2;
     const int u = (drop + 1) % 3, v = (drop + 2) % 3;
     Ring flat;
-    for (const glm::vec3& p : ring)
-        flat.push_back(normal[drop] < 0 ? glm::dvec2(p[v], p[u]) : glm::dvec2(p[u], p[v]));
+    for (const glm::vec3& p : ring) flat.push_back(normal[drop] < 0 ? glm::dvec2(p[v], p[u]) : glm::dvec2(p[u], p[v]));
     return flat;
 }
 
@@ -80,4 +79,4 @@ void triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& ou
     for (std::uint32_t i = 2; i < ring.size(); ++i) out.insert(out.end(), {0u, i - 1, i});
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -1,6 +1,6 @@
 #include "organ/raw.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -33,4 +33,4 @@ std::string counted(std::size_t count, const char* one, const char* many) {
     return std::to_string(count) + ' ' + (count == 1 ? one : many);
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -9,7 +9,7 @@
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 /// More than this is refused: such a file is no organ, and would take the machine down with it.
 constexpr std::size_t maximum_triangles = 20'000'000;
@@ -42,9 +42,8 @@ void transform(RawPart& part, const glm::dmat4& matrix);
 std::string counted(std::size_t count, const char* one, const char* many);
 
 /// The error of every reader: the file has to change.
-[[noreturn]] inline void refuse(const std::string& file, const std::string& place,
-                                const std::string& reason) {
+[[noreturn]] inline void refuse(const std::string& file, const std::string& place, const std::string& reason) {
     throw Error(Failure::bad_input, Fault{file, place, reason});
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -72,8 +72,8 @@ std::string size_warning(double longest, double scale) {
         if (distance(factor) < distance(best)) best = factor;
     const bool fits = longest * best >= shortest_organ && longest * best <= longest_organ;
     return "its longest side is " + number(longest) + " mm, which is no size of an organ" +
-           (fits ? "; is the unit wrong? scale " + number(scale * best) + " would make it " +
-                       number(longest * best) + " mm"
+           (fits ? "; is the unit wrong? scale " + number(scale * best) + " would make it " + number(longest * best) +
+                       " mm"
                  : "");
 }
 
@@ -90,7 +90,7 @@ OrganReport report(const Organ& organ) {
         report.minimum = glm::min(report.minimum, glm::dvec3(p));
         report.maximum = glm::max(report.maximum, glm::dvec3(p));
     }
-    const mesh::Weld weld = mesh::weld_positions(organ.positions);
+    const organ::Weld weld = organ::weld_positions(organ.positions);
     std::vector<std::uint32_t> triangles(organ.indices.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = weld.point[organ.indices[i]];
     report.components = count_components(triangles, weld.points);

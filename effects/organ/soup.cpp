@@ -2,7 +2,7 @@
 
 #include "organ/polygon.h"
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -97,8 +97,7 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
     if (parts.empty()) parts.emplace_back();
     std::vector<std::vector<std::uint32_t>> faces_of(parts.size());
     for (std::size_t face = 0; face < soup.faces(); ++face)
-        faces_of[soup.face_part.empty() ? 0 : soup.face_part[face]].push_back(
-            static_cast<std::uint32_t>(face));
+        faces_of[soup.face_part.empty() ? 0 : soup.face_part[face]].push_back(static_cast<std::uint32_t>(face));
     std::vector<char> used(soup.positions.size(), 0);
     for (const std::uint32_t corner : soup.corners)
         if (corner < used.size()) used[corner] = 1;
@@ -114,4 +113,4 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
     return parts;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -27,8 +27,7 @@ double square(const glm::dvec3& v) {
 
 /// Barycentric weights of the point of a triangle nearest to p (Ericson, Real-Time Collision
 /// Detection, 5.1.5).
-glm::dvec3 nearest_weights(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b,
-                           const glm::dvec3& c) {
+glm::dvec3 nearest_weights(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const glm::dvec3 ab = b - a, ac = c - a;
     const double d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
     if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
@@ -54,12 +53,10 @@ double distance_to_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dv
 }
 
 /// Where a ray enters a box, in lengths of its direction; infinity when it misses.
-double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& low,
-             const glm::dvec3& high) {
+double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& low, const glm::dvec3& high) {
     double from = 0.0, to = infinity;
     for (int axis = 0; axis < 3; ++axis) {
-        double a = (low[axis] - origin[axis]) * inverse[axis],
-               b = (high[axis] - origin[axis]) * inverse[axis];
+        double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
         if (a > b) std::swap(a, b);
         // A ray within a side plane gives 0 * infinity = NaN; such a side does not limit it.
         if (a > from) from = a;
@@ -72,7 +69,7 @@ double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dve
 }  // namespace
 
 Surface::Surface(const Organ& organ) {
-    mesh::Weld welded = mesh::weld_positions(organ.positions);
+    organ::Weld welded = organ::weld_positions(organ.positions);
     weld = std::move(welded.point);
     positions.resize(welded.points);
     for (std::size_t v = 0; v < weld.size(); ++v) positions[weld[v]] = glm::dvec3(organ.positions[v]);
@@ -125,8 +122,8 @@ void Surface::build_tree() {
         const Job job = jobs.back();
         jobs.pop_back();
         if (job.parent != none) nodes_[job.parent].first = static_cast<std::uint32_t>(nodes_.size());
-        Node node{glm::vec3(std::numeric_limits<float>::max()),
-                  glm::vec3(std::numeric_limits<float>::lowest()), job.first, job.count};
+        Node node{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest()),
+                  job.first, job.count};
         for (std::uint32_t i = job.first; i < job.first + job.count; ++i)
             for (const std::uint32_t point : triangles[order_[i]]) {
                 // Positions came from floats: the boxes are exact.

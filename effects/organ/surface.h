@@ -30,10 +30,10 @@ class Surface {
     std::vector<std::uint32_t> weld;                      ///< organ vertex to point
     std::vector<glm::dvec3> positions;                    ///< of the points, mm
     std::vector<std::array<std::uint32_t, 3>> triangles;  ///< points, in the order of the organ's triangles
-    std::vector<std::uint32_t> triangle_start;    ///< per point, into point_triangles; one more at the end
-    std::vector<std::uint32_t> point_triangles;   ///< triangles at each point, ascending
-    std::vector<std::uint32_t> neighbour_start;   ///< per point, into point_neighbours; one more at the end
-    std::vector<std::uint32_t> point_neighbours;  ///< points joined by an edge, ascending
+    std::vector<std::uint32_t> triangle_start;            ///< per point, into point_triangles; one more at the end
+    std::vector<std::uint32_t> point_triangles;           ///< triangles at each point, ascending
+    std::vector<std::uint32_t> neighbour_start;           ///< per point, into point_neighbours; one more at the end
+    std::vector<std::uint32_t> point_neighbours;          ///< points joined by an edge, ascending
 
     std::span<const std::uint32_t> triangles_at(std::uint32_t point) const {
         return std::span(point_triangles)

@@ -2,7 +2,7 @@
 
 #include <bit>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 namespace {
 
@@ -37,4 +37,4 @@ Weld weld_positions(std::span<const glm::vec3> positions) {
     return weld;
 }
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-namespace lapfx::mesh {
+namespace lapfx::organ {
 
 struct Weld {
     std::vector<std::uint32_t> point;  ///< of each vertex
@@ -16,4 +16,4 @@ struct Weld {
 /// Joins vertices whose coordinates are equal; -0 equals 0. Vertices with a NaN stay single.
 Weld weld_positions(std::span<const glm::vec3> positions);
 
-}  // namespace lapfx::mesh
+}  // namespace lapfx::organ

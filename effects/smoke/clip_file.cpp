@@ -1,5 +1,6 @@
 #include "smoke/clip_file.h"
 
+#include <algorithm>
 #include <array>
 #include <fstream>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int maximum_side = 8192;       // pixels: 8K
 constexpr int maximum_frames = 100'000;  // an hour at 25 frames per second
+constexpr const char* not_decodable = "is not a video that can be decoded";
 
 Error bad_clip(const fs::path& path, const std::string& reason) {
     return {Failure::bad_input, Fault{.file = path.string(), .place = "", .reason = reason}};
@@ -27,14 +29,17 @@ void require_plain_file(const fs::path& path) {
     if (fs::file_size(path, error) == 0) throw bad_clip(path, "is empty");
 }
 
-/// Playlists make FFmpeg open whatever they name; a clip is one file.
+/// Playlists make FFmpeg open whatever they name; a clip is one file. All playlists are text and no video is, so that text
+/// is never handed on: FFmpeg knows some of them behind comments, too.
 void refuse_playlist(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
-    std::array<char, 64> head{};
+    std::array<char, 512> head{};
     if (!file.read(head.data(), head.size()) && file.gcount() == 0) throw bad_clip(path, "cannot be read");
-    const std::string_view text(head.data(), static_cast<std::size_t>(file.gcount()));
+    const std::string_view start(head.data(), static_cast<std::size_t>(file.gcount()));
     for (const std::string_view mark : {"#EXTM3U", "ffconcat", "<?xml", "<MPD", "v=0", "[playlist]"})
-        if (text.starts_with(mark)) throw bad_clip(path, "is a playlist; a clip is a single video file");
+        if (start.starts_with(mark)) throw bad_clip(path, "is a playlist; a clip is a single video file");
+    const auto printable = [](char c) { return static_cast<unsigned char>(c) >= 0x20 || (c >= '\t' && c <= '\r'); };
+    if (std::all_of(start.begin(), start.end(), printable)) throw bad_clip(path, not_decodable);
 }
 
 }  // namespace
@@ -64,7 +69,7 @@ cv::VideoCapture open_clip(const fs::path& path) {
         open = capture.open(fs::absolute(path).string(), cv::CAP_FFMPEG);
     } catch (const cv::Exception&) {  // told below, like any other file that is no video
     }
-    if (!open) throw bad_clip(path, "is not a video that can be decoded");
+    if (!open) throw bad_clip(path, not_decodable);
     const double width = capture.get(cv::CAP_PROP_FRAME_WIDTH), height = capture.get(cv::CAP_PROP_FRAME_HEIGHT);
     if (!(width >= 1 && height >= 1)) throw bad_clip(path, "holds no picture");
     if (width > maximum_side || height > maximum_side)

@@ -28,8 +28,13 @@ inline glm::vec2 chroma(glm::vec3 code) {
     return {(code.b - y) / 1.772f, (code.r - y) / 1.402f};
 }
 
+/// `x` within 0..1; NaN, from a pixel that holds one, counts as nothing.
+inline float unit(float x) {
+    return x > 0.0f ? std::min(x, 1.0f) : 0.0f;
+}
+
 inline float ramp(float value, float low, float high) {
-    return std::clamp((value - low) / std::max(high - low, 1e-3f), 0.0f, 1.0f);
+    return unit((value - low) / std::max(high - low, 1e-3f));
 }
 
 /// Opacity of the smoke in one pixel.
@@ -50,7 +55,7 @@ inline glm::vec2 despill(glm::vec2 value, const Keying& key) {
 }
 
 inline float vary_alpha(float alpha, float noise, float strength) {
-    return std::clamp(alpha * (1.0f + strength * noise), 0.0f, 1.0f);
+    return unit(alpha * (1.0f + strength * noise));
 }
 
 }  // namespace lapfx::smoke

@@ -51,8 +51,7 @@ void Advector::trace(const Flow& flow, float dt, const SmallEddies& eddies) {
                 const glm::vec3 start = flow.sample(x);
                 glm::vec3 speed = flow.sample(x - 0.5f * dt * start);
                 if (eddies.tile)
-                    speed += eddies.share * glm::length(start) *
-                             eddies.tile->sample(x * eddies.scale + eddies.drift);
+                    speed += eddies.share * glm::length(start) * eddies.tile->sample(x * eddies.scale + eddies.drift);
                 from_[guess_.index(i, j, k)] = x - dt * speed;
             }
         });

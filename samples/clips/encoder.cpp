@@ -29,14 +29,12 @@ std::uint8_t quantized(float value, std::uint32_t position, std::uint32_t frame)
 
 }  // namespace
 
-Encoder::Encoder(const std::filesystem::path& file, int width, int height, int fps,
-                 const std::string& quality)
+Encoder::Encoder(const std::filesystem::path& file, int width, int height, int fps, const std::string& quality)
     : file_(file), width_(width), height_(height), planes_(std::size_t(width) * height * 3 / 2) {
     // One thread and no version stamps: the bytes depend only on the frames and on the encoder's version.
     const std::string command =
-        "ffmpeg -v error -y -f rawvideo -pix_fmt yuv420p -s " + std::to_string(width) + "x" +
-        std::to_string(height) + " -r " + std::to_string(fps) + " -i - -an -c:v libx264 -threads 1 " +
-        quality +
+        "ffmpeg -v error -y -f rawvideo -pix_fmt yuv420p -s " + std::to_string(width) + "x" + std::to_string(height) +
+        " -r " + std::to_string(fps) + " -i - -an -c:v libx264 -threads 1 " + quality +
         " -pix_fmt yuv420p -color_range tv -colorspace smpte170m -color_primaries smpte170m -color_trc "
         "smpte170m"
         " -map_metadata -1 -fflags +bitexact -flags:v +bitexact -movflags +faststart " +
@@ -56,8 +54,7 @@ void Encoder::write(const RgbFrame& frame) {
         for (std::size_t x = 0; x < w; ++x) {
             const float* c = rgb(x, y);
             const float luma = 0.299f * c[0] + 0.587f * c[1] + 0.114f * c[2];
-            planes_[y * w + x] =
-                quantized(16.0f + luma * (219.0f / 255.0f), std::uint32_t(y * w + x), frame_);
+            planes_[y * w + x] = quantized(16.0f + luma * (219.0f / 255.0f), std::uint32_t(y * w + x), frame_);
         }
     std::uint8_t* cb = planes_.data() + w * h;
     std::uint8_t* cr = cb + w * h / 4;

@@ -20,10 +20,7 @@ struct Field {
 
     Field() = default;
     Field(glm::ivec3 samples, glm::vec3 first, float step)
-        : size(samples),
-          origin(first),
-          spacing(step),
-          values(std::size_t(samples.x) * samples.y * samples.z, 0.0f) {}
+        : size(samples), origin(first), spacing(step), values(std::size_t(samples.x) * samples.y * samples.z, 0.0f) {}
 
     std::size_t index(int i, int j, int k) const { return (std::size_t(k) * size.y + j) * size.x + i; }
     float& at(int i, int j, int k) { return values[index(i, j, k)]; }
@@ -95,8 +92,7 @@ class Flow {
     void gather(const Velocity& velocity, int k_begin, int k_end) {
         for (int k = k_begin; k < k_end; ++k)
             for (int j = 0; j < cells_.y; ++j)
-                for (int i = 0; i < cells_.x; ++i)
-                    values_[index(i, j, k)] = glm::vec4(velocity.at_cell(i, j, k), 0.0f);
+                for (int i = 0; i < cells_.x; ++i) values_[index(i, j, k)] = glm::vec4(velocity.at_cell(i, j, k), 0.0f);
     }
 
     glm::vec3 sample(glm::vec3 p) const {

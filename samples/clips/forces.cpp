@@ -51,8 +51,7 @@ void Forces::add_confinement(const Velocity& velocity, float strength) {
         vorticity_[index(i, j, k)] = glm::vec4(curl, glm::length(curl));
     });
     for_cells(cells_, [&](int i, int j, int k) {
-        if (glm::any(glm::equal(glm::ivec3(i, j, k), glm::ivec3(0))) ||
-            glm::any(glm::equal(glm::ivec3(i, j, k), last)))
+        if (glm::any(glm::equal(glm::ivec3(i, j, k), glm::ivec3(0))) || glm::any(glm::equal(glm::ivec3(i, j, k), last)))
             return;
         const auto size = [&](int a, int b, int c) { return vorticity_[index(a, b, c)].w; };
         const glm::vec3 uphill(size(i + 1, j, k) - size(i - 1, j, k), size(i, j + 1, k) - size(i, j - 1, k),

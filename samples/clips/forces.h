@@ -25,8 +25,8 @@ class Forces {
     /// Stirring with two turbulence tiles that drift against each other. `scale`: tiles per cell; `drift`:
     /// tiles by which they have moved; `strength`: cells/s^2. With `where`, only in places with smoke or heat
     /// in that field.
-    void add_turbulence(const TurbulenceTile& tile, float scale, glm::vec3 drift, float strength,
-                        const Field* where, float gain = 1.0f);
+    void add_turbulence(const TurbulenceTile& tile, float scale, glm::vec3 drift, float strength, const Field* where,
+                        float gain = 1.0f);
 
     void apply(Velocity& velocity, float dt) const;
 

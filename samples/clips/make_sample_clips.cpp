@@ -87,17 +87,15 @@ void film(Scene& scene, const Options& options, const Take& take,
 
 void make_plume(const Options& options) {
     const auto scene = make_thick_plume(scene_options(options, plume_take, 0));
-    Encoder on_black(options.output / "plume_thick.mp4", width, height, fps,
-                     "-crf 20 -preset slow -aq-mode 3");
+    Encoder on_black(options.output / "plume_thick.mp4", width, height, fps, "-crf 16 -preset slow -aq-mode 3");
     // Few bits, no deblocking, sensor noise left in: the poor recording that keying has to cope with.
     Encoder on_green(options.output / "plume_green.mp4", width, height, fps,
-                     "-crf 29 -preset medium -tune grain -x264-params no-deblock=1");
-    Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps,
-                  "-crf 17 -preset slow -aq-mode 3");
+                     "-crf 26 -preset medium -tune grain -x264-params no-deblock=1");
+    Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps, "-crf 15 -preset slow -aq-mode 3");
     film(*scene, options, plume_take, [&](int frame, const Picture& picture) {
         on_black.write(over(picture, black));
         RgbFrame green = over(picture, studio_green);
-        add_sensor_noise(green, 3.0f, hash(options.seed, std::uint32_t(frame)));
+        add_sensor_noise(green, 5.0f, hash(options.seed, std::uint32_t(frame)));
         on_green.write(green);
         alpha.write(alpha_as_grey(picture));
     });
@@ -115,7 +113,7 @@ void make_on_black(const std::string& name, Scene& scene, const Options& options
 
 void make_wisps(const Options& options) {
     const auto scene = make_thin_wisps(scene_options(options, wisps_take, 1));
-    make_on_black("wisps_thin", *scene, options, wisps_take, "-crf 19 -preset slow -aq-mode 3");
+    make_on_black("wisps_thin", *scene, options, wisps_take, "-crf 16 -preset slow -aq-mode 3");
 }
 
 void make_haze(const Options& options) {

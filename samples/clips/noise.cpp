@@ -27,9 +27,7 @@ float gradient(std::uint32_t h, glm::vec3 d) {
 float noise1(float x, int period, std::uint32_t seed) {
     const float base = std::floor(x);
     const float f = x - base;
-    const auto slope = [&](int i) {
-        return 2.0f * uniform(hash(std::uint32_t(wrap(i, period)), seed)) - 1.0f;
-    };
+    const auto slope = [&](int i) { return 2.0f * uniform(hash(std::uint32_t(wrap(i, period)), seed)) - 1.0f; };
     const int i = int(base);
     const float a = slope(i) * f;
     const float b = slope(i + 1) * (f - 1.0f);
@@ -72,8 +70,7 @@ TurbulenceTile::TurbulenceTile(int lobes, int octaves, float gain, std::uint32_t
     : values_(std::size_t(edge) * edge * edge) {
     std::vector<glm::vec3> potential(values_.size());
     const auto at = [](int i, int j, int k) {
-        return (std::size_t(wrap(k, edge)) * edge + std::size_t(wrap(j, edge))) * edge +
-               std::size_t(wrap(i, edge));
+        return (std::size_t(wrap(k, edge)) * edge + std::size_t(wrap(j, edge))) * edge + std::size_t(wrap(i, edge));
     };
     for (int k = 0; k < edge; ++k)
         for (int j = 0; j < edge; ++j)
@@ -107,8 +104,7 @@ glm::vec3 TurbulenceTile::sample(glm::vec3 p) const {
         return values_[(std::size_t(z) * edge + std::size_t(y)) * edge + std::size_t(x)];
     };
     const auto row = [&](int y, int z) { return glm::mix(at(i.x, y, z), at(n.x, y, z), f.x); };
-    return glm::mix(glm::mix(row(i.y, i.z), row(n.y, i.z), f.y), glm::mix(row(i.y, n.z), row(n.y, n.z), f.y),
-                    f.z);
+    return glm::mix(glm::mix(row(i.y, i.z), row(n.y, i.z), f.y), glm::mix(row(i.y, n.z), row(n.y, n.z), f.y), f.z);
 }
 
 }  // namespace clips

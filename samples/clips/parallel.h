@@ -17,8 +17,7 @@ void for_slabs(int count, const Body& body) {
     const int slabs = std::min(thread_count, count);
     if (slabs <= 1) return body(0, count);
     std::vector<std::jthread> threads;
-    for (int s = 1; s < slabs; ++s)
-        threads.emplace_back([&, s] { body(count * s / slabs, count * (s + 1) / slabs); });
+    for (int s = 1; s < slabs; ++s) threads.emplace_back([&, s] { body(count * s / slabs, count * (s + 1) / slabs); });
     body(0, count / slabs);
 }
 

@@ -37,7 +37,7 @@ struct PlumeNumbers {
     float fade_high = 1.3f;   ///< 1/s near the top
     float erosion = 0.03f;    ///< density/s taken from everywhere: thins edges into wisps
     LightSettings light;
-    float extinction = 85.0f;  ///< 1/H
+    float extinction = 130.0f;  ///< 1/H
 };
 
 class PlumeScene : public Scene {
@@ -112,8 +112,7 @@ float PlumeScene::wave(float time, float rate, std::uint32_t salt) const {
 PlumeScene::Source PlumeScene::source(int index, float time) const {
     const auto salt = std::uint32_t(100 * (index + 1));
     const int beats = std::max(1, int(std::lround(n_.puff_rate * options_.length)));
-    const float phase =
-        time * float(beats) / options_.length + 0.25f * wave(time, 1.2f, salt) + 0.37f * float(index);
+    const float phase = time * float(beats) / options_.length + 0.25f * wave(time, 1.2f, salt) + 0.37f * float(index);
     // Cautery comes in pulses: fast onset, slower end, each of its own strength.
     const float saw = phase - std::floor(phase);
     const float pulse = std::min(1.0f, saw / 0.15f) * std::exp(-2.2f * saw);
@@ -125,8 +124,8 @@ PlumeScene::Source PlumeScene::source(int index, float time) const {
                           wave(time, n_.wander_rate, salt + 4));
     const glm::vec3 lean(wave(time, 1.1f, salt + 5) + 0.6f * wave(time, 5.0f, salt + 6), 0.0f,
                          wave(time, 1.3f, salt + 7) + 0.6f * wave(time, 5.0f, salt + 8));
-    s.centre = glm::vec3(0.5f, 0.0f, 0.5f) * glm::vec3(cells_) + glm::vec3(0.0f, 0.085f * h_, 0.0f) +
-               n_.wander * h_ * stray;
+    s.centre =
+        glm::vec3(0.5f, 0.0f, 0.5f) * glm::vec3(cells_) + glm::vec3(0.0f, 0.085f * h_, 0.0f) + n_.wander * h_ * stray;
     s.speed = h_ * (glm::vec3(0.0f, n_.jet * (0.4f + 0.9f * s.strength), 0.0f) + n_.sway * lean);
     return s;
 }
@@ -224,8 +223,8 @@ void PlumeScene::stir(const Fluid& fluid, Forces& forces, float time) {
     // The tiles move upwards with the smoke, a whole number of times per clip.
     const float rise = std::max(1.0f, std::round(0.3f * options_.length / n_.stir_size));
     const float turn = time / options_.length;
-    forces.add_turbulence(tile_, 1.0f / (n_.stir_size * h_), {turn, -rise * turn, -turn}, n_.stir * h_,
-                          &fluid.density, n_.stir_gain);
+    forces.add_turbulence(tile_, 1.0f / (n_.stir_size * h_), {turn, -rise * turn, -turn}, n_.stir * h_, &fluid.density,
+                          n_.stir_gain);
 }
 
 }  // namespace

@@ -21,8 +21,7 @@ void for_planes(glm::ivec3 cells, const Body& body) {
 Projection::Projection(glm::ivec3 cells, Walls walls) : walls_(walls) {
     float h = 1.0f;
     for (;;) {
-        const std::size_t count =
-            std::size_t(cells.x + 2) * std::size_t(cells.y + 2) * std::size_t(cells.z + 2);
+        const std::size_t count = std::size_t(cells.x + 2) * std::size_t(cells.y + 2) * std::size_t(cells.z + 2);
         levels_.push_back(
             {cells, h * h, std::vector<float>(count), std::vector<float>(count), std::vector<float>(count)});
         const bool halves = cells.x % 2 == 0 && cells.y % 2 == 0 && cells.z % 2 == 0;
@@ -98,8 +97,7 @@ void Projection::restrict_to(const Level& fine, Level& coarse) const {
                 for (int i = 0; i < coarse.cells.x; ++i) {
                     float sum = 0.0f;
                     for (int c = 0; c < 8; ++c)
-                        sum +=
-                            fine.residual[fine.at(2 * i + (c & 1), 2 * j + ((c >> 1) & 1), 2 * k + (c >> 2))];
+                        sum += fine.residual[fine.at(2 * i + (c & 1), 2 * j + ((c >> 1) & 1), 2 * k + (c >> 2))];
                     coarse.rhs[coarse.at(i, j, k)] = 0.125f * sum;
                 }
     });

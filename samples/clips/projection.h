@@ -33,8 +33,7 @@ class Projection {
         std::vector<float> p, rhs, residual;
 
         std::size_t at(int i, int j, int k) const {
-            return (std::size_t(k + 1) * std::size_t(cells.y + 2) + std::size_t(j + 1)) *
-                       std::size_t(cells.x + 2) +
+            return (std::size_t(k + 1) * std::size_t(cells.y + 2) + std::size_t(j + 1)) * std::size_t(cells.x + 2) +
                    std::size_t(i + 1);
         }
     };

@@ -24,8 +24,7 @@ float smooth_step(float low, float high, float x) {
 
 }  // namespace
 
-VolumeRenderer::VolumeRenderer(const Field& lattice, LightSettings light, ViewSettings view, int width,
-                               int height)
+VolumeRenderer::VolumeRenderer(const Field& lattice, LightSettings light, ViewSettings view, int width, int height)
     : light_(light),
       view_(view),
       width_(width),
@@ -49,8 +48,7 @@ void VolumeRenderer::shift_shadow() {
     const int ox = int(std::floor(dx)), oy = int(std::floor(dy));
     const auto weights = [](float f) {
         constexpr float side = 0.06f, middle = 1.0f - 2.0f * side;
-        return std::array<float, 4>{side * (1 - f), middle * (1 - f) + side * f, middle * f + side * (1 - f),
-                                    side * f};
+        return std::array<float, 4>{side * (1 - f), middle * (1 - f) + side * f, middle * f + side * (1 - f), side * f};
     };
     const auto wx = weights(dx - float(ox)), wy = weights(dy - float(oy));
     for (int j = 0; j < ny_; ++j)
@@ -74,8 +72,7 @@ void VolumeRenderer::sweep(const Field& density) {
     const std::size_t plane = shadow_.size();
     const float depth = light_.extinction * spacing_;
     const float towards_light =
-        light_.shadow * depth *
-        std::sqrt(1.0f + light_.slant.x * light_.slant.x + light_.slant.y * light_.slant.y);
+        light_.shadow * depth * std::sqrt(1.0f + light_.slant.x * light_.slant.x + light_.slant.y * light_.slant.y);
     bool any = false;
     for (int k = density.size.z - 1; k >= 0; --k) {
         const float* slice = density.values.data() + std::size_t(k) * plane;
@@ -87,8 +84,7 @@ void VolumeRenderer::sweep(const Field& density) {
             // Light that arrives after one, two and three scatterings, each less hindered than the one before
             // (Wrenninge, Kulla and Lundqvist 2013, "Oz: the great and volumetric").
             const float tau = shadow_[n] + 0.5f * slice[n] * towards_light;
-            const float lit =
-                0.5f * std::exp(-tau) + 0.3f * std::exp(-0.4f * tau) + 0.2f * std::exp(-0.15f * tau);
+            const float lit = 0.5f * std::exp(-tau) + 0.3f * std::exp(-0.4f * tau) + 0.2f * std::exp(-0.15f * tau);
             value_[n] += clear_[n] * opacity * (light_.ambient + light_.direct * lit);
             clear_[n] *= 1.0f - opacity;
             shadow_[n] += slice[n] * towards_light;

@@ -2,9 +2,9 @@
 // frame of a scene to a binary PPM on standard output; tests/e2e compares it with `lapfx render`, pixel for pixel.
 //
 //     lapfx_host samples/lagb.scene.json 6 320 256 samples/clips > frame.ppm
+#include <lapfx/preview.h>
 #include <cstdio>
 #include <cstdlib>
-#include <lapfx/preview.h>
 
 namespace {
 

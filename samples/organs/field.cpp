@@ -219,7 +219,7 @@ Patch apron_shape(const Ground& ground) {
 }
 
 Patch cardia_fat_shape(const Ground& ground) {
-    return lay_fat(ground, {-112, -98}, {54, 72}, 100, 104, inside_cardia_fat, 7.0, 15.0);
+    return lay_fat(ground, {-112, -98}, {54, 72}, 138, 142, inside_cardia_fat, 7.0, 15.0);
 }
 
 }  // namespace organs

@@ -15,8 +15,8 @@ struct Result {
 };
 
 Result run_lapfx(const test::Folder& folder, const std::string& arguments) {
-    const std::string command = "cd '" + folder.path().string() + "' && '" LAPFX_BINARY_DIR "/lapfx' " +
-                                arguments + " > out.txt 2> err.txt";
+    const std::string command =
+        "cd '" + folder.path().string() + "' && '" LAPFX_BINARY_DIR "/lapfx' " + arguments + " > out.txt 2> err.txt";
     const int status = std::system(command.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, test::read_text(folder / "out.txt"),
             test::read_text(folder / "err.txt")};
@@ -57,8 +57,7 @@ TEST_F(CheckCommand, PrintsTheSchemas) {
 }
 
 TEST_F(CheckCommand, WrongUsageIsExitCodeTwo) {
-    for (const char* arguments :
-         {"check", "check --schema organ", "check --schema", "check --schema preset good.json"})
+    for (const char* arguments : {"check", "check --schema organ", "check --schema", "check --schema preset good.json"})
         EXPECT_EQ(run_lapfx(folder, arguments).code, 2) << arguments;
 }
 

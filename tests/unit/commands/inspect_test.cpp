@@ -69,11 +69,10 @@ TEST_F(InspectCommand, VideoAndImage) {
     cv::imwrite((folder.path() / "grey.png").string(), cv::Mat(3, 5, CV_16UC1, cv::Scalar(7)));
     const Result result = run("clip.avi grey.png");
     EXPECT_EQ(result.code, 0) << result.err;
-    EXPECT_EQ(
-        result.out,
-        "clip.avi: video\n  size                64x48\n  frames per second   10\n  frames              5\n"
-        "  duration            0.500 s\n  codec               MJPG\n"
-        "grey.png: image\n  size                5x3\n  channels            grey, 16 bit\n");
+    EXPECT_EQ(result.out,
+              "clip.avi: video\n  size                64x48\n  frames per second   10\n  frames              5\n"
+              "  duration            0.500 s\n  codec               MJPG\n"
+              "grey.png: image\n  size                5x3\n  channels            grey, 16 bit\n");
 }
 
 TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {

@@ -62,28 +62,27 @@ constexpr Refused refused[] = {
     {"magnum-plugins/src/MagnumPlugins/*StanfordImporter", ""}};
 
 /// Files of those two folders that do have one.
-const std::set<std::string> whole = {
-    "mesh-colors.gltf",
-    "mesh-primitives-types.gltf",
-    "mesh-skin-attributes.gltf",
-    "ascii.ply",
-    "crlf.ply",
-    "custom-components-be.ply",
-    "custom-components-duplicate.ply",
-    "custom-components.ply",
-    "per-face-colors-be.ply",
-    "per-face-normals-objectid.ply",
-    "positions-char-colors4-ushort-texcoords-uchar-indices-short-be.ply",
-    "positions-colors-normals-texcoords-float-objectid-uint-indices-int-be.ply",
-    "positions-colors-normals-texcoords-float-objectid-uint-indices-int.ply",
-    "positions-colors4-float-indices-int.ply",
-    "positions-colors4-normals-texcoords-float-indices-int-be-unaligned.ply",
-    "positions-float-indices-uint.ply",
-    "positions-short-colors-uchar-texcoords-ushort-indices-char.ply",
-    "positions-uchar-normals-char-objectid-short-indices-ushort.ply",
-    "positions-ushort-normals-short-objectid-uchar-indices-uchar-be.ply",
-    "triangle-fast-path-be.ply",
-    "whitespace.ply"};
+const std::set<std::string> whole = {"mesh-colors.gltf",
+                                     "mesh-primitives-types.gltf",
+                                     "mesh-skin-attributes.gltf",
+                                     "ascii.ply",
+                                     "crlf.ply",
+                                     "custom-components-be.ply",
+                                     "custom-components-duplicate.ply",
+                                     "custom-components.ply",
+                                     "per-face-colors-be.ply",
+                                     "per-face-normals-objectid.ply",
+                                     "positions-char-colors4-ushort-texcoords-uchar-indices-short-be.ply",
+                                     "positions-colors-normals-texcoords-float-objectid-uint-indices-int-be.ply",
+                                     "positions-colors-normals-texcoords-float-objectid-uint-indices-int.ply",
+                                     "positions-colors4-float-indices-int.ply",
+                                     "positions-colors4-normals-texcoords-float-indices-int-be-unaligned.ply",
+                                     "positions-float-indices-uint.ply",
+                                     "positions-short-colors-uchar-texcoords-ushort-indices-char.ply",
+                                     "positions-uchar-normals-char-objectid-short-indices-ushort.ply",
+                                     "positions-ushort-normals-short-objectid-uchar-indices-uchar-be.ply",
+                                     "triangle-fast-path-be.ply",
+                                     "whitespace.ply"};
 
 const Refused* find_refused(const std::string& path, const std::string& name) {
     for (const Refused& row : refused) {
@@ -103,17 +102,15 @@ const Refused* find_refused(const std::string& path, const std::string& name) {
 void expect_sound(const Organ& organ) {
     const std::size_t vertices = organ.positions.size();
     ASSERT_GT(organ.indices.size(), 0u);
-    ASSERT_TRUE(organ.normals.size() == vertices && organ.tangents.size() == vertices &&
-                organ.uvs.size() == vertices && organ.colors.size() == vertices);
+    ASSERT_TRUE(organ.normals.size() == vertices && organ.tangents.size() == vertices && organ.uvs.size() == vertices &&
+                organ.colors.size() == vertices);
     std::size_t wrong = 0, covered = 0;
     for (const std::uint32_t index : organ.indices) wrong += index >= vertices;
     for (std::size_t v = 0; v < vertices; ++v) {
         const glm::vec3 t(organ.tangents[v]);
-        wrong += !(std::abs(glm::length(organ.normals[v]) - 1) < 1e-3f) ||
-                 !(std::abs(glm::length(t) - 1) < 1e-3f) ||
-                 !(std::abs(glm::dot(organ.normals[v], t)) < 1e-2f) ||
-                 std::abs(organ.tangents[v].w) != 1.0f || !std::isfinite(organ.uvs[v].x + organ.uvs[v].y) ||
-                 !(glm::length(organ.positions[v]) < 1e10f);
+        wrong += !(std::abs(glm::length(organ.normals[v]) - 1) < 1e-3f) || !(std::abs(glm::length(t) - 1) < 1e-3f) ||
+                 !(std::abs(glm::dot(organ.normals[v], t)) < 1e-2f) || std::abs(organ.tangents[v].w) != 1.0f ||
+                 !std::isfinite(organ.uvs[v].x + organ.uvs[v].y) || !(glm::length(organ.positions[v]) < 1e10f);
     }
     for (const Part& part : organ.parts) {
         wrong += part.first_index != covered || part.material < 0 ||
@@ -124,8 +121,8 @@ void expect_sound(const Organ& organ) {
         wrong += material.base_color_image >= static_cast<int>(organ.images.size()) ||
                  material.normal_image >= static_cast<int>(organ.images.size());
     for (const Image& image : organ.images)
-        wrong += image.pixels.size() !=
-                 static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
+        wrong +=
+            image.pixels.size() != static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height) * 4;
     EXPECT_EQ(wrong, 0u);
     EXPECT_EQ(covered, organ.indices.size());
 }
@@ -206,10 +203,8 @@ TEST_F(Data, CountsAndTextures) {
             EXPECT_EQ(organ.images[0].width, row.side) << row.file;
         }
     }
-    EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/abdomen_114k.obj")).non_manifold_edges,
-              13280u);
-    EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/tetliver.obj")).non_manifold_edges,
-              281u);
+    EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/abdomen_114k.obj")).non_manifold_edges, 13280u);
+    EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/tetliver.obj")).non_manifold_edges, 281u);
 }
 
 /// Vertex order differs, so every vertex of one is looked up on the surface of the other.
@@ -220,8 +215,7 @@ TEST_F(Data, CompressedTwinIsTheSameSurface) {
     EXPECT_EQ(twin.triangle_count(), plain.triangle_count());
     const Surface surface(plain);
     double worst = 0.0;
-    for (const glm::vec3& p : twin.positions)
-        worst = std::max(worst, surface.closest_point(glm::dvec3(p)).distance);
+    for (const glm::vec3& p : twin.positions) worst = std::max(worst, surface.closest_point(glm::dvec3(p)).distance);
     EXPECT_LT(worst, 0.02);  // 14 bits over 250 mm
 }
 

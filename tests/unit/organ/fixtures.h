@@ -25,8 +25,7 @@ class TemporaryFolder {
   public:
     TemporaryFolder() {
         static std::atomic<int> count = 0;
-        path_ = fs::temp_directory_path() /
-                ("lapfx-organ-" + std::to_string(getpid()) + "-" + std::to_string(count++));
+        path_ = fs::temp_directory_path() / ("lapfx-organ-" + std::to_string(getpid()) + "-" + std::to_string(count++));
         fs::create_directories(path_);
     }
     ~TemporaryFolder() { fs::remove_all(path_); }
@@ -82,8 +81,7 @@ inline std::string glb(const nlohmann::json& json, std::string binary) {
     while (text.size() % 4 != 0) text += ' ';
     while (binary.size() % 4 != 0) binary += '\0';
     std::string body = word(static_cast<std::uint32_t>(text.size())) + "JSON" + text;
-    if (!binary.empty())
-        body += word(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
+    if (!binary.empty()) body += word(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
     return "glTF" + word(2) + word(static_cast<std::uint32_t>(12 + body.size())) + body;
 }
 
@@ -100,14 +98,12 @@ struct Triangle {
     /// Appends bytes as a buffer view of their own and returns its index.
     int add_view(const std::string& bytes) {
         while (binary.size() % 4 != 0) binary += '\0';
-        json["bufferViews"].push_back(
-            {{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
+        json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
         binary += bytes;
         json["buffers"][0]["byteLength"] = binary.size();
         return static_cast<int>(json["bufferViews"].size()) - 1;
     }
-    int add_accessor(const std::string& bytes, int type, int count, const char* shape,
-                     bool normalized = false) {
+    int add_accessor(const std::string& bytes, int type, int count, const char* shape, bool normalized = false) {
         json["accessors"].push_back({{"bufferView", add_view(bytes)},
                                      {"componentType", type},
                                      {"count", count},

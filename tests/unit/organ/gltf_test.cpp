@@ -110,10 +110,9 @@ TEST_F(Gltf, SparseAccessorReplacesValues) {
     Triangle triangle;
     const int indices = triangle.add_view(bytes_of<std::uint16_t>({1}));
     const int values = triangle.add_view(bytes_of<float>({0.2f, 0, 0}));
-    triangle.json["accessors"][0]["sparse"] = {
-        {"count", 1},
-        {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
-        {"values", {{"bufferView", values}}}};
+    triangle.json["accessors"][0]["sparse"] = {{"count", 1},
+                                               {"indices", {{"bufferView", indices}, {"componentType", 5123}}},
+                                               {"values", {{"bufferView", values}}}};
     EXPECT_EQ(load(triangle).positions[1], glm::vec3(200, 0, 0));
     triangle.json["accessors"][0]["sparse"]["indices"]["byteOffset"] = 1;
     EXPECT_EQ(fault(triangle), "/accessors/0/sparse/indices: needs 2 bytes at 1, buffer view 1 has 2");
@@ -221,15 +220,12 @@ TEST_F(Gltf, EveryRangeIsChecked) {
     const std::pair<const char*, const char*> wrong[] = {
         {R"({"accessors": [{"bufferView": 7}]})", "/accessors/0: buffer view 7 is not in the file"},
         {R"({"accessors": [{"count": 4}]})", "/accessors/0: needs 48 bytes at 0, buffer view 0 has 36"},
-        {R"({"accessors": [{"count": 4294967296}]})",
-         "/accessors/0: has 4294967296 elements, more than the limit"},
+        {R"({"accessors": [{"count": 4294967296}]})", "/accessors/0: has 4294967296 elements, more than the limit"},
         {R"({"accessors": [{"byteOffset": 18446744073709551615}]})",
          "/accessors/0: needs 36 bytes at 18446744073709551615, buffer view 0 has 36"},
         {R"({"bufferViews": [{"buffer": 3}]})", "/bufferViews/0: buffer 3 is not in the file"},
-        {R"({"bufferViews": [{"byteLength": 37}]})",
-         "/bufferViews/0: bytes 0 to 37 are not in buffer 0 of 36 bytes"},
-        {R"({"bufferViews": [{"byteStride": 8}]})",
-         "/accessors/0: byteStride 8 is less than an element's 12 bytes"},
+        {R"({"bufferViews": [{"byteLength": 37}]})", "/bufferViews/0: bytes 0 to 37 are not in buffer 0 of 36 bytes"},
+        {R"({"bufferViews": [{"byteStride": 8}]})", "/accessors/0: byteStride 8 is less than an element's 12 bytes"},
         {R"({"buffers": [{"byteLength": 40}]})", "/buffers/0: truncated: has 36 of 40 bytes"},
         {R"({"nodes": [{"mesh": 2}]})", "/nodes/0/mesh: mesh 2 is not in the file"},
         {R"({"nodes": [{"children": [0]}]})", "/nodes/0: is its own ancestor"},
@@ -284,8 +280,7 @@ TEST_F(Gltf, DamagedMeshoptIsRefused) {
     Triangle triangle;
     triangle.json["extensionsRequired"] = {"EXT_meshopt_compression"};
     auto& view = triangle.json["bufferViews"][0];
-    const json good = {
-        {"buffer", 0}, {"byteLength", 36}, {"byteStride", 12}, {"count", 3}, {"mode", "ATTRIBUTES"}};
+    const json good = {{"buffer", 0}, {"byteLength", 36}, {"byteStride", 12}, {"count", 3}, {"mode", "ATTRIBUTES"}};
     const std::string at = "/bufferViews/0/extensions/EXT_meshopt_compression: ";
     const std::pair<json, std::string> wrong[] = {
         {{}, "its compressed data is damaged"},

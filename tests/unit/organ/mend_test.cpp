@@ -71,8 +71,7 @@ TEST(Complete, CoordinatesThatAreAllAlikeAreReplaced) {
     const Organ organ = load("v 0 0 0\nv 100 0 0\nv 0 100 0\nvt 0.5 0.5\ng lobe\nf 1/1 2/1 3/1\n");
     EXPECT_FALSE(organ.has_uvs);
     EXPECT_EQ(organ.uvs[1] - organ.uvs[0], glm::vec2(2, 0));
-    EXPECT_TRUE(
-        has_warning(organ.warnings, "part lobe: its texture coordinates cover no area; new ones made"));
+    EXPECT_TRUE(has_warning(organ.warnings, "part lobe: its texture coordinates cover no area; new ones made"));
 }
 
 TEST(Complete, BothSidesOfASheetHaveNormals) {
@@ -93,12 +92,11 @@ TEST(Report, ComponentsAndSize) {
 TEST(Report, SizeThatCannotBeNamesAScale) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("m.obj", "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nf 1 2 3\n");
-    EXPECT_EQ(report(load_organ(file)).warnings,
-              std::vector<std::string>{
-                  "its longest side is 0.2 mm, which is no size of an organ; is the unit wrong? scale "
-                  "1000 would make it 200 mm"});
-    EXPECT_TRUE(
-        has_warning(report(load_organ(file, {.scale = 1e5})).warnings, "scale 1000 would make it 200 mm"));
+    EXPECT_EQ(
+        report(load_organ(file)).warnings,
+        std::vector<std::string>{"its longest side is 0.2 mm, which is no size of an organ; is the unit wrong? scale "
+                                 "1000 would make it 200 mm"});
+    EXPECT_TRUE(has_warning(report(load_organ(file, {.scale = 1e5})).warnings, "scale 1000 would make it 200 mm"));
     EXPECT_TRUE(report(load_organ(file, {.scale = 1000.0})).warnings.empty());
 }
 

@@ -37,8 +37,7 @@ TEST(Surface, WeldsAndFindsNeighbours) {
     const auto at = surface.triangles_at(1);
     EXPECT_EQ(std::vector<std::uint32_t>(at.begin(), at.end()), (std::vector<std::uint32_t>{0, 1}));
     const auto around = surface.neighbours_of(2);
-    EXPECT_EQ(std::vector<std::uint32_t>(around.begin(), around.end()),
-              (std::vector<std::uint32_t>{0, 1, 3}));
+    EXPECT_EQ(std::vector<std::uint32_t>(around.begin(), around.end()), (std::vector<std::uint32_t>{0, 1, 3}));
 }
 
 TEST(Surface, NearestOnFaceEdgeAndCorner) {
@@ -91,8 +90,7 @@ TEST(Surface, TreeAgreesWithEveryTriangleTried) {
         if (inside) {
             glm::dvec3 at(0.0);
             for (int c = 0; c < 3; ++c)
-                at += hit.weights[c] *
-                      surface.positions[surface.triangles[hit.triangle][static_cast<std::size_t>(c)]];
+                at += hit.weights[c] * surface.positions[surface.triangles[hit.triangle][static_cast<std::size_t>(c)]];
             EXPECT_NEAR(glm::length(at - hit.position), 0.0, 1e-9);
             EXPECT_NEAR(hit.position.x, p.x, 1e-12);
         }

@@ -49,17 +49,14 @@ TEST_F(Obj, TextureCoordinatesOfCornersSplitVertices) {
 }
 
 TEST_F(Obj, VertexThatIsNoNumberKeepsTheIndicesOfOthers) {
-    const Organ organ =
-        load(std::string("v nan 0 0\n") + "v 0 0 0\nv 9 0 0\nv 0 9 0\nv inf 1 1\nf 2 3 4\nf 1 2 3\n");
+    const Organ organ = load(std::string("v nan 0 0\n") + "v 0 0 0\nv 9 0 0\nv 0 9 0\nv inf 1 1\nf 2 3 4\nf 1 2 3\n");
     EXPECT_EQ(organ.triangle_count(), 1u);
     EXPECT_EQ(organ.positions[1], glm::vec3(9, 0, 0));
-    EXPECT_TRUE(
-        has_warning(organ.warnings, "2 vertices have NaN or infinite coordinates; left out with 1 triangle"));
+    EXPECT_TRUE(has_warning(organ.warnings, "2 vertices have NaN or infinite coordinates; left out with 1 triangle"));
 }
 
 TEST_F(Obj, BadFacesAreCounted) {
-    const Organ organ =
-        load(std::string(cube_obj) + "f 1 2\nf 1 x 3\nf /1/1 2 3\nf 1 1 2\nf 1 2 99\nf 0 1 2\n");
+    const Organ organ = load(std::string(cube_obj) + "f 1 2\nf 1 x 3\nf /1/1 2 3\nf 1 1 2\nf 1 2 99\nf 0 1 2\n");
     EXPECT_EQ(organ.triangle_count(), 12u);
     EXPECT_TRUE(has_warning(organ.warnings, "4 faces without 3 readable corners left out"));
     EXPECT_TRUE(has_warning(organ.warnings, "1 face names less than 3 different vertices; left out"));
@@ -122,13 +119,12 @@ TEST_F(Obj, MissingLibraryIsAWarning) {
 
 TEST_F(Obj, LibraryThatIsAPipeIsNotWaitedFor) {
     ASSERT_EQ(mkfifo((folder.path() / "p.mtl").c_str(), 0600), 0);
-    EXPECT_TRUE(has_warning(load(std::string("mtllib p.mtl\n") + cube_obj).warnings,
-                            "is a pipe, expected a plain file"));
+    EXPECT_TRUE(
+        has_warning(load(std::string("mtllib p.mtl\n") + cube_obj).warnings, "is a pipe, expected a plain file"));
 }
 
 TEST_F(Obj, PointsAndOtherFilesAreRefused) {
-    EXPECT_EQ(fault_of(folder.write("m.obj", "v 0 0 0\nv 1 0 0\n")),
-              "no triangles: the file holds 2 points only");
+    EXPECT_EQ(fault_of(folder.write("m.obj", "v 0 0 0\nv 1 0 0\n")), "no triangles: the file holds 2 points only");
     EXPECT_EQ(fault_of(folder.write("m.obj", std::string("\0\0\0\x20"
                                                          "ftypisom",
                                                          12))),
@@ -154,19 +150,15 @@ TEST_F(Ply, TextWithColoursAndDoubles) {
 
 TEST_F(Ply, BinaryOfBothOrders) {
     const auto swapped = [](std::string bytes) {
-        for (std::size_t i = 0; i + 3 < bytes.size(); i += 4)
-            std::reverse(bytes.begin() + i, bytes.begin() + i + 4);
+        for (std::size_t i = 0; i + 3 < bytes.size(); i += 4) std::reverse(bytes.begin() + i, bytes.begin() + i + 4);
         return bytes;
     };
-    const std::string points = bytes_of<float>({0, 0, 0, 9, 0, 0, 0, 9, 0}),
-                      face = bytes_of<std::int32_t>({0, 1, 2});
+    const std::string points = bytes_of<float>({0, 0, 0, 9, 0, 0, 0, 9, 0}), face = bytes_of<std::int32_t>({0, 1, 2});
     for (const bool big : {false, true}) {
-        const std::string head =
-            std::string("ply\nformat binary_") + (big ? "big" : "little") +
-            "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
-            "element face 1\nproperty list uchar int vertex_index\nend_header\n";
-        const std::string whole =
-            head + (big ? swapped(points) : points) + "\3" + (big ? swapped(face) : face);
+        const std::string head = std::string("ply\nformat binary_") + (big ? "big" : "little") +
+                                 "_endian 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+                                 "element face 1\nproperty list uchar int vertex_index\nend_header\n";
+        const std::string whole = head + (big ? swapped(points) : points) + "\3" + (big ? swapped(face) : face);
         EXPECT_EQ(load_organ(folder.write("m.ply", whole)).positions[1], glm::vec3(9, 0, 0));
         EXPECT_EQ(fault_of(folder.write("m.ply", whole.substr(0, whole.size() - 1))),
                   "truncated: the file ends within its data");
@@ -177,8 +169,7 @@ TEST_F(Ply, ImpossibleCountsAreRefused) {
     const std::string head =
         "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\n"
         "property float z\nend_header\n1 2 3\n";
-    EXPECT_EQ(fault_of(folder.write("m.ply", head)),
-              "truncated: the header promises 4000000000 of element vertex");
+    EXPECT_EQ(fault_of(folder.write("m.ply", head)), "truncated: the header promises 4000000000 of element vertex");
     EXPECT_EQ(fault_of(folder.write("m.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n")),
               "line 3: \"x\" is no count");
 }
@@ -186,8 +177,7 @@ TEST_F(Ply, ImpossibleCountsAreRefused) {
 TEST_F(Stl, BinaryJoinsVertices) {
     std::string bytes(80, ' ');
     bytes += word(2);
-    const std::vector<float> first{0, 0, 1, 0, 0, 0, 9, 0, 0, 9, 9, 0},
-        second{0, 0, 1, 0, 0, 0, 9, 9, 0, 0, 9, 0};
+    const std::vector<float> first{0, 0, 1, 0, 0, 0, 9, 0, 0, 9, 9, 0}, second{0, 0, 1, 0, 0, 0, 9, 9, 0, 0, 9, 0};
     bytes += bytes_of(first) + std::string(2, '\0') + bytes_of(second) + std::string(2, '\0');
     const Organ organ = load_organ(folder.write("m.stl", bytes));
     EXPECT_EQ(organ.positions.size(), 4u);
@@ -196,8 +186,8 @@ TEST_F(Stl, BinaryJoinsVertices) {
               "truncated: 2 triangles need 184 bytes, the file has 150");
     std::string nan = bytes;
     nan.replace(84 + 12, 4, word(0x7fc00000));  // x of the first vertex
-    EXPECT_TRUE(has_warning(load_organ(folder.write("m.stl", nan)).warnings,
-                            "1 vertex has NaN or infinite coordinates"));
+    EXPECT_TRUE(
+        has_warning(load_organ(folder.write("m.stl", nan)).warnings, "1 vertex has NaN or infinite coordinates"));
 }
 
 TEST_F(Stl, Text) {
@@ -205,8 +195,7 @@ TEST_F(Stl, Text) {
         "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\n"
         "endloop\nendfacet\n";
     EXPECT_EQ(load_organ(folder.write("m.stl", facet + "endsolid s\n")).positions[1], glm::vec3(9, 0, 0));
-    EXPECT_EQ(fault_of(folder.write("m.stl", facet.substr(0, 60))),
-              "truncated: the file ends within a facet");
+    EXPECT_EQ(fault_of(folder.write("m.stl", facet.substr(0, 60))), "truncated: the file ends within a facet");
 }
 
 TEST_F(Off, CubeAndTruncation) {

@@ -28,9 +28,7 @@ TEST(FindParameter, FollowsDotsAndSlashes) {
 
 TEST(SetParameter, SetsEveryKindFromText) {
     Preset preset = full_preset();
-    const auto set = [&](const char* key, const char* value) {
-        set_parameter(preset_table(), &preset, key, value);
-    };
+    const auto set = [&](const char* key, const char* value) { set_parameter(preset_table(), &preset, key, value); };
     set("bleeding.speed", "4.5");
     set("bleeding.noise_octaves", "6");
     set("bleeding.color_thin", "#ff0033");
@@ -61,12 +59,9 @@ TEST(SetParameter, NamesTheFaultAndLeavesTheDocument) {
         {"/bleeding/sped", "3", "/bleeding/sped: no such parameter; nearest is bleeding.speed"},
         {"speed", "3", "speed: no such parameter; nearest is bleeding.speed"},
         {"bleeding", "3", "bleeding: no such parameter; nearest is bleeding.speed"},
-        {"smoke.clips.0.wieght", "1",
-         "smoke.clips.0.wieght: no such parameter; nearest is smoke.clips.0.weight"},
-        {"smoke.clips.2.weight", "1",
-         "smoke.clips.2.weight: \"2\" names no element; clips has elements 0 to 1"},
-        {"smoke.clips.-1.weight", "1",
-         "smoke.clips.-1.weight: \"-1\" names no element; clips has elements 0 to 1"},
+        {"smoke.clips.0.wieght", "1", "smoke.clips.0.wieght: no such parameter; nearest is smoke.clips.0.weight"},
+        {"smoke.clips.2.weight", "1", "smoke.clips.2.weight: \"2\" names no element; clips has elements 0 to 1"},
+        {"smoke.clips.-1.weight", "1", "smoke.clips.-1.weight: \"-1\" names no element; clips has elements 0 to 1"},
         {"smoke.clips.99999999999999999999.weight", "1",
          "smoke.clips.99999999999999999999.weight: \"99999999999999999999\" names no element; clips has "
          "elements 0 "
@@ -77,8 +72,7 @@ TEST(SetParameter, NamesTheFaultAndLeavesTheDocument) {
         {"bleeding.speed", "", "bleeding.speed: \"\" is not a number from 0 to 60 mm/s"},
         {"bleeding.speed", "1e999", "bleeding.speed: \"1e999\" is not a number from 0 to 60 mm/s"},
         {"bleeding.speed", "nan", "bleeding.speed: nan is not a finite number (allowed: 0 to 60 mm/s)"},
-        {"bleeding.noise_octaves", "2.5",
-         "bleeding.noise_octaves: \"2.5\" is not a whole number from 1 to 6"},
+        {"bleeding.noise_octaves", "2.5", "bleeding.noise_octaves: \"2.5\" is not a whole number from 1 to 6"},
         {"bleeding.color_thin", "#12345g",
          "bleeding.color_thin: \"#12345g\" is not \"#rrggbb\" or [red, green, blue], each 0 to 1"},
         {"smoke.clips.0.role", "plum", "smoke.clips.0.role: \"plum\" is not one of \"plume\", \"haze\""},
@@ -99,11 +93,10 @@ TEST(SetParameter, NamesTheFaultAndLeavesTheDocument) {
 TEST(SetParameter, StrangeKeysAreFaultsToo) {
     for (const std::string& key :
          {std::string(), std::string("."), std::string("/"), std::string("..."), std::string("smoke.clips"),
-          std::string("smoke.clips."), std::string("smoke.clips.0"), std::string("name.x"),
-          std::string("\xff\n"), std::string(100'000, '.'), std::string(100'000, 'x')}) {
+          std::string("smoke.clips."), std::string("smoke.clips.0"), std::string("name.x"), std::string("\xff\n"),
+          std::string(100'000, '.'), std::string(100'000, 'x')}) {
         Preset preset = full_preset();
-        EXPECT_EQ(faults_of([&] { set_parameter(preset_table(), &preset, key, "1"); }).size(), 1u)
-            << key.substr(0, 20);
+        EXPECT_EQ(faults_of([&] { set_parameter(preset_table(), &preset, key, "1"); }).size(), 1u) << key.substr(0, 20);
     }
 }
 

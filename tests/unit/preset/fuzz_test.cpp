@@ -44,8 +44,7 @@ std::string mutate(std::string text, std::mt19937& random) {
                 text.insert(at, pieces[below(std::size(pieces))]);
                 break;
             case 3:  // another number, so that enough of the documents stay valid
-                if (const std::size_t digit = text.find_first_of("0123456789", at);
-                    digit != std::string::npos)
+                if (const std::size_t digit = text.find_first_of("0123456789", at); digit != std::string::npos)
                     text[digit] = static_cast<char>('0' + below(10));
                 break;
             case 4:
@@ -84,8 +83,7 @@ TEST(Fuzz, PresetIsRefusedOrStable) {
     Preset start;  // short, so that more of the changes hit something
     start.smoke.clips = {{.file = "a.mp4"}};
     const Outcome outcome = fuzz(
-        write_preset(start), [](const std::string& text) { return parse_preset(text, "fuzz"); },
-        write_preset);
+        write_preset(start), [](const std::string& text) { return parse_preset(text, "fuzz"); }, write_preset);
     EXPECT_GT(outcome.read, 500);
     EXPECT_GT(outcome.refused, 5000);
 }

@@ -20,7 +20,7 @@ TEST(ReadPreset, EmptyDocumentTakesAllDefaults) {
 }
 
 TEST(ReadPreset, ReadsValuesOfEveryKind) {
-    const Preset preset = parse_preset(preset_text(R"(, "name": "Öl", "vessels": {},
+    const Preset preset = parse_preset(preset_text(R"(, "name": "\u00d6l", "vessels": {},
         "bleeding": {"speed": 6, "noise_octaves": 2.0, "color_thin": "#FF8000", "color_deep": [0, 0.5, 1]},
         "smoke": {"clips": [{"file": "a.mp4", "role": "haze", "polarity": "dark", "weight": 0.5}]})"),
                                        "p.json");
@@ -43,19 +43,16 @@ struct Bad {
 
 TEST(ReadPreset, NamesEachFault) {
     const Bad cases[] = {
-        {R"(, "bleeding": {"speed": -3})",
-         "/bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)"},
+        {R"(, "bleeding": {"speed": -3})", "/bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)"},
         {R"(, "bleeding": {"speed": 60.5})",
          "/bleeding/speed: 60.5 is above the maximum 60 mm/s (allowed: 0 to 60 mm/s)"},
         {R"(, "bleeding": {"speed": "fast"})", "/bleeding/speed: \"fast\" is not a number from 0 to 60 mm/s"},
         {R"(, "bleeding": {"speed": null})", "/bleeding/speed: null is not a number from 0 to 60 mm/s"},
         {R"(, "bleeding": {"speed": true})", "/bleeding/speed: true is not a number from 0 to 60 mm/s"},
-        {R"(, "bleeding": {"speed": [1]})",
-         "/bleeding/speed: an array of 1 is not a number from 0 to 60 mm/s"},
+        {R"(, "bleeding": {"speed": [1]})", "/bleeding/speed: an array of 1 is not a number from 0 to 60 mm/s"},
         {R"(, "bleeding": {"speed": {}})", "/bleeding/speed: an object is not a number from 0 to 60 mm/s"},
         {R"(, "bleeding": {"sped": 3})", "/bleeding/sped: unknown key; nearest is \"speed\""},
-        {R"(, "bleeding": {"noise_octaves": 2.5})",
-         "/bleeding/noise_octaves: 2.5 is not a whole number from 1 to 6"},
+        {R"(, "bleeding": {"noise_octaves": 2.5})", "/bleeding/noise_octaves: 2.5 is not a whole number from 1 to 6"},
         {R"(, "bleeding": {"noise_octaves": 1e300})",
          "/bleeding/noise_octaves: 1e+300 is not a whole number from 1 to 6"},
         {R"(, "bleeding": {"noise_octaves": 7})",
@@ -99,8 +96,7 @@ TEST(ReadPreset, NamesEachFault) {
          "/smoke/clips/0/role: \"plum\" is not one of \"plume\", \"haze\"; nearest is \"plume\""},
         {R"(, "smoke": {"clips": [{"file": "a.mp4", "role": 1}]})",
          "/smoke/clips/0/role: 1 is not one of \"plume\", \"haze\""},
-        {R"(, "smoke": {"keying": {"luma_low": 210}})",
-         "/smoke/keying/luma_low: 210 is not below luma_high (200)"},
+        {R"(, "smoke": {"keying": {"luma_low": 210}})", "/smoke/keying/luma_low: 210 is not below luma_high (200)"},
         {R"(, "smoke": {"keying": {"luma_low": 20, "luma_high": 20}})",
          "/smoke/keying/luma_low: 20 is not below luma_high (20)"},
         {R"(, "smoke": {"keying": {"chroma_low": 9, "chroma_high": 8}})",
@@ -116,9 +112,8 @@ TEST(ReadPreset, NamesEachFault) {
 }
 
 TEST(ReadPreset, NamesFaultsOfFormatAndVersion) {
-    EXPECT_THAT(preset_faults("{}"),
-                ElementsAre("p.json: /format: missing; expected \"lapfx.preset\"",
-                            "p.json: /version: missing; expected a whole number from 1 to 1"));
+    EXPECT_THAT(preset_faults("{}"), ElementsAre("p.json: /format: missing; expected \"lapfx.preset\"",
+                                                 "p.json: /version: missing; expected a whole number from 1 to 1"));
     EXPECT_THAT(preset_faults(R"({"format": "lapfx.scene", "version": 1, "x": 1})"),
                 ElementsAre("p.json: /format: \"lapfx.scene\" is not \"lapfx.preset\""));
     EXPECT_THAT(preset_faults(R"({"format": 1, "version": 1})"),
@@ -126,28 +121,25 @@ TEST(ReadPreset, NamesFaultsOfFormatAndVersion) {
     EXPECT_THAT(preset_faults(R"({"format": "lapfx.preset", "version": 3, "x": 1})"),
                 ElementsAre("p.json: /version: version 3 is newer than this program reads (1)"));
     for (const char* version : {"0", "-1", "1.5", "\"1\"", "null"})
-        EXPECT_THAT(
-            preset_faults(R"({"format": "lapfx.preset", "version": )" + std::string(version) + "}"),
-            ElementsAre("p.json: /version: " + std::string(version) + " is not a whole number from 1 to 1"));
+        EXPECT_THAT(preset_faults(R"({"format": "lapfx.preset", "version": )" + std::string(version) + "}"),
+                    ElementsAre("p.json: /version: " + std::string(version) + " is not a whole number from 1 to 1"));
     EXPECT_THAT(preset_faults("[]"),
                 ElementsAre("p.json: an array of 0; expected an object with \"format\": \"lapfx.preset\""));
-    EXPECT_THAT(preset_faults("3"),
-                ElementsAre("p.json: 3; expected an object with \"format\": \"lapfx.preset\""));
+    EXPECT_THAT(preset_faults("3"), ElementsAre("p.json: 3; expected an object with \"format\": \"lapfx.preset\""));
 }
 
 TEST(ReadPreset, ListsAllFaultsAtOnce) {
-    EXPECT_THAT(
-        preset_faults(R"({"version": 1, "naem": "x", "bleeding": {"speed": -1, "gloss": 2, "glos": 1},
+    EXPECT_THAT(preset_faults(R"({"version": 1, "naem": "x", "bleeding": {"speed": -1, "gloss": 2, "glos": 1},
                                   "smoke": {"clips": [{"weight": 9}, {"file": "a"}], "haze": 3}})"),
-        ElementsAre("p.json: /format: missing; expected \"lapfx.preset\"",
-                    "p.json: /naem: unknown key; nearest is \"name\"",
-                    "p.json: /bleeding/glos: unknown key; nearest is \"gloss\"",
-                    "p.json: /bleeding/speed: -1 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)",
-                    "p.json: /bleeding/gloss: 2 is above the maximum 1 (allowed: 0 to 1)",
-                    "p.json: /smoke/clips/0/file: missing; expected the name of a file in the folder of "
-                    "the preset",
-                    "p.json: /smoke/clips/0/weight: 9 is above the maximum 4 (allowed: 0 to 4)",
-                    "p.json: /smoke/haze: 3 is not an object"));
+                ElementsAre("p.json: /format: missing; expected \"lapfx.preset\"",
+                            "p.json: /naem: unknown key; nearest is \"name\"",
+                            "p.json: /bleeding/glos: unknown key; nearest is \"gloss\"",
+                            "p.json: /bleeding/speed: -1 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)",
+                            "p.json: /bleeding/gloss: 2 is above the maximum 1 (allowed: 0 to 1)",
+                            "p.json: /smoke/clips/0/file: missing; expected the name of a file in the folder of "
+                            "the preset",
+                            "p.json: /smoke/clips/0/weight: 9 is above the maximum 4 (allowed: 0 to 4)",
+                            "p.json: /smoke/haze: 3 is not an object"));
 }
 
 TEST(ReadPreset, StopsListingAtTwoHundredFaults) {
@@ -165,14 +157,13 @@ TEST(ReadPreset, ListsHaveALimit) {
         return preset_text(R"(, "smoke": {"clips": [)" + list + "]}");
     };
     EXPECT_EQ(parse_preset(clips(32), "p.json").smoke.clips.size(), 32u);
-    EXPECT_THAT(preset_faults(clips(33)),
-                ElementsAre("p.json: /smoke/clips: 33 elements; at most 32 are allowed"));
+    EXPECT_THAT(preset_faults(clips(33)), ElementsAre("p.json: /smoke/clips: 33 elements; at most 32 are allowed"));
 }
 
 TEST(ReadPreset, HugeKeysAndStringsGiveShortFaults) {
     const std::string huge(1'000'000, 'x');
-    const std::vector<std::string> faults = preset_faults(
-        preset_text(", \"" + huge + "\": 1, \"name\": \"" + huge + "\", \"bleeding\": \"" + huge + '"'));
+    const std::vector<std::string> faults =
+        preset_faults(preset_text(", \"" + huge + "\": 1, \"name\": \"" + huge + "\", \"bleeding\": \"" + huge + '"'));
     ASSERT_EQ(faults.size(), 3u);
     for (const std::string& line : faults) EXPECT_LT(line.size(), 250u);
 }

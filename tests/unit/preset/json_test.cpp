@@ -54,14 +54,12 @@ TEST(Json, SyntaxFaultsGiveLineAndColumn) {
         {"[\"äö\", x]", "f: 1:8: "},
         {"{\"a\" 1}", "f: 1:6: "},
     };
-    for (const Case& c : cases)
-        EXPECT_THAT(syntax_faults(c.text), ElementsAre(StartsWith(c.start))) << c.text;
+    for (const Case& c : cases) EXPECT_THAT(syntax_faults(c.text), ElementsAre(StartsWith(c.start))) << c.text;
 }
 
 TEST(Json, MessagesAreShortPrintableAndOursAlone) {
     EXPECT_THAT(syntax_faults("{\"a\": \"" + std::string(5000, 'x')),
-                ElementsAre(testing::ResultOf([](const std::string& line) { return line.size(); },
-                                              testing::Lt(300u))));
+                ElementsAre(testing::ResultOf([](const std::string& line) { return line.size(); }, testing::Lt(300u))));
     EXPECT_THAT(syntax_faults("[1,]"), ElementsAre(testing::Not(HasSubstr("json.exception"))));
 }
 
@@ -93,8 +91,7 @@ TEST(Json, LimitsOnDepthValuesAndSize) {
     for (int i = 0; i < 100'000; ++i) many += ",0";
     EXPECT_THAT(syntax_faults(many + "]"), ElementsAre("f: more than 100000 values"));
 
-    EXPECT_THAT(syntax_faults(std::string(5'000'000, ' ')),
-                ElementsAre("f: 5000000 bytes; at most 4194304 are read"));
+    EXPECT_THAT(syntax_faults(std::string(5'000'000, ' ')), ElementsAre("f: 5000000 bytes; at most 4194304 are read"));
 }
 
 }  // namespace

@@ -92,8 +92,7 @@ std::vector<Value> extremes(const Parameter& row) {
             return {false, true};
         case Kind::color:
         case Kind::vector:
-            return {glm::dvec3(row.minimum), glm::dvec3(row.maximum),
-                    glm::dvec3(row.minimum, awkward, row.maximum)};
+            return {glm::dvec3(row.minimum), glm::dvec3(row.maximum), glm::dvec3(row.minimum, awkward, row.maximum)};
         case Kind::text:
         case Kind::path:
             return {std::string("ä \"b\" {}.mp4"), std::string(std::size_t(row.maximum), 'x')};
@@ -125,28 +124,27 @@ int visit_extremes(const Table& root, const Document& start, const ExpectSame& e
 }
 
 TEST(WritePreset, RoundTripsEveryRowAtItsExtremes) {
-    const int skipped =
-        visit_extremes(preset_table(), full_preset(),
-                       [](const Preset& preset, const std::string& pointer, const Value& value) {
-                           const std::string text = write_preset(preset);
-                           Preset read = parse_preset(text, "p");
-                           EXPECT_EQ(write_preset(read), text);
-                           const Place place = find_parameter(preset_table(), &read, pointer);
-                           EXPECT_EQ(place.row->get(place.owner), value);
-                       });
+    const int skipped = visit_extremes(preset_table(), full_preset(),
+                                       [](const Preset& preset, const std::string& pointer, const Value& value) {
+                                           const std::string text = write_preset(preset);
+                                           Preset read = parse_preset(text, "p");
+                                           EXPECT_EQ(write_preset(read), text);
+                                           const Place place = find_parameter(preset_table(), &read, pointer);
+                                           EXPECT_EQ(place.row->get(place.owner), value);
+                                       });
     // luma_low 255, luma_high 0, chroma_low above 0 twice, cut 37, coagulation above cut twice
     EXPECT_EQ(skipped, 7);
 }
 
 TEST(WriteScene, RoundTripsEveryRowAtItsExtremes) {
-    const int skipped = visit_extremes(
-        scene_table(), full_scene(), [](const Scene& scene, const std::string& pointer, const Value& value) {
-            const std::string text = write_scene(scene);
-            Scene read = parse_scene(text, "s");
-            EXPECT_EQ(write_scene(read), text);
-            const Place place = find_parameter(scene_table(), &read, pointer);
-            EXPECT_EQ(place.row->get(place.owner), value);
-        });
+    const int skipped = visit_extremes(scene_table(), full_scene(),
+                                       [](const Scene& scene, const std::string& pointer, const Value& value) {
+                                           const std::string text = write_scene(scene);
+                                           Scene read = parse_scene(text, "s");
+                                           EXPECT_EQ(write_scene(read), text);
+                                           const Place place = find_parameter(scene_table(), &read, pointer);
+                                           EXPECT_EQ(place.row->get(place.owner), value);
+                                       });
     EXPECT_EQ(skipped, 0);
 }
 

@@ -29,8 +29,8 @@ TEST_P(ShippedPreset, LoadsAndIsWrittenAsItIs) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedPreset,
-                         testing::Values("slow_ooze.json", "brisk_bleed.json", "hook_cautery_plume.json",
-                                         "heavy_haze.json"),
+                         testing::Values("gastric_banding.json", "slow_ooze.json", "brisk_bleed.json",
+                                         "hook_cautery_plume.json", "heavy_haze.json"),
                          [](const auto& test) {
                              const std::string name = test.param;
                              return name.substr(0, name.find('.'));
@@ -40,7 +40,7 @@ TEST(ShippedPresets, AreAllTested) {
     int presets = 0;
     for (const auto& entry : fs::directory_iterator(fs::path(LAPFX_SOURCE_DIR) / "presets"))
         if (entry.path().extension() == ".json" && entry.path().stem().extension() != ".schema") ++presets;
-    EXPECT_EQ(presets, 4);
+    EXPECT_EQ(presets, 5);
 }
 
 TEST(SavePreset, LoadsAgainFromItsFolder) {
@@ -60,19 +60,18 @@ TEST(SavePreset, RefusesWhatCouldNotBeLoadedAndKeepsTheOldFile) {
     preset.smoke.clips[0].file = "../x.mp4";
     preset.smoke.keying.luma_low = 201.0;
     const auto faults = test::faults_of([&] { save_preset(preset, path); });
-    EXPECT_THAT(faults,
-                ElementsAre(testing::HasSubstr("p.json: /bleeding/speed: nan is not a finite number"),
-                            testing::HasSubstr("/smoke/clips/0/file: \"../x.mp4\" leaves the folder"),
-                            testing::HasSubstr("/smoke/keying/luma_low: 201 is not below luma_high")));
+    EXPECT_THAT(faults, ElementsAre(testing::HasSubstr("p.json: /bleeding/speed: nan is not a finite number"),
+                                    testing::HasSubstr("/smoke/clips/0/file: \"../x.mp4\" leaves the folder"),
+                                    testing::HasSubstr("/smoke/keying/luma_low: 201 is not below luma_high")));
     EXPECT_EQ(test::read_text(path), "old");
 }
 
 TEST(LoadPreset, FaultsNameTheFileAsGiven) {
     const test::Folder folder;
     const fs::path path = folder.write("p.json", test::preset_text(R"(, "bleeding": {"speed": -3})"));
-    EXPECT_THAT(test::faults_of([&] { load_preset(path); }),
-                ElementsAre(path.string() +
-                            ": /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)"));
+    EXPECT_THAT(
+        test::faults_of([&] { load_preset(path); }),
+        ElementsAre(path.string() + ": /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)"));
 }
 
 }  // namespace

@@ -45,9 +45,8 @@ TEST(Scene, EventStaysAtItsPositionUnlessToIsGiven) {
 }
 
 TEST(Scene, EventPositionIsRequired) {
-    EXPECT_THAT(
-        scene_faults(scene_text(organ + R"(, "events": [{"time": 1}])")),
-        ElementsAre("s.json: /events/0/position: missing; expected [x, y, z], each -10000 to 10000 mm"));
+    EXPECT_THAT(scene_faults(scene_text(organ + R"(, "events": [{"time": 1}])")),
+                ElementsAre("s.json: /events/0/position: missing; expected [x, y, z], each -10000 to 10000 mm"));
 }
 
 TEST(Scene, NamesFaults) {
@@ -74,16 +73,15 @@ TEST(Scene, NamesFaults) {
         {R"(, "bleeding": {})", "/bleeding: unknown key; nearest is \"seed\""},
     };
     for (const Bad& bad : cases)
-        EXPECT_THAT(scene_faults(scene_text(organ + bad.members)),
-                    ElementsAre("s.json: " + std::string(bad.fault)));
+        EXPECT_THAT(scene_faults(scene_text(organ + bad.members)), ElementsAre("s.json: " + std::string(bad.fault)));
 }
 
 TEST(Scene, PathsMayLeaveTheFolder) {
-    const Scene scene = parse_scene(
-        scene_text(
-            R"(, "organ": {"file": "../organs/o.glb"}, "preset": "../presets/p.json", "tool": {"file": ""},
+    const Scene scene =
+        parse_scene(scene_text(
+                        R"(, "organ": {"file": "../organs/o.glb"}, "preset": "../presets/p.json", "tool": {"file": ""},
                       "reference": {"file": "/data/%04d.png"})"),
-        "s.json");
+                    "s.json");
     EXPECT_EQ(scene.preset, "../presets/p.json");
     EXPECT_EQ(scene.reference.file, "/data/%04d.png");
 }
@@ -101,8 +99,7 @@ TEST(Scene, SavesAndLoads) {
     save_scene(scene, folder / "s.json");
     EXPECT_EQ(write_scene(load_scene(folder / "s.json")), write_scene(scene));
     EXPECT_THAT(test::faults_of([&] { save_scene(Scene{}, folder / "x.json"); }),
-                ElementsAre((folder / "x.json").string() +
-                            ": /organ/file: empty; expected the name of a local file"));
+                ElementsAre((folder / "x.json").string() + ": /organ/file: empty; expected the name of a local file"));
     EXPECT_FALSE(std::filesystem::exists(folder / "x.json"));
 }
 
@@ -116,14 +113,11 @@ TEST(CheckDocument, TellsPresetsFromScenes) {
         return test::faults_of([&] { check_document(folder.write("x", text)); });
     };
     const std::string file = (folder / "x").string();
-    EXPECT_THAT(faults("{}"),
-                ElementsAre(file + ": /format: missing; expected \"lapfx.preset\" or \"lapfx.scene\""));
-    EXPECT_THAT(
-        faults(R"({"format": "gltf"})"),
-        ElementsAre(file + ": /format: \"gltf\" is not known; expected \"lapfx.preset\" or \"lapfx.scene\""));
-    EXPECT_THAT(faults("[]"),
-                ElementsAre(file + ": an array of 0 in place of an object; expected \"lapfx.preset\" or "
-                                   "\"lapfx.scene\""));
+    EXPECT_THAT(faults("{}"), ElementsAre(file + ": /format: missing; expected \"lapfx.preset\" or \"lapfx.scene\""));
+    EXPECT_THAT(faults(R"({"format": "gltf"})"),
+                ElementsAre(file + ": /format: \"gltf\" is not known; expected \"lapfx.preset\" or \"lapfx.scene\""));
+    EXPECT_THAT(faults("[]"), ElementsAre(file + ": an array of 0 in place of an object; expected \"lapfx.preset\" or "
+                                                 "\"lapfx.scene\""));
     EXPECT_THAT(faults(scene_text("")),
                 ElementsAre(file + ": /organ/file: missing; expected the name of a local file"));
 }
