@@ -13,7 +13,8 @@ TOP = {"CMakeLists.txt", "README.md", "editor", "effects", "shaders", "presets",
 TEXT = source_files.CPP + source_files.SHADERS + (".cmake", "CMakeLists.txt", ".py", ".sh", ".md")
 LIMITED = source_files.CPP + source_files.SHADERS
 MAX_LINES = 600
-STRING = re.compile(rb'"(?:\\.|[^"\\])*"')  # what a person reads, such as a unit, may be UTF-8
+# What a person reads, such as a unit, may be UTF-8: raw strings, strings; characters only so that '"' opens none.
+STRING = re.compile(rb'''R"\((?s:.*?)\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])[']''')
 COMMANDS = ("editor/start", "tests/run", "tests/accept", ".ci/run")
 
 
@@ -24,10 +25,11 @@ def top_faults(paths):
 
 
 def text_faults(path, data):
-    lines = data.split(b"\n")
+    lines = code = data.split(b"\n")
+    if path.endswith(source_files.CPP):
+        code = STRING.sub(lambda found: b"\n" * found[0].count(b"\n"), data).split(b"\n")
     for number, line in enumerate(lines, 1):
-        code = STRING.sub(b"", line) if path.endswith(source_files.CPP) else line
-        if not code.isascii():
+        if not code[number - 1].isascii():
             yield f"{path}:{number}: not ASCII"
         if line != line.rstrip():
             yield f"{path}:{number}: blanks or a carriage return at the end of the line"
@@ -48,6 +50,7 @@ def self_test():
         (list(text_faults("a.cpp", "// 3 \u00b5m\n".encode())), 1),
         (list(text_faults("a.cpp", 'const char* unit = "3 \\"\u00b5m";\n'.encode())), 0),
         (list(text_faults("a.cpp", 'f("s"); // \u00b5m\n'.encode())), 1),
+        (list(text_faults("a.cpp", 'a(R"(x \u00b5\n"y)"); b(\'"\'); // \u00b5\n'.encode())), 1),
         (list(text_faults("a.cmake", 'message("\u00b5m")\n'.encode())), 1),
         (list(text_faults("a.cpp", b"\n" * MAX_LINES)), 0),
         (list(text_faults("a.cpp", b"\n" * (MAX_LINES + 1))), 1),
