@@ -185,7 +185,7 @@ class Viewer {
 }  // namespace
 
 void view(const Scene& scene, const Preset& preset, const std::vector<std::filesystem::path>& clip_folders) {
-    GlfwWindow window({1280, 1024}, "lapfx");
+    GlfwWindow window({1024, 820}, "lapfx");
     const Context context = Context::external(glfwGetProcAddress);
     Preview preview(scene, preset, {.clip_folders = clip_folders});
     Viewer(window, preview, scene).run();
