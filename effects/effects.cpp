@@ -1,5 +1,7 @@
 #include "lapfx/effects.h"
 
+#include <cmath>
+
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
 #include "cautery/char_cpu.h"
@@ -55,6 +57,8 @@ Effects& Effects::operator=(Effects&&) noexcept = default;
 Effects::~Effects() = default;
 
 void Effects::set_preset(const Preset& preset) {
+    if (std::vector<Fault> faults = check(preset_table(), &preset); !faults.empty())
+        throw Error(Failure::bad_input, std::move(faults));
     state_->smoke.set_preset(preset, state_->options.clip_folders);
     state_->preset = preset;
     state_->refresh();
@@ -66,6 +70,7 @@ void Effects::set_contacts(std::span<const ToolContact> contacts) {
 }
 
 void Effects::seek(double time) noexcept {
+    if (!std::isfinite(time)) return;
     State& s = *state_;
     s.time = time;
     const bleeding::Dirty dirty = s.bleed.update(time);

@@ -1,5 +1,5 @@
 // Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). Include this in an organ shader,
-// bind the uniform block that effects/bleeding/bleeding_gpu.h fills, pass the bleed value per vertex, and call lapfx_blood().
+// bind the uniform block that effects/bleeding/bleed_gpu.h fills, pass the bleed value per vertex, and call lapfx_blood().
 // Lengths mm in organ space (rest shape), colours linear. Needs noise.glsl.
 #include "noise.glsl"
 
@@ -22,7 +22,7 @@ struct LapfxBlood {
 LapfxBlood lapfx_blood(float bleed, vec3 slope, vec3 position) {
     float threshold = u_blood_edge.x, scale = u_blood_edge.y, strength = u_blood_edge.z;
     // Nothing can bleed below threshold - strength, so most of an organ runs no octave at all.
-    bool possible = bleed > 0.0 && bleed > threshold - strength;
+    bool possible = bleed > threshold - strength;
     int octaves = possible ? int(u_blood_edge.w) : 0;
     vec4 noise = lapfx_fractal_noise(position / scale, octaves, uint(u_blood_surface.z));
 

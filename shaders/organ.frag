@@ -65,7 +65,7 @@ void add_char(inout Tissue tissue) {
     float grain = v_char > 0.0 ? lapfx_fractal_noise(v_rest / 1.6, v_char > 0.0 ? 3 : 0, 77u).x : 0.0;
     float heat = clamp(v_char + 0.35 * grain * min(v_char * 4.0, 1.0), 0.0, 1.0);
     float cooked = smoothstep(0.05, 0.30, heat), burnt = smoothstep(0.35, 0.75, heat);
-    tissue.albedo = mix(tissue.albedo, vec3(0.50, 0.40, 0.28), 0.75 * cooked);
+    tissue.albedo = mix(tissue.albedo, 0.55 * tissue.albedo + vec3(0.20, 0.14, 0.08), 0.8 * cooked);
     tissue.albedo = mix(tissue.albedo, vec3(0.016, 0.009, 0.006), burnt);
     tissue.wetness *= 1.0 - 0.85 * burnt - 0.3 * cooked * (1.0 - burnt);
     tissue.roughness = mix(tissue.roughness, 0.6, burnt);

@@ -67,14 +67,19 @@ VideoFile::~VideoFile() {
 void VideoFile::add(const Image& image) {
     to_bgr(image, frame_);
     writer_.write(frame_);
+    ++frames_;
 }
 
 void VideoFile::finish() {
     writer_.release();
     std::error_code error;
-    // A full disk shows only here: OpenCV's writer does not tell.
-    if (!fs::exists(beside_, error) || fs::file_size(beside_, error) == 0 || !cv::VideoCapture(beside_.string()).grab())
-        throw cannot_write(path_, "the video could not be written; is the disk full?");
+    // A full disk shows only here, for OpenCV's writer does not tell: every frame must come back.
+    cv::VideoCapture written(beside_.string(), cv::CAP_FFMPEG);
+    int readable = 0;
+    while (written.isOpened() && written.grab()) ++readable;
+    if (readable != frames_)
+        throw cannot_write(path_, "the video could not be written whole: " + std::to_string(readable) + " of " +
+                                      std::to_string(frames_) + " frames; is the disk full?");
     fs::rename(beside_, path_, error);
     if (error) throw cannot_write(path_, "cannot be written: " + error.message());
     finished_ = true;

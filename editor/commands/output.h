@@ -29,6 +29,7 @@ class VideoFile {
     std::filesystem::path path_, beside_;
     cv::VideoWriter writer_;
     cv::Mat frame_;
+    int frames_ = 0;
     bool finished_ = false;
 };
 

@@ -24,11 +24,13 @@ Progress::Progress(std::string what, int steps)
     interrupted = 0;
     std::signal(SIGINT, interrupt);
     std::signal(SIGTERM, interrupt);
+    std::signal(SIGHUP, interrupt);
 }
 
 Progress::~Progress() {
     std::signal(SIGINT, SIG_DFL);
     std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGHUP, SIG_DFL);
     if (terminal_) std::cerr << "\r\033[K" << std::flush;
 }
 

@@ -5,7 +5,7 @@
 
 namespace lapfx::commands {
 
-/// While one lives, Ctrl-C (SIGINT) and SIGTERM do not end the process but make step() throw Error (runtime), so that
+/// While one lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the process but make step() throw Error (runtime), so that
 /// everything that was begun is undone on the way out.
 class Progress {
   public:

@@ -1,5 +1,6 @@
 // lapfx render: a scene as a picture, a sequence of pictures or a video.
 #include <cmath>
+#include <iostream>
 #include <regex>
 
 #include "commands/command.h"
@@ -71,6 +72,22 @@ void check_output(const Options& o) {
         throw usage("-o", "\"" + o.output + "\" is none of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
 }
 
+/// Before the work, not after it.
+void check_folder(const std::filesystem::path& output) {
+    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+        throw Error(Failure::runtime, Fault{.file = output.string(), .place = "", .reason = "its folder is missing"});
+}
+
+/// What the user should know of the scene and would not see in the picture.
+void print_warnings(const Preview& preview, const Scene& scene, const Options& o) {
+    for (const std::string& warning : report(preview.organ()).warnings)
+        std::cerr << "lapfx: warning: " << warning << '\n';
+    if (o.has_at && o.at > scene.duration)
+        std::cerr << "lapfx: warning: --at " << o.at << " s is after the scene's end at " << scene.duration << " s\n";
+}
+
 void render_frames(Preview& preview, const Options& o, const std::vector<double>& times, glm::ivec2 size) {
     Progress progress("rendering", static_cast<int>(times.size()));
     std::optional<VideoFile> video;
@@ -95,11 +112,13 @@ void run(Options o) {
         o.at = 0.0;
     }
     check_output(o);
+    check_folder(o.output);
     const Scene scene = load_scene(o.scene);
     const Preset preset = preset_for(scene, o.preset, o.settings);
     const std::vector<double> times = frame_times(o, scene);
     const Context context = Context::create(backend);
     Preview preview(scene, preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
+    print_warnings(preview, scene, o);
     render_frames(preview, o, times, size);
 }
 
@@ -107,6 +126,13 @@ void run(Options o) {
 
 void add_render(CLI::App& app) {
     auto o = std::make_shared<Options>();
+    const CLI::Validator finite(
+        [](const std::string& text) {
+            double value = 0.0;  // CLI::Range lets "nan" through, since no comparison with it holds
+            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
+                                                                                  : "\"" + text + "\" is no number";
+        },
+        "NUMBER");
     CLI::App* verb =
         app.add_subcommand("render", "Render a scene to a PNG, a PNG sequence or a video, without a display");
     verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
@@ -115,11 +141,15 @@ void add_render(CLI::App& app) {
         ->allow_extra_args(false);
     verb->add_option("--size", o->size, "WxH in pixels")->capture_default_str();
     verb->add_option("--fps", o->fps, "Frames per second of a sequence or video")
+        ->check(finite)
         ->check(CLI::Range(0.1, 1000.0))
         ->capture_default_str();
-    auto* from = verb->add_option("--from", o->from, "First frame, s")->check(CLI::Range(0.0, 86400.0));
-    auto* to = verb->add_option("--to", o->to, "End, s; the scene's end if not given")->check(CLI::Range(0.0, 86400.0));
-    auto* at = verb->add_option("--at", o->at, "One picture at this time, s")->check(CLI::Range(0.0, 86400.0));
+    auto* from = verb->add_option("--from", o->from, "First frame, s")->check(finite)->check(CLI::Range(0.0, 86400.0));
+    auto* to = verb->add_option("--to", o->to, "End, s; the scene's end if not given")
+                   ->check(finite)
+                   ->check(CLI::Range(0.0, 86400.0));
+    auto* at =
+        verb->add_option("--at", o->at, "One picture at this time, s")->check(finite)->check(CLI::Range(0.0, 86400.0));
     at->excludes(from)->excludes(to);
     verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
     verb->add_option("-o,--output", o->output, "out.png, out_%04d.png, or a video: out.mp4, .mov, .mkv, .avi")

@@ -23,6 +23,9 @@ Preset preset_for(const Scene& scene, const std::string& preset, const std::vect
                         Fault{.file = "", .place = "--set", .reason = "\"" + setting + "\" is not KEY=VALUE"});
         set_parameter(preset_table(), &result, setting.substr(0, equals), setting.substr(equals + 1));
     }
+    // Rules between values hold for all settings together, not for each on its way.
+    if (std::vector<Fault> faults = check(preset_table(), &result); !faults.empty())
+        throw Error(Failure::bad_input, std::move(faults));
     return result;
 }
 

@@ -23,6 +23,8 @@ class Viewer {
           contacts_(scene.events),
           camera_(scene.camera),
           home_(scene.camera),
+          scene_contacts_(scene.events),
+          scene_duration_(scene.duration),
           duration_(scene.duration) {
         glfwSetWindowUserPointer(window.get(), this);
         glfwSetMouseButtonCallback(window.get(), [](GLFWwindow* w, int button, int action, int) {
@@ -87,9 +89,11 @@ class Viewer {
     void button(int button, bool pressed) {
         changed_ = true;
         if (!pressed) {
-            drag_ = Drag::none;
+            if (button == button_) end_drag();
             return;
         }
+        if (drag_ != Drag::none) return;
+        button_ = button;
         at_ = window_.pointer();
         const bool shift = glfwGetKey(window_.get(), GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
         if (button == GLFW_MOUSE_BUTTON_MIDDLE || (shift && button == GLFW_MOUSE_BUTTON_RIGHT)) {
@@ -113,6 +117,26 @@ class Viewer {
         preview_.set_contacts(contacts_);
         playing_ = true;
         return true;
+    }
+
+    /// After a burn the scene goes on long enough to show what comes of it.
+    void end_drag() {
+        if (drag_ == Drag::cauterise) duration_ = std::max(duration_, time_ + 10.0);
+        drag_ = Drag::none;
+    }
+
+    /// Time jumps: whatever is being held ends first.
+    void jump(double time) {
+        end_drag();
+        time_ = std::clamp(time, 0.0, duration_);
+    }
+
+    void start_over() {
+        drag_ = Drag::none;
+        contacts_ = scene_contacts_;
+        duration_ = scene_duration_;
+        preview_.set_contacts(contacts_);
+        jump(0.0);
     }
 
     void hold_contact() {
@@ -141,6 +165,7 @@ class Viewer {
         changed_ = true;
         switch (key) {
             case GLFW_KEY_SPACE:
+                end_drag();
                 playing_ = !playing_;
                 break;
             case GLFW_KEY_HOME:
@@ -148,13 +173,13 @@ class Viewer {
                 show_camera();
                 break;
             case GLFW_KEY_R:
-                time_ = 0.0;
+                start_over();
                 break;
             case GLFW_KEY_RIGHT:
-                time_ = std::min(time_ + 0.1, duration_);
+                jump(time_ + 0.1);
                 break;
             case GLFW_KEY_LEFT:
-                time_ = std::max(time_ - 0.1, 0.0);
+                jump(time_ - 0.1);
                 break;
             case GLFW_KEY_ESCAPE:
                 glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
@@ -173,11 +198,14 @@ class Viewer {
     Preview& preview_;
     std::vector<ToolContact> contacts_;
     SceneCamera camera_, home_;
+    std::vector<ToolContact> scene_contacts_;
+    double scene_duration_;
     double duration_;
     double time_ = 0.0;
     bool playing_ = true;
     bool changed_ = true;
     Drag drag_ = Drag::none;
+    int button_ = 0;
     glm::dvec2 at_{0.0};
     std::string title_;
 };

@@ -10,9 +10,16 @@ namespace lapfx::bleeding {
 
 namespace {
 
-/// How far along the surface blood can come: downhill it travels max_extent / (1 - bias).
+/// How far along the surface blood can come: noise moves its edge by noise_strength at most, and downhill it travels
+/// 1 / (1 - bias) times as far.
 double reach(const BleedingParameters& parameters) {
-    return parameters.max_extent / (1.0 - std::min(parameters.gravity_bias, 0.95));
+    return (parameters.max_extent + parameters.noise_strength) / (1.0 - std::min(parameters.gravity_bias, 0.95));
+}
+
+/// Bleed value `beyond` mm outside the reach of a source value, below 0: noise may show blood there. While the source
+/// value is smaller than the noise the value falls faster, so that a wound never begins as a blob of noise.
+float outside(float beyond, float source, float noise_strength) {
+    return -beyond * std::max(1.0f, noise_strength / source);
 }
 
 double longest_edge(const Surface& surface) {
@@ -39,15 +46,19 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
     : surface_(surface),
       down_(down),
       longest_edge_(longest_edge(surface)),
-      driest_(static_cast<float>(-2.0 * longest_edge_)),
-      surface_values_(surface.positions.size(), driest_),
-      values_(surface.weld.size(), driest_) {
+      surface_values_(surface.positions.size(), driest()),
+      values_(surface.weld.size(), driest()) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
     copies_.resize(surface.weld.size());
     std::vector<std::uint32_t> next(copies_of_.begin(), copies_of_.end() - 1);
     for (std::uint32_t i = 0; i < surface.weld.size(); ++i) copies_[next[surface.weld[i]]++] = i;
+}
+
+/// Gravity at most doubles a distance, so no neighbour of what noise can reach is drier.
+float BleedField::driest() const {
+    return static_cast<float>(-2.0 * longest_edge_ - parameters_.noise_strength);
 }
 
 BleedField::Spread BleedField::spread_from(glm::dvec3 position, double limit) const {
@@ -74,6 +85,12 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
     spreads_ = std::move(spreads);
     wounds_.assign(wounds.begin(), wounds.end());
     parameters_ = parameters;
+    if (const float dry = driest(); dry != dry_) {
+        std::fill(surface_values_.begin(), surface_values_.end(), dry);
+        std::fill(values_.begin(), values_.end(), dry);
+        dry_ = dry;
+        told_ = false;
+    }
     sources_.assign(wounds.size(), 0.0);
     // What was touched before stays in the list, so that old blood is wiped.
     for (const Spread& spread : spreads_)
@@ -92,15 +109,17 @@ Dirty BleedField::update(double time) noexcept {
     }
     if (!changed) return {};
     stale_ = false;
-    for (const std::uint32_t v : touched_) surface_values_[v] = driest_;
+    for (const std::uint32_t v : touched_) surface_values_[v] = dry_;
     for (std::size_t w = 0; w < wounds_.size(); ++w) {
         const Spread& spread = spreads_[w];
         const auto source = static_cast<float>(sources_[w]);
         const auto bias = static_cast<float>(parameters_.gravity_bias);
+        const auto noise = static_cast<float>(parameters_.noise_strength);
         if (source <= 0.0f) continue;
         for (std::size_t i = 0; i < spread.vertices.size(); ++i) {
             float& value = surface_values_[spread.vertices[i]];
-            value = std::max(value, source - (spread.distances[i] - bias * spread.drops[i]));
+            const float inside = source - (spread.distances[i] - bias * spread.drops[i]);
+            value = std::max(value, inside >= 0.0f ? inside : outside(-inside, source, noise));
         }
     }
     const Dirty dirty = write_values();

@@ -1,8 +1,9 @@
 // Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry. d_w is the travel
 // distance, shortened downhill and lengthened uphill: a constant drift g added to a metric changes every path
 // between two points by the same amount, so d_w(x) = d(x) - gravity_bias * (drop from the wound to x) is the
-// exact distance in that (Randers) metric. Within a triangle of the edge b is carried on below 0: cut off at the
-// vertices, the edge would move outwards, the farther the coarser the mesh. One thread at a time.
+// exact distance in that (Randers) metric. b is carried on below 0, as far as noise can
+// move the edge and a triangle more: cut off at the vertices, the edge would move outwards, the farther the coarser
+// the mesh, and noise could only ever take blood away. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -49,13 +50,13 @@ class BleedField {
     };
     Spread spread_from(glm::dvec3 position, double limit) const;
     Dirty write_values() noexcept;
+    float driest() const;  // value of all vertices that blood cannot reach
 
     const Surface& surface_;
     glm::dvec3 down_;
     double longest_edge_;  // mm
-    // Value of all vertices that are no neighbours of blood. Gravity at most doubles a distance, so no neighbour is drier.
-    float driest_;
-    bool told_ = false;  // an update has given the range of all vertices
+    float dry_ = 1.0f;     // driest() at the last set
+    bool told_ = false;    // an update has given the range of all vertices
     BleedingParameters parameters_;
     std::vector<Wound> wounds_;
     std::vector<Spread> spreads_;  // parallel to wounds_

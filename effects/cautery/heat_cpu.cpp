@@ -56,9 +56,11 @@ double opening_delay(const ToolContact& contact, const CauteryParameters& c) {
     return delay <= dwell(contact) ? delay : never;
 }
 
-/// When `contact` closes a wound at `point`; infinity when it does not reach it.
-double closing_time(const ToolContact& contact, const CauteryParameters& c, glm::dvec3 point) {
-    if (contact.action != ToolAction::coagulate) return never;
+/// When `contact` closes the wound; infinity when it does not reach it. Coagulation closes any wound, cautery those that
+/// were open before it began: the heat that cuts tissue does not close that very cut.
+double closing_time(const ToolContact& contact, const CauteryParameters& c, const Wound& wound) {
+    if (!contact.hot() || (contact.action == ToolAction::cauterise && wound.start >= contact.time)) return never;
+    const glm::dvec3 point = wound.position;
     const double share = nearest_share(contact, point);
     const glm::dvec3 tip = glm::mix(contact.position, contact.to, share);
     const double delay = time_to(c.coagulation_temperature, contact, c);
@@ -83,6 +85,7 @@ double peak_temperature(const ToolContact& contact, const CauteryParameters& c, 
 }
 
 double char_of(double peak, const CauteryParameters& c) noexcept {
+    if (peak <= body_temperature) return 0.0;
     // Tissue blanches when it coagulates, browns at the char temperature and is black 150 degrees above it.
     const double cooked = glm::smoothstep(c.coagulation_temperature, c.char_temperature, peak);
     const double burnt = glm::smoothstep(c.char_temperature, c.char_temperature + 150.0, peak);
@@ -108,7 +111,7 @@ std::vector<Wound> wounds_of(std::span<const ToolContact> contacts, const Cauter
     }
     for (Wound& wound : wounds)
         for (const ToolContact& contact : contacts) {
-            const double closed = closing_time(contact, c, wound.position);
+            const double closed = closing_time(contact, c, wound);
             if (closed > wound.start) wound.stop = std::min(wound.stop, closed);
         }
     return wounds;

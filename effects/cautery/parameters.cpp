@@ -33,7 +33,7 @@ constexpr Parameter rows[] = {
                                 "Above it the tissue is divided and may bleed: the paper's pre-determined temperature "
                                 "threshold."),
     number<&C::coagulation_temperature>("coagulation_temperature", "Coagulation temperature", temperature,
-                                        "Above it wounds close. It has to lie below the cut temperature."),
+                                        "Above it wounds close. It has to lie below the cut and the char temperature."),
     number<&C::char_temperature>("char_temperature", "Char temperature", temperature,
                                  "Above it the surface of the tissue blackens."),
     number<&C::heat_spread>("heat_spread", "Heat spread", {0, 20, 0.1, "mm/sqrt(s)"},
@@ -48,6 +48,13 @@ constexpr Rule rules[] = {
      [](const void* owner) {
          const C& c = *static_cast<const C*>(owner);
          return below(c.coagulation_temperature, "cut_temperature", c.cut_temperature);
+     }},
+    {"char_temperature",
+     [](const void* owner) -> std::string {
+         const C& c = *static_cast<const C*>(owner);
+         return c.char_temperature > c.coagulation_temperature
+                    ? ""
+                    : below(c.coagulation_temperature, "char_temperature", c.char_temperature);
      }},
 };
 

@@ -7,7 +7,7 @@ namespace lapfx::render {
 
 namespace {
 
-constexpr double nearest = 2.0, farthest = 1500.0;  // mm: from touching the lens to across an inflated abdomen
+constexpr double nearest = 2.0, farthest = 5000.0;  // mm: from touching the lens to a whole body, seen from afar
 
 constexpr double approach = 0.6, withdrawal = 0.8;  // s
 constexpr double drawn_back = 70.0;                 // mm

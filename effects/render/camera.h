@@ -3,8 +3,10 @@
 
 #include <optional>
 
-#include "lapfx/effects.h"
+#include <span>
+
 #include "lapfx/scene.h"
+#include "lapfx/view.h"
 
 namespace lapfx::render {
 

@@ -34,6 +34,7 @@ void Frame::resize(glm::ivec2 size) {
                           .place = "size",
                           .reason = std::to_string(size.x) + "x" + std::to_string(size.y) + " is outside 1x1 to " +
                                     std::to_string(most) + "x" + std::to_string(most) + " pixels"});
+    size_ = glm::ivec2(0);  // until all is made, nothing counts as made
     color_ = gl::Texture({.size = size, .format = GL_RGBA16F, .samples = samples});
     depth_ = gl::Texture({.size = size, .format = GL_DEPTH_COMPONENT32F, .samples = samples});
     resolved_color_ = gl::Texture({.size = size, .format = GL_RGBA16F, .filter = GL_NEAREST});

@@ -34,7 +34,8 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
       white_(one_texel({255, 255, 255, 255})),
       flat_(one_texel({128, 128, 255, 255})),
       parts_(organ.parts),
-      tissue_(bleed != nullptr) {
+      tissue_(bleed != nullptr),
+      no_blood_(buffer_of(std::vector<float>(16, 0.0f))) {
     vertices_.push_back(buffer_of(organ.positions));
     vertices_.push_back(buffer_of(organ.normals));
     vertices_.push_back(buffer_of(organ.tangents));
@@ -80,6 +81,7 @@ void OrganGpu::draw(const glm::mat4& model) const noexcept {
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(vertex_array_.name());
+    if (!tissue_) glBindBufferBase(GL_UNIFORM_BUFFER, 1, no_blood_.name());
     program_.set("u_model", model);
     program_.set("u_tissue", tissue_ ? 1 : 0);
     program_.use();

@@ -39,6 +39,7 @@ class OrganGpu {
     std::vector<Material> materials_;
     std::vector<Part> parts_;
     bool tissue_;
+    gl::Buffer no_blood_;  // a block for instruments: an active block without a buffer is undefined
 };
 
 }  // namespace lapfx::render

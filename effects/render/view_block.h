@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gl/objects.h"
-#include "lapfx/effects.h"
+#include "lapfx/view.h"
 
 namespace lapfx::render {
 

@@ -7,6 +7,7 @@ namespace lapfx::smoke {
 
 ClipStream::ClipStream(const std::filesystem::path& path, int buffers)
     : path_(path), info_(read_clip_info(path)), capture_(open_clip(path)) {
+    last_good_ = cv::Mat::zeros(info_.size, CV_8UC3);
     slots_.resize(static_cast<std::size_t>(std::clamp(buffers, 2, std::max(2, info_.frame_count))));
     worker_ = std::thread([this] { work(); });
 }
@@ -95,18 +96,16 @@ ClipStream::Slot* ClipStream::free_slot() {
 
 /// A file can break or vanish while it plays; the stream goes on with the last good frame.
 void ClipStream::decode(int index, cv::Mat& into) noexcept {
-    bool good = false;
     try {
-        good = read(index, into);
+        if (read(index, into)) {
+            into.copyTo(last_good_);
+            return;
+        }
     } catch (const std::exception&) {  // cv::Exception, or Error when the file cannot be opened again
     }
-    if (good) {
-        into.copyTo(last_good_);
-    } else if (!last_good_.empty()) {
+    try {
         last_good_.copyTo(into);
-    } else {
-        into.create(info_.size, CV_8UC3);
-        into.setTo(0);
+    } catch (const std::exception&) {  // no memory for it: the slot keeps what it had
     }
 }
 

@@ -26,6 +26,8 @@ const gl::Texture& ClipTextures::frame(int index, Policy policy) noexcept {
 }
 
 void ClipTextures::send(Sent& to, int index, const cv::Mat& image) noexcept {
+    const glm::ivec2 size = to.texture.size();
+    if (image.cols != size.x || image.rows != size.y || image.type() != CV_8UC3) return;
     to.texture.upload(GL_BGR, image.data);
     to.index = index;
     ++uploads_;

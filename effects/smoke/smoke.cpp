@@ -26,13 +26,23 @@ glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
 
 }  // namespace
 
+Smoke::Smoke(std::uint32_t seed) : seed_(seed), no_frame_({.format = GL_RGB8}) {
+    const std::uint8_t black[3] = {};
+    no_frame_.upload(GL_BGR, black);
+}
+
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
     const auto& wanted = preset.smoke.clips;
     const int buffers = std::clamp(max_textures / std::max(1, static_cast<int>(wanted.size())), 2, most_buffers);
     std::vector<Clip> clips;
     for (const SmokeClip& clip : wanted) {
         const auto path = find_clip(clip.file, preset.folder, search_path);
-        const auto same = std::find_if(clips_.begin(), clips_.end(), [&](const Clip& c) { return c.path == path; });
+        // A clip that is named twice plays at two places of its own: one stream goes to one entry.
+        const auto same = std::find_if(clips_.begin(), clips_.end(), [&](const Clip& known) {
+            return known.path == path && std::none_of(clips.begin(), clips.end(), [&](const Clip& used) {
+                       return used.textures == known.textures;
+                   });
+        });
         clips.push_back({path, same != clips_.end() ? same->textures : std::make_shared<ClipTextures>(path, buffers)});
     }
     clips_ = std::move(clips);
@@ -62,7 +72,8 @@ void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene
         if (clip.role == ClipRole::haze) haze_weight += clip.weight;
     for (std::size_t i = 0; i < clips_.size(); ++i)
         if (parameters_.clips[i].role == ClipRole::plume) draw_plume(i, view, up, time, policy);
-    // Haze lies between the camera and everything, so it comes last; several clips share its density.
+    // Haze lies between the camera and everything, so it comes last; several clips share its density. Without one it is even.
+    if (haze_weight <= 0.0) draw_even_haze(time);
     for (std::size_t i = 0; i < clips_.size(); ++i)
         if (parameters_.clips[i].role == ClipRole::haze && haze_weight > 0.0)
             draw_haze(i, time, parameters_.clips[i].weight / haze_weight, policy);
@@ -83,6 +94,19 @@ void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, d
         gpu_.plume(layer, parameters_.keying, glm::vec3(state.anchor), static_cast<float>(state.height),
                    screen_up(view, up));
     }
+}
+
+void Smoke::draw_even_haze(double time) noexcept {
+    static const SmokeClip no_clip;
+    const double density = haze(time);
+    if (density <= 0.0) return;
+    const Layer layer{.frame = &no_frame_,
+                      .clip = &no_clip,
+                      .color = parameters_.haze.color,
+                      .extinction = parameters_.haze.extinction,
+                      .density = density,
+                      .time = time};
+    gpu_.haze(layer, parameters_.keying, 0.0f);
 }
 
 void Smoke::draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept {

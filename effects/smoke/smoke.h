@@ -20,7 +20,7 @@ namespace lapfx::smoke {
 
 class Smoke {
   public:
-    explicit Smoke(std::uint32_t seed) : seed_(seed) {}
+    explicit Smoke(std::uint32_t seed);
 
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
     /// Throws Error (bad_input) for a clip that cannot be used, and keeps what it had.
@@ -40,6 +40,7 @@ class Smoke {
     };
     const gl::Texture& frame_at(std::size_t clip, double time, Policy policy) noexcept;
     void draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept;
+    void draw_even_haze(double time) noexcept;
     void draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept;
 
     std::uint32_t seed_;
@@ -48,6 +49,7 @@ class Smoke {
     std::vector<ToolContact> contacts_;
     std::vector<Emission> emissions_;
     SmokeGpu gpu_;
+    gl::Texture no_frame_;  // black, for haze without a clip
 };
 
 }  // namespace lapfx::smoke

@@ -40,7 +40,7 @@ std::vector<BleedingParameters> parameters() {
 /// The shader's documented depth: bleed - (threshold + noise); -1 where no blood can be.
 float depth_of(const BleedingParameters& b, glm::vec4 sample) {
     const auto threshold = static_cast<float>(b.threshold), strength = static_cast<float>(b.noise_strength);
-    if (sample.w <= 0.0f || sample.w <= threshold - strength) return -1.0f;
+    if (sample.w <= threshold - strength) return -1.0f;
     const glm::vec3 p = glm::vec3(sample) / static_cast<float>(b.noise_scale);
     return sample.w - (threshold + strength * gl::fractal_noise(p, b.noise_octaves, seed & 0xffffu));
 }

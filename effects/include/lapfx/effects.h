@@ -6,14 +6,15 @@
 //
 //     effects.set_contacts(contacts);          // whenever the tool does something
 //     effects.seek(now);                       // once per frame; s, any order
-//     effects.draw_organ(view);                // into the bound framebuffer, depth test against what is
-//     there effects.draw_smoke(view, depth_texture); // over the frame, when all else has been drawn
+//     effects.draw_organ(view);                // into the bound framebuffer, tested against its depth
+//     effects.draw_smoke(view, depth_texture); // over the frame, when all else has been drawn
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
-// Constructor and set_preset throw lapfx::Error; everything called per frame is noexcept, allocates nothing
-// in steady state and leaves the GL state as it found it (program, vertex array, blending, depth, culling,
-// texture units 0-1, uniform bindings 0-2). Output is linear light: draw into a float or an sRGB framebuffer
-// with GL_FRAMEBUFFER_SRGB.
+// Constructor and set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady
+// state and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-1,
+// uniform bindings 0-2). They expect GL's initial front face, colour mask, stencil, polygon mode and clip control, and
+// no sampler objects on units 0 and 1. Output is linear light: draw into a float or an sRGB framebuffer with
+// GL_FRAMEBUFFER_SRGB.
 #pragma once
 
 #include <cstdint>
@@ -28,24 +29,9 @@
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
+#include "lapfx/view.h"
 
 namespace lapfx {
-
-/// The endoscope's lamp, at the camera.
-struct Lamp {
-    double intensity = 1.0;         ///< a white surface that faces the lamp at the focus distance is lit to this
-    double focus_distance = 100.0;  ///< mm
-    double beam_angle = 75.0;       ///< degrees; whole angle within which the light is above half
-    double ambient = 0.02;          ///< light from all around, as a share of the lamp's
-    glm::dvec3 color{1.0};          ///< sRGB
-};
-
-/// Where the frame is seen from.
-struct View {
-    glm::mat4 view{1.0f};        ///< organ space to camera space, rigid
-    glm::mat4 projection{1.0f};  ///< OpenGL clip space, z in -1..1, perspective
-    Lamp lamp;
-};
 
 struct EffectsOptions {
     std::uint32_t seed = 1;                           ///< all chance comes from it

@@ -5,7 +5,8 @@
 //     lapfx::Preview preview(scene, preset, {.clip_folders = {"samples/clips"}, .wait_for_clips = true});
 //     lapfx::Image image = preview.image(6.0, {1280, 1024});
 //
-// Render thread only, context current.
+// Render thread only, context current. draw() binds its own framebuffers, programs and textures and leaves them bound: a host
+// that cares uses Effects, which puts everything back.
 #pragma once
 
 #include <memory>

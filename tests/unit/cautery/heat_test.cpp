@@ -187,8 +187,11 @@ TEST(Wounds, AMovingCoagulationStopsEachWoundWhenItHasBeenHeated) {
     EXPECT_LT(peak_temperature(contacts[2], parameters(), found[1].position, found[1].stop - 1e-6), 57.0);
 }
 
-TEST(Wounds, ACauterisingContactDoesNotCloseWounds) {
-    EXPECT_EQ(wounds({at({0, 0, 0}, 0.0, 0.1, ToolAction::cut), at({0, 0, 0}, 4.0, 0.3)}).at(0).stop, never);
+TEST(Wounds, CauteryClosesTheWoundsThatWereOpenBeforeItAndNotItsOwn) {
+    // 0.1 s at 200 degrees a second from 37 passes the coagulation temperature of these parameters.
+    EXPECT_NEAR(wounds({at({0, 0, 0}, 0.0, 0.1, ToolAction::cut), at({0, 0, 0}, 4.0, 0.3)}).at(0).stop, 4.1, 1e-9);
+    EXPECT_EQ(wounds({at({0, 0, 0}, 4.0, 3.0)}).at(0).stop, never);
+    EXPECT_EQ(wounds({at({0, 0, 0}, 5.0, 0.1, ToolAction::cut), at({0, 0, 0}, 4.0, 0.3)}).at(0).stop, never);
 }
 
 }  // namespace

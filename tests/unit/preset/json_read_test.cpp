@@ -103,7 +103,7 @@ TEST(ReadPreset, NamesEachFault) {
          "/smoke/keying/chroma_low: 9 is above chroma_high (8)"},
         {R"(, "smoke": {"keying": {"luma_low": 220, "luma_high": 999}})",
          "/smoke/keying/luma_high: 999 is above the maximum 255 code values (allowed: 0 to 255 code values)"},
-        {R"(, "cautery": {"coagulation_temperature": 200})",
+        {R"(, "cautery": {"coagulation_temperature": 200, "char_temperature": 300})",
          "/cautery/coagulation_temperature: 200 is not below cut_temperature (180)"},
     };
     for (const Bad& bad : cases)
