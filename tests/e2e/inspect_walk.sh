@@ -1,0 +1,25 @@
+#!/usr/bin/env bash
+# lapfx inspect on every file of the third-party test data: no crash, no hang; exit 0, or exit 2 and at least one line that
+# begins with "lapfx: ". Skips (77) where that data is not there.
+#
+#   inspect_walk.sh LAPFX DATA_FOLDER
+set -euo pipefail
+lapfx=$1 data=${LAPFX_TEST_DATA:-$2}
+if [ ! -d "$data" ]; then
+    echo "inspect_walk: no test data in $data, so nothing was inspected"
+    exit 77
+fi
+
+inspect() {
+    local status=0 errors
+    errors=$(timeout 120 "$1" inspect "$2" 2>&1 >/dev/null) || status=$?
+    case $status in
+        0) return 0 ;;
+        2) grep -q '^lapfx: ' <<<"$errors" && return 0 ;;
+    esac
+    echo "exit $status: $2: $errors"
+    return 1
+}
+export -f inspect
+find "$data/" -type f -print0 | xargs -0 -P 2 -I{} bash -c 'inspect "$0" "$1"' "$lapfx" {} &&
+    echo "inspect_walk: $(find "$data/" -type f | wc -l) files"
