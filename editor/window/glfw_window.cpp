@@ -45,12 +45,10 @@ glm::ivec2 GlfwWindow::framebuffer_size() const {
     return size;
 }
 
-glm::dvec2 GlfwWindow::pointer() const {
-    glm::dvec2 at(0.0);
+glm::dvec2 GlfwWindow::to_pixels(glm::dvec2 place) const {
     glm::ivec2 window(1);
-    glfwGetCursorPos(window_, &at.x, &at.y);
     glfwGetWindowSize(window_, &window.x, &window.y);
-    return at * glm::dvec2(framebuffer_size()) / glm::dvec2(glm::max(window, glm::ivec2(1)));
+    return place * glm::dvec2(framebuffer_size()) / glm::dvec2(glm::max(window, glm::ivec2(1)));
 }
 
 }  // namespace lapfx::window

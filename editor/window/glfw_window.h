@@ -18,8 +18,9 @@ class GlfwWindow {
 
     GLFWwindow* get() const { return window_; }
     glm::ivec2 framebuffer_size() const;
-    /// The pointer in framebuffer pixels, origin top left.
-    glm::dvec2 pointer() const;
+    /// Framebuffer pixels of a place in GLFW's screen coordinates, origin top left. Events bring such places with them:
+    /// asking GLFW gives where the pointer is now, which on a slow frame is not where it was.
+    glm::dvec2 to_pixels(glm::dvec2 place) const;
 
   private:
     GLFWwindow* window_ = nullptr;

@@ -30,7 +30,7 @@ class Viewer {
         glfwSetMouseButtonCallback(window.get(), [](GLFWwindow* w, int button, int action, int) {
             self(w).button(button, action == GLFW_PRESS);
         });
-        glfwSetCursorPosCallback(window.get(), [](GLFWwindow* w, double, double) { self(w).moved(); });
+        glfwSetCursorPosCallback(window.get(), [](GLFWwindow* w, double x, double y) { self(w).moved({x, y}); });
         glfwSetScrollCallback(window.get(), [](GLFWwindow* w, double, double y) { self(w).scrolled(y); });
         glfwSetKeyCallback(window.get(), [](GLFWwindow* w, int key, int, int action, int) {
             if (action != GLFW_RELEASE) self(w).key(key);
@@ -94,7 +94,6 @@ class Viewer {
         }
         if (drag_ != Drag::none) return;
         button_ = button;
-        at_ = window_.pointer();
         const bool shift = glfwGetKey(window_.get(), GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
         if (button == GLFW_MOUSE_BUTTON_MIDDLE || (shift && button == GLFW_MOUSE_BUTTON_RIGHT)) {
             drag_ = Drag::pan;
@@ -146,13 +145,13 @@ class Viewer {
         preview_.set_contacts(contacts_);
     }
 
-    void moved() {
-        const glm::dvec2 now = window_.pointer(), by = now - at_;
-        if (drag_ == Drag::none) return;
+    void moved(glm::dvec2 place) {
+        const glm::dvec2 now = window_.to_pixels(place), by = now - at_;
+        at_ = now;
+        if (drag_ != Drag::orbit && drag_ != Drag::pan) return;
         const double height = window_.framebuffer_size().y;
         if (drag_ == Drag::orbit) orbit(camera_, by.x / height * std::numbers::pi, by.y / height * std::numbers::pi);
         if (drag_ == Drag::pan) pan(camera_, by, height);
-        at_ = now;
         show_camera();
     }
 
