@@ -2,7 +2,7 @@
 //
 //   s(t)    = min(max_extent, speed * strength * time the wound has been open), pulsing if arterial          mm
 //   d(x)    = travel distance from the contact point over the surface - gravity_bias * drop from it to x      mm
-//   b(x, t) = max over wounds of s - d, dry at 0 and below: the paper's animation variable                         mm
+//   b(x, t) = max over wounds of s - d: the paper's animation variable, carried on below 0 as far as noise reaches   mm
 //   blood where b > threshold + noise_strength * noise(x / noise_scale), noise in -1..1 with mean 0
 //   depth   = b - threshold - noise; colour runs from color_thin to color_deep, which is reached at deep_at   mm
 //

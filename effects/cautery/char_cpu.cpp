@@ -7,10 +7,7 @@ namespace lapfx::cautery {
 namespace {
 
 double distance_to_path(const ToolContact& contact, glm::dvec3 point) {
-    const glm::dvec3 path = contact.to - contact.position;
-    const double squared = glm::dot(path, path);
-    const double share = squared > 0.0 ? std::clamp(glm::dot(point - contact.position, path) / squared, 0.0, 1.0) : 0.0;
-    return glm::distance(point, contact.position + share * path);
+    return glm::distance(point, glm::mix(contact.position, contact.to, nearest_share(contact, point)));
 }
 
 }  // namespace

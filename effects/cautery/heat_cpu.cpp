@@ -22,13 +22,6 @@ double dwell(const ToolContact& contact) {
     return length <= 2.0 * tip_radius ? contact.duration : contact.duration * 2.0 * tip_radius / length;
 }
 
-/// Share 0..1 of the path at which the tip is nearest to `point`.
-double nearest_share(const ToolContact& contact, glm::dvec3 point) {
-    const glm::dvec3 path = contact.to - contact.position;
-    const double squared = glm::dot(path, path);
-    return squared > 0.0 ? std::clamp(glm::dot(point - contact.position, path) / squared, 0.0, 1.0) : 0.0;
-}
-
 /// mm; the paper's radial growth of the heated region. Diffusion grows with the square root of time.
 double heated_radius(double heated, const CauteryParameters& c) {
     return tip_radius + c.heat_spread * std::sqrt(heated);
@@ -70,6 +63,12 @@ double closing_time(const ToolContact& contact, const CauteryParameters& c, cons
 }
 
 }  // namespace
+
+double nearest_share(const ToolContact& contact, glm::dvec3 point) noexcept {
+    const glm::dvec3 path = contact.to - contact.position;
+    const double squared = glm::dot(path, path);
+    return squared > 0.0 ? std::clamp(glm::dot(point - contact.position, path) / squared, 0.0, 1.0) : 0.0;
+}
 
 double peak_temperature(const ToolContact& contact, const CauteryParameters& c, glm::dvec3 point,
                         double time) noexcept {

@@ -17,6 +17,9 @@ namespace lapfx::cautery {
 inline constexpr double body_temperature = 37.0;
 inline constexpr double tip_radius = 1.5;  ///< mm of tissue that the bare tip touches
 
+/// Where on the tip's path, 0 at its start .. 1 at its end, the tip is nearest to `point`.
+double nearest_share(const ToolContact& contact, glm::dvec3 point) noexcept;
+
 /// The hottest that the tissue at `point` has been by `time` because of this contact.
 double peak_temperature(const ToolContact& contact, const CauteryParameters& cautery, glm::dvec3 point,
                         double time) noexcept;

@@ -33,7 +33,8 @@ class ClipStream {
 
     /// Frame `index` (0 .. frame_count - 1), BGR, valid until the next call; null when it is late (policy
     /// latest). Moving forward by a few frames is what the ring is made for; any other jump starts decoding
-    /// anew there. A frame that the file cannot give (corrupt in the middle) is the one before it.
+    /// anew there. A frame that the file cannot give (corrupt in the middle) is the last good
+    /// one that was decoded.
     const cv::Mat* frame(int index, Policy policy) noexcept;
 
     /// A frame that is decoded already, or null; it does not move the stream. Meant for the frame after the

@@ -1,6 +1,5 @@
 // The CPU reference of shaders/keying.glsl, line for line. tests/parity/keying_test.cpp holds the two
-// together; tools that key without a GPU (suggested thresholds, inspection) use it. Pure functions, any
-// thread. Code values 0..255.
+// together. Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <algorithm>
