@@ -21,6 +21,7 @@ int run(int argc, char** argv) {
     lapfx::commands::add_render(app);
     lapfx::commands::add_inspect(app);
     lapfx::commands::add_check(app);
+    lapfx::commands::add_migrate(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& done) {  // --help, --version

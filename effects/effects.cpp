@@ -74,8 +74,10 @@ void Effects::seek(double time) noexcept {
     State& s = *state_;
     s.time = time;
     const bleeding::Dirty dirty = s.bleed.update(time);
-    s.bleed_gpu.send(s.bleed.values(), dirty.begin, dirty.end);
-    if (s.charred.update(time)) s.organ_gpu.send_char(s.charred.values());
+    const VertexRun changed{dirty.begin, dirty.end};
+    if (!dirty.empty()) s.bleed_gpu.send(s.bleed.values(), {&changed, 1});
+    const VertexRun whole{0, static_cast<std::uint32_t>(s.positions.size())};
+    if (s.charred.update(time)) s.organ_gpu.send_marks(s.charred.values(), {&whole, 1});
 }
 
 void Effects::draw_organ(const View& view) noexcept {

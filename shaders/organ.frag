@@ -11,8 +11,8 @@ layout(location = 2) in vec3 v_normal;
 layout(location = 3) in vec4 v_tangent;
 layout(location = 4) in vec2 v_uv;
 layout(location = 5) in vec4 v_color;
-layout(location = 6) in float v_bleed;
-layout(location = 7) in float v_char;
+layout(location = 6) in vec2 v_blood;
+layout(location = 7) in vec2 v_marks;
 
 layout(binding = 0) uniform sampler2D u_base_color;  // sRGB texture: sampled linear
 layout(binding = 1) uniform sampler2D u_normal_map;
@@ -62,8 +62,8 @@ vec3 surface_gradient(float value, vec3 normal) {
 
 // Heated tissue: first pale and cooked, then black-brown, matt and crusty.
 void add_char(inout Tissue tissue) {
-    float grain = v_char > 0.0 ? lapfx_fractal_noise(v_rest / 1.6, v_char > 0.0 ? 3 : 0, 77u).x : 0.0;
-    float heat = clamp(v_char + 0.35 * grain * min(v_char * 4.0, 1.0), 0.0, 1.0);
+    float grain = v_marks.x > 0.0 ? lapfx_fractal_noise(v_rest / 1.6, v_marks.x > 0.0 ? 3 : 0, 77u).x : 0.0;
+    float heat = clamp(v_marks.x + 0.35 * grain * min(v_marks.x * 4.0, 1.0), 0.0, 1.0);
     float cooked = smoothstep(0.05, 0.30, heat), burnt = smoothstep(0.35, 0.75, heat);
     tissue.albedo = mix(tissue.albedo, 0.55 * tissue.albedo + vec3(0.20, 0.14, 0.08), 0.8 * cooked);
     tissue.albedo = mix(tissue.albedo, vec3(0.016, 0.009, 0.006), burnt);
@@ -72,7 +72,7 @@ void add_char(inout Tissue tissue) {
 }
 
 void add_blood(inout Tissue tissue, vec3 geometric) {
-    LapfxBlood blood = lapfx_blood(v_bleed, surface_gradient(v_bleed, geometric), v_rest);
+    LapfxBlood blood = lapfx_blood(v_blood.x, surface_gradient(v_blood.x, geometric), v_rest);
     float cover = blood.coverage;
     // Light crosses a film twice and loses green and blue first, so even a thin one stains the tissue red.
     vec3 stained = tissue.albedo * mix(vec3(1.0), vec3(0.85, 0.16, 0.15), 1.0 - exp2(-2.5 * max(blood.depth, 0.0) - 0.4));

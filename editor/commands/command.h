@@ -10,5 +10,6 @@ void add_render(CLI::App& app);
 void add_edit(CLI::App& app);
 void add_check(CLI::App& app);
 void add_inspect(CLI::App& app);
+void add_migrate(CLI::App& app);
 
 }  // namespace lapfx::commands

@@ -47,7 +47,7 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
       down_(down),
       longest_edge_(longest_edge(surface)),
       surface_values_(surface.positions.size(), driest()),
-      values_(surface.weld.size(), driest()) {
+      values_(surface.weld.size(), glm::vec2(driest(), 0.0f)) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
@@ -87,7 +87,7 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
     parameters_ = parameters;
     if (const float dry = driest(); dry != dry_) {
         std::fill(surface_values_.begin(), surface_values_.end(), dry);
-        std::fill(values_.begin(), values_.end(), dry);
+        std::fill(values_.begin(), values_.end(), glm::vec2(dry, 0.0f));
         dry_ = dry;
         told_ = false;
     }
@@ -131,8 +131,8 @@ Dirty BleedField::write_values() noexcept {
     for (const std::uint32_t v : touched_)
         for (std::uint32_t i = copies_of_[v]; i < copies_of_[v + 1]; ++i) {
             const std::uint32_t copy = copies_[i];
-            if (values_[copy] == surface_values_[v]) continue;
-            values_[copy] = surface_values_[v];
+            if (values_[copy].x == surface_values_[v]) continue;
+            values_[copy].x = surface_values_[v];
             dirty.begin = std::min(dirty.begin, copy);
             dirty.end = std::max(dirty.end, copy + 1);
         }

@@ -36,9 +36,9 @@ class BleedField {
     /// is that of all vertices.
     Dirty update(double time) noexcept;
 
-    std::span<const float> values() const { return values_; }  ///< per organ vertex, mm; 0 or less: dry
-    double area() const noexcept;                              ///< mm2 of surface above the threshold, noise aside
-    int growing(double time) const noexcept;                   ///< wounds that still grow
+    std::span<const glm::vec2> values() const { return values_; }  ///< per organ vertex: mm, 0 or less is dry; clot
+    double area() const noexcept;                                  ///< mm2 of surface above the threshold, noise aside
+    int growing(double time) const noexcept;                       ///< wounds that still grow
 
   private:
     struct Spread {
@@ -65,7 +65,7 @@ class BleedField {
         copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]
     std::vector<std::uint32_t> copies_;
     std::vector<float> surface_values_;   // per surface vertex
-    std::vector<float> values_;           // per organ vertex
+    std::vector<glm::vec2> values_;       // per organ vertex
     std::vector<std::uint32_t> touched_;  // surface vertices that some wound can reach
     bool stale_ = true;                   // parameters or wounds have changed since the last update
 };

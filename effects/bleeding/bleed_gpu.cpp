@@ -18,7 +18,9 @@ constexpr GLuint block_binding = 1;
 }  // namespace
 
 BleedGpu::BleedGpu(std::size_t vertex_count, std::uint32_t seed)
-    : values_(std::span<const float>(std::vector<float>(vertex_count, 0.0f))), block_(sizeof(Block)), seed_(seed) {}
+    : values_(std::span<const glm::vec2>(std::vector<glm::vec2>(vertex_count, glm::vec2(0.0f)))),
+      block_(sizeof(Block)),
+      seed_(seed) {}
 
 void BleedGpu::set(const BleedingParameters& b) const noexcept {
     const Block block{
@@ -31,8 +33,8 @@ void BleedGpu::set(const BleedingParameters& b) const noexcept {
     block_.update(0, sizeof block, &block);
 }
 
-void BleedGpu::send(std::span<const float> values, std::uint32_t begin, std::uint32_t end) const noexcept {
-    if (begin < end) values_.update(begin * sizeof(float), (end - begin) * sizeof(float), values.data() + begin);
+void BleedGpu::send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
+    for (const VertexRun& run : changed) values_.update(values, run.begin, run.end);
 }
 
 void BleedGpu::bind() const noexcept {

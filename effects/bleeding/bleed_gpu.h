@@ -7,6 +7,7 @@
 
 #include "gl/objects.h"
 #include "lapfx/preset.h"
+#include "organ/changed_vertices.h"
 
 namespace lapfx::bleeding {
 
@@ -15,8 +16,8 @@ class BleedGpu {
     BleedGpu(std::size_t vertex_count, std::uint32_t seed);
 
     void set(const BleedingParameters& parameters) const noexcept;
-    /// Sends values[begin, end) of all `values`; nothing when the range is empty.
-    void send(std::span<const float> values, std::uint32_t begin, std::uint32_t end) const noexcept;
+    /// Sends the runs of `values` (per organ vertex: bleed value in mm, clot 0..1) that have changed.
+    void send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
     void bind() const noexcept;  ///< the uniform block, binding 1
 
     const gl::Buffer& values() const { return values_; }

@@ -14,7 +14,7 @@ double distance_to_path(const ToolContact& contact, glm::dvec3 point) {
 
 void CharField::set(std::span<const ToolContact> contacts, const CauteryParameters& parameters) {
     for (const Heated& heated : heated_)
-        for (const std::uint32_t v : heated.vertices) values_[v] = 0.0f;
+        for (const std::uint32_t v : heated.vertices) values_[v] = glm::vec2(0.0f);
     heated_.clear();
     parameters_ = parameters;
     for (const ToolContact& contact : contacts) {
@@ -40,11 +40,11 @@ bool CharField::update(double time) noexcept {
     stale_ = false;
     updated_ = time;
     for (const Heated& heated : heated_)
-        for (const std::uint32_t v : heated.vertices) values_[v] = 0.0f;
+        for (const std::uint32_t v : heated.vertices) values_[v] = glm::vec2(0.0f);
     for (const Heated& heated : heated_)
         for (const std::uint32_t v : heated.vertices) {
             const double peak = peak_temperature(heated.contact, parameters_, glm::dvec3(positions_[v]), time);
-            values_[v] = std::max(values_[v], static_cast<float>(char_of(peak, parameters_)));
+            values_[v].x = std::max(values_[v].x, static_cast<float>(char_of(peak, parameters_)));
         }
     return true;
 }

@@ -12,12 +12,13 @@ namespace lapfx::cautery {
 class CharField {
   public:
     /// Keeps a reference to `positions`, mm, per organ vertex.
-    explicit CharField(std::span<const glm::vec3> positions) : positions_(positions), values_(positions.size()) {}
+    explicit CharField(std::span<const glm::vec3> positions)
+        : positions_(positions), values_(positions.size(), glm::vec2(0.0f)) {}
 
     void set(std::span<const ToolContact> contacts, const CauteryParameters& parameters);
     /// Values at `time`; false when none has changed.
     bool update(double time) noexcept;
-    std::span<const float> values() const { return values_; }
+    std::span<const glm::vec2> values() const { return values_; }
 
   private:
     struct Heated {
@@ -27,7 +28,7 @@ class CharField {
     std::span<const glm::vec3> positions_;
     CauteryParameters parameters_;
     std::vector<Heated> heated_;
-    std::vector<float> values_;
+    std::vector<glm::vec2> values_;
     double updated_ = -1.0;
     bool stale_ = true;
 };

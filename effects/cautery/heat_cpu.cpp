@@ -41,6 +41,8 @@ double opening_delay(const ToolContact& contact, const CauteryParameters& c) {
         case ToolAction::tear:
             return 0.0;
         case ToolAction::coagulate:
+        case ToolAction::suction:
+        case ToolAction::irrigation:
             return never;
         case ToolAction::cauterise:
             break;

@@ -80,14 +80,14 @@ constexpr Parameter light_rows[] = {
     color<&SceneLight::color>("color", "Colour", "Colour of the lamp."),
 };
 
-constexpr std::string_view actions[] = {"cauterise", "cut", "coagulate", "tear"};
+constexpr std::string_view actions[] = {"cauterise", "cut", "coagulate", "tear", "suction", "irrigation"};
 
 using E = ToolContact;
 constexpr Parameter event_rows[] = {
     choice<&E::action>(
         "action", "Action", actions,
         "cauterise: heat, which closes, chars or divides. cut and tear: a wound. coagulate: heat that only "
-        "closes wounds."),
+        "closes wounds. suction and irrigation take blood away."),
     number<&E::time>("time", "Time", event_time, "When the tool touches the organ."),
     number<&E::duration>("duration", "Duration", event_time, "How long it stays."),
     required(vector<&E::position>("position", "Position", place, "Where it touches.")),

@@ -29,7 +29,7 @@ gl::Buffer buffer_of(const std::vector<T>& data) {
 
 OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
     : program_("organ.vert", "organ.frag"),
-      char_(buffer_of(std::vector<float>(organ.positions.size(), 0.0f))),
+      marks_(buffer_of(std::vector<glm::vec2>(organ.positions.size(), glm::vec2(0.0f)))),
       indices_(buffer_of(organ.indices)),
       white_(one_texel({255, 255, 255, 255})),
       flat_(one_texel({128, 128, 255, 255})),
@@ -43,9 +43,10 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
     vertices_.push_back(buffer_of(organ.colors));
     constexpr int components[] = {3, 3, 4, 2, 4};
     for (GLuint i = 0; i < vertices_.size(); ++i) vertex_array_.attribute(i, vertices_[i], components[i]);
-    vertex_array_.attribute(5, bleed != nullptr ? *bleed : char_,
-                            1);  // an instrument's char stays 0: so does its blood
-    vertex_array_.attribute(6, char_, 1);
+    vertex_array_.attribute(5, bleed != nullptr ? *bleed : marks_,
+                            2);  // an instrument's marks stay 0: so does its blood
+    vertex_array_.attribute(6, marks_, 2);
+    vertex_array_.attribute(7, vertices_[0], 3);
     vertex_array_.indices(indices_);
     upload_textures(organ);
 }
@@ -71,8 +72,8 @@ void OrganGpu::upload_textures(const Organ& organ) {
                               .double_sided = m.double_sided});
 }
 
-void OrganGpu::send_char(std::span<const float> values) const noexcept {
-    char_.update(0, values.size_bytes(), values.data());
+void OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
+    for (const VertexRun& run : changed) marks_.update(values, run.begin, run.end);
 }
 
 void OrganGpu::draw(const glm::mat4& model) const noexcept {

@@ -6,16 +6,18 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "lapfx/organ.h"
+#include "organ/changed_vertices.h"
 
 namespace lapfx::render {
 
 class OrganGpu {
   public:
-    /// Uploads vertices and textures. `bleed` is attribute 5 (mm, per organ vertex); null for an instrument, which neither
+    /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument, which neither
     /// bleeds nor chars. Throws Error (runtime) when the shader does not compile.
     OrganGpu(const Organ& organ, const gl::Buffer* bleed);
 
-    void send_char(std::span<const float> values) const noexcept;
+    /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed.
+    void send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
     /// `model`: organ space to scene space, rigid.
     void draw(const glm::mat4& model) const noexcept;
 
@@ -32,7 +34,7 @@ class OrganGpu {
     gl::Program program_;
     gl::VertexArray vertex_array_;
     std::vector<gl::Buffer> vertices_;
-    gl::Buffer char_;
+    gl::Buffer marks_;
     gl::Buffer indices_;
     std::vector<gl::Texture> textures_;
     gl::Texture white_, flat_;

@@ -6,10 +6,12 @@
 namespace lapfx {
 
 enum class ToolAction {
-    cauterise,  ///< heats; above the cut temperature the tissue divides and may bleed; smokes
-    cut,        ///< divides cold: bleeds at once, no smoke
-    coagulate,  ///< heats gently: wounds near it close; smokes
-    tear,       ///< blunt dissection: bleeds at once, no smoke
+    cauterise,   ///< heats; above the cut temperature the tissue divides and may bleed; smokes
+    cut,         ///< divides cold: bleeds at once, no smoke
+    coagulate,   ///< heats gently: wounds near it close; smokes
+    tear,        ///< blunt dissection: bleeds at once, no heat, no smoke
+    suction,     ///< takes blood away around the tip
+    irrigation,  ///< rinses blood away around the tip and downhill of it
 };
 
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`.

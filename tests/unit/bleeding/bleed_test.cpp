@@ -31,7 +31,7 @@ float value_at(const BleedField& field, const Organ& organ, glm::vec3 place) {
     std::size_t best = 0;
     for (std::size_t v = 0; v < organ.positions.size(); ++v)
         if (glm::distance(organ.positions[v], place) < glm::distance(organ.positions[best], place)) best = v;
-    return field.values()[best];
+    return field.values()[best].x;
 }
 
 double disc(double radius) {
@@ -46,7 +46,7 @@ TEST(Bleed, ValueIsSourceMinusDistance) {
     field.update(2.0);
     for (std::size_t v = 0; v < organ.positions.size(); ++v) {
         const double distance = glm::distance(glm::dvec3(organ.positions[v]), glm::dvec3(0.2, 0.0, 0.3));
-        EXPECT_NEAR(std::max(0.0f, field.values()[v]), std::max(0.0, 8.0 - distance), 1e-4) << v;
+        EXPECT_NEAR(std::max(0.0f, field.values()[v].x), std::max(0.0, 8.0 - distance), 1e-4) << v;
     }
 }
 
@@ -115,7 +115,7 @@ TEST(Bleed, NothingBleedsBeforeTheWoundNorFarFromIt) {
     field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}, .start = 2.0}}, plain());
     field.update(1.0);
     EXPECT_EQ(field.area(), 0.0);
-    for (const float value : field.values()) EXPECT_LE(value, 0.0f);
+    for (const glm::vec2 value : field.values()) EXPECT_LE(value.x, 0.0f);
 }
 
 TEST(Bleed, FromTwoThousandToTwoHundredThousandTrianglesTheAreaIsTheSame) {
@@ -158,7 +158,7 @@ TEST(Bleed, TheRangeHoldsEveryValueThatChanged) {
     BleedField field(surface, into_the_plane);
     field.set(std::vector<Wound>{{.position = {3.0, 0.0, 2.0}}}, plain());
     EXPECT_EQ(field.update(0.0).end, field.values().size()) << "all at first";
-    std::vector<float> before(field.values().begin(), field.values().end());
+    std::vector<glm::vec2> before(field.values().begin(), field.values().end());
     for (const double time : {0.5, 1.0, 3.0, 0.7}) {
         const Dirty dirty = field.update(time);
         for (std::uint32_t v = 0; v < before.size(); ++v) {
@@ -207,7 +207,7 @@ TEST(Bleed, RemovingWoundsWipesTheirBlood) {
     field.set(std::vector<Wound>{}, plain());
     EXPECT_FALSE(field.update(1.0).empty());
     EXPECT_EQ(field.area(), 0.0);
-    for (const float value : field.values()) EXPECT_LE(value, 0.0f);
+    for (const glm::vec2 value : field.values()) EXPECT_LE(value.x, 0.0f);
     EXPECT_TRUE(field.update(2.0).empty());
 }
 

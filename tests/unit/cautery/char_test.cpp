@@ -22,7 +22,7 @@ class CharTest : public testing::Test {
     CharField field{positions};
     CauteryParameters parameters;
 
-    float at_x(double x) const { return field.values()[static_cast<std::size_t>(2.0 * x + 20.0)]; }
+    float at_x(double x) const { return field.values()[static_cast<std::size_t>(2.0 * x + 20.0)].x; }
 };
 
 TEST_F(CharTest, IsTheCharOfTheHottestThatEachVertexHasBeen) {
@@ -31,7 +31,7 @@ TEST_F(CharTest, IsTheCharOfTheHottestThatEachVertexHasBeen) {
     ASSERT_TRUE(field.update(2.0));
     for (std::size_t v = 0; v < positions.size(); ++v) {
         const double wanted = char_of(peak_temperature(contact, parameters, glm::dvec3(positions[v]), 2.0), parameters);
-        EXPECT_NEAR(field.values()[v], wanted, 1e-6) << positions[v].x;
+        EXPECT_NEAR(field.values()[v].x, wanted, 1e-6) << positions[v].x;
     }
     EXPECT_GT(at_x(0), 0.6f);
     EXPECT_EQ(at_x(12), 0.0f);
@@ -58,7 +58,7 @@ TEST_F(CharTest, ColdActionsAndNoPowerLeaveTissueUnburnt) {
     powerless.power = 0.0;
     field.set(std::vector{at(0, 0.0, 5.0, ToolAction::cut), at(0, 0.0, 5.0, ToolAction::tear), powerless}, parameters);
     field.update(9.0);
-    for (const float value : field.values()) EXPECT_EQ(value, 0.0f);
+    for (const glm::vec2 value : field.values()) EXPECT_EQ(value, glm::vec2(0.0f));
 }
 
 TEST_F(CharTest, UpdateTellsWhetherAnythingChanged) {
@@ -72,7 +72,7 @@ TEST_F(CharTest, UpdateTellsWhetherAnythingChanged) {
     EXPECT_TRUE(field.update(9.0)) << "over the whole second contact at one go";
     EXPECT_FALSE(field.update(10.0)) << "after";
     EXPECT_TRUE(field.update(0.0)) << "back before all";
-    for (const float value : field.values()) EXPECT_EQ(value, 0.0f);
+    for (const glm::vec2 value : field.values()) EXPECT_EQ(value, glm::vec2(0.0f));
 }
 
 TEST_F(CharTest, AnyOrderOfTimesGivesTheSame) {
@@ -94,7 +94,7 @@ TEST_F(CharTest, TakingContactsAwayTakesTheirCharAway) {
     ASSERT_GT(at_x(0), 0.5f);
     field.set(std::vector<ToolContact>{}, parameters);
     EXPECT_TRUE(field.update(5.0));
-    for (const float value : field.values()) EXPECT_EQ(value, 0.0f);
+    for (const glm::vec2 value : field.values()) EXPECT_EQ(value, glm::vec2(0.0f));
 }
 
 }  // namespace

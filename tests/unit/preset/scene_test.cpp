@@ -67,7 +67,8 @@ TEST(Scene, NamesFaults) {
         {R"(, "preset": "http://x/p.json")",
          "/preset: \"http://x/p.json\" is a URL or a protocol; expected the name of a local file"},
         {R"(, "events": [{"position": [0, 0, 0], "action": "cuts"}])",
-         "/events/0/action: \"cuts\" is not one of \"cauterise\", \"cut\", \"coagulate\", \"tear\"; nearest "
+         "/events/0/action: \"cuts\" is not one of \"cauterise\", \"cut\", \"coagulate\", \"tear\", \"suction\", "
+         "\"irrigation\"; nearest "
          "is "
          "\"cut\""},
         {R"(, "bleeding": {})", "/bleeding: unknown key; nearest is \"seed\""},

@@ -1,0 +1,34 @@
+// lapfx migrate: an older preset or scene becomes today's version, in today's form.
+#include <iostream>
+
+#include "commands/command.h"
+#include "lapfx/preset.h"
+#include "lapfx/scene.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+/// Loading reads every version that was ever released, and saving writes the newest: every key, in the table's order.
+void migrate(const std::string& file) {
+    const CheckedDocument found = check_document(file);
+    if (found.kind == "preset")
+        save_preset(load_preset(file), file);
+    else
+        save_scene(load_scene(file), file);
+    std::cout << file << ": " << found.kind << " \"" << found.name << "\", version 1\n";
+}
+
+}  // namespace
+
+void add_migrate(CLI::App& app) {
+    auto files = std::make_shared<std::vector<std::string>>();
+    CLI::App* verb =
+        app.add_subcommand("migrate", "Bring a preset or scene to today's version, with every key written out");
+    verb->add_option("FILE", *files, "Presets and scenes (.json); rewritten in place")->required();
+    verb->callback([files] {
+        for (const std::string& file : *files) migrate(file);
+    });
+}
+
+}  // namespace lapfx::commands
