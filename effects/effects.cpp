@@ -42,6 +42,7 @@ struct Effects::State {
 
     void refresh() {
         bleed.set(cautery::wounds_of(contacts, preset.cautery), preset.bleeding);
+        bleed.set_clearing(contacts);
         charred.set(contacts, preset.cautery);
         bleed_gpu.set(preset.bleeding);
         smoke.set_contacts(contacts);
@@ -73,9 +74,8 @@ void Effects::seek(double time) noexcept {
     if (!std::isfinite(time)) return;
     State& s = *state_;
     s.time = time;
-    const bleeding::Dirty dirty = s.bleed.update(time);
-    const VertexRun changed{dirty.begin, dirty.end};
-    if (!dirty.empty()) s.bleed_gpu.send(s.bleed.values(), {&changed, 1});
+    s.bleed.update(time);
+    s.bleed_gpu.send(s.bleed.values(), s.bleed.changed().take());
     const VertexRun whole{0, static_cast<std::uint32_t>(s.positions.size())};
     if (s.charred.update(time)) s.organ_gpu.send_marks(s.charred.values(), {&whole, 1});
 }
@@ -95,7 +95,7 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
 }
 
 Amounts Effects::amounts() const noexcept {
-    return {.blood_area = state_->bleed.area(),
+    return {.blood_area = state_->bleed.amount().area,
             .bleeding_wounds = state_->bleed.growing(state_->time),
             .haze = state_->smoke.haze(state_->time)};
 }

@@ -1,166 +1,241 @@
 #include "bleeding/bleed_cpu.h"
 
 #include <algorithm>
+#include <map>
+#include <tuple>
 #include <utility>
 
-#include "bleeding/front_cpu.h"
 #include "bleeding/wound_cpu.h"
 
 namespace lapfx::bleeding {
 
 namespace {
 
-/// How far along the surface blood can come: noise moves its edge by noise_strength at most, and downhill it travels
-/// 1 / (1 - bias) times as far.
-double reach(const BleedingParameters& parameters) {
-    return (parameters.max_extent + parameters.noise_strength) / (1.0 - std::min(parameters.gravity_bias, 0.95));
-}
-
 /// Bleed value `beyond` mm outside the reach of a source value, below 0: noise may show blood there. While the source
 /// value is smaller than the noise the value falls faster, so that a wound never begins as a blob of noise.
-float outside(float beyond, float source, float noise_strength) {
-    return -beyond * std::max(1.0f, noise_strength / source);
+float steepness(float source, float noise_strength) {
+    return std::max(1.0f, noise_strength / source);
 }
 
-double longest_edge(const Surface& surface) {
-    double longest = 0.0;
+double rest_area(const Surface& surface, std::uint32_t triangle) {
+    const auto& c = surface.triangles[triangle];
     const auto& p = surface.positions;
-    for (const auto& c : surface.triangles)
-        for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(p[c[i]], p[c[(i + 1) % 3]]));
-    return longest;
+    return 0.5 * glm::length(glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]));
 }
 
-/// Share of a triangle where a value linear in it is above zero.
-double share_above_zero(double a, double b, double c) {
+/// Of a triangle with a value linear in it: the share where the value is above zero, and the mean of the value there.
+struct Wet {
+    double share = 0.0, mean = 0.0;
+};
+Wet wet_part(double a, double b, double c) {
     double v[3] = {a, b, c};
     std::sort(v, v + 3);
-    if (v[2] <= 0.0) return 0.0;  // first: three zeros are none, blood shows above the threshold
-    if (v[0] >= 0.0) return 1.0;
-    if (v[1] <= 0.0) return v[2] * v[2] / ((v[2] - v[0]) * (v[2] - v[1]));
-    return 1.0 - v[0] * v[0] / ((v[0] - v[1]) * (v[0] - v[2]));
+    if (v[2] <= 0.0) return {};  // first: three zeros are none, blood shows above the threshold
+    if (v[0] >= 0.0) return {1.0, (v[0] + v[1] + v[2]) / 3.0};
+    if (v[1] <= 0.0) return {v[2] * v[2] / ((v[2] - v[0]) * (v[2] - v[1])), v[2] / 3.0};
+    const double dry_share = v[0] * v[0] / ((v[0] - v[1]) * (v[0] - v[2]));
+    const double whole = (v[0] + v[1] + v[2]) / 3.0, below = dry_share * v[0] / 3.0;
+    return {1.0 - dry_share, (whole - below) / (1.0 - dry_share)};
 }
 
 }  // namespace
 
 BleedField::BleedField(const Surface& surface, glm::dvec3 down)
     : surface_(surface),
-      down_(down),
-      longest_edge_(longest_edge(surface)),
-      surface_values_(surface.positions.size(), driest()),
-      values_(surface.weld.size(), glm::vec2(driest(), 0.0f)) {
+      room_(surface, down),
+      clearing_(surface, down),
+      surface_values_(surface.positions.size(), glm::vec2(dry, 0.0f)),
+      values_(surface.weld.size(), glm::vec2(dry, 0.0f)),
+      is_touched_(surface.positions.size(), false),
+      is_counted_(surface.triangles.size(), false),
+      changed_(surface.weld.size()) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
     copies_.resize(surface.weld.size());
     std::vector<std::uint32_t> next(copies_of_.begin(), copies_of_.end() - 1);
     for (std::uint32_t i = 0; i < surface.weld.size(); ++i) copies_[next[surface.weld[i]]++] = i;
-}
-
-/// Gravity at most doubles a distance, so no neighbour of what noise can reach is drier.
-float BleedField::driest() const {
-    return static_cast<float>(-2.0 * longest_edge_ - parameters_.noise_strength);
-}
-
-BleedField::Spread BleedField::spread_from(glm::dvec3 position, double limit) const {
-    Spread spread{.position = position, .limit = limit, .vertices = {}, .distances = {}, .drops = {}};
-    const std::vector<Reached> reached = march(surface_, position, limit);
-    const glm::dvec3 start = surface_.closest_point(position).position;
-    for (const Reached& r : reached) {
-        spread.vertices.push_back(r.vertex);
-        spread.distances.push_back(static_cast<float>(r.distance));
-        spread.drops.push_back(static_cast<float>(glm::dot(surface_.positions[r.vertex] - start, down_)));
-    }
-    return spread;
+    changed_.mark_all();
 }
 
 void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& parameters) {
-    const double limit = reach(parameters) + longest_edge_;  // one vertex more, so that the edge is interpolated
-    std::vector<Spread> spreads;
-    for (const Wound& wound : wounds) {
-        const auto known = std::find_if(spreads_.begin(), spreads_.end(), [&](const Spread& s) {
-            return s.position == wound.position && s.limit == limit;
-        });
-        spreads.push_back(known != spreads_.end() ? *known : spread_from(wound.position, limit));
-    }
-    spreads_ = std::move(spreads);
-    wounds_.assign(wounds.begin(), wounds.end());
+    if (metric_of(parameters) != metric_of(parameters_)) bleeders_.clear();
+    // What only the shader or the amounts look at changes no value.
+    const bool same_values =
+        parameters.speed == parameters_.speed && parameters.max_extent == parameters_.max_extent &&
+        parameters.noise_strength == parameters_.noise_strength && parameters.pulse_rate == parameters_.pulse_rate &&
+        parameters.pulse_strength == parameters_.pulse_strength &&
+        parameters.coagulation_time == parameters_.coagulation_time && metric_of(parameters) == metric_of(parameters_);
+    stale_ = stale_ || !same_values;
     parameters_ = parameters;
-    if (const float dry = driest(); dry != dry_) {
-        std::fill(surface_values_.begin(), surface_values_.end(), dry);
-        std::fill(values_.begin(), values_.end(), glm::vec2(dry, 0.0f));
-        dry_ = dry;
-        told_ = false;
+    amount_known_ = false;
+    replace_wounds(wounds);
+}
+
+/// The common case, wounds added at the end and others stopped, touches no front.
+void BleedField::replace_wounds(std::span<const Wound> wounds) {
+    const auto in_place = [&] {
+        for (std::size_t i = 0; i < bleeders_.size(); ++i)
+            if (bleeders_[i].wound.position != wounds[i].position) return false;
+        return true;
+    };
+    if (wounds.size() >= bleeders_.size() && in_place()) {
+        for (std::size_t i = 0; i < bleeders_.size(); ++i) bleeders_[i].wound = wounds[i];
+    } else {
+        const auto key = [](const glm::dvec3& p) { return std::tuple(p.x, p.y, p.z); };
+        std::multimap<std::tuple<double, double, double>, Bleeder> known;
+        for (Bleeder& b : bleeders_) known.emplace(key(b.wound.position), std::move(b));
+        bleeders_.clear();
+        for (const Wound& wound : wounds) {
+            const auto found = known.find(key(wound.position));
+            if (found == known.end()) {
+                bleeders_.push_back({.wound = wound, .front = Front(room_, metric_of(parameters_), wound.position)});
+                continue;
+            }
+            bleeders_.push_back({.wound = wound, .front = std::move(found->second.front)});
+            known.erase(found);
+        }
+        stale_ = true;
     }
-    sources_.assign(wounds.size(), 0.0);
-    // What was touched before stays in the list, so that old blood is wiped.
-    for (const Spread& spread : spreads_)
-        touched_.insert(touched_.end(), spread.vertices.begin(), spread.vertices.end());
-    std::sort(touched_.begin(), touched_.end());
-    touched_.erase(std::unique(touched_.begin(), touched_.end()), touched_.end());
+    bleeders_.reserve(wounds.size());
+    for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i)
+        bleeders_.push_back({.wound = wounds[i], .front = Front(room_, metric_of(parameters_), wounds[i].position)});
+    status_.resize(wounds.size());
+}
+
+void BleedField::set_clearing(std::span<const ToolContact> contacts) {
+    if (clearing_.set(contacts, parameters_)) stale_ = true;
+}
+
+void BleedField::keep(std::vector<glm::vec2> values, double time) {
+    kept_ = std::move(values);
+    kept_at_ = time;
+    for (std::uint32_t v = 0; v < kept_.size(); ++v)
+        if (kept_[v].x > dry) touch(v);
     stale_ = true;
 }
 
-Dirty BleedField::update(double time) noexcept {
-    bool changed = stale_;
-    for (std::size_t w = 0; w < wounds_.size(); ++w) {
-        const double source = source_value(wounds_[w], parameters_, time);
-        changed = changed || source != sources_[w];
-        sources_[w] = source;
-    }
-    if (!changed) return {};
-    stale_ = false;
-    for (const std::uint32_t v : touched_) surface_values_[v] = dry_;
-    for (std::size_t w = 0; w < wounds_.size(); ++w) {
-        const Spread& spread = spreads_[w];
-        const auto source = static_cast<float>(sources_[w]);
-        const auto bias = static_cast<float>(parameters_.gravity_bias);
-        const auto noise = static_cast<float>(parameters_.noise_strength);
-        if (source <= 0.0f) continue;
-        for (std::size_t i = 0; i < spread.vertices.size(); ++i) {
-            float& value = surface_values_[spread.vertices[i]];
-            const float inside = source - (spread.distances[i] - bias * spread.drops[i]);
-            value = std::max(value, inside >= 0.0f ? inside : outside(-inside, source, noise));
-        }
-    }
-    const Dirty dirty = write_values();
-    return std::exchange(told_, true) ? dirty : Dirty{.begin = 0, .end = static_cast<std::uint32_t>(values_.size())};
+/// mm that blood has come, of a flow that nothing bounds; clots draw together.
+double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexcept {
+    return std::min(flowed, parameters_.max_extent) * (1.0 - clot_shrink * static_cast<double>(bleeder.clot));
 }
 
-Dirty BleedField::write_values() noexcept {
-    Dirty dirty{.begin = static_cast<std::uint32_t>(values_.size()), .end = 0};
-    for (const std::uint32_t v : touched_)
+/// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the extent
+/// has long been reached.
+bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
+    if (!clearing_.any() || flowed == b.flowed) return false;
+    return std::min(flowed, b.flowed) - flow(b.wound, parameters_, clearing_.latest()) < parameters_.max_extent;
+}
+
+void BleedField::update(double time) noexcept {
+    const bool cleared = clearing_.update(time);
+    bool changed = stale_ || cleared, only_grows = !changed;
+    for (std::size_t i = 0; i < bleeders_.size(); ++i) {
+        Bleeder& b = bleeders_[i];
+        const auto clot = static_cast<float>(clot_of(b.wound, parameters_, time));
+        only_grows = only_grows && clot == b.clot;
+        changed = changed || clot != b.clot;
+        b.clot = clot;
+        status_[i] = {b.wound, state_of(b.wound, parameters_, time), source_value(b.wound, parameters_, time)};
+        const double flowed = flow(b.wound, parameters_, time), source = source_of(b, flowed);
+        only_grows = only_grows && source >= b.source;
+        changed = changed || source != b.source || refills(b, flowed);
+    }
+    if (!changed) return;
+    stale_ = false;
+    only_grows = only_grows && !clearing_.any();
+    if (!only_grows) wipe();
+    for (Bleeder& b : bleeders_) {
+        b.flowed = flow(b.wound, parameters_, time);
+        const double source = source_of(b, b.flowed);
+        if (only_grows && source == b.source) continue;
+        b.source = source;
+        write(b);
+    }
+    publish();
+}
+
+void BleedField::wipe() noexcept {
+    for (const std::uint32_t v : touched_) {
+        const bool is_kept = !kept_.empty() && kept_[v].x > dry && !(clearing_.last(v) >= kept_at_);
+        surface_values_[v] = is_kept ? kept_[v] : glm::vec2(dry, 0.0f);
+    }
+    written_.assign(touched_.begin(), touched_.end());
+}
+
+void BleedField::write(Bleeder& b) noexcept {
+    if (b.source <= 0.0) return;
+    const auto source = static_cast<float>(b.source), noise = static_cast<float>(parameters_.noise_strength);
+    const float steep = steepness(source, noise);
+    double edge = 0.0;
+    // Up to what noise can reach, and a triangle beyond, where gravity at most doubles a distance.
+    for (std::size_t r = 0;
+         static_cast<double>(r) * Front::ring_width <= b.source + parameters_.noise_strength + 2.0 * edge; ++r) {
+        const std::span<const Reached> ring = b.front.ring(r, room_);
+        if (b.front.ended(r)) break;
+        edge = b.front.longest_edge(r);
+        for (const Reached& at : ring) {
+            float from = source, fall = steep;
+            if (const double last = clearing_.last(at.vertex); last > b.wound.start) {
+                from = static_cast<float>(source_of(b, b.flowed - flow(b.wound, parameters_, last)));
+                if (from <= 0.0f) continue;
+                fall = steepness(from, noise);
+            }
+            const float inside = from - at.distance;
+            put(at.vertex, std::max(inside >= 0.0f ? inside : inside * fall, dry), b.clot);
+        }
+    }
+}
+
+/// The larger value counts; of equal ones the fresher blood.
+void BleedField::put(std::uint32_t vertex, float value, float clot) noexcept {
+    touch(vertex);
+    glm::vec2& at = surface_values_[vertex];
+    if (value < at.x || (value == at.x && clot >= at.y)) return;
+    at = {value, clot};
+    written_.push_back(vertex);
+}
+
+void BleedField::touch(std::uint32_t vertex) noexcept {
+    if (is_touched_[vertex]) return;
+    is_touched_[vertex] = true;
+    touched_.push_back(vertex);
+    for (const std::uint32_t t : surface_.triangles_at(vertex)) {
+        if (is_counted_[t]) continue;
+        is_counted_[t] = true;
+        touched_triangles_.push_back({t, static_cast<float>(rest_area(surface_, t))});
+    }
+}
+
+void BleedField::publish() noexcept {
+    for (const std::uint32_t v : written_)
         for (std::uint32_t i = copies_of_[v]; i < copies_of_[v + 1]; ++i) {
             const std::uint32_t copy = copies_[i];
-            if (values_[copy].x == surface_values_[v]) continue;
-            values_[copy].x = surface_values_[v];
-            dirty.begin = std::min(dirty.begin, copy);
-            dirty.end = std::max(dirty.end, copy + 1);
+            if (values_[copy] == surface_values_[v]) continue;
+            values_[copy] = surface_values_[v];
+            changed_.mark(copy);
         }
-    return dirty;
+    written_.clear();
+    amount_known_ = false;
 }
 
-double BleedField::area() const noexcept {
-    double area = 0.0;
-    const auto& p = surface_.positions;
-    const auto above = [&](std::uint32_t v) { return surface_values_[v] - parameters_.threshold; };
-    for (const std::uint32_t v : touched_)
-        for (const std::uint32_t t : surface_.triangles_at(v)) {
-            const auto& c = surface_.triangles[t];
-            const double whole = 0.5 * glm::length(glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]));
-            // Each triangle is met once per touched corner; count it at its first touched corner only.
-            const auto first = [&] {
-                for (int i = 0; i < 3; ++i)
-                    if (std::binary_search(touched_.begin(), touched_.end(), c[i])) return c[i];
-                return v;
-            };
-            if (first() == v) area += whole * share_above_zero(above(c[0]), above(c[1]), above(c[2]));
-        }
-    return area;
+BloodAmount BleedField::amount() const noexcept {
+    if (amount_known_) return amount_;
+    amount_ = {};
+    const auto above = [&](std::uint32_t v) { return surface_values_[v].x - parameters_.threshold; };
+    for (const Touched& t : touched_triangles_) {
+        const auto& c = surface_.triangles[t.triangle];
+        const Wet wet = wet_part(above(c[0]), above(c[1]), above(c[2]));
+        amount_.area += t.area * wet.share;
+        amount_.volume += t.area * wet.share * parameters_.thickness * std::min(1.0, wet.mean / parameters_.deep_at);
+    }
+    amount_known_ = true;
+    return amount_;
 }
 
 int BleedField::growing(double time) const noexcept {
-    return static_cast<int>(
-        std::count_if(wounds_.begin(), wounds_.end(), [&](const Wound& w) { return grows(w, parameters_, time); }));
+    return static_cast<int>(std::count_if(bleeders_.begin(), bleeders_.end(),
+                                          [&](const Bleeder& b) { return grows(b.wound, parameters_, time); }));
 }
 
 }  // namespace lapfx::bleeding

@@ -1,73 +1,105 @@
-// Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry. d_w is the travel
-// distance, shortened downhill and lengthened uphill: a constant drift g added to a metric changes every path
-// between two points by the same amount, so d_w(x) = d(x) - gravity_bias * (drop from the wound to x) is the
-// exact distance in that (Randers) metric. b is carried on below 0, as far as noise can
-// move the edge and a triangle more: cut off at the vertices, the edge would move outwards, the farther the coarser
-// the mesh, and noise could only ever take blood away. One thread at a time.
+// Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry (the paper's animation
+// variable). b is carried on below 0, as far as noise can move the edge and a triangle more: cut off at the vertices, the
+// edge would move outwards, the farther the coarser the mesh, and noise could only ever take blood away. Beside it goes how
+// far the blood there has clotted.
+//
+// Where suction or irrigation has cleared a place, only what has flowed since counts: s_w is replaced by the flow since
+// then, and the wound fills the place again from the wound outwards.
+//
+// Work follows what changes: while blood only grows, the wounds that grow are written and nothing else; when nothing changes,
+// nothing is done. One thread at a time.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "bleeding/clearing_cpu.h"
+#include "bleeding/front_cpu.h"
 #include "lapfx/preset.h"
+#include "lapfx/tool.h"
 #include "lapfx/wound.h"
+#include "organ/changed_vertices.h"
 #include "organ/surface.h"
 
 namespace lapfx::bleeding {
 
-/// Half-open range of vertices whose value changed.
-struct Dirty {
-    std::uint32_t begin = 0;
-    std::uint32_t end = 0;
-    bool empty() const { return begin >= end; }
+/// Blood on the whole organ.
+struct BloodAmount {
+    double area = 0.0;  ///< mm2 of surface above the threshold, noise aside
+    double volume =
+        0.0;  ///< mm3: a layer that rises from its edge to `thickness` where the colour gradient ends (deep_at)
 };
 
 class BleedField {
   public:
+    static constexpr float dry = -1000.0f;  ///< mm, where no blood can come
+
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     BleedField(const Surface& surface, glm::dvec3 down);
 
-    /// Distances are found for wounds at new places, and anew for all when blood can come farther or less far: the
-    /// values depend on what is set, to the last bit, not on what was set before.
+    /// Values depend on what is set and on the time, to the last bit, not on what was set before. Fronts of wounds that stay
+    /// at their place are kept; a new gravity_bias, crease_bias or bridge_gap lets all run anew.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
+    /// Suction and irrigation among the contacts.
+    void set_clearing(std::span<const ToolContact> contacts);
+    /// Blood that is there at `time`, whatever the wounds say, until it is cleared: per surface vertex, bleed value and clot.
+    void keep(std::vector<glm::vec2> values, double time);
 
-    /// Values at `time`; nothing is computed, and the range is empty, when no source value has changed. The first range
-    /// is that of all vertices.
-    Dirty update(double time) noexcept;
+    void update(double time) noexcept;
 
-    std::span<const glm::vec2> values() const { return values_; }  ///< per organ vertex: mm, 0 or less is dry; clot
-    double area() const noexcept;                                  ///< mm2 of surface above the threshold, noise aside
-    int growing(double time) const noexcept;                       ///< wounds that still grow
+    std::span<const glm::vec2> values() const { return values_; }                  ///< per organ vertex: mm; clot 0..1
+    std::span<const glm::vec2> surface_values() const { return surface_values_; }  ///< the same per surface vertex
+    ChangedVertices& changed() { return changed_; }                                ///< organ vertices; at first, all
+
+    BloodAmount amount() const noexcept;
+    int growing(double time) const noexcept;  ///< wounds that still grow
+    /// Every wound as it was at the last update, in the order in which they were set.
+    std::span<const WoundStatus> wounds() const { return status_; }
 
   private:
-    struct Spread {
-        glm::dvec3 position;
-        double limit;                         ///< mm, how far the distances reach
-        std::vector<std::uint32_t> vertices;  ///< of the surface
-        std::vector<float> distances;         ///< mm on the surface, gravity not yet in
-        std::vector<float> drops;             ///< mm, how much lower each vertex lies than the wound
+    struct Bleeder {
+        Wound wound;
+        Front front;
+        double source = 0.0;  // mm, as written
+        double flowed = 0.0;  // mm, the same without the bound
+        float clot = 0.0f;
     };
-    Spread spread_from(glm::dvec3 position, double limit) const;
-    Dirty write_values() noexcept;
-    float driest() const;  // value of all vertices that blood cannot reach
+    struct Touched {
+        std::uint32_t triangle;
+        float area;  // mm2, at rest
+    };
+    void replace_wounds(std::span<const Wound> wounds);
+    bool refills(const Bleeder& bleeder, double flowed) const noexcept;
+    double source_of(const Bleeder& bleeder, double flowed) const noexcept;
+    void wipe() noexcept;
+    void write(Bleeder& bleeder) noexcept;
+    void put(std::uint32_t vertex, float value, float clot) noexcept;
+    void touch(std::uint32_t vertex) noexcept;
+    void publish() noexcept;
 
     const Surface& surface_;
-    glm::dvec3 down_;
-    double longest_edge_;  // mm
-    float dry_ = 1.0f;     // driest() at the last set
-    bool told_ = false;    // an update has given the range of all vertices
+    FrontRoom room_;
+    Clearing clearing_;
     BleedingParameters parameters_;
-    std::vector<Wound> wounds_;
-    std::vector<Spread> spreads_;  // parallel to wounds_
-    std::vector<double> sources_;  // parallel to wounds_, s_w at the last update
+    std::vector<Bleeder> bleeders_;
+    std::vector<WoundStatus> status_;
     std::vector<std::uint32_t>
         copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]
     std::vector<std::uint32_t> copies_;
-    std::vector<float> surface_values_;   // per surface vertex
-    std::vector<glm::vec2> values_;       // per organ vertex
-    std::vector<std::uint32_t> touched_;  // surface vertices that some wound can reach
-    bool stale_ = true;                   // parameters or wounds have changed since the last update
+    std::vector<glm::vec2> surface_values_;  // per surface vertex
+    std::vector<glm::vec2> values_;          // per organ vertex
+    std::vector<glm::vec2> kept_;            // per surface vertex, or empty
+    double kept_at_ = 0.0;
+    std::vector<char> is_touched_;  // per surface vertex: blood has come near
+    std::vector<std::uint32_t> touched_;
+    std::vector<char> is_counted_;  // per triangle
+    std::vector<Touched> touched_triangles_;
+    std::vector<std::uint32_t> written_;  // surface vertices since the last publish, some more than once
+    ChangedVertices changed_;
+    bool stale_ = true;  // all has to be written anew
+    mutable BloodAmount amount_;
+    mutable bool amount_known_ = false;
 };
 
 }  // namespace lapfx::bleeding

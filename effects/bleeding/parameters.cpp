@@ -2,6 +2,7 @@
 //
 //   s(t)    = min(max_extent, speed * strength * time the wound has been open), pulsing if arterial          mm
 //   d(x)    = travel distance from the contact point over the surface - gravity_bias * drop from it to x      mm
+//             (a mm along a crease counts as 0.35 mm at crease_bias 1, a mm across a ridge as up to 1.33)
 //   b(x, t) = max over wounds of s - d: the paper's animation variable, carried on below 0 as far as noise reaches   mm
 //   blood where b > threshold + noise_strength * noise(x / noise_scale), noise in -1..1 with mean 0
 //   depth   = b - threshold - noise; colour runs from color_thin to color_deep, which is reached at deep_at   mm
@@ -15,6 +16,9 @@
 // - noise 5 mm per lobe, 2.5 mm strong, three octaves: runs and lobes of real strips are 3 to 8 mm wide; half the lobe as
 //   strength hides the polygons of figure 7b without tearing the pool apart.
 // - gravity_bias 0.35: blood runs visibly downhill, but a pool on a flat organ stays round.
+// - crease_bias 0.5: in real strips blood leaves a pool along the folds. bridge_gap 1 mm: organs of a scene touch without
+//   sharing vertices, and no gap that is seen is as narrow.
+// - suction 8 mm: a 5 mm cannula clears a little more than its own width; irrigation 15 mm: its jet spreads and runs off.
 // - pulse 0: venous. An artery is 1 to 1.5 Hz with a strength near 0.6.
 // - coagulation_time 1.5 s: "coagulated within a short period of time".
 // - colours: dark saturated red. Measured in surgery videos (8-bit sRGB): thin running strip 145, 7, 10; pool 93, 15, 17.
@@ -50,6 +54,13 @@ constexpr Parameter rows[] = {
                                "How many layers of ever finer noise make the edge."),
     number<&B::gravity_bias>("gravity_bias", "Gravity bias", {0, 0.9, 0.01},
                              "How much easier blood runs downhill than uphill; 0 spreads evenly, as in the paper."),
+    number<&B::crease_bias>(
+        "crease_bias", "Crease bias", {0, 1, 0.01},
+        "How much blood is drawn along creases of the tissue and held off its ridges; 0 pays no heed "
+        "to them."),
+    number<&B::bridge_gap>("bridge_gap", "Bridge gap", {0, 5, 0.1, "mm"},
+                           "Parts of an organ that lie closer than this count as touching: blood runs from one to the "
+                           "other. 0 keeps it within one part."),
     number<&B::pulse_rate>("pulse_rate", "Pulse rate", {0, 4, 0.05, "Hz"},
                            "Heart beats per second of an arterial wound; 0 is venous."),
     number<&B::pulse_strength>("pulse_strength", "Pulse strength", {0, 1, 0.01},
@@ -58,6 +69,10 @@ constexpr Parameter rows[] = {
         "coagulation_time", "Coagulation time", {0, 30, 0.1, "s"},
         "How long cautery on a wound takes to stop it; the paper stops the spread within a short "
         "period."),
+    number<&B::suction_radius>("suction_radius", "Suction radius", {0, 50, 0.5, "mm"},
+                               "How far around its tip suction takes blood away."),
+    number<&B::irrigation_radius>("irrigation_radius", "Irrigation radius", {0, 100, 0.5, "mm"},
+                                  "How far around its tip irrigation rinses blood away; half as far again downhill."),
     color<&B::color_thin>("color_thin", "Thin colour",
                           "Colour of a thin film, at the edge: the start of the paper's colour gradient."),
     color<&B::color_deep>("color_deep", "Deep colour",

@@ -25,11 +25,30 @@ double dying_time(double elapsed, double duration) {
 
 }  // namespace
 
-double source_value(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept {
-    if (time <= wound.start || wound.stop <= wound.start) return 0.0;
+double flow(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept {
+    if (!(time > wound.start) || !(wound.stop > wound.start) || !std::isfinite(wound.start)) return 0.0;
     const double flowing = pulsed_time(std::min(time, wound.stop) - wound.start, bleeding);
     const double dying = dying_time(std::max(0.0, time - wound.stop), bleeding.coagulation_time);
-    return std::min(bleeding.speed * wound.strength * (flowing + dying), bleeding.max_extent);
+    const double travelled = bleeding.speed * wound.strength * (flowing + dying);
+    return std::isfinite(travelled) ? std::max(travelled, 0.0) : 0.0;
+}
+
+double source_value(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept {
+    return std::min(flow(wound, bleeding, time), bleeding.max_extent);
+}
+
+double clot_of(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept {
+    constexpr double setting_time = 3.0;  // s
+    const double end = wound.stop + bleeding.coagulation_time + setting_time;
+    if (!(time > wound.stop)) return 0.0;
+    return time >= end ? 1.0 : glm::smoothstep(0.0, 1.0, (time - wound.stop) / (end - wound.stop));
+}
+
+WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept {
+    if (!(time > wound.start)) return WoundState::waiting;
+    if (time >= wound.stop + bleeding.coagulation_time || !(wound.stop > wound.start)) return WoundState::closed;
+    if (time >= wound.stop) return WoundState::clotting;
+    return grows(wound, bleeding, time) ? WoundState::bleeding : WoundState::spent;
 }
 
 bool grows(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept {

@@ -1,18 +1,12 @@
 #include "organ/surface.h"
 
 #include <cassert>
-#include <limits>
 
 #include "organ/weld.h"
 
 namespace lapfx {
 
 namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr std::uint32_t leaf_size = 4;
-/// Halving a leaf's triangles each time, no tree of 2^32 triangles is deeper.
-constexpr std::size_t deepest = 64;
 
 /// Offsets of runs from their lengths: {2, 0, 1} becomes {0, 2, 2, 3}.
 std::vector<std::uint32_t> starts(const std::vector<std::uint32_t>& lengths) {
@@ -21,49 +15,12 @@ std::vector<std::uint32_t> starts(const std::vector<std::uint32_t>& lengths) {
     return out;
 }
 
-double square(const glm::dvec3& v) {
-    return glm::dot(v, v);
-}
-
-/// Barycentric weights of the point of a triangle nearest to p (Ericson, Real-Time Collision
-/// Detection, 5.1.5).
-glm::dvec3 nearest_weights(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
-    const glm::dvec3 ab = b - a, ac = c - a;
-    const double d1 = glm::dot(ab, p - a), d2 = glm::dot(ac, p - a);
-    if (d1 <= 0 && d2 <= 0) return {1, 0, 0};
-    const double d3 = glm::dot(ab, p - b), d4 = glm::dot(ac, p - b);
-    if (d3 >= 0 && d4 <= d3) return {0, 1, 0};
-    const double vc = d1 * d4 - d3 * d2;
-    if (vc <= 0 && d1 >= 0 && d3 <= 0) return {1 - d1 / (d1 - d3), d1 / (d1 - d3), 0};
-    const double d5 = glm::dot(ab, p - c), d6 = glm::dot(ac, p - c);
-    if (d6 >= 0 && d5 <= d6) return {0, 0, 1};
-    const double vb = d5 * d2 - d1 * d6;
-    if (vb <= 0 && d2 >= 0 && d6 <= 0) return {1 - d2 / (d2 - d6), 0, d2 / (d2 - d6)};
-    const double va = d3 * d6 - d5 * d4;
-    if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0) {
-        const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-        return {0, 1 - w, w};
-    }
-    const double sum = va + vb + vc;
-    return {va / sum, vb / sum, vc / sum};
-}
-
-double distance_to_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dvec3& high) {
-    return square(glm::max(glm::max(low - p, p - high), glm::dvec3(0.0)));
-}
-
-/// Where a ray enters a box, in lengths of its direction; infinity when it misses.
-double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& low, const glm::dvec3& high) {
-    double from = 0.0, to = infinity;
-    for (int axis = 0; axis < 3; ++axis) {
-        double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
-        if (a > b) std::swap(a, b);
-        // A ray within a side plane gives 0 * infinity = NaN; such a side does not limit it.
-        if (a > from) from = a;
-        if (b < to) to = b;
-    }
-    // Boxes are rounded outwards by less than this.
-    return from <= to * (1 + 1e-12) ? from : infinity;
+/// Distance of `p` from the straight path a b.
+double distance_to_path(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 path = b - a;
+    const double squared = glm::dot(path, path);
+    const double share = squared > 0.0 ? glm::clamp(glm::dot(p - a, path) / squared, 0.0, 1.0) : 0.0;
+    return glm::distance(p, a + share * path);
 }
 
 }  // namespace
@@ -77,7 +34,8 @@ Surface::Surface(const Organ& organ) {
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t c = 0; c < 3; ++c) triangles[t][c] = weld[organ.indices[3 * t + c]];
     build_adjacency();
-    if (!triangles.empty()) build_tree();
+    find_components();
+    tree_.build(mesh());
 }
 
 void Surface::build_adjacency() {
@@ -104,121 +62,58 @@ void Surface::build_adjacency() {
     }
 }
 
-void Surface::build_tree() {
-    std::vector<glm::vec3> centres(triangles.size());
-    order_.resize(triangles.size());
-    for (std::uint32_t t = 0; t < triangles.size(); ++t) {
-        order_[t] = t;
-        for (const std::uint32_t point : triangles[t]) centres[t] += glm::vec3(positions[point]) / 3.0f;
-    }
-    struct Job {
-        std::uint32_t first, count;
-        std::uint32_t parent;  ///< whose second child this is
+void Surface::find_components() {
+    component.resize(positions.size());
+    for (std::uint32_t i = 0; i < component.size(); ++i) component[i] = i;
+    const auto root = [&](std::uint32_t p) {
+        while (component[p] != p) p = component[p] = component[component[p]];
+        return p;
     };
-    constexpr std::uint32_t none = 0xffffffff;
-    std::vector<Job> jobs{{0, static_cast<std::uint32_t>(order_.size()), none}};
-    nodes_.reserve(triangles.size());
-    while (!jobs.empty()) {
-        const Job job = jobs.back();
-        jobs.pop_back();
-        if (job.parent != none) nodes_[job.parent].first = static_cast<std::uint32_t>(nodes_.size());
-        Node node{glm::vec3(std::numeric_limits<float>::max()), glm::vec3(std::numeric_limits<float>::lowest()),
-                  job.first, job.count};
-        for (std::uint32_t i = job.first; i < job.first + job.count; ++i)
-            for (const std::uint32_t point : triangles[order_[i]]) {
-                // Positions came from floats: the boxes are exact.
-                node.low = glm::min(node.low, glm::vec3(positions[point]));
-                node.high = glm::max(node.high, glm::vec3(positions[point]));
-            }
-        const auto index = static_cast<std::uint32_t>(nodes_.size());
-        if (job.count > leaf_size) {
-            const glm::vec3 size = node.high - node.low;
-            const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
-            const std::uint32_t half = job.count / 2;
-            const auto begin = order_.begin() + job.first;
-            // Ties go by number, so that the tree is the same everywhere.
-            std::nth_element(begin, begin + half, begin + job.count, [&](std::uint32_t a, std::uint32_t b) {
-                return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
-            });
-            node.count = 0;
-            jobs.push_back({job.first + half, job.count - half, index});
-            jobs.push_back({job.first, half, none});
+    for (const auto& corners : triangles)
+        for (int i = 1; i < 3; ++i) {
+            const std::uint32_t a = root(corners[0]), b = root(corners[i]);
+            component[std::max(a, b)] = std::min(a, b);
         }
-        nodes_.push_back(node);
-    }
+    for (std::uint32_t i = 0; i < component.size(); ++i) component[i] = root(i);
+    connected = std::all_of(triangles.begin(), triangles.end(),
+                            [&](const auto& corners) { return component[corners[0]] == component[triangles[0][0]]; });
 }
 
 SurfacePoint Surface::closest_point(const glm::dvec3& point) const {
     assert(!triangles.empty());
-    SurfacePoint best;
-    double best_square = infinity;
-    std::array<std::uint32_t, deepest> stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
-    const auto reach = [&](std::uint32_t n) { return distance_to_box(point, nodes_[n].low, nodes_[n].high); };
-    while (size > 0) {
-        const std::uint32_t n = stack[--size];
-        const Node& node = nodes_[n];
-        if (reach(n) > best_square) continue;
-        if (node.count == 0) {
-            const std::uint32_t left = n + 1, right = node.first;
-            const bool left_first = reach(left) <= reach(right);
-            stack[size++] = left_first ? right : left;
-            stack[size++] = left_first ? left : right;
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            const std::uint32_t t = order_[i];
-            const glm::dvec3 &a = positions[triangles[t][0]], &b = positions[triangles[t][1]],
-                             &c = positions[triangles[t][2]];
-            const glm::dvec3 weights = nearest_weights(point, a, b, c);
-            const glm::dvec3 place = weights.x * a + weights.y * b + weights.z * c;
-            const double d = square(place - point);
-            if (d < best_square || (d == best_square && t < best.triangle)) {
-                best_square = d;
-                best = {t, weights, place, 0.0};
-            }
-        }
-    }
-    best.distance = std::sqrt(best_square);
-    return best;
+    SurfacePoint place;
+    tree_.nearest(mesh(), point, place);
+    return place;
+}
+
+bool Surface::closest_on_other_component(const glm::dvec3& point, std::uint32_t component_of_point, double within,
+                                         SurfacePoint& place) const {
+    return !connected && tree_.nearest(mesh(), point, place, within, {component, component_of_point});
 }
 
 bool Surface::intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const {
-    if (nodes_.empty() || !(square(direction) > 0.0)) return false;
-    const glm::dvec3 inverse = 1.0 / direction;
-    double nearest = infinity;
-    std::array<std::uint32_t, deepest> stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-        const std::uint32_t n = stack[--size];
-        const Node& node = nodes_[n];
-        const double from = entry(origin, inverse, node.low, node.high);
-        if (from == infinity || from > nearest) continue;
-        if (node.count == 0) {
-            stack[size++] = node.first;
-            stack[size++] = n + 1;
-            continue;
-        }
-        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-            // Moeller and Trumbore, Fast, Minimum Storage Ray/Triangle Intersection, 1997.
-            const std::uint32_t t = order_[i];
-            const glm::dvec3 &a = positions[triangles[t][0]], &b = positions[triangles[t][1]],
-                             &c = positions[triangles[t][2]];
-            const glm::dvec3 ab = b - a, ac = c - a, p = glm::cross(direction, ac);
-            const double determinant = glm::dot(ab, p);
-            if (determinant == 0.0) continue;
-            const glm::dvec3 s = origin - a, q = glm::cross(s, ab);
-            const double v = glm::dot(s, p) / determinant, w = glm::dot(direction, q) / determinant;
-            const double along = glm::dot(ac, q) / determinant;
-            if (v < 0 || w < 0 || v + w > 1 || along < 0) continue;
-            if (along > nearest || (along == nearest && t > hit.triangle)) continue;
-            nearest = along;
-            hit = {t, {1 - v - w, v, w}, origin + along * direction, along * glm::length(direction)};
-        }
+    return tree_.first_hit(mesh(), origin, direction, hit);
+}
+
+std::vector<std::uint32_t> Surface::points_near(const glm::dvec3& a, const glm::dvec3& b, double radius) const {
+    std::vector<std::uint32_t> near, points;
+    tree_.near_path(a, b, radius, near);
+    for (const std::uint32_t t : near)
+        for (const std::uint32_t p : triangles[t])
+            if (distance_to_path(positions[p], a, b) <= radius) points.push_back(p);
+    std::sort(points.begin(), points.end());
+    points.erase(std::unique(points.begin(), points.end()), points.end());
+    return points;
+}
+
+bool Surface::across(std::uint32_t triangle, std::uint32_t p, std::uint32_t q, std::uint32_t& other) const {
+    for (const std::uint32_t t : triangles_at(p)) {
+        const auto& corners = triangles[t];
+        if (t == triangle || (corners[0] != q && corners[1] != q && corners[2] != q)) continue;
+        other = t;
+        return true;
     }
-    return nearest < infinity;
+    return false;
 }
 
 }  // namespace lapfx

@@ -11,16 +11,9 @@
 #include <vector>
 
 #include "lapfx/organ.h"
+#include "organ/triangle_tree.h"
 
 namespace lapfx {
-
-/// A place on the surface.
-struct SurfacePoint {
-    std::uint32_t triangle = 0;
-    glm::dvec3 weights{0.0};   ///< barycentric, of the triangle's three points; sum 1
-    glm::dvec3 position{0.0};  ///< mm
-    double distance = 0.0;     ///< mm from what was asked for: the point, or the ray's origin
-};
 
 class Surface {
   public:
@@ -34,6 +27,8 @@ class Surface {
     std::vector<std::uint32_t> point_triangles;           ///< triangles at each point, ascending
     std::vector<std::uint32_t> neighbour_start;           ///< per point, into point_neighbours; one more at the end
     std::vector<std::uint32_t> point_neighbours;          ///< points joined by an edge, ascending
+    std::vector<std::uint32_t> component;                 ///< per point: the lowest point of its connected component
+    bool connected = true;                                ///< all triangles are of one component
 
     std::span<const std::uint32_t> triangles_at(std::uint32_t point) const {
         return std::span(point_triangles)
@@ -48,23 +43,29 @@ class Surface {
     /// be empty.
     SurfacePoint closest_point(const glm::dvec3& point) const;
 
+    /// The place on another component than `component_of_point` nearest to `point`, if one is nearer than `within` mm.
+    bool closest_on_other_component(const glm::dvec3& point, std::uint32_t component_of_point, double within,
+                                    SurfacePoint& place) const;
+
     /// The first place that the ray hits, from either side; false when it misses. `direction` need not be
     /// unit length.
     bool intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 
+    /// Every point within `radius` mm of the straight path from `a` to `b`, ascending, whichever component it is of.
+    std::vector<std::uint32_t> points_near(const glm::dvec3& a, const glm::dvec3& b, double radius) const;
+
+    /// The triangle on the other side of the edge (p, q) of `triangle`; false at a boundary. Of several (a non-manifold edge)
+    /// the lowest.
+    bool across(std::uint32_t triangle, std::uint32_t p, std::uint32_t q, std::uint32_t& other) const;
+
+    TriangleMesh mesh() const { return {positions, triangles}; }
+    const TriangleTree& tree() const { return tree_; }
+
   private:
-    /// A box around a run of triangles, or around two boxes.
-    struct Node {
-        glm::vec3 low, high;
-        std::uint32_t first = 0;  ///< leaf: into order_; else the second child (the first is the next node)
-        std::uint32_t count = 0;  ///< leaf: triangles; else 0
-    };
-
     void build_adjacency();
-    void build_tree();
+    void find_components();
 
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> order_;  ///< triangles, by leaf
+    TriangleTree tree_;
 };
 
 }  // namespace lapfx

@@ -28,9 +28,13 @@ struct BleedingParameters {
     double noise_strength = 2.5;
     int noise_octaves = 3;
     double gravity_bias = 0.35;
+    double crease_bias = 0.5;
+    double bridge_gap = 1.0;
     double pulse_rate = 0.0;
     double pulse_strength = 0.0;
     double coagulation_time = 1.5;
+    double suction_radius = 8.0;
+    double irrigation_radius = 15.0;
     glm::dvec3 color_thin{0.60, 0.05, 0.05};
     glm::dvec3 color_deep{0.30, 0.02, 0.03};
     double deep_at = 5.0;

@@ -7,12 +7,28 @@
 namespace lapfx {
 
 struct Wound {
-    glm::dvec3 position{0.0};                               ///< mm, organ space, on or near the surface
+    glm::dvec3 position{0.0};                               ///< mm, organ space, rest shape, on or near the surface
     double start = 0.0;                                     ///< s
     double strength = 1.0;                                  ///< times the preset's speed
     double stop = std::numeric_limits<double>::infinity();  ///< s, when coagulation begins
 
     friend bool operator==(const Wound&, const Wound&) = default;
+};
+
+/// What a wound is doing at a time.
+enum class WoundState {
+    waiting,   ///< not open yet
+    bleeding,  ///< its blood spreads
+    spent,     ///< open, its blood at the largest extent
+    clotting,  ///< coagulated: the flow dies down
+    closed,    ///< coagulated, its flow has ended
+};
+
+/// A wound as it is at a time.
+struct WoundStatus {
+    Wound wound;
+    WoundState state = WoundState::waiting;
+    double extent = 0.0;  ///< mm, how far its blood has travelled
 };
 
 }  // namespace lapfx

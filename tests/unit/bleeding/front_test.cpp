@@ -11,6 +11,14 @@ namespace {
 
 using test::Cut;
 
+constexpr glm::dvec3 down{0.0, -1.0, 0.0};
+
+/// The whole of a front at once, on smooth ground: neither gravity nor creases.
+std::vector<Reached> march(const Surface& surface, const glm::dvec3& contact, double limit) {
+    FrontRoom room(surface, down);
+    return bleeding::march(room, {}, contact, limit);
+}
+
 /// Largest error of the distances that march() finds, relative to the true ones, farther than `from` mm away.
 template <class Truth>
 double worst_error(const Surface& surface, glm::dvec3 contact, double limit, double from, Truth truth) {

@@ -1,0 +1,67 @@
+// A tree of boxes over triangles: the nearest place, the first hit of a ray, what lies near a path. It keeps no triangles of
+// its own: every call is given the same ones that it was built for, in the same or (after refit) a moved shape.
+// Queries are const, allocate nothing but their result, and may run on any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace lapfx {
+
+/// A place on a surface.
+struct SurfacePoint {
+    std::uint32_t triangle = 0;
+    glm::dvec3 weights{0.0};   ///< barycentric, of the triangle's three points; sum 1
+    glm::dvec3 position{0.0};  ///< mm
+    double distance = 0.0;     ///< mm from what was asked for: the point, or the ray's origin
+};
+
+/// The triangles that a tree is over.
+struct TriangleMesh {
+    std::span<const glm::dvec3> positions;
+    std::span<const std::array<std::uint32_t, 3>> triangles;
+};
+
+/// Which triangles count: all but those of one component.
+struct ComponentFilter {
+    std::span<const std::uint32_t> component_of;  ///< per point; empty: all triangles count
+    std::uint32_t skipped = 0;
+};
+
+class TriangleTree {
+  public:
+    void build(TriangleMesh mesh);
+    /// The boxes after the points have moved; the tree itself stays, so queries slow down as the shape leaves the one it was
+    /// built for.
+    void refit(TriangleMesh mesh) noexcept;
+    bool empty() const { return nodes_.empty(); }
+
+    /// The place nearest to `point`, if there is one nearer than `within`; of equally near ones, that of the lowest triangle.
+    bool nearest(TriangleMesh mesh, const glm::dvec3& point, SurfacePoint& place,
+                 double within = std::numeric_limits<double>::infinity(), ComponentFilter filter = {}) const;
+
+    /// The first place that the ray hits, from either side. `direction` need not be of unit length.
+    bool first_hit(TriangleMesh mesh, const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
+
+    /// Appends every triangle whose box comes within `radius` of the straight path from `a` to `b`.
+    void near_path(const glm::dvec3& a, const glm::dvec3& b, double radius,
+                   std::vector<std::uint32_t>& triangles) const;
+
+  private:
+    /// A box around a run of triangles, or around two boxes.
+    struct Node {
+        glm::vec3 low, high;
+        std::uint32_t first = 0;  ///< leaf: into order_; else the second child (the first is the next node)
+        std::uint32_t count = 0;  ///< leaf: triangles; else 0
+    };
+    void fit(Node& node, std::uint32_t first, std::uint32_t count, TriangleMesh mesh) const noexcept;
+
+    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;  ///< triangles, by leaf
+};
+
+}  // namespace lapfx
