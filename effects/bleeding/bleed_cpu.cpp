@@ -84,10 +84,12 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
     } else {
         const auto key = [](const glm::dvec3& p) { return std::tuple(p.x, p.y, p.z); };
         std::multimap<std::tuple<double, double, double>, Bleeder> known;
-        for (Bleeder& b : bleeders_) known.emplace(key(b.wound.position), std::move(b));
+        for (Bleeder& b : bleeders_)
+            if (is_place(b.wound.position)) known.emplace(key(b.wound.position), std::move(b));
         bleeders_.clear();
         for (const Wound& wound : wounds) {
-            const auto found = known.find(key(wound.position));
+            // A NaN has no order: it must not be looked up.
+            const auto found = is_place(wound.position) ? known.find(key(wound.position)) : known.end();
             if (found == known.end()) {
                 bleeders_.push_back({.wound = wound, .front = Front(room_, metric_of(parameters_), wound.position)});
                 continue;

@@ -32,11 +32,11 @@ double unfold(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, dou
     return std::hypot(cx - sx, cy + sy);
 }
 
+}  // namespace
+
 bool is_place(const glm::dvec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
-
-}  // namespace
 
 Metric metric_of(const BleedingParameters& b) {
     return {.gravity_bias = b.gravity_bias, .crease_bias = b.crease_bias, .bridge_gap = b.bridge_gap};

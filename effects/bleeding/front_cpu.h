@@ -27,6 +27,9 @@ struct Reached {
     float distance;        ///< mm from the contact point
 };
 
+/// False for NaN and infinity.
+bool is_place(const glm::dvec3& p);
+
 /// What distance means.
 struct Metric {
     double gravity_bias = 0.0;  ///< 0..0.9

@@ -9,6 +9,7 @@ namespace lapfx::bleeding {
 namespace {
 
 constexpr double near_radius = 2.5, far_radius = 5.0;  // mm; creases that guide blood are a few mm wide
+constexpr double meeting_gap = 2.0;                    // mm
 constexpr int direction_pairs = 4;
 constexpr int longest_walk = 2'000;    // triangles; finer meshes than 5 um are none
 constexpr double facet_height = 0.06;  // mm; less is how a smooth surface was cut into triangles
@@ -123,7 +124,10 @@ double Terrain::crease(std::uint32_t point) {
 double Terrain::slowness(std::uint32_t point, double crease_bias) {
     if (crease_bias <= 0.0) return 1.0;
     const double c = crease(point);
-    if (c > 0.0) return 1.0 - 0.65 * crease_bias * std::clamp((c - facet_height) / 0.5, 0.0, 1.0);
+    double drawn = std::clamp((c - facet_height) / 0.5, 0.0, 1.0);
+    // The line along which two parts meet is a crease too.
+    if (const SurfacePoint* other = bridge(point)) drawn = std::max(drawn, 1.0 - other->distance / meeting_gap);
+    if (drawn > 0.0) return 1.0 - 0.65 * crease_bias * drawn;
     return 1.0 + 0.33 * crease_bias * std::clamp((-c - facet_height) / 0.5, 0.0, 1.0);
 }
 

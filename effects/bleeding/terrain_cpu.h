@@ -26,7 +26,7 @@ class Terrain {
     double crease(std::uint32_t point);
 
     /// Cost of a mm at a point for blood that is drawn into creases by `crease_bias` (0..1): 1 on smooth tissue, down to
-    /// 0.35 in a crease, up to 1.33 across a ridge.
+    /// 0.35 in a crease and where two parts meet, up to 1.33 across a ridge.
     double slowness(std::uint32_t point, double crease_bias);
 
     /// The nearest place on another component within `bridge_longest` mm of a point; null when there is none.

@@ -8,6 +8,7 @@ namespace lapfx {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+constexpr double rounding = 1e-12;  // a ray through an edge must not slip between its two triangles
 constexpr std::uint32_t leaf_size = 4;
 /// Halving a leaf's triangles each time, no tree of 2^32 triangles is deeper.
 constexpr std::size_t deepest = 64;
@@ -47,11 +48,13 @@ double distance_to_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dv
 double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& low, const glm::dvec3& high) {
     double from = 0.0, to = infinity;
     for (int axis = 0; axis < 3; ++axis) {
-        double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
-        if (a > b) std::swap(a, b);
-        // A ray within a side plane gives 0 * infinity = NaN; such a side does not limit it.
-        if (a > from) from = a;
-        if (b < to) to = b;
+        if (!std::isfinite(inverse[axis])) {  // along the box's sides: between them or not at all
+            if (origin[axis] < low[axis] || origin[axis] > high[axis]) return infinity;
+            continue;
+        }
+        const double a = (low[axis] - origin[axis]) * inverse[axis], b = (high[axis] - origin[axis]) * inverse[axis];
+        from = std::max(from, std::min(a, b));
+        to = std::min(to, std::max(a, b));
     }
     // Boxes are rounded outwards by less than this.
     return from <= to * (1 + 1e-12) ? from : infinity;
@@ -196,7 +199,7 @@ bool TriangleTree::first_hit(TriangleMesh mesh, const glm::dvec3& origin, const 
             const glm::dvec3 s = origin - a, q = glm::cross(s, ab);
             const double v = glm::dot(s, p) / determinant, w = glm::dot(direction, q) / determinant;
             const double along = glm::dot(ac, q) / determinant;
-            if (v < 0 || w < 0 || v + w > 1 || along < 0) continue;
+            if (v < -rounding || w < -rounding || v + w > 1 + rounding || along < 0) continue;
             if (along > nearest || (along == nearest && t > hit.triangle)) continue;
             nearest = along;
             hit = {t, {1 - v - w, v, w}, origin + along * direction, along * glm::length(direction)};

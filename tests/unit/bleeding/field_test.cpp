@@ -1,0 +1,304 @@
+// The bleed field on shapes that are not flat, with everything on, and with what goes wrong in real files.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "bleeding/bleed_cpu.h"
+#include "support/meshes.h"
+
+namespace lapfx::bleeding {
+namespace {
+
+using test::Cut;
+
+constexpr glm::dvec3 down{0.0, -1.0, 0.0};
+
+BleedingParameters plain() {
+    BleedingParameters b;
+    b.speed = 4.0;
+    b.max_extent = 16.0;
+    b.threshold = 0.0;
+    b.gravity_bias = b.crease_bias = 0.0;
+    return b;
+}
+
+double area_after(const Surface& surface, glm::dvec3 contact, const BleedingParameters& b, double time) {
+    BleedField field(surface, down);
+    field.set(std::vector<Wound>{{.position = contact}}, b);
+    field.update(time);
+    return field.amount().area;
+}
+
+/// A lumpy organ about 80 mm wide: a sphere pushed in and out by smooth waves.
+Organ lumpy(int cuts) {
+    Organ organ = test::sphere(40.0, cuts);
+    for (glm::vec3& p : organ.positions) {
+        const glm::vec3 n = glm::normalize(p);
+        p = n * (36.0f + 4.0f * std::sin(3.0f * n.x + 1.0f) * std::cos(2.5f * n.z) + 2.0f * std::sin(5.0f * n.y));
+    }
+    return organ;
+}
+
+TEST(Field, OnASphereTheCapFollowsTheGreatCircle) {
+    constexpr double radius = 30.0;
+    const Surface surface(test::sphere(radius, 6));
+    const glm::dvec3 contact = radius * glm::normalize(glm::dvec3(0.3, 1.0, 0.2));
+    for (const double time : {1.0, 2.0, 3.0, 9.0}) {
+        const double reached = std::min(4.0 * time, 16.0);
+        const double area = area_after(surface, contact, plain(), time);
+        // The radius of a cap of this area, along the surface.
+        const double measured = radius * std::acos(1.0 - area / (2.0 * std::numbers::pi * radius * radius));
+        EXPECT_NEAR(measured, reached, 0.02 * reached) << time;
+    }
+}
+
+TEST(Field, ALumpyOrganBleedsTheSameAreaAtEveryResolution) {
+    BleedingParameters b;  // the defaults: gravity, creases, threshold
+    for (const glm::dvec3 direction :
+         {glm::dvec3(0.2, 0.3, 1.0), glm::dvec3(1.0, -0.4, 0.1), glm::dvec3(0.1, 1.0, 0.0)}) {
+        double finest = 0.0;
+        for (const int cuts : {7, 5, 4}) {  // 327,680, 20,480 and 5,120 triangles
+            const Surface surface(lumpy(cuts));
+            SurfacePoint contact;
+            ASSERT_TRUE(surface.intersect_ray(100.0 * direction, -direction, contact));
+            const double area = area_after(surface, contact.position, b, 3.5);
+            if (finest == 0.0) finest = area;
+            EXPECT_NEAR(area, finest, 0.05 * finest) << surface.triangles.size() << " triangles";
+        }
+        EXPECT_GT(finest, 400.0);
+    }
+}
+
+TEST(Field, ObtuseTrianglesDoNotDelayBlood) {
+    // Squashed to a tenth, the squares' triangles have angles up to 174 degrees.
+    Organ organ = test::plane(200.0, 200, Cut::irregular);
+    for (glm::vec3& p : organ.positions) p.x = 0.2f * p.x + 0.19f * p.z;
+    const Surface surface(organ);
+    const double area = area_after(surface, {0.1, 0.0, 0.3}, plain(), 2.5);
+    EXPECT_NEAR(area, 100.0 * std::numbers::pi, 0.02 * 100.0 * std::numbers::pi);
+}
+
+TEST(Field, BloodIsDrawnAlongACrease) {
+    Organ organ = test::plane(80.0, 80);
+    for (glm::vec3& p : organ.positions) p.y = 0.8f * std::abs(p.x);
+    const Surface surface(organ);
+    BleedingParameters even = plain(), drawn = plain();
+    drawn.crease_bias = 1.0;
+    const auto along_and_across = [&](const BleedingParameters& b) {
+        BleedField field(surface, {0.0, 0.0, 1.0});
+        BleedingParameters level = b;
+        level.gravity_bias = 0.0;
+        field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}}}, level);
+        field.update(2.0);
+        double along = 0.0, across = 0.0;
+        for (std::uint32_t v = 0; v < surface.positions.size(); ++v) {
+            if (field.surface_values()[v].x <= 0.0f) continue;
+            along = std::max(along, std::abs(surface.positions[v].z));
+            across = std::max(across, std::abs(surface.positions[v].x) * std::hypot(1.0, 0.8));
+        }
+        return glm::dvec2(along, across);
+    };
+    const glm::dvec2 without = along_and_across(even), with = along_and_across(drawn);
+    EXPECT_NEAR(without.x, without.y, 1.5);
+    EXPECT_GT(with.x, 1.6 * without.x);
+    EXPECT_LT(with.y, 1.4 * without.y);
+}
+
+TEST(Field, BloodCrossesNarrowGapsAndNoWideOnes) {
+    const Organ sheet = test::plane(40.0, 40);
+    const Surface surface(test::joined(sheet, sheet, {0.0f, 0.8f, 0.0f}));
+    BleedingParameters b = plain();
+    const auto other_sheet_at_contact = [&](double gap) {
+        b.bridge_gap = gap;
+        BleedField field(surface, down);
+        field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}}}, b);
+        field.update(2.0);
+        return field.surface_values()[surface.positions.size() / 2 + 20 * 41 + 20].x;
+    };
+    EXPECT_NEAR(other_sheet_at_contact(1.0), 8.0 - 0.8, 1e-4);
+    EXPECT_EQ(other_sheet_at_contact(0.5), BleedField::dry);
+    EXPECT_EQ(other_sheet_at_contact(0.0), BleedField::dry);
+}
+
+TEST(Field, TheVolumeOfAConeOfBlood) {
+    BleedingParameters b = plain();
+    b.deep_at = 20.0;  // deeper than any of it: the layer is a cone
+    b.thickness = 0.5;
+    const Surface surface(test::plane(44.0, 220));
+    BleedField field(surface, down);
+    field.set(std::vector<Wound>{{.position = {0.07, 0.0, 0.11}}}, b);
+    field.update(3.0);
+    const double wanted = std::numbers::pi * std::pow(12.0, 3) / 3.0 * b.thickness / b.deep_at;
+    EXPECT_NEAR(field.amount().volume, wanted, 0.02 * wanted);
+    b.deep_at = 0.1;  // all but a rim is as thick as it gets
+    field.set(std::vector<Wound>{{.position = {0.07, 0.0, 0.11}}}, b);
+    EXPECT_NEAR(field.amount().volume, 0.5 * field.amount().area, 0.03 * field.amount().area);
+}
+
+TEST(Field, SeekEqualsSteppingAtAnyFrameRateWithEverythingOn) {
+    const Surface surface(test::joined(lumpy(4), test::sphere(20.0, 3), {0.0f, 0.0f, 55.0f}));
+    BleedingParameters b;
+    b.gravity_bias = 0.6;
+    b.pulse_rate = 1.2;
+    b.pulse_strength = 0.7;
+    b.bridge_gap = 2.0;
+    const std::vector<Wound> wounds{{.position = {0, 0, 36}},
+                                    {.position = {10, 5, 33}, .start = 0.5, .strength = 2.0, .stop = 2.0},
+                                    {.position = {-36, 0, 0}, .start = 1.0}};
+    const std::vector<ToolContact> suction{
+        {.action = ToolAction::suction, .time = 2.2, .duration = 0.6, .position = {0, 0, 36}, .to = {8, 0, 36}}};
+    BleedField direct(surface, down);
+    direct.set(wounds, b);
+    direct.set_clearing(suction);
+    for (const double rate : {13.0, 60.0}) {
+        BleedField stepped(surface, down);
+        stepped.set(wounds, b);
+        stepped.set_clearing(suction);
+        for (int frame = 0; frame <= static_cast<int>(6.0 * rate); ++frame) {
+            stepped.update(frame / rate);
+            if (frame % 11 != 0) continue;
+            direct.update(frame / rate);
+            ASSERT_TRUE(std::equal(direct.values().begin(), direct.values().end(), stepped.values().begin()))
+                << rate << " fps, frame " << frame;
+        }
+        direct.update(0.0);
+    }
+}
+
+TEST(Field, SuctionTakesBloodAwayAndAnOpenWoundFillsThePlaceAgain) {
+    const Surface surface(test::plane(60.0, 120));
+    BleedField field(surface, down);
+    BleedingParameters b = plain();
+    b.suction_radius = 10.0;
+    field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}}}, b);
+    field.set_clearing(std::vector<ToolContact>{
+        {.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}});
+    const auto disc = [](double r) { return std::numbers::pi * r * r; };
+    field.update(9.0);
+    EXPECT_NEAR(field.amount().area, disc(16), 0.02 * disc(16));
+    field.update(11.0);
+    EXPECT_NEAR(field.amount().area, disc(16) - disc(10), 0.08 * disc(16)) << "a ring is left";
+    field.update(12.0);
+    EXPECT_NEAR(field.amount().area, disc(16) - disc(10) + disc(4), 0.08 * disc(16)) << "4 mm/s from the wound";
+    field.update(30.0);
+    EXPECT_NEAR(field.amount().area, disc(16), 0.02 * disc(16));
+    EXPECT_FALSE((field.changed().take(), field.update(40.0), !field.changed().empty())) << "full again: settled";
+}
+
+TEST(Field, ClotsDarkenShrinkAndStayUnderFreshBlood) {
+    const Surface surface(test::plane(60.0, 60));
+    BleedField field(surface, down);
+    BleedingParameters b = plain();
+    std::vector<Wound> wounds{{.position = {0.0, 0.0, 0.0}, .stop = 2.0}};
+    field.set(wounds, b);
+    const std::size_t middle = 30 * 61 + 30;
+    field.update(1.9);
+    EXPECT_EQ(field.values()[middle].y, 0.0f);
+    field.update(30.0);
+    EXPECT_EQ(field.values()[middle].y, 1.0f);
+    EXPECT_NEAR(field.values()[middle].x, (8.0 + 3.0) * 0.95, 1e-4);
+    wounds.push_back({.position = {0.0, 0.0, 0.0}, .start = 31.0});
+    field.set(wounds, b);
+    field.update(31.0 + 12.0 / 4.0);
+    EXPECT_EQ(field.values()[middle].y, 0.0f) << "more has flowed than lies there";
+}
+
+TEST(Field, WoundStatesAndExtents) {
+    const Surface surface(test::plane(40.0, 20));
+    BleedField field(surface, down);
+    field.set(std::vector<Wound>{{.position = {0, 0, 0}, .start = 1.0, .stop = 3.0}, {.position = {5, 0, 0}}}, plain());
+    const auto states = [&](double time) {
+        field.update(time);
+        return std::pair(field.wounds()[0].state, field.wounds()[1].state);
+    };
+    EXPECT_EQ(states(0.5), std::pair(WoundState::waiting, WoundState::bleeding));
+    EXPECT_EQ(states(2.0), std::pair(WoundState::bleeding, WoundState::bleeding));
+    EXPECT_NEAR(field.wounds()[0].extent, 4.0, 1e-9);
+    EXPECT_EQ(states(3.5), std::pair(WoundState::clotting, WoundState::bleeding));
+    EXPECT_EQ(states(9.0), std::pair(WoundState::closed, WoundState::spent));
+    EXPECT_NEAR(field.wounds()[1].extent, 16.0, 1e-9);
+}
+
+TEST(Field, KeptBloodStaysUntilItIsCleared) {
+    const Surface surface(test::plane(40.0, 40));
+    BleedField field(surface, down);
+    BleedingParameters b = plain();
+    b.suction_radius = 6.0;
+    field.set(std::vector<Wound>{}, b);
+    std::vector<glm::vec2> kept(surface.positions.size(), glm::vec2(BleedField::dry, 0.0f));
+    const std::size_t middle = 20 * 41 + 20;
+    kept[middle] = {3.0f, 0.5f};
+    field.keep(kept, 5.0);
+    field.update(6.0);
+    EXPECT_EQ(field.values()[middle], glm::vec2(3.0f, 0.5f));
+    field.set(std::vector<Wound>{{.position = {4, 0, 0}, .start = 6.0}}, b);
+    field.update(8.0);
+    EXPECT_EQ(field.values()[middle], glm::vec2(4.0f, 0.0f)) << "fresh blood over it: 8 - 4 mm";
+    field.set(std::vector<Wound>{}, b);
+    field.set_clearing(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}});
+    field.update(9.0);
+    EXPECT_EQ(field.values()[middle].x, 3.0f);
+    field.update(11.0);
+    EXPECT_EQ(field.values()[middle].x, BleedField::dry);
+}
+
+TEST(Field, ContactsInOddPlacesGiveClearResults) {
+    const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
+    // A sheet, a fin standing on it (a non-manifold edge), and a sliver.
+    Organ organ = test::plane(40.0, 40);
+    organ.positions.push_back({0.0f, 10.0f, 0.0f});
+    organ.indices.insert(organ.indices.end(), {20 * 41 + 20, 20 * 41 + 21, 41 * 41});
+    organ.positions.push_back({1e-6f, 10.0f, 0.0f});
+    organ.indices.insert(organ.indices.end(), {20 * 41 + 20, 41 * 41, 41 * 41 + 1});
+    const Surface surface(organ);
+    BleedField field(surface, down);
+    const auto area = [&](const Wound& wound) {
+        field.set(std::vector<Wound>{wound}, plain());
+        field.update(2.0);
+        for (const glm::vec2 value : field.values()) EXPECT_FALSE(std::isnan(value.x));
+        return field.amount().area;
+    };
+    const double whole = area({.position = {8.3, 0.0, 8.2}});
+    EXPECT_NEAR(whole, 64.0 * std::numbers::pi, 0.03 * whole);
+    EXPECT_NEAR(area({.position = {20.0, 0.0, 2.0}}), whole / 2.0, 0.03 * whole) << "on a boundary: half a disc";
+    EXPECT_NEAR(area({.position = {20.0, 0.0, 20.0}}), whole / 4.0, 0.03 * whole) << "in a corner: a quarter";
+    EXPECT_GT(area({.position = {0.0, 0.0, 0.0}}), 0.97 * whole) << "on a non-manifold edge: all its sheets";
+    EXPECT_GT(area({.position = {0.0, 8.0, 0.0}}), 0.0) << "on a sliver";
+    EXPECT_NEAR(area({.position = {8.3, -50.0, 8.2}}), whole, 0.03 * whole) << "off the surface: the nearest place";
+    EXPECT_EQ(area({.position = {nan, 0.0, 0.0}}), 0.0);
+    EXPECT_EQ(area({.position = {0.0, infinity, 0.0}}), 0.0);
+    EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .start = nan}), 0.0);
+    EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = nan}), 0.0);
+    EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .stop = nan}), 0.0);
+    EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = -1.0}), 0.0);
+    EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = infinity}), 0.0);
+}
+
+TEST(Field, ThousandsOfWoundsEachCount) {
+    const Surface surface(test::plane(200.0, 100));
+    BleedField field(surface, down);
+    BleedingParameters b = plain();
+    b.max_extent = 1.2;
+    std::vector<Wound> wounds;
+    for (int i = 0; i < 4000; ++i)
+        wounds.push_back({.position = {3.0 * (i % 64) - 95.0, 0.0, 3.0 * (i / 64) - 95.0}, .start = 0.001 * i});
+    field.set(wounds, b);
+    field.update(100.0);
+    EXPECT_EQ(field.wounds().size(), 4000u);
+    for (const WoundStatus& w : field.wounds()) ASSERT_EQ(w.state, WoundState::spent);
+    // Each vertex as near as its nearest wound.
+    for (std::uint32_t v = 0; v < surface.positions.size(); v += 17) {
+        double nearest = 1e9;
+        for (const Wound& w : wounds) nearest = std::min(nearest, glm::distance(surface.positions[v], w.position));
+        if (nearest < 1.2) {
+            EXPECT_NEAR(field.surface_values()[v].x, 1.2 - nearest, 1e-3);
+        } else {
+            EXPECT_LE(field.surface_values()[v].x, 1e-3);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::bleeding
