@@ -33,8 +33,10 @@ void BleedGpu::set(const BleedingParameters& b) const noexcept {
     block_.update(0, sizeof block, &block);
 }
 
-void BleedGpu::send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
-    for (const VertexRun& run : changed) values_.update(values, run.begin, run.end);
+std::size_t BleedGpu::send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
+    std::size_t bytes = 0;
+    for (const VertexRun& run : changed) bytes += values_.update(values, run.begin, run.end);
+    return bytes;
 }
 
 void BleedGpu::bind() const noexcept {

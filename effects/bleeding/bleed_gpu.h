@@ -16,8 +16,9 @@ class BleedGpu {
     BleedGpu(std::size_t vertex_count, std::uint32_t seed);
 
     void set(const BleedingParameters& parameters) const noexcept;
-    /// Sends the runs of `values` (per organ vertex: bleed value in mm, clot 0..1) that have changed.
-    void send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
+    /// Sends the runs of `values` (per organ vertex: bleed value in mm, clot 0..1) that have changed;
+    /// bytes sent.
+    std::size_t send(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
     void bind() const noexcept;  ///< the uniform block, binding 1
 
     const gl::Buffer& values() const { return values_; }

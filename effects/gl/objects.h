@@ -46,10 +46,11 @@ class Buffer {
     explicit Buffer(std::span<const T> data) : Buffer(data.size_bytes(), data.data()) {}
 
     void update(std::size_t offset, std::size_t bytes, const void* data) const;
-    /// Elements [begin, end) of the array that this buffer mirrors.
+    /// Elements [begin, end) of the array that this buffer mirrors. Gives the bytes sent.
     template <typename T>
-    void update(std::span<const T> all, std::size_t begin, std::size_t end) const {
+    std::size_t update(std::span<const T> all, std::size_t begin, std::size_t end) const {
         update(begin * sizeof(T), (end - begin) * sizeof(T), all.data() + begin);
+        return (end - begin) * sizeof(T);
     }
     GLuint name() const { return name_.get(); }
     std::size_t size() const { return size_; }

@@ -72,8 +72,20 @@ void OrganGpu::upload_textures(const Organ& organ) {
                               .double_sided = m.double_sided});
 }
 
-void OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
-    for (const VertexRun& run : changed) marks_.update(values, run.begin, run.end);
+std::size_t OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
+    std::size_t bytes = 0;
+    for (const VertexRun& run : changed) bytes += marks_.update(values, run.begin, run.end);
+    return bytes;
+}
+
+void OrganGpu::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
+    if (rest_.size() == 0) {
+        rest_ = gl::Buffer(vertices_[0].size());
+        glCopyNamedBufferSubData(vertices_[0].name(), rest_.name(), 0, 0, static_cast<GLsizeiptr>(rest_.size()));
+        vertex_array_.attribute(7, rest_, 3);
+    }
+    vertices_[0].update(positions, 0, positions.size());
+    vertices_[1].update(normals, 0, normals.size());
 }
 
 void OrganGpu::draw(const glm::mat4& model) const noexcept {

@@ -16,8 +16,11 @@ class OrganGpu {
     /// bleeds nor chars. Throws Error (runtime) when the shader does not compile.
     OrganGpu(const Organ& organ, const gl::Buffer* bleed);
 
-    /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed.
-    void send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
+    /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
+    /// bytes sent.
+    std::size_t send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
+    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue.
+    void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     /// `model`: organ space to scene space, rigid.
     void draw(const glm::mat4& model) const noexcept;
 
@@ -35,6 +38,7 @@ class OrganGpu {
     gl::VertexArray vertex_array_;
     std::vector<gl::Buffer> vertices_;
     gl::Buffer marks_;
+    gl::Buffer rest_;  // positions at rest, once the organ has moved
     gl::Buffer indices_;
     std::vector<gl::Texture> textures_;
     gl::Texture white_, flat_;

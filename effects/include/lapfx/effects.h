@@ -30,6 +30,7 @@
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
 #include "lapfx/view.h"
+#include "lapfx/wound.h"
 
 namespace lapfx {
 
@@ -42,9 +43,11 @@ struct EffectsOptions {
 
 /// Amounts at the current time, without reading back from the GPU.
 struct Amounts {
-    double blood_area = 0.0;  ///< mm2 of organ surface whose bleed value is above the threshold
-    int bleeding_wounds = 0;  ///< wounds that still grow
-    double haze = 0.0;        ///< E, optical thickness at the focus distance
+    double blood_area = 0.0;    ///< mm2 of organ surface whose bleed value is above the threshold
+    double blood_volume = 0.0;  ///< mm3, a proxy: a layer from 0 at its edge to `thickness` at `deep_at` and beyond
+    int wounds = 0;             ///< that have opened by now
+    int bleeding_wounds = 0;    ///< that still spread
+    double haze = 0.0;          ///< E, optical thickness at the focus distance
 };
 
 /// A point on the organ under a ray.
@@ -67,6 +70,21 @@ class Effects {
     /// All contacts so far, past and running; what happened is a function of this list and the time.
     void set_contacts(std::span<const ToolContact> contacts);
 
+    /// The organ moves: new positions, mm, and unit normals for every vertex of the organ (empty: smooth ones are made), same
+    /// connectivity. Blood, burns and wounds stay on the tissue: distances, areas and contacts are those of the rest shape, what
+    /// is drawn and picked is the moved one. O(vertices), no allocation after the first call. Sizes must fit (assert).
+    void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals = {});
+    /// A place on the moved shape, carried back to the rest shape: where a contact there belongs. Unmoved, the place itself.
+    glm::dvec3 to_rest(const glm::dvec3& place) const noexcept;
+
+    /// The organ has been cut: another surface takes its place, at rest, with the materials and textures of `organ`.
+    /// `origin[v]`: the vertex of the former organ that vertex v was, or `new_vertex`. Blood that lies on surviving vertices
+    /// stays there until it is cleared, wounds and burns stay at their places, and blood spreads on over the new surface. Time
+    /// before this call shows the new surface. Rebuilds what depends on the mesh (as long as the constructor took); buffer
+    /// names change. Throws Error (runtime); then the former organ stays.
+    void set_topology(const Organ& organ, std::span<const std::uint32_t> origin);
+    static constexpr std::uint32_t new_vertex = 0xffffffff;
+
     void seek(double time) noexcept;
     void draw_organ(const View& view) noexcept;
     /// `scene_depth`: a depth texture of the frame, the size of the viewport, not attached to the bound
@@ -74,6 +92,10 @@ class Effects {
     void draw_smoke(const View& view, unsigned scene_depth) noexcept;
 
     Amounts amounts() const noexcept;
+    /// Every wound so far, with what it is doing. Valid until the next call that is not const.
+    std::span<const WoundStatus> wounds() const noexcept;
+    /// Bytes that the last seek sent to the GPU.
+    std::size_t uploaded() const noexcept;
     /// Where a ray first meets the organ. `direction` need not be unit.
     std::optional<OrganHit> pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept;
 
