@@ -11,5 +11,6 @@ void add_edit(CLI::App& app);
 void add_check(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_migrate(CLI::App& app);
+void add_bench(CLI::App& app);
 
 }  // namespace lapfx::commands

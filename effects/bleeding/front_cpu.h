@@ -60,7 +60,7 @@ class FrontRoom {
 
 class Front {
   public:
-    static constexpr double ring_width = 2.0;  // mm
+    static constexpr double ring_width = 0.5;  // mm; a frame marches a ring or two
 
     /// The contact is moved to the closest point of the surface, inside a triangle, not to a vertex. A contact that is no
     /// place (NaN), or an empty surface, reaches nothing.

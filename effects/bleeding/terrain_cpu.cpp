@@ -10,7 +10,7 @@ namespace {
 
 constexpr double near_radius = 2.5, far_radius = 5.0;  // mm; creases that guide blood are a few mm wide
 constexpr double meeting_gap = 2.0;                    // mm
-constexpr int direction_pairs = 4;
+constexpr int direction_pairs = 3;
 constexpr int longest_walk = 2'000;    // triangles; finer meshes than 5 um are none
 constexpr double facet_height = 0.06;  // mm; less is how a smooth surface was cut into triangles
 constexpr std::int32_t unknown = -2, no_bridge = -1;
@@ -45,15 +45,20 @@ Terrain::Terrain(const Surface& surface, glm::dvec3 down)
 bool Terrain::section_heights(std::uint32_t point, const glm::dvec3& normal, const glm::dvec3& direction, double& near,
                               double& far) const {
     const glm::dvec3 origin = surface_.positions[point], across = glm::cross(normal, direction);
-    const auto side = [&](std::uint32_t v) { return glm::dot(surface_.positions[v] - origin, across); };
+    struct End {
+        std::uint32_t point;
+        double side;  // of the plane, mm
+    };
+    const auto end_at = [&](std::uint32_t v) { return End{v, glm::dot(surface_.positions[v] - origin, across)}; };
     // The triangle at the point whose opposite edge the section crosses.
-    std::uint32_t triangle = 0, a = 0, b = 0;
+    std::uint32_t triangle = 0;
+    End a{}, b{};
     glm::dvec3 crossing(0.0);
     bool found = false;
-    const auto cross_edge = [&](std::uint32_t from, std::uint32_t to) {
-        const double s = side(from), e = side(to);
-        if ((s < 0.0) == (e < 0.0)) return false;
-        crossing = glm::mix(surface_.positions[from], surface_.positions[to], s / (s - e));
+    const auto cross_edge = [&](const End& from, const End& to) {
+        if ((from.side < 0.0) == (to.side < 0.0)) return false;
+        crossing =
+            glm::mix(surface_.positions[from.point], surface_.positions[to.point], from.side / (from.side - to.side));
         a = from;
         b = to;
         return true;
@@ -61,7 +66,9 @@ bool Terrain::section_heights(std::uint32_t point, const glm::dvec3& normal, con
     for (const std::uint32_t t : surface_.triangles_at(point)) {
         const auto& c = surface_.triangles[t];
         const int i = c[0] == point ? 0 : c[1] == point ? 1 : 2;
-        if (!cross_edge(c[(i + 1) % 3], c[(i + 2) % 3]) || glm::dot(crossing - origin, direction) <= 0.0) continue;
+        if (!cross_edge(end_at(c[(i + 1) % 3]), end_at(c[(i + 2) % 3])) ||
+            glm::dot(crossing - origin, direction) <= 0.0)
+            continue;
         triangle = t;
         found = true;
         break;
@@ -86,11 +93,11 @@ bool Terrain::section_heights(std::uint32_t point, const glm::dvec3& normal, con
         walked += step;
         place = crossing;
         std::uint32_t next = 0;
-        if (!surface_.across(triangle, a, b, next)) return false;
+        if (!surface_.across(triangle, a.point, b.point, next)) return false;
         triangle = next;
         const auto& c = surface_.triangles[triangle];
-        const std::uint32_t apex = c[0] != a && c[0] != b ? c[0] : c[1] != a && c[1] != b ? c[1] : c[2];
-        const std::uint32_t left = a, right = b;
+        const auto is_new = [&](std::uint32_t v) { return v != a.point && v != b.point; };
+        const End apex = end_at(is_new(c[0]) ? c[0] : is_new(c[1]) ? c[1] : c[2]), left = a, right = b;
         if (!cross_edge(left, apex) && !cross_edge(right, apex)) return false;
     }
     return false;

@@ -43,9 +43,9 @@ TEST(Terrain, AValleyIsACreaseAndARidgeItsOpposite) {
     // Height of the section at length L and angle a from the crease: L slope |sin a| / sqrt(1 + slope^2 sin^2 a); at L and at
     // 2 L with a quarter of the weight, half of the height at L remains.
     double wanted = 0.0;
-    for (int i = 0; i < 4; ++i) {
-        const double s = slope * std::abs(std::sin((i + 0.5) * std::acos(-1.0) / 4.0));
-        wanted += 0.5 * 2.5 * s / std::sqrt(1.0 + s * s) / 4.0;
+    for (int i = 0; i < 3; ++i) {
+        const double s = slope * std::abs(std::sin((i + 0.5) * std::acos(-1.0) / 3.0));
+        wanted += 0.5 * 2.5 * s / std::sqrt(1.0 + s * s) / 3.0;
     }
     EXPECT_NEAR(in_valley.crease(bottom), wanted, 0.02 * wanted);
     EXPECT_NEAR(on_ridge.crease(top), -wanted, 0.02 * wanted);
