@@ -11,6 +11,8 @@ namespace lapfx::bleeding {
 
 namespace {
 
+constexpr double longest_triangle = 1000.0;  // mm; organs have none, files with a wrong unit have
+
 /// Bleed value `beyond` mm outside the reach of a source value, below 0: noise may show blood there. While the source
 /// value is smaller than the noise the value falls faster, so that a wound never begins as a blob of noise.
 float steepness(float source, float noise_strength) {
@@ -155,6 +157,15 @@ void BleedField::update(double time) noexcept {
         write(b);
     }
     publish();
+    if (bleeders_.empty() && kept_.empty()) forget();
+}
+
+/// No blood is left: what it has touched need not be looked at again.
+void BleedField::forget() noexcept {
+    for (const std::uint32_t v : touched_) is_touched_[v] = false;
+    for (const Touched& t : touched_triangles_) is_counted_[t.triangle] = false;
+    touched_.clear();
+    touched_triangles_.clear();
 }
 
 void BleedField::wipe() noexcept {
@@ -175,7 +186,7 @@ void BleedField::write(Bleeder& b) noexcept {
          static_cast<double>(r) * Front::ring_width <= b.source + parameters_.noise_strength + 2.0 * edge; ++r) {
         const std::span<const Reached> ring = b.front.ring(r, room_);
         if (b.front.ended(r)) break;
-        edge = b.front.longest_edge(r);
+        edge = std::min(b.front.longest_edge(r), longest_triangle);
         for (const Reached& at : ring) {
             float from = source, fall = steep;
             if (const double last = clearing_.last(at.vertex); last > b.wound.start) {

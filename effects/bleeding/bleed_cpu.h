@@ -73,6 +73,7 @@ class BleedField {
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
     void wipe() noexcept;
+    void forget() noexcept;
     void write(Bleeder& bleeder) noexcept;
     void put(std::uint32_t vertex, float value, float clot) noexcept;
     void touch(std::uint32_t vertex) noexcept;
