@@ -21,7 +21,7 @@ struct Effects::State {
           positions(organ.positions),
           bleed(surface, down),
           charred(positions),
-          bleed_gpu(organ.positions.size(), wanted.seed),
+          bleed_gpu(organ.positions.size(), wanted.seed, down),
           organ_gpu(organ, &bleed_gpu.values()),
           smoke(wanted.seed) {}
 
