@@ -74,7 +74,7 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     // Beer and Lambert. Even at its edge a film of blood has a thickness.
     vec3 most = 1.0 - (1.0 - u_blood_deep.a) * vec3(1.0, 0.15, 0.15);
     b.opacity = most * (1.0 - exp2(-lapfx_blood_absorption * (share * (1.0 + b.clot) + 0.06)));
-    b.gloss = u_blood_surface.y * (1.0 - 0.75 * b.clot);
+    b.gloss = u_blood_surface.y * (1.0 - 0.85 * b.clot);
     b.level = b.coverage * (1.0 - exp2(-2.5 * share));
 
     // The layer rises steeply at its rim (the meniscus) and is flat inside: height = thickness * (1 - exp(-depth / rim)).
@@ -83,6 +83,6 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     b.slope = steep * (0.5 * slope - strength * noise.yzw);
     // Blood on living tissue is never still and never even: a swell from the lobes and from the grain.
     float swell = clamp(depth / 1.5, 0.0, 1.0);
-    b.slope += swell * (0.35 * noise.yzw + (0.05 + 0.22 * b.clot) * grain.yzw);
+    b.slope += swell * (0.35 * noise.yzw + (0.05 + 0.06 * b.clot) * grain.yzw);
     return b;
 }

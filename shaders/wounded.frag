@@ -60,8 +60,8 @@ void add_blood(inout Tissue tissue, vec3 geometric) {
     tissue.normal = normalize(mix(tissue.normal, geometric, 0.9 * blood.level));
     vec3 surface = normalize(mix(tissue.film_normal, geometric, 0.9 * blood.level));
     tissue.film_normal = tilted(surface, blood.coverage * blood.slope, geometric);
-    tissue.roughness = mix(tissue.roughness, mix(0.5, 0.10, blood.gloss), blood.coverage);
-    tissue.wetness = mix(tissue.wetness, mix(0.25, 1.0, blood.gloss), blood.coverage);
+    tissue.roughness = mix(tissue.roughness, mix(0.55, 0.10, blood.gloss), blood.coverage);
+    tissue.wetness = mix(tissue.wetness, mix(0.02, 1.0, smoothstep(0.15, 0.85, blood.gloss)), blood.coverage);
     // Under blood nothing is left of the tissue's own sheen, which would veil it.
     tissue.sheen *= 1.0 - 0.85 * blood.coverage * blood.opacity.g;
 }
