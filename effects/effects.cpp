@@ -1,11 +1,13 @@
 #include "lapfx/effects.h"
 
 #include <cmath>
+#include <sstream>
 
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
 #include "cautery/char_cpu.h"
 #include "cautery/heat_cpu.h"
+#include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "render/organ_gpu.h"
 #include "render/view_block.h"
@@ -94,6 +96,14 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
                        state_->options.wait_for_clips ? smoke::Policy::wait : smoke::Policy::latest);
 }
 
+unsigned Effects::bleed_buffer() const noexcept {
+    return state_->bleed_gpu.values().name();
+}
+
+void Effects::bind_bleeding() const noexcept {
+    state_->bleed_gpu.bind();
+}
+
 Amounts Effects::amounts() const noexcept {
     return {.blood_area = state_->bleed.area(),
             .bleeding_wounds = state_->bleed.growing(state_->time),
@@ -104,6 +114,15 @@ std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) c
     SurfacePoint hit;
     if (!state_->surface.intersect_ray(origin, direction, hit)) return std::nullopt;
     return OrganHit{.position = hit.position, .distance = hit.distance};
+}
+
+std::string bleeding_shader() {
+    // Without the #line marks: their file numbers mean nothing to a host.
+    std::istringstream lines(gl::shader_source("bleeding.glsl").text);
+    std::string text, line;
+    while (std::getline(lines, line))
+        if (!line.starts_with("#line ")) text += line + "\n";
+    return text;
 }
 
 }  // namespace lapfx
