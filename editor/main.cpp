@@ -19,6 +19,7 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);
     lapfx::commands::add_edit(app);
     lapfx::commands::add_render(app);
+    lapfx::commands::add_sheet(app);
     lapfx::commands::add_inspect(app);
     lapfx::commands::add_check(app);
     lapfx::commands::add_migrate(app);

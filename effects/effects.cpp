@@ -2,11 +2,13 @@
 
 #include <cassert>
 #include <cmath>
+#include <sstream>
 
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
 #include "cautery/char_cpu.h"
 #include "cautery/heat_cpu.h"
+#include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "organ/moved_surface.h"
 #include "render/organ_gpu.h"
@@ -25,7 +27,7 @@ struct Body {
           positions(organ.positions),
           bleed(surface, down),
           charred(positions),
-          bleed_gpu(organ.positions.size(), seed),
+          bleed_gpu(organ.positions.size(), seed, down),
           organ_gpu(organ, &bleed_gpu.values()) {}
 
     Surface surface;
@@ -157,6 +159,14 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
                        state_->options.wait_for_clips ? smoke::Policy::wait : smoke::Policy::latest);
 }
 
+unsigned Effects::bleed_buffer() const noexcept {
+    return state_->body->bleed_gpu.values().name();
+}
+
+void Effects::bind_bleeding() const noexcept {
+    state_->body->bleed_gpu.bind();
+}
+
 Amounts Effects::amounts() const noexcept {
     const bleeding::BleedField& bleed = state_->body->bleed;
     const bleeding::BloodAmount blood = bleed.amount();
@@ -183,6 +193,15 @@ std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) c
     SurfacePoint hit;
     if (!state_->body->moved.intersect_ray(origin, direction, hit)) return std::nullopt;
     return OrganHit{.position = hit.position, .distance = hit.distance};
+}
+
+std::string bleeding_shader() {
+    // Without the #line marks: their file numbers mean nothing to a host.
+    std::istringstream lines(gl::shader_source("bleeding.glsl").text);
+    std::string text, line;
+    while (std::getline(lines, line))
+        if (!line.starts_with("#line ")) text += line + "\n";
+    return text;
 }
 
 }  // namespace lapfx

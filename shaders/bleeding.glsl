@@ -1,48 +1,88 @@
-// Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). Include this in an organ shader,
-// bind the uniform block that effects/bleeding/bleed_gpu.h fills, pass the bleed value per vertex, and call lapfx_blood().
-// Lengths mm in organ space (rest shape), colours linear. Needs noise.glsl.
+// Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). For lapfx's own organ shader and for
+// a host's: paste this text (lapfx::bleeding_shader() gives it with its includes), bind the uniform block
+// (Effects::bind_bleeding), pass Effects::bleed_buffer() through the vertex shader as a vec2, and call lapfx_blood().
+// It names nothing of the shader around it. Lengths mm in organ space, colours linear.
 #include "noise.glsl"
-
-layout(std140, binding = 1) uniform LapfxBleeding {
-    vec4 u_blood_edge;    // threshold, noise scale, noise strength, octaves
-    vec4 u_blood_thin;    // rgb of a thin film; a: depth at which the pool's colour is reached
-    vec4 u_blood_deep;    // rgb of a deep pool; a: opacity of a deep pool
-    vec4 u_blood_surface; // thickness of the layer, gloss, seed, unused
-};
+#include "bleeding_block.glsl"
 
 struct LapfxBlood {
     float coverage;   // 0..1, how much of the pixel is blood
     float depth;      // mm beyond the edge: bleed value minus (threshold + noise)
-    vec3 color;       // body colour along the gradient thin to deep
-    float opacity;    // 0..1, how much of the tissue it hides
-    vec3 slope;       // gradient of the layer's height over organ space, for the normal
+    float clot;       // 0 fresh .. 1 clotted
+    float gloss;      // 0..1, how sharp and strong the lamp is mirrored
+    float level;      // 0..1, how far the layer levels the bumps of the tissue beneath
+    vec3 color;       // of the blood itself: from thin to deep, darker where clotted
+    vec3 opacity;     // 0..1, how much of the tissue it hides; red passes the farthest
+    vec3 slope;       // gradient of the layer's height over organ space: subtract it from the unit normal
 };
 
-// `bleed`: interpolated bleed value, mm. `slope`: its gradient over organ space. `position`: rest position, mm.
-LapfxBlood lapfx_blood(float bleed, vec3 slope, vec3 position) {
-    float threshold = u_blood_edge.x, scale = u_blood_edge.y, strength = u_blood_edge.z;
-    // Nothing can bleed below threshold - strength, so most of an organ runs no octave at all.
-    bool possible = bleed > threshold - strength;
+// How much light 1 mm of film takes: powers of a half per channel for deep_at = 1. Haemoglobin takes several times more green
+// and blue than red (Prahl's tables: 8 to 20 times), less so in a film that also scatters.
+const vec3 lapfx_blood_absorption = vec3(2.6, 8.0, 7.5);
+
+// The noise that moves the edge, in -1..1, and its gradient over organ space. Rivulets press it together along gravity, the
+// fine octaves more than the first: on a wall its lobes become runs that point downhill; level tissue has no extent along
+// gravity, so nothing changes there. Steep tissue also sends the runs farther. All of it is odd in the noise, so that blood
+// gains as much area as it loses.
+vec4 lapfx_blood_noise(vec3 position, vec3 normal, int octaves) {
+    vec3 down = u_blood_down.xyz;
+    float rivulets = u_blood_surface.w, scale = u_blood_edge.y;
+    vec4 noise = vec4(0.0);
+    float amplitude = 1.0, total = 0.0;
+    for (int i = 0; i < octaves; ++i) {
+        float press = (i == 0 ? 0.6 : 0.8) * rivulets;
+        vec3 place = (position - press * dot(position, down) * down) / (scale * amplitude);
+        vec4 n = lapfx_perlin(place, uint(u_blood_surface.z) + uint(i));
+        // Half as large and half as strong: every octave has the same slope.
+        noise += vec4(amplitude * n.x, (n.yzw - press * dot(n.yzw, down) * down) / scale);
+        total += amplitude;
+        amplitude *= 0.5;
+    }
+    noise /= max(total, 1.0);
+    float steep = rivulets * smoothstep(0.3, 0.9, length(cross(normal, down)));
+    // x - x^3 / 6.75 reaches its top, 1, at 1.5: the farther runs are bent into -1..1, not cut off.
+    float x = clamp(noise.x * (1.0 + steep), -1.5, 1.5);
+    float bent = clamp(x - steep * x * x * x / 6.75, -1.0, 1.0);
+    return vec4(bent, noise.yzw * (1.0 + steep) * (1.0 - steep * x * x / 2.25));
+}
+
+// `blood`: interpolated bleed value, mm, and clot, 0..1. `slope`: the bleed value's gradient over organ space; 0 if it is not
+// at hand. `position`: rest position, mm. `normal`: of the tissue, unit, organ space. Call it in uniform control flow: it takes
+// screen derivatives.
+LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
+    float threshold = u_blood_edge.x, strength = u_blood_edge.z, deep_at = u_blood_thin.a;
+    // Out of the noise's reach no octave is run.
+    bool possible = lapfx_can_bleed(blood.x);
     int octaves = possible ? int(u_blood_edge.w) : 0;
-    vec4 noise = lapfx_fractal_noise(position / scale, octaves, uint(u_blood_surface.z));
+    vec4 noise = lapfx_blood_noise(position, normal, octaves);
 
-    LapfxBlood blood;
-    blood.depth = possible ? bleed - (threshold + strength * noise.x) : -1.0;
-    float width = max(fwidth(blood.depth), 1e-3);
-    blood.coverage = possible ? clamp(blood.depth / width + 0.5, 0.0, 1.0) : 0.0;
+    LapfxBlood b;
+    b.depth = possible ? blood.x - (threshold + strength * noise.x) : -1.0;
+    float width = max(fwidth(b.depth), 1e-3);
+    b.coverage = possible ? clamp(b.depth / width + 0.5, 0.0, 1.0) : 0.0;
 
-    float depth = max(blood.depth, 0.0);
-    float pooled = 1.0 - exp2(-3.0 * depth / u_blood_thin.a);
-    blood.color = mix(u_blood_thin.rgb, u_blood_deep.rgb, pooled);
-    // A thin film lets the tissue through (Beer-Lambert); deep blood hides it.
-    blood.opacity = u_blood_deep.a * (1.0 - exp2(-2.0 * depth - 0.8));
+    // Fine grain: the swell that breaks up highlights while blood is fresh, the crumbs of the clot when it is not.
+    vec4 grain = lapfx_fractal_noise(position / 1.7, min(octaves, 1), uint(u_blood_surface.z) + 31u);
+    float depth = max(b.depth, 0.0), share = depth / deep_at;
+    b.clot = clamp(blood.y * (1.25 + 0.9 * grain.x) - 0.1, 0.0, 1.0);
+
+    float pooled = 1.0 - exp2(-3.0 * share);
+    b.color = mix(u_blood_thin.rgb, u_blood_deep.rgb, pooled);
+    // Dried blood: brown-black, red only where it is thin.
+    vec3 dried = vec3(0.030, 0.0055, 0.004) * (1.3 - 0.7 * pooled) * (1.0 + 0.8 * grain.x);
+    b.color = mix(b.color, dried, b.clot * u_blood_down.w);
+    // Beer and Lambert. Even at its edge a film of blood has a thickness.
+    vec3 most = 1.0 - (1.0 - u_blood_deep.a) * vec3(1.0, 0.15, 0.15);
+    b.opacity = most * (1.0 - exp2(-lapfx_blood_absorption * (share * (1.0 + b.clot) + 0.06)));
+    b.gloss = u_blood_surface.y * (1.0 - 0.85 * b.clot);
+    b.level = b.coverage * (1.0 - exp2(-2.5 * share));
 
     // The layer rises steeply at its rim (the meniscus) and is flat inside: height = thickness * (1 - exp(-depth / rim)).
-    float rim = 0.9;
+    float rim = 0.7;
     float steep = u_blood_surface.x / rim * exp(-depth / rim);
-    blood.slope = steep * (0.5 * slope - strength / scale * noise.yzw);
-    // Blood on living tissue is never still: a gentle swell breaks its highlights up.
-    vec4 swell = lapfx_fractal_noise(position / 3.5, min(octaves, 1), uint(u_blood_surface.z) + 31u);
-    blood.slope += 0.16 * clamp(depth / 1.5, 0.0, 1.0) * swell.yzw;
-    return blood;
+    b.slope = steep * (0.5 * slope - strength * noise.yzw);
+    // Blood on living tissue is never still and never even: a swell from the lobes and from the grain.
+    float swell = clamp(depth / 1.5, 0.0, 1.0);
+    b.slope += swell * (0.35 * noise.yzw + (0.05 + 0.06 * b.clot) * grain.yzw);
+    return b;
 }

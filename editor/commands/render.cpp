@@ -1,9 +1,9 @@
 // lapfx render: a scene as a picture, a sequence of pictures or a video.
 #include <cmath>
-#include <iostream>
 #include <regex>
 
 #include "commands/command.h"
+#include "commands/options.h"
 #include "commands/output.h"
 #include "commands/progress.h"
 #include "commands/session.h"
@@ -18,21 +18,6 @@ struct Options {
     double fps = 25.0, from = 0.0, to = -1.0, at = -1.0;
     bool has_at = false, has_span = false;
 };
-
-Error usage(const std::string& place, const std::string& reason) {
-    return {Failure::bad_input, Fault{.file = "", .place = place, .reason = reason}};
-}
-
-glm::ivec2 parse_size(const std::string& text) {
-    static const std::regex pattern(R"((\d{1,5})x(\d{1,5}))");
-    std::smatch match;
-    if (!std::regex_match(text, match, pattern))
-        throw usage("--size", "\"" + text + "\" is not WIDTHxHEIGHT in pixels, such as 1280x1024");
-    const glm::ivec2 size(std::stoi(match[1]), std::stoi(match[2]));
-    if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
-        throw usage("--size", "\"" + text + "\" is outside 1x1 to 16384x16384");
-    return size;
-}
 
 /// Number `index` of a sequence named like out_%04d.png.
 std::string sequence_name(const std::string& pattern, int index) {
@@ -55,9 +40,9 @@ std::vector<double> frame_times(const Options& o, const Scene& scene) {
     if (o.has_at) return {o.at};
     const double to = o.to >= 0.0 ? o.to : scene.duration;
     if (to <= o.from)
-        throw usage("--to", std::to_string(to) + " s is not after --from " + std::to_string(o.from) + " s");
+        throw wrong_option("--to", std::to_string(to) + " s is not after --from " + std::to_string(o.from) + " s");
     const double count = std::ceil((to - o.from) * o.fps - 1e-9);
-    if (count > 1e6) throw usage("--to", "more than a million frames");
+    if (count > 1e6) throw wrong_option("--to", "more than a million frames");
     std::vector<double> times;
     for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(o.from + i / o.fps);
     return times;
@@ -66,26 +51,12 @@ std::vector<double> frame_times(const Options& o, const Scene& scene) {
 void check_output(const Options& o) {
     const bool still = o.output.ends_with(".png") && o.output.find('%') == std::string::npos;
     if (still && o.has_span)
-        throw usage("-o", "\"" + o.output + "\" is one picture; with --from and --to name a video or out_%04d.png");
-    if (!still && o.has_at) throw usage("-o", "\"" + o.output + "\" is not one picture; --at makes one: name a .png");
+        throw wrong_option("-o",
+                           "\"" + o.output + "\" is one picture; with --from and --to name a video or out_%04d.png");
+    if (!still && o.has_at)
+        throw wrong_option("-o", "\"" + o.output + "\" is not one picture; --at makes one: name a .png");
     if (!still && !is_sequence_name(o.output) && !is_video_name(o.output))
-        throw usage("-o", "\"" + o.output + "\" is none of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
-}
-
-/// Before the work, not after it.
-void check_folder(const std::filesystem::path& output) {
-    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
-    std::error_code error;
-    if (!std::filesystem::is_directory(folder, error))
-        throw Error(Failure::runtime, Fault{.file = output.string(), .place = "", .reason = "its folder is missing"});
-}
-
-/// What the user should know of the scene and would not see in the picture.
-void print_warnings(const Preview& preview, const Scene& scene, const Options& o) {
-    for (const std::string& warning : report(preview.organ()).warnings)
-        std::cerr << "lapfx: warning: " << warning << '\n';
-    if (o.has_at && o.at > scene.duration)
-        std::cerr << "lapfx: warning: --at " << o.at << " s is after the scene's end at " << scene.duration << " s\n";
+        throw wrong_option("-o", "\"" + o.output + "\" is none of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
 }
 
 void render_frames(Preview& preview, const Options& o, const std::vector<double>& times, glm::ivec2 size) {
@@ -118,7 +89,8 @@ void run(Options o) {
     const std::vector<double> times = frame_times(o, scene);
     const Context context = Context::create(backend);
     Preview preview(scene, preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
-    print_warnings(preview, scene, o);
+    print_warnings(preview);
+    if (o.has_at) warn_after_end(scene, o.at);
     render_frames(preview, o, times, size);
 }
 
@@ -126,13 +98,7 @@ void run(Options o) {
 
 void add_render(CLI::App& app) {
     auto o = std::make_shared<Options>();
-    const CLI::Validator finite(
-        [](const std::string& text) {
-            double value = 0.0;  // CLI::Range lets "nan" through, since no comparison with it holds
-            return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
-                                                                                  : "\"" + text + "\" is no number";
-        },
-        "NUMBER");
+    const CLI::Validator finite = finite_number();
     CLI::App* verb =
         app.add_subcommand("render", "Render a scene to a PNG, a PNG sequence or a video, without a display");
     verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();

@@ -10,17 +10,18 @@ namespace {
 
 /// LapfxBleeding, std140.
 struct Block {
-    glm::vec4 edge, thin, deep, surface;
+    glm::vec4 edge, thin, deep, surface, down;
 };
 
 constexpr GLuint block_binding = 1;
 
 }  // namespace
 
-BleedGpu::BleedGpu(std::size_t vertex_count, std::uint32_t seed)
+BleedGpu::BleedGpu(std::size_t vertex_count, std::uint32_t seed, glm::dvec3 down)
     : values_(std::span<const glm::vec2>(std::vector<glm::vec2>(vertex_count, glm::vec2(0.0f)))),
       block_(sizeof(Block)),
-      seed_(seed) {}
+      seed_(seed),
+      down_(down) {}
 
 void BleedGpu::set(const BleedingParameters& b) const noexcept {
     const Block block{
@@ -28,7 +29,8 @@ void BleedGpu::set(const BleedingParameters& b) const noexcept {
         .thin = glm::vec4(gl::to_linear(glm::vec3(b.color_thin)), static_cast<float>(b.deep_at)),
         .deep = glm::vec4(gl::to_linear(glm::vec3(b.color_deep)), static_cast<float>(b.opacity)),
         // The shader's seed is a float that must hold it exactly.
-        .surface = glm::vec4(glm::vec2(glm::dvec2(b.thickness, b.gloss)), static_cast<float>(seed_ & 0xffffu), 0.0f),
+        .surface = glm::vec4(glm::dvec4(b.thickness, b.gloss, seed_ & 0xffffu, b.rivulets)),
+        .down = glm::vec4(glm::dvec4(down_, b.clot_darkening)),
     };
     block_.update(0, sizeof block, &block);
 }

@@ -1,5 +1,5 @@
 // Bleed values and blood parameters on the GPU: the vertex buffer (attribute 5 of shaders/organ.vert) and the
-// uniform block LapfxBleeding of shaders/bleeding.glsl. Render thread, context current.
+// uniform block LapfxBleeding of shaders/bleeding_block.glsl. Render thread, context current.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,8 @@ namespace lapfx::bleeding {
 
 class BleedGpu {
   public:
-    BleedGpu(std::size_t vertex_count, std::uint32_t seed);
+    /// `down`: unit, organ space: where rivulets run to.
+    BleedGpu(std::size_t vertex_count, std::uint32_t seed, glm::dvec3 down);
 
     void set(const BleedingParameters& parameters) const noexcept;
     /// Sends the runs of `values` (per organ vertex: bleed value in mm, clot 0..1) that have changed;
@@ -27,6 +28,7 @@ class BleedGpu {
     gl::Buffer values_;
     gl::Buffer block_;
     std::uint32_t seed_;
+    glm::dvec3 down_;
 };
 
 }  // namespace lapfx::bleeding

@@ -28,14 +28,14 @@ gl::Buffer buffer_of(const std::vector<T>& data) {
 }  // namespace
 
 OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
-    : program_("organ.vert", "organ.frag"),
+    : plain_("organ.vert", "organ.frag"),
+      wounded_(bleed != nullptr ? gl::Program("wounded.vert", "wounded.frag") : gl::Program()),
       marks_(buffer_of(std::vector<glm::vec2>(organ.positions.size(), glm::vec2(0.0f)))),
       indices_(buffer_of(organ.indices)),
       white_(one_texel({255, 255, 255, 255})),
       flat_(one_texel({128, 128, 255, 255})),
       parts_(organ.parts),
-      tissue_(bleed != nullptr),
-      no_blood_(buffer_of(std::vector<float>(16, 0.0f))) {
+      tissue_(bleed != nullptr) {
     vertices_.push_back(buffer_of(organ.positions));
     vertices_.push_back(buffer_of(organ.normals));
     vertices_.push_back(buffer_of(organ.tangents));
@@ -94,23 +94,32 @@ void OrganGpu::draw(const glm::mat4& model) const noexcept {
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
     glBindVertexArray(vertex_array_.name());
-    if (!tissue_) glBindBufferBase(GL_UNIFORM_BUFFER, 1, no_blood_.name());
-    program_.set("u_model", model);
-    program_.set("u_tissue", tissue_ ? 1 : 0);
-    program_.use();
-    for (const Part& part : parts_) draw_part(part);
+    // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program draws the
+    // triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth, which is not
+    // less, and is not shaded again.
+    for (const gl::Program* program : {&wounded_, &plain_}) {
+        if (program->name() == 0) continue;
+        program->set("u_model", model);
+        program->set("u_tissue", tissue_ ? 1 : 0);
+        program->use();
+        draw_parts(*program);
+    }
 }
 
-void OrganGpu::draw_part(const Part& part) const noexcept {
+void OrganGpu::draw_parts(const gl::Program& program) const noexcept {
+    for (const Part& part : parts_) draw_part(program, part);
+}
+
+void OrganGpu::draw_part(const gl::Program& program, const Part& part) const noexcept {
     const Material& material = materials_[static_cast<std::size_t>(part.material)];
     // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never culled.
     const bool cull = !tissue_ && !material.double_sided;
     cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     glBindTextureUnit(0, material.base_color);
     glBindTextureUnit(1, material.normal_map);
-    program_.set("u_base_factor", material.factor);
-    program_.set("u_roughness", material.roughness);
-    program_.set("u_normal_scale", material.normal_scale);
+    program.set("u_base_factor", material.factor);
+    program.set("u_roughness", material.roughness);
+    program.set("u_normal_scale", material.normal_scale);
     const auto offset = static_cast<std::size_t>(part.first_index) * sizeof(std::uint32_t);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(offset));

@@ -32,9 +32,11 @@ class OrganGpu {
         bool double_sided;
     };
     void upload_textures(const Organ& organ);
-    void draw_part(const Part& part) const noexcept;
+    void draw_part(const gl::Program& program, const Part& part) const noexcept;
 
-    gl::Program program_;
+    void draw_parts(const gl::Program& program) const noexcept;
+
+    gl::Program plain_, wounded_;
     gl::VertexArray vertex_array_;
     std::vector<gl::Buffer> vertices_;
     gl::Buffer marks_;
@@ -45,7 +47,6 @@ class OrganGpu {
     std::vector<Material> materials_;
     std::vector<Part> parts_;
     bool tissue_;
-    gl::Buffer no_blood_;  // a block for instruments: an active block without a buffer is undefined
 };
 
 }  // namespace lapfx::render

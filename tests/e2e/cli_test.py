@@ -18,6 +18,7 @@ from dataclasses import dataclass
 from typing import Callable, Optional, Tuple
 
 LIMIT_S = 240  # for one command, also under a sanitizer
+SHEET = ("sheet", "scene.json", "--backend", "osmesa", "--size", "64x48")
 RENDER = ("render", "scene.json", "--backend", "osmesa", "--size", "64x48")
 
 SCENE = {
@@ -153,6 +154,35 @@ RENDERING = [
          then=lambda folder: is_png(folder, "out_0002.png", (64, 48))),
 ]
 
+# A cell is 64 by 48, a line of text 16, a gap 4 high and wide: editor/commands/sheet.cpp, Layout.
+SHEETS = [
+    Case("sheet: help", ("sheet", "--help"), 0, prints=r"(?s).*--preset.*--at.*"),
+    Case("sheet: no scene", ("sheet", "--at", "1", "-o", "out.png"), 2),
+    Case("sheet: no times", SHEET + ("-o", "out.png"), 2, says="--at"),
+    Case("sheet: no output", SHEET + ("--at", "1"), 2, says="--output"),
+    Case("sheet: missing scene", ("sheet", "missing.json", "--at", "1", "-o", "out.png"), 2, "missing.json"),
+    Case("sheet: missing preset", SHEET + ("--preset", "good.json", "--preset", "missing.json", "--at", "1", "-o",
+         "out.png"), 2, "missing.json"),
+    Case("sheet: preset out of range", SHEET + ("--preset", "low.json", "--at", "1", "-o", "out.png"), 2, "low.json",
+         says=r"/bleeding/speed: -3\b"),
+    Case("sheet: set an unknown key", SHEET + ("--set", "paint=1", "--at", "1", "-o", "out.png"), 2, says="paint"),
+    Case("sheet: time in words", SHEET + ("--at", "1,soon", "-o", "out.png"), 2, says="soon"),
+    Case("sheet: no time at all", SHEET + ("--at", "nan", "-o", "out.png"), 2, says="nan"),
+    Case("sheet: before the start", SHEET + ("--at", "1,-1", "-o", "out.png"), 2, says="-1"),
+    Case("sheet: size of nothing", ("sheet", "scene.json", "--size", "64x0", "--at", "1", "-o", "out.png"), 2,
+         says="64x0"),
+    Case("sheet: larger than a picture can be", ("sheet", "scene.json", "--size", "9000x100", "--at", "1,2", "-o",
+         "out.png"), 2, says="16384"),
+    Case("sheet: a video", SHEET + ("--at", "1", "-o", "out.mp4"), 2, says=r"out\.mp4"),
+    Case("sheet: folder of the output is missing", SHEET + ("--at", "1", "-o", "nowhere/out.png"), 1,
+         says=r"nowhere/out\.png"),
+    Case("sheet: two presets, three times", SHEET + ("--preset", "good.json", "--preset", "good.json", "--at", "0.5,1,2",
+         "--set", "bleeding.gloss=0.5", "-o", "out.png"), 0, leaves=("out.png",),
+         then=lambda folder: is_png(folder, "out.png", (4 + 3 * 68, 16 + 2 * 68))),
+    Case("sheet: the scene's own preset", SHEET + ("--at", "0.5", "-o", "out.png"), 0, leaves=("out.png",),
+         then=lambda folder: is_png(folder, "out.png", (4 + 68, 16 + 68))),
+]
+
 
 def fill(folder):
     for name, text in FILES.items():
@@ -254,7 +284,7 @@ def main():
         return 2
     lapfx = os.path.abspath(sys.argv[1])
     tests = [(case.name, lambda folder, case=case: run_case(lapfx, case, folder))
-             for case in USAGE + INPUT + RENDERING]
+             for case in USAGE + INPUT + RENDERING + SHEETS]
     for output in ("out.mp4", "out_%04d.png"):
         for number in (signal.SIGINT, signal.SIGTERM):
             tests.append((f"render: {number.name} while it writes {output}",

@@ -9,6 +9,14 @@
 //     effects.draw_organ(view);                // into the bound framebuffer, tested against its depth
 //     effects.draw_smoke(view, depth_texture); // over the frame, when all else has been drawn
 //
+// A host that has an organ shader of its own draws the organ itself and puts lapfx's blood into that shader:
+//
+//     const std::string text = "#version 450 core\n" + lapfx::bleeding_shader() + my_fragment_shader;  // see there
+//     glVertexArrayVertexBuffer(my_vertex_array, 5, effects.bleed_buffer(), 0, sizeof(glm::vec2));
+//     effects.bind_bleeding();  // then draw, instead of draw_organ
+//
+// samples/host/own_shader.cpp is a whole program that does so.
+//
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
 // Constructor and set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady
 // state and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-1,
@@ -22,6 +30,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "lapfx/context.h"
@@ -91,6 +100,14 @@ class Effects {
     /// framebuffer.
     void draw_smoke(const View& view, unsigned scene_depth) noexcept;
 
+    /// For a host's own organ shader: the GL buffer of bleed value (mm; below 0 it runs on, for the noise) and clot (0..1), a
+    /// vec2 per organ vertex in the order of Organ::positions. seek() updates it. The name is valid, and the same, as long as
+    /// this object lives; do not write to it.
+    unsigned bleed_buffer() const noexcept;
+    /// Binds the uniform block that bleeding_shader() reads at uniform binding 1, and leaves it there: unlike the draw calls
+    /// it changes the host's state, as it is meant to.
+    void bind_bleeding() const noexcept;
+
     Amounts amounts() const noexcept;
     /// Every wound so far, with what it is doing. Valid until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;
@@ -103,5 +120,17 @@ class Effects {
     struct State;
     std::unique_ptr<State> state_;
 };
+
+/// The bleeding shader as one text for a host's fragment shader: paste it after #version (420 core or
+/// later) and before use. It holds no #version and no #include, and every name in it begins with
+/// lapfx_, Lapfx or u_blood_. The host calls, in uniform control flow,
+///
+///     LapfxBlood blood = lapfx_blood(bleed_and_clot, vec3(0.0), rest_position, normal);  // mm, unit, organ space
+///     albedo = mix(albedo, blood.color, blood.coverage * blood.opacity);                 // linear light
+///     normal = normalize(normal - blood.coverage * blood.slope);
+///
+/// and may use blood.gloss, clot, depth and level. Throws Error (runtime) when a shader folder that the editor set lacks a
+/// file. Any thread. (Paper: "Simulation of bleeding", figure 6: "the bleeding code was integrated into the existing shader".)
+std::string bleeding_shader();
 
 }  // namespace lapfx

@@ -24,23 +24,25 @@ struct BleedingParameters {
     double speed = 4.0;
     double max_extent = 16.0;
     double threshold = 0.3;
-    double noise_scale = 5.0;
-    double noise_strength = 2.5;
-    int noise_octaves = 3;
+    double noise_scale = 4.5;
+    double noise_strength = 3.0;
+    int noise_octaves = 2;
     double gravity_bias = 0.35;
     double crease_bias = 0.5;
     double bridge_gap = 1.0;
+    double rivulets = 0.7;
     double pulse_rate = 0.0;
     double pulse_strength = 0.0;
     double coagulation_time = 1.5;
     double suction_radius = 8.0;
     double irrigation_radius = 15.0;
-    glm::dvec3 color_thin{0.60, 0.05, 0.05};
-    glm::dvec3 color_deep{0.30, 0.02, 0.03};
+    glm::dvec3 color_thin{0.45, 0.03, 0.035};
+    glm::dvec3 color_deep{0.22, 0.015, 0.02};
     double deep_at = 5.0;
     double opacity = 0.9;
     double thickness = 0.6;
     double gloss = 0.85;
+    double clot_darkening = 0.85;
 };
 
 /// Where the organ's texture shows vessels (paper: figure 9).

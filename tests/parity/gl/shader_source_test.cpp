@@ -99,6 +99,7 @@ TEST_F(ShaderFolder, AFileIsIncludedOnceHoweverOftenItIsNamed) {
 
 TEST_F(ShaderFolder, EveryShippedProgramCompiles) {
     for (const auto& [vertex, fragment] : {std::pair{"organ.vert", "organ.frag"},
+                                           {"wounded.vert", "wounded.frag"},
                                            {"plume.vert", "plume.frag"},
                                            {"fullscreen.vert", "haze.frag"},
                                            {"fullscreen.vert", "post.frag"}})

@@ -1,0 +1,50 @@
+#include "commands/options.h"
+
+#include <cmath>
+#include <iostream>
+#include <regex>
+
+namespace lapfx::commands {
+
+Error wrong_option(const std::string& option, const std::string& reason) {
+    return {Failure::bad_input, Fault{.file = "", .place = option, .reason = reason}};
+}
+
+glm::ivec2 parse_size(const std::string& text) {
+    static const std::regex pattern(R"((\d{1,5})x(\d{1,5}))");
+    std::smatch match;
+    if (!std::regex_match(text, match, pattern))
+        throw wrong_option("--size", "\"" + text + "\" is not WIDTHxHEIGHT in pixels, such as 1280x1024");
+    const glm::ivec2 size(std::stoi(match[1]), std::stoi(match[2]));
+    if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
+        throw wrong_option("--size", "\"" + text + "\" is outside 1x1 to 16384x16384");
+    return size;
+}
+
+CLI::Validator finite_number() {
+    return {[](const std::string& text) {
+                double value = 0.0;
+                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
+                                                                                      : "\"" + text + "\" is no number";
+            },
+            "NUMBER"};
+}
+
+void check_folder(const std::filesystem::path& output) {
+    const std::filesystem::path folder = output.has_parent_path() ? output.parent_path() : ".";
+    std::error_code error;
+    if (!std::filesystem::is_directory(folder, error))
+        throw Error(Failure::runtime, Fault{.file = output.string(), .place = "", .reason = "its folder is missing"});
+}
+
+void print_warnings(const Preview& preview) {
+    for (const std::string& warning : report(preview.organ()).warnings)
+        std::cerr << "lapfx: warning: " << warning << '\n';
+}
+
+void warn_after_end(const Scene& scene, double at) {
+    if (at > scene.duration)
+        std::cerr << "lapfx: warning: --at " << at << " s is after the scene's end at " << scene.duration << " s\n";
+}
+
+}  // namespace lapfx::commands
