@@ -4,6 +4,7 @@
 
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
+#include "bleeding/tissue_density_cpu.h"
 #include "cautery/char_cpu.h"
 #include "cautery/heat_cpu.h"
 #include "gl/state_guard.h"
@@ -14,11 +15,12 @@
 namespace lapfx {
 
 struct Effects::State {
-    State(const Organ& organ, const EffectsOptions& wanted)
+    State(const Organ& organ, const EffectsOptions& wanted, const VesselParameters& vessels)
         : options(wanted),
           down(glm::normalize(wanted.gravity)),
           surface(organ),
           positions(organ.positions),
+          tissue(organ, surface, vessels),
           bleed(surface, down),
           charred(positions),
           bleed_gpu(organ.positions.size(), wanted.seed),
@@ -33,23 +35,48 @@ struct Effects::State {
     glm::dvec3 down;
     Surface surface;
     std::vector<glm::vec3> positions;
+    bleeding::TissueDensity tissue;
     bleeding::BleedField bleed;
     cautery::CharField charred;
     bleeding::BleedGpu bleed_gpu;
     render::OrganGpu organ_gpu;
     render::ViewBlock view_block;
     smoke::Smoke smoke;
+    Overlay overlay = Overlay::none;
+
+    /// The wounds of the contacts, as strong as the tissue there lets them be; where vessels are too few there is none.
+    std::vector<Wound> wounds() const {
+        std::vector<Wound> found = cautery::wounds_of(contacts, preset.cautery);
+        for (Wound& wound : found) wound.strength *= tissue.wound_strength(wound.position);
+        std::erase_if(found, [](const Wound& wound) { return wound.strength == 0.0; });
+        return found;
+    }
+
+    void show_overlay() {
+        if (overlay == Overlay::vessels || overlay == Overlay::fat) organ_gpu.set_density(tissue);
+        organ_gpu.set_overlay(overlay);
+    }
 
     void refresh() {
-        bleed.set(cautery::wounds_of(contacts, preset.cautery), preset.bleeding);
+        bleed.set(wounds(), preset.bleeding);
         charred.set(contacts, preset.cautery);
         bleed_gpu.set(preset.bleeding);
         smoke.set_contacts(contacts);
     }
 };
 
-Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options)
-    : state_(std::make_unique<State>(organ, options)) {
+namespace {
+
+void require_valid(const Preset& preset) {
+    if (std::vector<Fault> faults = check(preset_table(), &preset); !faults.empty())
+        throw Error(Failure::bad_input, std::move(faults));
+}
+
+}  // namespace
+
+Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options) {
+    require_valid(preset);
+    state_ = std::make_unique<State>(organ, options, preset.vessels);
     set_preset(preset);
 }
 Effects::Effects(Effects&&) noexcept = default;
@@ -57,16 +84,22 @@ Effects& Effects::operator=(Effects&&) noexcept = default;
 Effects::~Effects() = default;
 
 void Effects::set_preset(const Preset& preset) {
-    if (std::vector<Fault> faults = check(preset_table(), &preset); !faults.empty())
-        throw Error(Failure::bad_input, std::move(faults));
+    require_valid(preset);
     state_->smoke.set_preset(preset, state_->options.clip_folders);
     state_->preset = preset;
+    state_->tissue.set(preset.vessels);
+    state_->show_overlay();
     state_->refresh();
 }
 
 void Effects::set_contacts(std::span<const ToolContact> contacts) {
     state_->contacts.assign(contacts.begin(), contacts.end());
     state_->refresh();
+}
+
+void Effects::set_overlay(Overlay overlay) {
+    state_->overlay = overlay;
+    state_->show_overlay();
 }
 
 void Effects::seek(double time) noexcept {
@@ -98,6 +131,10 @@ Amounts Effects::amounts() const noexcept {
     return {.blood_area = state_->bleed.area(),
             .bleeding_wounds = state_->bleed.growing(state_->time),
             .haze = state_->smoke.haze(state_->time)};
+}
+
+TissueSample Effects::tissue(const glm::dvec3& position) const noexcept {
+    return state_->tissue.sample(position);
 }
 
 std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept {

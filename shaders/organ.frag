@@ -4,6 +4,7 @@
 #include "view.glsl"
 #include "color.glsl"
 #include "bleeding.glsl"
+#include "overlay.glsl"
 
 layout(location = 0) in vec3 v_position;
 layout(location = 1) in vec3 v_rest;
@@ -13,6 +14,7 @@ layout(location = 4) in vec2 v_uv;
 layout(location = 5) in vec4 v_color;
 layout(location = 6) in vec2 v_blood;
 layout(location = 7) in vec2 v_marks;
+layout(location = 8) in vec2 v_density;
 
 layout(binding = 0) uniform sampler2D u_base_color;  // sRGB texture: sampled linear
 layout(binding = 1) uniform sampler2D u_normal_map;
@@ -129,5 +131,6 @@ void main() {
         add_char(tissue);
         add_blood(tissue, geometric);
     }
-    o_color = vec4(shade(tissue, geometric), 1.0);
+    vec2 density = texture(u_density, v_uv).rg * v_density;
+    o_color = vec4(lapfx_overlay(shade(tissue, geometric), density, v_blood.x), 1.0);
 }

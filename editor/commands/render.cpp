@@ -13,7 +13,7 @@ namespace lapfx::commands {
 namespace {
 
 struct Options {
-    std::string scene, preset, output, size = "1280x1024", backend = "auto";
+    std::string scene, preset, output, size = "1280x1024", backend = "auto", overlay = "none";
     std::vector<std::string> settings;
     double fps = 25.0, from = 0.0, to = -1.0, at = -1.0;
     bool has_at = false, has_span = false;
@@ -32,6 +32,14 @@ glm::ivec2 parse_size(const std::string& text) {
     if (size.x < 1 || size.y < 1 || size.x > 16384 || size.y > 16384)
         throw usage("--size", "\"" + text + "\" is outside 1x1 to 16384x16384");
     return size;
+}
+
+Overlay parse_overlay(const std::string& text) {
+    constexpr std::pair<const char*, Overlay> names[] = {
+        {"none", Overlay::none}, {"vessels", Overlay::vessels}, {"fat", Overlay::fat}, {"bleed", Overlay::bleed}};
+    for (const auto& [name, overlay] : names)
+        if (text == name) return overlay;
+    throw usage("--overlay", "\"" + text + "\" is none of vessels, fat, bleed, none");
 }
 
 /// Number `index` of a sequence named like out_%04d.png.
@@ -106,6 +114,7 @@ void render_frames(Preview& preview, const Options& o, const std::vector<double>
 void run(Options o) {
     const glm::ivec2 size = parse_size(o.size);
     const Backend backend = parse_backend(o.backend);
+    const Overlay overlay = parse_overlay(o.overlay);
     // A single picture without --at is that of the start.
     if (!o.has_at && !o.has_span && o.output.ends_with(".png") && o.output.find('%') == std::string::npos) {
         o.has_at = true;
@@ -117,7 +126,7 @@ void run(Options o) {
     const Preset preset = preset_for(scene, o.preset, o.settings);
     const std::vector<double> times = frame_times(o, scene);
     const Context context = Context::create(backend);
-    Preview preview(scene, preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
+    Preview preview(scene, preset, {.clip_folders = clip_folders(), .wait_for_clips = true, .overlay = overlay});
     print_warnings(preview, scene, o);
     render_frames(preview, o, times, size);
 }
@@ -152,6 +161,11 @@ void add_render(CLI::App& app) {
         verb->add_option("--at", o->at, "One picture at this time, s")->check(finite)->check(CLI::Range(0.0, 86400.0));
     at->excludes(from)->excludes(to);
     verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
+    verb->add_option(
+            "--overlay", o->overlay,
+            "False colour over the tissue: vessels or fat (their density), bleed (isolines of the bleed value, "
+            "every 2 mm)")
+        ->capture_default_str();
     verb->add_option("-o,--output", o->output, "out.png, out_%04d.png, or a video: out.mp4, .mov, .mkv, .avi")
         ->required();
     verb->footer("Example: lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png");

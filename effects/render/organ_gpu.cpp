@@ -47,6 +47,7 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
                             2);  // an instrument's marks stay 0: so does its blood
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
+    vertex_array_.attribute(8, marks_, 2);  // until there are densities
     vertex_array_.indices(indices_);
     upload_textures(organ);
 }
@@ -64,8 +65,10 @@ void OrganGpu::upload_textures(const Organ& organ) {
         return known[i];
     };
     for (const lapfx::Material& m : organ.materials)
-        materials_.push_back({.base_color = texture(m.base_color_image, color, GL_SRGB8_ALPHA8, white_),
+        materials_.push_back({.image = m.base_color_image,
+                              .base_color = texture(m.base_color_image, color, GL_SRGB8_ALPHA8, white_),
                               .normal_map = texture(m.normal_image, normal, GL_RGBA8, flat_),
+                              .density = white_.name(),
                               .factor = m.base_color,
                               .roughness = m.roughness,
                               .normal_scale = m.normal_scale,
@@ -74,6 +77,33 @@ void OrganGpu::upload_textures(const Organ& organ) {
 
 void OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
     for (const VertexRun& run : changed) marks_.update(values, run.begin, run.end);
+}
+
+void OrganGpu::set_density(const bleeding::TissueDensity& tissue) {
+    if (density_version_ == tissue.version()) return;
+    density_version_ = tissue.version();
+    if (vertex_density_.name() == 0) {
+        vertex_density_ = buffer_of(tissue.vertex_values());
+        vertex_array_.attribute(8, vertex_density_, 2);
+    } else {
+        vertex_density_.update(std::span<const glm::vec2>(tissue.vertex_values()), 0, tissue.vertex_values().size());
+    }
+    std::vector<bool> sent(tissue.images(), false);
+    densities_.resize(tissue.images());
+    for (Material& material : materials_) {
+        const bleeding::DensityMap* map = tissue.map(material.image);
+        if (map == nullptr) continue;
+        const auto image = static_cast<std::size_t>(material.image);
+        gl::Texture& texture = densities_[image];
+        if (texture.name() == 0)
+            texture = gl::Texture(
+                {.size = map->size(), .format = GL_RG8, .levels = gl::level_count(map->size()), .wrap = GL_REPEAT});
+        material.density = texture.name();
+        if (sent[image]) continue;
+        sent[image] = true;
+        texture.upload(GL_RG, map->values().data());
+        texture.generate_mipmaps();
+    }
 }
 
 void OrganGpu::draw(const glm::mat4& model) const noexcept {
@@ -85,6 +115,7 @@ void OrganGpu::draw(const glm::mat4& model) const noexcept {
     if (!tissue_) glBindBufferBase(GL_UNIFORM_BUFFER, 1, no_blood_.name());
     program_.set("u_model", model);
     program_.set("u_tissue", tissue_ ? 1 : 0);
+    program_.set("u_overlay", static_cast<int>(overlay_));
     program_.use();
     for (const Part& part : parts_) draw_part(part);
 }
@@ -96,6 +127,7 @@ void OrganGpu::draw_part(const Part& part) const noexcept {
     cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     glBindTextureUnit(0, material.base_color);
     glBindTextureUnit(1, material.normal_map);
+    glBindTextureUnit(2, material.density);
     program_.set("u_base_factor", material.factor);
     program_.set("u_roughness", material.roughness);
     program_.set("u_normal_scale", material.normal_scale);

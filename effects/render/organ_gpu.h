@@ -3,9 +3,11 @@
 
 #include <vector>
 
+#include "bleeding/tissue_density_cpu.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "lapfx/organ.h"
+#include "lapfx/view.h"
 #include "organ/changed_vertices.h"
 
 namespace lapfx::render {
@@ -18,12 +20,16 @@ class OrganGpu {
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed.
     void send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
+    /// Sends what the overlays of vessels and fat show, unless it has been sent.
+    void set_density(const bleeding::TissueDensity& tissue);
+    void set_overlay(Overlay overlay) { overlay_ = overlay; }
     /// `model`: organ space to scene space, rigid.
     void draw(const glm::mat4& model) const noexcept;
 
   private:
     struct Material {
-        GLuint base_color, normal_map;  ///< textures' names, which a move of this object leaves as they are
+        int image;                               ///< of the base colour, or -1
+        GLuint base_color, normal_map, density;  ///< textures' names, which a move of this object leaves as they are
         glm::vec4 factor;
         float roughness, normal_scale;
         bool double_sided;
@@ -37,6 +43,10 @@ class OrganGpu {
     gl::Buffer marks_;
     gl::Buffer indices_;
     std::vector<gl::Texture> textures_;
+    std::vector<gl::Texture> densities_;  // per image, made when an overlay first needs them
+    gl::Buffer vertex_density_;
+    int density_version_ = 0;
+    Overlay overlay_ = Overlay::none;
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
     std::vector<Part> parts_;
