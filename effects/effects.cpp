@@ -43,6 +43,7 @@ struct Effects::State {
     render::ViewBlock view_block;
     smoke::Smoke smoke;
     Overlay overlay = Overlay::none;
+    int shown_tissue = 0;  // the version that was sent
 
     /// The wounds of the contacts, as strong as the tissue there lets them be; where vessels are too few there is none.
     std::vector<Wound> wounds() const {
@@ -52,9 +53,16 @@ struct Effects::State {
         return found;
     }
 
+    /// Densities are sent only while they are looked at, and once.
     void show_overlay() {
-        if (overlay == Overlay::vessels || overlay == Overlay::fat) organ_gpu.set_density(tissue);
         organ_gpu.set_overlay(overlay);
+        if ((overlay != Overlay::vessels && overlay != Overlay::fat) || shown_tissue == tissue.version()) return;
+        shown_tissue = tissue.version();
+        std::vector<render::DensityPicture> pictures(tissue.images());
+        for (std::size_t i = 0; i < pictures.size(); ++i)
+            if (const bleeding::DensityMap* map = tissue.map(static_cast<int>(i)))
+                pictures[i] = {.size = map->size(), .values = map->values()};
+        organ_gpu.send_density(pictures, tissue.vertex_values());
     }
 
     void refresh() {

@@ -118,13 +118,16 @@ void DensityMap::set(const VesselParameters& p) {
 
 glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values_.empty()) return glm::vec2(0.0f);
-    const glm::vec2 at = (uv - glm::floor(uv)) * glm::vec2(size_) - 0.5f;
+    const glm::vec2 inside = layout_.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);
+    const glm::vec2 at = inside * glm::vec2(size_) - 0.5f;
     const glm::vec2 low = glm::floor(at), part = at - low;
+    const auto within = [&](float place, int step, int count) {
+        const int index = static_cast<int>(place) + step;
+        return static_cast<std::size_t>(layout_.repeats ? (index + count) % count : std::clamp(index, 0, count - 1));
+    };
     const auto texel = [&](int x, int y) {
-        const int column = (static_cast<int>(low.x) + x + size_.x) % size_.x;
-        const int row = (static_cast<int>(low.y) + y + size_.y) % size_.y;
-        return glm::vec2(values_[static_cast<std::size_t>(row) * static_cast<std::size_t>(size_.x) +
-                                 static_cast<std::size_t>(column)]);
+        return glm::vec2(
+            values_[within(low.y, y, size_.y) * static_cast<std::size_t>(size_.x) + within(low.x, x, size_.x)]);
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x), glm::mix(texel(0, 1), texel(1, 1), part.x), part.y) /
            255.0f;

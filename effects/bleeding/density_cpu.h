@@ -35,7 +35,7 @@ class DensityMap {
     glm::ivec2 size() const { return size_; }
     std::span<const Density> values() const { return values_; }  ///< rows from the top; the size of the image
     const TextureLayout& layout() const { return layout_; }
-    /// Vessels and fat, 0..1, bilinear and repeating as textures are. NaN: 0.
+    /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN: 0.
     glm::vec2 sample(glm::vec2 uv) const noexcept;
 
   private:

@@ -174,9 +174,11 @@ TissueDensity::Place TissueDensity::mean(const glm::dvec3& position) const noexc
     glm::dvec2 sum(0.0);
     int count = 0;
     for (const glm::dvec2& p : pattern) {
-        const SurfacePoint place = surface_.closest_point(middle.position + radius * (p.x * a + p.y * b));
-        // Beyond an open edge there is no tissue; a dome sinks less than this below its tangent plane.
-        if (place.distance > 0.5 * radius) continue;
+        const glm::dvec3 over = middle.position + radius * (p.x * a + p.y * b);
+        const SurfacePoint place = surface_.closest_point(over);
+        // The surface may lie below its tangent plane, but not aside: beyond an open edge there is no tissue.
+        const glm::dvec3 off = place.position - over;
+        if (glm::length(glm::dvec2(glm::dot(off, a), glm::dot(off, b))) > 0.1 * radius) continue;
         const Place here = at(place.triangle, place.weights);
         if (!here.known) continue;
         sum += glm::dvec2(here.density);

@@ -79,31 +79,26 @@ void OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const Ver
     for (const VertexRun& run : changed) marks_.update(values, run.begin, run.end);
 }
 
-void OrganGpu::set_density(const bleeding::TissueDensity& tissue) {
-    if (density_version_ == tissue.version()) return;
-    density_version_ = tissue.version();
+void OrganGpu::send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices) {
     if (vertex_density_.name() == 0) {
-        vertex_density_ = buffer_of(tissue.vertex_values());
+        vertex_density_ = gl::Buffer(vertices);
         vertex_array_.attribute(8, vertex_density_, 2);
     } else {
-        vertex_density_.update(std::span<const glm::vec2>(tissue.vertex_values()), 0, tissue.vertex_values().size());
+        vertex_density_.update(vertices, 0, vertices.size());
     }
-    std::vector<bool> sent(tissue.images(), false);
-    densities_.resize(tissue.images());
-    for (Material& material : materials_) {
-        const bleeding::DensityMap* map = tissue.map(material.image);
-        if (map == nullptr) continue;
-        const auto image = static_cast<std::size_t>(material.image);
-        gl::Texture& texture = densities_[image];
-        if (texture.name() == 0)
-            texture = gl::Texture(
-                {.size = map->size(), .format = GL_RG8, .levels = gl::level_count(map->size()), .wrap = GL_REPEAT});
-        material.density = texture.name();
-        if (sent[image]) continue;
-        sent[image] = true;
-        texture.upload(GL_RG, map->values().data());
-        texture.generate_mipmaps();
+    densities_.resize(images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const DensityPicture& picture = images[i];
+        if (picture.values.empty()) continue;
+        if (densities_[i].name() == 0)
+            densities_[i] = gl::Texture(
+                {.size = picture.size, .format = GL_RG8, .levels = gl::level_count(picture.size), .wrap = GL_REPEAT});
+        densities_[i].upload(GL_RG, picture.values.data());
+        densities_[i].generate_mipmaps();
     }
+    for (Material& material : materials_)
+        if (material.image >= 0 && densities_[static_cast<std::size_t>(material.image)].name() != 0)
+            material.density = densities_[static_cast<std::size_t>(material.image)].name();
 }
 
 void OrganGpu::draw(const glm::mat4& model) const noexcept {

@@ -3,7 +3,6 @@
 
 #include <vector>
 
-#include "bleeding/tissue_density_cpu.h"
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "lapfx/organ.h"
@@ -11,6 +10,12 @@
 #include "organ/changed_vertices.h"
 
 namespace lapfx::render {
+
+/// Density of vessels and fat over a base-colour image, as a texture shows it; empty: the image tells nothing.
+struct DensityPicture {
+    glm::ivec2 size{0};
+    std::span<const glm::u8vec2> values;  ///< rows from the top
+};
 
 class OrganGpu {
   public:
@@ -20,8 +25,8 @@ class OrganGpu {
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed.
     void send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
-    /// Sends what the overlays of vessels and fat show, unless it has been sent.
-    void set_density(const bleeding::TissueDensity& tissue);
+    /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
+    void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
     /// `model`: organ space to scene space, rigid.
     void draw(const glm::mat4& model) const noexcept;
@@ -45,7 +50,6 @@ class OrganGpu {
     std::vector<gl::Texture> textures_;
     std::vector<gl::Texture> densities_;  // per image, made when an overlay first needs them
     gl::Buffer vertex_density_;
-    int density_version_ = 0;
     Overlay overlay_ = Overlay::none;
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
