@@ -35,6 +35,7 @@ struct Preview::State {
           effects(organ, preset, effects_options(wanted, options)),
           tool(load_tool(wanted)) {
         effects.set_contacts(scene.events);
+        effects.set_overlay(options.overlay);
     }
 
     Scene scene;
@@ -97,6 +98,9 @@ Image Preview::image(double time, glm::ivec2 size) {
 void Preview::set_preset(const Preset& preset) {
     state_->effects.set_preset(preset);
 }
+void Preview::set_overlay(Overlay overlay) {
+    state_->effects.set_overlay(overlay);
+}
 void Preview::set_camera(const SceneCamera& camera) {
     state_->scene.camera = camera;
 }
@@ -112,6 +116,9 @@ const Organ& Preview::organ() const {
 }
 Amounts Preview::amounts() const {
     return state_->effects.amounts();
+}
+TissueSample Preview::tissue(const glm::dvec3& position) const {
+    return state_->effects.tissue(position);
 }
 
 std::optional<OrganHit> Preview::pick(glm::dvec2 pixel, glm::ivec2 size) const {

@@ -4,5 +4,5 @@
 
 void main() {
     vec3 geometric = facing_normal();
-    o_color = vec4(shade(bare_tissue(geometric), geometric), 1.0);
+    o_color = vec4(overlaid(shade(bare_tissue(geometric), geometric)), 1.0);
 }

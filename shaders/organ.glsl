@@ -10,6 +10,7 @@ layout(location = 4) in vec4 a_color;     // linear
 layout(location = 5) in vec2 a_blood;     // bleed value, mm; how far the blood has clotted, 0..1
 layout(location = 6) in vec2 a_marks;     // char, 0..1; how far the tissue is divided, 0..1
 layout(location = 7) in vec3 a_rest;      // mm, rest shape: noise and textures stay on the tissue when it moves
+layout(location = 8) in vec2 a_density;   // vessels and fat, 0..1, which the density texture multiplies; for the overlay
 
 uniform mat4 u_model;  // organ space to scene space; rigid
 
@@ -21,6 +22,7 @@ layout(location = 4) out vec2 v_uv;
 layout(location = 5) out vec4 v_color;
 layout(location = 6) out vec2 v_blood;
 layout(location = 7) out vec2 v_marks;
+layout(location = 8) out vec2 v_density;
 
 // Both programs must put a vertex at the same place to the last bit: see OrganGpu::draw.
 invariant gl_Position;
@@ -35,5 +37,6 @@ void pass_vertex() {
     v_color = a_color;
     v_blood = a_blood;
     v_marks = a_marks;
+    v_density = a_density;
     gl_Position = u_projection * (u_view * position);
 }

@@ -3,6 +3,7 @@
 #include "view.glsl"
 #include "color.glsl"
 #include "noise.glsl"
+#include "overlay.glsl"
 
 layout(location = 0) in vec3 v_position;
 layout(location = 1) in vec3 v_rest;
@@ -12,6 +13,7 @@ layout(location = 4) in vec2 v_uv;
 layout(location = 5) in vec4 v_color;
 layout(location = 6) in vec2 v_blood;
 layout(location = 7) in vec2 v_marks;
+layout(location = 8) in vec2 v_density;
 
 layout(binding = 0) uniform sampler2D u_base_color;  // sRGB texture: sampled linear
 layout(binding = 1) uniform sampler2D u_normal_map;
@@ -92,4 +94,8 @@ vec3 shade(Tissue tissue, vec3 geometric) {
     float sheen = specular(tissue.normal, view, light, min(tissue.roughness + 0.32, 0.9));
     // A white surface returns `lamp`, so the lamp's irradiance is pi times that.
     return color + lamp * tissue.wetness * (3.14159265 * film + tissue.sheen * sheen);
+}
+
+vec3 overlaid(vec3 shaded) {
+    return u_overlay == 0 ? shaded : lapfx_overlay(shaded, texture(u_density, v_uv).rg * v_density, v_blood.x);
 }

@@ -75,5 +75,5 @@ void main() {
     add_cut(tissue, geometric, fine);
     add_char(tissue, geometric, coarse, fine);
     add_blood(tissue, geometric);
-    o_color = vec4(shade(tissue, geometric), 1.0);
+    o_color = vec4(overlaid(shade(tissue, geometric)), 1.0);
 }

@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "commands/inspect.h"
-#include "lapfx/organ.h"
+#include "lapfx/tissue.h"
 
 namespace lapfx::commands {
 
@@ -46,6 +46,20 @@ void print_materials(const Organ& organ) {
         row("", image.name + ": " + std::to_string(image.width) + "x" + std::to_string(image.height));
 }
 
+/// What the colours tell of the tissue, with default parameters.
+void print_tissue(const Organ& organ) {
+    const TissueReport tissue = report_tissue(organ);
+    if (tissue.known == 0.0) {
+        row("warning", "of one colour: density of vessels and fat is not known, and every cut bleeds alike");
+        return;
+    }
+    row("tissue", text_of("%.1f", 100.0 * tissue.vessels) + " % vessels, " + text_of("%.1f", 100.0 * tissue.fat) +
+                      " % fat by colour" +
+                      (tissue.known < 0.9995 ? " of the " + text_of("%.1f", 100.0 * tissue.known) + " % that have one"
+                                             : std::string()));
+    if (tissue.texels_per_mm > 0.0) row("texels per mm", text_of("%.2f", tissue.texels_per_mm));
+}
+
 }  // namespace
 
 void inspect_organ(const std::filesystem::path& file) {
@@ -64,6 +78,7 @@ void inspect_organ(const std::filesystem::path& file) {
     row("vertex colours", organ.has_colors ? "from the file" : "none");
     print_parts(organ);
     print_materials(organ);
+    print_tissue(organ);
     for (const std::string& warning : report.warnings) row("warning", warning);
 }
 

@@ -47,6 +47,7 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
                             2);  // an instrument's marks stay 0: so does its blood
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
+    vertex_array_.attribute(8, marks_, 2);  // until there are densities
     vertex_array_.indices(indices_);
     upload_textures(organ);
 }
@@ -64,8 +65,10 @@ void OrganGpu::upload_textures(const Organ& organ) {
         return known[i];
     };
     for (const lapfx::Material& m : organ.materials)
-        materials_.push_back({.base_color = texture(m.base_color_image, color, GL_SRGB8_ALPHA8, white_),
+        materials_.push_back({.image = m.base_color_image,
+                              .base_color = texture(m.base_color_image, color, GL_SRGB8_ALPHA8, white_),
                               .normal_map = texture(m.normal_image, normal, GL_RGBA8, flat_),
+                              .density = white_.name(),
                               .factor = m.base_color,
                               .roughness = m.roughness,
                               .normal_scale = m.normal_scale,
@@ -88,6 +91,28 @@ void OrganGpu::set_shape(std::span<const glm::vec3> positions, std::span<const g
     vertices_[1].update(normals, 0, normals.size());
 }
 
+void OrganGpu::send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices) {
+    if (vertex_density_.name() == 0) {
+        vertex_density_ = gl::Buffer(vertices);
+        vertex_array_.attribute(8, vertex_density_, 2);
+    } else {
+        vertex_density_.update(vertices, 0, vertices.size());
+    }
+    densities_.resize(images.size());
+    for (std::size_t i = 0; i < images.size(); ++i) {
+        const DensityPicture& picture = images[i];
+        if (picture.values.empty()) continue;
+        if (densities_[i].name() == 0)
+            densities_[i] = gl::Texture(
+                {.size = picture.size, .format = GL_RG8, .levels = gl::level_count(picture.size), .wrap = GL_REPEAT});
+        densities_[i].upload(GL_RG, picture.values.data());
+        densities_[i].generate_mipmaps();
+    }
+    for (Material& material : materials_)
+        if (material.image >= 0 && densities_[static_cast<std::size_t>(material.image)].name() != 0)
+            material.density = densities_[static_cast<std::size_t>(material.image)].name();
+}
+
 void OrganGpu::draw(const glm::mat4& model) const noexcept {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
@@ -101,6 +126,7 @@ void OrganGpu::draw(const glm::mat4& model) const noexcept {
         if (program->name() == 0) continue;
         program->set("u_model", model);
         program->set("u_tissue", tissue_ ? 1 : 0);
+        program->set("u_overlay", static_cast<int>(overlay_));
         program->use();
         draw_parts(*program);
     }
@@ -117,6 +143,7 @@ void OrganGpu::draw_part(const gl::Program& program, const Part& part) const noe
     cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     glBindTextureUnit(0, material.base_color);
     glBindTextureUnit(1, material.normal_map);
+    glBindTextureUnit(2, material.density);
     program.set("u_base_factor", material.factor);
     program.set("u_roughness", material.roughness);
     program.set("u_normal_scale", material.normal_scale);

@@ -6,9 +6,16 @@
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "lapfx/organ.h"
+#include "lapfx/view.h"
 #include "organ/changed_vertices.h"
 
 namespace lapfx::render {
+
+/// Density of vessels and fat over a base-colour image, as a texture shows it; empty: the image tells nothing.
+struct DensityPicture {
+    glm::ivec2 size{0};
+    std::span<const glm::u8vec2> values;  ///< rows from the top
+};
 
 class OrganGpu {
   public:
@@ -21,12 +28,16 @@ class OrganGpu {
     std::size_t send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
     /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
+    /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
+    void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
+    void set_overlay(Overlay overlay) { overlay_ = overlay; }
     /// `model`: organ space to scene space, rigid.
     void draw(const glm::mat4& model) const noexcept;
 
   private:
     struct Material {
-        GLuint base_color, normal_map;  ///< textures' names, which a move of this object leaves as they are
+        int image;                               ///< of the base colour, or -1
+        GLuint base_color, normal_map, density;  ///< textures' names, which a move of this object leaves as they are
         glm::vec4 factor;
         float roughness, normal_scale;
         bool double_sided;
@@ -43,6 +54,9 @@ class OrganGpu {
     gl::Buffer rest_;  // positions at rest, once the organ has moved
     gl::Buffer indices_;
     std::vector<gl::Texture> textures_;
+    std::vector<gl::Texture> densities_;  // per image, made when an overlay first needs them
+    gl::Buffer vertex_density_;
+    Overlay overlay_ = Overlay::none;
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
     std::vector<Part> parts_;

@@ -19,9 +19,9 @@
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
 // Constructor and set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady
-// state and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-1,
+// state and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-2,
 // uniform bindings 0-2). They expect GL's initial front face, colour mask, stencil, polygon mode and clip control, and
-// no sampler objects on units 0 and 1. Output is linear light: draw into a float or an sRGB framebuffer with
+// no sampler objects on units 0 to 2. Output is linear light: draw into a float or an sRGB framebuffer with
 // GL_FRAMEBUFFER_SRGB.
 #pragma once
 
@@ -37,6 +37,7 @@
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
+#include "lapfx/tissue.h"
 #include "lapfx/tool.h"
 #include "lapfx/view.h"
 #include "lapfx/wound.h"
@@ -94,6 +95,9 @@ class Effects {
     void set_topology(const Organ& organ, std::span<const std::uint32_t> origin);
     static constexpr std::uint32_t new_vertex = 0xffffffff;
 
+    /// Draws false colour over the tissue from the next frame on; Overlay::none at first. Uploads what it needs.
+    void set_overlay(Overlay overlay);
+
     void seek(double time) noexcept;
     void draw_organ(const View& view) noexcept;
     /// `scene_depth`: a depth texture of the frame, the size of the viewport, not attached to the bound
@@ -113,6 +117,9 @@ class Effects {
     std::span<const WoundStatus> wounds() const noexcept;
     /// Bytes that the last seek sent to the GPU.
     std::size_t uploaded() const noexcept;
+    /// The tissue around the place of the organ nearest to `position`, mm: means over the preset's region of influence (paper:
+    /// figure 9). Both 0 for NaN or infinite coordinates. About 0.1 ms.
+    TissueSample tissue(const glm::dvec3& position) const noexcept;
     /// Where a ray first meets the organ. `direction` need not be unit.
     std::optional<OrganHit> pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept;
 

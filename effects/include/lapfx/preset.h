@@ -47,7 +47,18 @@ struct BleedingParameters {
 
 /// Where the organ's texture shows vessels (paper: figure 9).
 /// Formulas: effects/bleeding/vessel_parameters.cpp.
-struct VesselParameters {};
+struct VesselParameters {
+    double vessel_low = 0.2;
+    double vessel_high = 0.4;
+    double vessel_width = 1.25;
+    double fat_low = 55.0;
+    double fat_high = 70.0;
+    double smoothing = 0.4;
+    double region = 2.0;
+    double vessel_threshold = 0.0;
+    double vessel_reference = 0.1;
+    double vessel_strength = 0.0;
+};
 
 /// Heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator").
 /// Formulas: effects/cautery/parameters.cpp.

@@ -20,6 +20,7 @@ namespace lapfx {
 struct PreviewOptions {
     std::vector<std::filesystem::path> clip_folders;
     bool wait_for_clips = false;
+    Overlay overlay = Overlay::none;
 };
 
 class Preview {
@@ -36,11 +37,13 @@ class Preview {
     Image image(double time, glm::ivec2 size);
 
     void set_preset(const Preset& preset);
+    void set_overlay(Overlay overlay);
     void set_camera(const SceneCamera& camera);
     void set_contacts(std::span<const ToolContact> contacts);
     const SceneCamera& camera() const;
     const Organ& organ() const;
     Amounts amounts() const;
+    TissueSample tissue(const glm::dvec3& position) const;  ///< as Effects::tissue
 
     /// Where the organ is under a pixel (origin top left) of a frame of `size`.
     std::optional<OrganHit> pick(glm::dvec2 pixel, glm::ivec2 size) const;

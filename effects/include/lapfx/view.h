@@ -14,6 +14,14 @@ struct Lamp {
     glm::dvec3 color{1.0};          ///< sRGB
 };
 
+/// False colour over the tissue, for tuning: what decides, but is not seen.
+enum class Overlay {
+    none,
+    vessels,  ///< density of vessels, blue
+    fat,      ///< density of fat, yellow
+    bleed,    ///< the bleed value: isolines every 2 mm, from blue at 0 to red at 20 mm
+};
+
 /// Where the frame is seen from.
 struct View {
     glm::mat4 view{1.0f};        ///< organ space to camera space, rigid

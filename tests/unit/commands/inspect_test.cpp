@@ -46,22 +46,24 @@ TEST_F(InspectCommand, Mesh) {
     const Result result = run("cube.obj");
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
-    EXPECT_EQ(result.out,
-              "cube.obj: mesh\n"
-              "  vertices            8\n"
-              "  triangles           12\n"
-              "  components          1\n"
-              "  boundary edges      0\n"
-              "  non-manifold edges  0\n"
-              "  size                10.0 x 10.0 x 10.0 mm\n"
-              "  scale               1 mm per unit of the file\n"
-              "  texture coordinates made\n"
-              "  vertex colours      none\n"
-              "  parts               1\n"
-              "                      (unnamed): 12 triangles, material default\n"
-              "  materials           1\n"
-              "                      default: base colour texture none, normal map none, roughness 0.50\n"
-              "  textures            0\n");
+    EXPECT_EQ(
+        result.out,
+        "cube.obj: mesh\n"
+        "  vertices            8\n"
+        "  triangles           12\n"
+        "  components          1\n"
+        "  boundary edges      0\n"
+        "  non-manifold edges  0\n"
+        "  size                10.0 x 10.0 x 10.0 mm\n"
+        "  scale               1 mm per unit of the file\n"
+        "  texture coordinates made\n"
+        "  vertex colours      none\n"
+        "  parts               1\n"
+        "                      (unnamed): 12 triangles, material default\n"
+        "  materials           1\n"
+        "                      default: base colour texture none, normal map none, roughness 0.50\n"
+        "  textures            0\n"
+        "  warning             of one colour: density of vessels and fat is not known, and every cut bleeds alike\n");
 }
 
 TEST_F(InspectCommand, VideoAndImage) {

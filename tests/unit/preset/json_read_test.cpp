@@ -68,7 +68,7 @@ TEST(ReadPreset, NamesEachFault) {
         {R"(, "bleeding": [])", "/bleeding: an array of 0 is not an object"},
         {R"(, "bleeding": null)", "/bleeding: null is not an object"},
         {R"(, "bleading": {})", "/bleading: unknown key; nearest is \"bleeding\""},
-        {R"(, "vessels": {"x": 1})", "/vessels/x: unknown key; none is allowed here"},
+        {R"(, "vessels": {"x": 1})", "/vessels/x: unknown key; nearest is \"region\""},
         {R"(, "a/b~c": 1)", "/a~1b~0c: unknown key; nearest is \"name\""},
         {R"(, "name": 3)", "/name: 3 is not a string of at most 100 characters"},
         {R"(, "name": "two\nlines")", "/name: \"two\\x0alines\" holds a control character or a line break"},

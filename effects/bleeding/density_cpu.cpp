@@ -1,0 +1,136 @@
+#include "bleeding/density_cpu.h"
+
+#include <opencv2/imgproc.hpp>
+
+#include "bleeding/texture_blur_cpu.h"
+#include "bleeding/tissue_color_cpu.h"
+
+namespace lapfx::bleeding {
+
+namespace {
+
+constexpr double redness_step = 1.0 / 4096;  // finer than an 8-bit texel can tell; +-8 fits
+
+double linear_of(double srgb) {
+    return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
+}
+double srgb_of(double linear) {
+    return linear <= 0.0031308 ? linear * 12.92 : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+/// 8-bit sRGB of a channel after it has been multiplied, in linear light.
+cv::Mat multiplied(const glm::vec3& factor) {
+    cv::Mat table(1, 256, CV_8UC3);
+    for (int i = 0; i < 256; ++i)
+        for (int c = 0; c < 3; ++c) {
+            const double by = std::isfinite(factor[c]) ? glm::clamp(double(factor[c]), 0.0, 1.0) : 1.0;
+            table.at<cv::Vec3b>(0, i)[c] =
+                static_cast<std::uint8_t>(std::lround(255.0 * srgb_of(linear_of(i / 255.0) * by)));
+        }
+    return table;
+}
+
+glm::vec3 factor_of(const Organ& organ, int image) {
+    for (const Material& material : organ.materials)
+        if (material.base_color_image == image) return glm::vec3(material.base_color);
+    return glm::vec3(1.0f);
+}
+
+/// A function of a* and b* for every value that they have in 8 bits.
+template <class F>
+std::vector<float> chroma_table(const F& f) {
+    std::vector<float> table(65536);
+    for (int a = 0; a < 256; ++a)
+        for (int b = 0; b < 256; ++b)
+            table[static_cast<std::size_t>(a * 256 + b)] = static_cast<float>(f(a - 128, b - 128));
+    return table;
+}
+
+}  // namespace
+
+DensityMap::DensityMap(const Organ& organ, int image) {
+    const Image& pixels = organ.images[static_cast<std::size_t>(image)];
+    size_ = {pixels.width, pixels.height};
+    values_.assign(pixels.pixels.size() / 4, Density(0));
+    if (pixels.pixels.empty()) return;
+    layout_ = layout_of(organ, image);
+    convert(pixels, factor_of(organ, image));
+}
+
+void DensityMap::convert(const Image& image, const glm::vec3& factor) {
+    const cv::Mat pixels(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
+    cv::Mat rgb, lab;
+    cv::cvtColor(pixels, rgb, cv::COLOR_RGBA2RGB);
+    cv::LUT(rgb, multiplied(factor), rgb);
+    cv::cvtColor(rgb, lab, cv::COLOR_RGB2Lab);
+    redness_.resize(values_.size());
+    chroma_.resize(values_.size());
+    std::array<std::int16_t, 256> red, green;
+    for (std::size_t i = 0; i < 256; ++i) {
+        const double light = linear_of(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // whose log is 0
+        red[i] = static_cast<std::int16_t>(std::lround(redness(light, one) / redness_step));
+        green[i] = static_cast<std::int16_t>(std::lround(redness(one, light) / redness_step));
+    }
+    const cv::Vec3b first = rgb.at<cv::Vec3b>(0, 0);
+    std::size_t i = 0;
+    for (int y = 0; y < size_.y; ++y) {
+        const cv::Vec3b *colors = rgb.ptr<cv::Vec3b>(y), *found = lab.ptr<cv::Vec3b>(y);
+        for (int x = 0; x < size_.x; ++x, ++i) {
+            redness_[i] = static_cast<std::int16_t>(red[colors[x][0]] + green[colors[x][1]]);
+            chroma_[i] = {found[x][1], found[x][2]};
+            tells_ |= colors[x] != first;
+        }
+    }
+}
+
+void DensityMap::set(const VesselParameters& p) {
+    if (!tells_) return;
+    const auto texels = [&](double mm) { return mm * layout_.texels_per_mm; };
+    const cv::Size size(size_.x, size_.y);
+    cv::Mat weights, red;
+    cv::Mat(size, CV_8U, layout_.used.data()).convertTo(weights, CV_32F, 1.0 / 255);
+    cv::Mat(size, CV_16S, redness_.data()).convertTo(red, CV_32F, redness_step);
+    cv::Mat near = TextureBlur(weights, texels(near_share * p.vessel_width), layout_.repeats)(red);
+    const cv::Mat around = TextureBlur(weights, texels(around_share * p.vessel_width), layout_.repeats)(red);
+
+    const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
+    const auto fatty = chroma_table([&](double a, double b) { return fattiness(a, b, p.fat_low, p.fat_high); });
+    cv::Mat& vessels = near;
+    cv::Mat& fat = red;
+    const auto low = static_cast<float>(p.vessel_low);
+    const auto scale = static_cast<float>(1.0 / std::max(p.vessel_high - p.vessel_low, 1e-6));
+    std::size_t i = 0;
+    for (int y = 0; y < size.height; ++y) {
+        float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
+        const float* far = around.ptr<float>(y);
+        for (int x = 0; x < size.width; ++x, ++i) {
+            const auto color = static_cast<std::size_t>(chroma_[i].x * 256 + chroma_[i].y);
+            vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
+            fatness[x] = fatty[color];
+        }
+    }
+    const TextureBlur smooth(weights, texels(p.smoothing), layout_.repeats);
+    const cv::Mat planes[] = {smooth(vessels), smooth(fat)};
+    cv::Mat merged, both(size, CV_8UC2, values_.data());
+    cv::merge(planes, 2, merged);
+    merged.convertTo(both, CV_8U, 255.0);
+}
+
+glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
+    if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values_.empty()) return glm::vec2(0.0f);
+    const glm::vec2 inside = layout_.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);
+    const glm::vec2 at = inside * glm::vec2(size_) - 0.5f;
+    const glm::vec2 low = glm::floor(at), part = at - low;
+    const auto within = [&](float place, int step, int count) {
+        const int index = static_cast<int>(place) + step;
+        return static_cast<std::size_t>(layout_.repeats ? (index + count) % count : std::clamp(index, 0, count - 1));
+    };
+    const auto texel = [&](int x, int y) {
+        return glm::vec2(
+            values_[within(low.y, y, size_.y) * static_cast<std::size_t>(size_.x) + within(low.x, x, size_.x)]);
+    };
+    return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x), glm::mix(texel(0, 1), texel(1, 1), part.x), part.y) /
+           255.0f;
+}
+
+}  // namespace lapfx::bleeding

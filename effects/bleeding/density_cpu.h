@@ -1,0 +1,52 @@
+// Where a texture shows vessels and fat: a band pass on the converted image, then a Gaussian (paper: figure 9). Formulas and
+// the choice of channel: vessel_parameters.cpp.
+//
+//     DensityMap map(organ, organ.materials[0].base_color_image);
+//     map.set(preset.vessels);
+//     const glm::vec2 here = map.sample(uv);   // vessels, fat
+//
+// One thread at a time for set(); sample() from any thread in between.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "bleeding/texture_layout_cpu.h"
+#include "lapfx/preset.h"
+
+namespace lapfx::bleeding {
+
+/// Vessel and fat density, 0..255 for 0..1.
+using Density = glm::u8vec2;
+
+class DensityMap {
+  public:
+    /// Converts the image: all that does not depend on parameters. What the image multiplies (base_color of the first
+    /// material that shows it) is part of the colour.
+    DensityMap(const Organ& organ, int image);
+
+    /// False when the image is of one colour, so that nothing stands out; the map is then 0 without further work.
+    bool tells() const { return tells_; }
+    /// Makes the map. Lengths that the texture cannot resolve are taken as one texel, and those beyond it as all of it.
+    void set(const VesselParameters& parameters);
+
+    glm::ivec2 size() const { return size_; }
+    std::span<const Density> values() const { return values_; }  ///< rows from the top; the size of the image
+    const TextureLayout& layout() const { return layout_; }
+    /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN: 0.
+    glm::vec2 sample(glm::vec2 uv) const noexcept;
+
+  private:
+    void convert(const Image& image, const glm::vec3& factor);
+
+    glm::ivec2 size_{0};
+    TextureLayout layout_;
+    bool tells_ = false;
+    std::vector<std::int16_t> redness_;  // in steps of redness_step
+    std::vector<glm::u8vec2> chroma_;    // a* and b* + 128
+    std::vector<Density> values_;
+};
+
+}  // namespace lapfx::bleeding

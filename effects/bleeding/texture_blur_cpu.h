@@ -1,0 +1,34 @@
+// Gaussians over a texture, by standard deviation in texels, however wide. Behind OpenCV.
+#pragma once
+
+#include <glm/glm.hpp>
+#include <opencv2/core.hpp>
+
+namespace lapfx::bleeding {
+
+/// Means of values where weights say that there are some.
+class TextureBlur {
+  public:
+    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels is taken as that. Beyond the edges lies
+    /// nothing, or with `repeats` the other side of the texture.
+    TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, bool repeats);
+
+    /// `values`: CV_32F, finite, the size of the weights. Far from all weight the result is near 0.
+    cv::Mat operator()(const cv::Mat& values) const;
+
+  private:
+    /// One axis: its length made smaller, and the deviation there.
+    struct Axis {
+        int length;
+        double deviation;
+    };
+    static Axis reduced(int length, double deviation);
+    cv::Mat blur(const cv::Mat& values) const;
+
+    cv::Mat weights_;
+    bool repeats_;
+    Axis x_, y_;
+    cv::Mat blurred_;  // the weights, made smaller
+};
+
+}  // namespace lapfx::bleeding

@@ -1,0 +1,21 @@
+// How a base-colour texture lies on the organ: its texels per mm, and which texels are on the surface at all.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <vector>
+
+#include "lapfx/organ.h"
+
+namespace lapfx::bleeding {
+
+struct TextureLayout {
+    glm::dvec2 texels_per_mm{0.0};   ///< along u and v: means over the surface by area; 0 where it cannot be told
+    bool repeats = false;            ///< its left edge meets its right one: texture coordinates leave 0..1
+    std::vector<std::uint8_t> used;  ///< per texel, row by row from the top: 255 on the surface, else 0
+};
+
+/// `image`: index into organ.images. Triangles with NaN, infinite or huge (beyond 1e6) coordinates are left out.
+TextureLayout layout_of(const Organ& organ, int image);
+
+}  // namespace lapfx::bleeding

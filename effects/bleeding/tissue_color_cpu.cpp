@@ -1,0 +1,15 @@
+#include "bleeding/tissue_color_cpu.h"
+
+namespace lapfx::bleeding {
+
+glm::dvec2 lab_chroma(const glm::dvec3& linear) {
+    const glm::dvec3 white(0.950456, 1.0, 1.088754);
+    const glm::dvec3 xyz = glm::dvec3(glm::dot(linear, glm::dvec3(0.412453, 0.357580, 0.180423)),
+                                      glm::dot(linear, glm::dvec3(0.212671, 0.715160, 0.072169)),
+                                      glm::dot(linear, glm::dvec3(0.019334, 0.119193, 0.950227))) /
+                           white;
+    const auto f = [](double t) { return t > 0.008856 ? std::cbrt(t) : 7.787 * t + 16.0 / 116.0; };
+    return {500.0 * (f(xyz.x) - f(xyz.y)), 200.0 * (f(xyz.y) - f(xyz.z))};
+}
+
+}  // namespace lapfx::bleeding

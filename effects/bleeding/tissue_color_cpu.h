@@ -1,0 +1,43 @@
+// What one colour tells of tissue, before its surroundings are looked at. Formulas: vessel_parameters.cpp.
+#pragma once
+
+#include <cmath>
+#include <glm/glm.hpp>
+
+namespace lapfx::bleeding {
+
+/// 0 up to `low`, 1 from `high` on, linear between.
+inline double ramp(double low, double high, double value) {
+    return glm::clamp((value - low) / std::max(high - low, 1e-9), 0.0, 1.0);
+}
+
+/// How much blood the light has crossed: weights log red against log green, so that shade nearly cancels.
+constexpr double red_weight = 0.75;
+/// Keeps the noise of nearly black texels small.
+constexpr double least_light = 0.01;
+
+/// Deviations of the two Gaussians whose difference is local contrast, as shares of `vessel_width`.
+constexpr double near_share = 0.1, around_share = 2.0;
+
+/// `linear`: linear light, 0..1.
+inline double redness(double linear_red, double linear_green) {
+    return red_weight * std::log(linear_red + least_light) - std::log(linear_green + least_light);
+}
+
+/// Whether a colour can be that of a vessel, 0..1, from CIELAB a* and b*: crimson to orange, and no grey.
+inline double bloodiness(double a, double b) {
+    const double hue = std::atan2(b, a) * 57.29577951308232;
+    return ramp(-60.0, -40.0, hue) * (1.0 - ramp(65.0, 80.0, hue)) * ramp(4.0, 10.0, std::hypot(a, b));
+}
+
+/// How fatty a colour is, 0..1, from CIELAB a* and b*: the hue angle in degrees (0 red, 90 yellow) against the band, none
+/// beyond yellow, and only as far as there is a colour.
+inline double fattiness(double a, double b, double low, double high) {
+    const double hue = std::atan2(b, a) * 57.29577951308232;
+    return ramp(low, high, hue) * (1.0 - ramp(100.0, 115.0, hue)) * ramp(6.0, 14.0, std::hypot(a, b));
+}
+
+/// CIELAB a* and b* of linear sRGB (D65; IEC 61966-2-1, CIE 15).
+glm::dvec2 lab_chroma(const glm::dvec3& linear);
+
+}  // namespace lapfx::bleeding

@@ -1,0 +1,69 @@
+// Vessel and fat density anywhere on an organ, from its textures or, where it has none, from its vertex colours.
+//
+//     TissueDensity tissue(organ, surface, preset.vessels);
+//     if (tissue.wound_strength(tip) > 0.0) ...                  // a cut here bleeds
+//
+// Where neither tells anything (one colour all over) vessels are taken as even: density 1, fat 0, strength 1. set() and the
+// constructor on one thread; the rest is const and may run on any.
+#pragma once
+
+#include <memory>
+
+#include "bleeding/density_cpu.h"
+#include "lapfx/tissue.h"
+#include "organ/surface.h"
+
+namespace lapfx::bleeding {
+
+class TissueDensity {
+  public:
+    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ.
+    TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {});
+
+    /// Live: maps are made again only when a parameter that they depend on has changed.
+    void set(const VesselParameters& parameters);
+
+    /// Means over the region of influence: a disc of radius `region` around the nearest place of the surface. NaN: 0.
+    TissueSample sample(const glm::dvec3& position) const noexcept;
+    double vessels(const glm::dvec3& position) const noexcept { return sample(position).vessels; }
+    double fat(const glm::dvec3& position) const noexcept { return sample(position).fat; }
+    /// How strongly a cut here bleeds, times the preset's speed: 0 when the density of vessels is below
+    /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4.
+    double wound_strength(const glm::dvec3& position) const noexcept;
+    TissueReport report() const;
+
+    /// For the overlay: the map of an image, null where the image tells nothing.
+    const DensityMap* map(int image) const;
+    std::size_t images() const { return maps_.size(); }
+    /// For the overlay, per organ vertex: densities where they come from vertex colours; 1 and 0 where nothing is known;
+    /// 1 and 1 where there is a map, which they multiply.
+    const std::vector<glm::vec2>& vertex_values() const { return vertex_values_; }
+    /// Rises whenever the densities have changed.
+    int version() const { return version_; }
+
+  private:
+    static constexpr int by_vertex = -1, unknown = -2;
+    struct Place {
+        glm::vec2 density{0.0f};
+        bool known = false;
+    };
+    void find_sources(const Organ& organ);
+    void take_colors(const Organ& organ);
+    void set_vertices();
+    Place at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept;
+    Place mean(const glm::dvec3& position) const noexcept;
+
+    const Surface& surface_;
+    VesselParameters parameters_;
+    std::vector<std::unique_ptr<DensityMap>> maps_;  // per image; null where it tells nothing
+    std::vector<int> source_;                        // per triangle: a map, by_vertex or unknown
+    std::vector<glm::uvec3> corners_;                // per triangle: organ vertices
+    std::vector<glm::vec2> uvs_;
+    std::vector<glm::vec3> points_;       // per vertex, mm; empty when no triangle is by_vertex
+    std::vector<float> areas_, redness_;  // per vertex; mm2
+    std::vector<glm::vec2> chroma_;       // per vertex: a*, b*
+    std::vector<glm::vec2> vertex_values_;
+    int version_ = 0;
+};
+
+}  // namespace lapfx::bleeding

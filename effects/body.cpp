@@ -1,0 +1,83 @@
+#include "body.h"
+
+#include <cassert>
+
+#include "cautery/heat_cpu.h"
+
+namespace lapfx {
+
+Body::Body(const Organ& organ, glm::dvec3 down, std::uint32_t seed, const VesselParameters& vessels)
+    : surface_(organ),
+      moved_(surface_),
+      positions_(organ.positions),
+      tissue_(organ, surface_, vessels),
+      bleed_(surface_, down),
+      charred_(positions_),
+      bleed_gpu_(organ.positions.size(), seed, down),
+      organ_gpu_(organ, &bleed_gpu_.values()) {}
+
+void Body::set(std::span<const ToolContact> contacts, const Preset& preset) {
+    tissue_.set(preset.vessels);
+    std::vector<Wound> wounds = cautery::wounds_of(contacts, preset.cautery);
+    for (Wound& wound : wounds) wound.strength *= tissue_.wound_strength(wound.position);
+    std::erase_if(wounds, [](const Wound& wound) { return wound.strength == 0.0; });
+    bleed_.set(wounds, preset.bleeding);
+    bleed_.set_clearing(contacts);
+    charred_.set(contacts, preset.cautery);
+    bleed_gpu_.set(preset.bleeding);
+    send_density();
+}
+
+void Body::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
+    assert(positions.size() == vertices() && (normals.empty() || normals.size() == positions.size()));
+    moved_.move(positions);
+    if (normals.empty()) {
+        normals_.resize(positions.size());
+        moved_.normals(normals_);
+        normals = normals_;
+    }
+    organ_gpu_.set_shape(positions, normals);
+}
+
+void Body::set_overlay(Overlay overlay) {
+    overlay_ = overlay;
+    organ_gpu_.set_overlay(overlay);
+    send_density();
+}
+
+/// Densities are sent only while they are looked at, and once.
+void Body::send_density() {
+    if ((overlay_ != Overlay::vessels && overlay_ != Overlay::fat) || sent_density_ == tissue_.version()) return;
+    sent_density_ = tissue_.version();
+    std::vector<render::DensityPicture> pictures(tissue_.images());
+    for (std::size_t i = 0; i < pictures.size(); ++i)
+        if (const bleeding::DensityMap* map = tissue_.map(static_cast<int>(i)))
+            pictures[i] = {.size = map->size(), .values = map->values()};
+    organ_gpu_.send_density(pictures, tissue_.vertex_values());
+}
+
+void Body::inherit(const Body& former, std::span<const std::uint32_t> origin, double time) {
+    std::vector<glm::vec2> kept(surface_.positions.size(), glm::vec2(bleeding::BleedField::dry, 0.0f));
+    const std::span<const glm::vec2> values = former.bleed_.values();
+    for (std::size_t v = 0; v < origin.size(); ++v) {
+        if (origin[v] >= values.size()) continue;
+        glm::vec2& at = kept[surface_.weld[v]];
+        if (values[origin[v]].x > at.x) at = values[origin[v]];
+    }
+    bleed_.keep(std::move(kept), time);
+}
+
+std::size_t Body::seek(double time) noexcept {
+    bleed_.update(time);
+    std::size_t sent = bleed_gpu_.send(bleed_.values(), bleed_.changed().take());
+    const VertexRun whole{0, static_cast<std::uint32_t>(vertices())};
+    if (charred_.update(time)) sent += organ_gpu_.send_marks(charred_.values(), {&whole, 1});
+    return sent;
+}
+
+void Body::draw() const noexcept {
+    bleed_gpu_.bind();
+    organ_gpu_.draw(glm::mat4(1.0f));
+}
+
+}  // namespace lapfx

@@ -1,0 +1,56 @@
+// All of the core that belongs to one mesh: its surface, its blood and burns, and their places on the GPU. Cutting the organ
+// makes another body. Render thread, context current.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "bleeding/bleed_cpu.h"
+#include "bleeding/bleed_gpu.h"
+#include "bleeding/tissue_density_cpu.h"
+#include "cautery/char_cpu.h"
+#include "lapfx/preset.h"
+#include "lapfx/view.h"
+#include "organ/moved_surface.h"
+#include "render/organ_gpu.h"
+
+namespace lapfx {
+
+class Body {
+  public:
+    /// Throws Error (runtime) when a shader does not compile. `down`: unit.
+    Body(const Organ& organ, glm::dvec3 down, std::uint32_t seed, const VesselParameters& vessels);
+
+    void set(std::span<const ToolContact> contacts, const Preset& preset);
+    /// As Effects::set_shape.
+    void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
+    void set_overlay(Overlay overlay);
+    /// Takes over the blood of `former` at the vertices that are still there (Effects::set_topology).
+    void inherit(const Body& former, std::span<const std::uint32_t> origin, double time);
+
+    /// Bytes sent to the GPU.
+    std::size_t seek(double time) noexcept;
+    void draw() const noexcept;
+
+    std::size_t vertices() const { return positions_.size(); }
+    const MovedSurface& moved() const { return moved_; }
+    const bleeding::BleedField& bleed() const { return bleed_; }
+    const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
+    const bleeding::TissueDensity& tissue() const { return tissue_; }
+
+  private:
+    void send_density();
+
+    Surface surface_;
+    MovedSurface moved_;
+    std::vector<glm::vec3> positions_, normals_;
+    bleeding::TissueDensity tissue_;
+    bleeding::BleedField bleed_;
+    cautery::CharField charred_;
+    bleeding::BleedGpu bleed_gpu_;
+    render::OrganGpu organ_gpu_;
+    Overlay overlay_ = Overlay::none;
+    int sent_density_ = -1;  // the version that was sent
+};
+
+}  // namespace lapfx

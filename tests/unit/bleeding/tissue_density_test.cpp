@@ -1,0 +1,240 @@
+#include "bleeding/tissue_density_cpu.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "support/tissue.h"
+
+namespace lapfx::bleeding {
+namespace {
+
+using namespace test;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// A surface and what is known of it.
+struct Known {
+    explicit Known(Organ made, const VesselParameters& parameters = {})
+        : organ(std::move(made)), surface(organ), tissue(organ, surface, parameters) {}
+    Organ organ;
+    Surface surface;
+    TissueDensity tissue;
+};
+
+VesselParameters sharp() {
+    VesselParameters parameters;
+    parameters.smoothing = 0.0;
+    return parameters;
+}
+
+/// Arteries 1.2 mm wide along z, 10 mm apart.
+glm::dvec3 striped(double x, double) {
+    return std::abs(x - 10.0 * std::round(x / 10.0)) < 0.6 ? artery : serosa;
+}
+
+TEST(TissueDensity, TheRegionsMeanOverAHalfPlane) {
+    for (const double region : {0.5, 2.0, 5.0}) {
+        VesselParameters parameters = sharp();
+        parameters.region = region;
+        const Known half(textured_plane(40.0, painted(1000, 1000, 40.0, half_fat)), parameters);
+        for (const double height : {0.0, 3.0, -1.0})  // the tip need not touch
+            EXPECT_NEAR(half.tissue.fat({0.0, height, 1.0}), 0.5, 0.03) << region;
+        EXPECT_NEAR(half.tissue.fat({1.1 * region, 0.0, 0.0}), 1.0, 0.01);
+        EXPECT_NEAR(half.tissue.fat({-1.1 * region, 0.0, 0.0}), 0.0, 0.01);
+        // A chord at half the radius leaves a segment of 1/3 - sqrt(3) / (4 pi) of the disc.
+        EXPECT_NEAR(half.tissue.fat({-0.5 * region, 0.0, 2.0}), 0.1955, 0.03);
+    }
+}
+
+TEST(TissueDensity, BeyondAnOpenEdgeThereIsNoTissue) {
+    VesselParameters parameters = sharp();
+    parameters.region = 4.0;
+    // Fat in a strip along the edge, half as wide as the region.
+    const Known edge(
+        textured_plane(40.0, painted(800, 800, 40.0, [](double x, double) { return x > 18.0 ? fat_tissue : serosa; })),
+        parameters);
+    // Half of the disc lies on the plane; of that, all but the segment beyond half the radius: (0.5 - 0.1955) / 0.5.
+    EXPECT_NEAR(edge.tissue.fat({20.0, 0.0, 0.0}), 0.609, 0.05);
+    EXPECT_GT(edge.tissue.fat({30.0, 0.0, 0.0}), 0.5) << "the nearest place is at the edge";
+}
+
+TEST(TissueDensity, TheRegionFollowsARoundSurface) {
+    VesselParameters p;
+    p.smoothing = 1.0;
+    p.region = 4.0;
+    Organ ball = sphere(8.0, 5);
+    for (std::size_t i = 0; i < ball.positions.size(); ++i) {
+        const glm::dvec3 color = ball.positions[i].x > 0.0f ? fat_tissue : serosa;
+        ball.colors[i] = {linear(color.x), linear(color.y), linear(color.z), 1.0f};
+    }
+    ball.materials[0].base_color = glm::vec4(1.0f);
+    const Known k(ball, p);
+    EXPECT_NEAR(k.tissue.fat({0.0, 8.0, 0.0}), 0.5, 0.05);
+    EXPECT_NEAR(k.tissue.fat({8.0, 0.0, 0.0}), 1.0, 0.01);
+    EXPECT_NEAR(k.tissue.fat({-9.0, 0.0, 0.0}), 0.0, 0.01);
+}
+
+TEST(TissueDensity, ThresholdAndStrengthDecideHowACutBleeds) {
+    Known k(textured_plane(40.0, painted(800, 800, 40.0, striped)));
+    VesselParameters p;
+    const glm::dvec3 on{0.0, 0.0, 3.0}, off{5.0, 0.0, 3.0};
+    EXPECT_EQ(k.tissue.wound_strength(on), 1.0) << "by default every cut bleeds alike";
+    EXPECT_EQ(k.tissue.wound_strength(off), 1.0);
+
+    const double density = k.tissue.vessels(on);
+    // Stripe of 1.2 mm through a disc of radius 2: (2 asin(0.3) + 0.6 sqrt(1 - 0.09)) / pi of it.
+    EXPECT_NEAR(density, 0.376, 0.06);
+    EXPECT_LT(k.tissue.vessels(off), 0.001);
+    p.vessel_threshold = density - 0.001;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.wound_strength(on), 1.0);
+    EXPECT_EQ(k.tissue.wound_strength(off), 0.0);
+    p.vessel_threshold = density + 0.001;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.wound_strength(on), 0.0);
+
+    p.vessel_threshold = 0.0;
+    p.vessel_strength = 0.5;
+    p.vessel_reference = 0.25;
+    k.tissue.set(p);
+    EXPECT_NEAR(k.tissue.wound_strength(on), 1.0 + 0.5 * (density / 0.25 - 1.0), 1e-9);
+    EXPECT_NEAR(k.tissue.wound_strength(off), 0.5, 0.002);
+    p.vessel_strength = 1.0;
+    p.vessel_reference = 0.01;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.wound_strength(on), 4.0) << "the most";
+}
+
+TEST(TissueDensity, MapsAreMadeAgainOnlyWhenTheyChange) {
+    Known k(textured_plane(20.0, painted(100, 100, 20.0, half_fat)));
+    const int first = k.tissue.version();
+    VesselParameters p;
+    p.region = 5.0;
+    p.vessel_threshold = 0.5;
+    p.vessel_strength = 1.0;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.version(), first);
+    const double before = k.tissue.fat({3.0, 0.0, 0.0});
+    p.fat_low = 80.0;
+    p.fat_high = 95.0;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.version(), first + 1);
+    EXPECT_GT(before, 0.7);
+    EXPECT_LT(k.tissue.fat({3.0, 0.0, 0.0}), 0.05);
+}
+
+TEST(TissueDensity, WithoutColourVesselsAreEven) {
+    VesselParameters p;
+    p.vessel_threshold = 0.9;
+    p.vessel_strength = 1.0;
+    Organ one_texel = textured_plane(20.0, painted(1, 1, 20.0, striped));
+    for (const Organ& organ :
+         {plane(20.0, 4), one_texel, painted_plane(20.0, 4, [](double, double) { return artery; })}) {
+        const Known k(organ, p);
+        EXPECT_EQ(k.tissue.vessels({1.0, 0.0, 2.0}), 1.0);
+        EXPECT_EQ(k.tissue.fat({1.0, 0.0, 2.0}), 0.0);
+        EXPECT_EQ(k.tissue.wound_strength({1.0, 0.0, 2.0}), 1.0);
+        EXPECT_EQ(k.tissue.report().known, 0.0);
+    }
+    const Known nothing(Organ{}, p);
+    EXPECT_EQ(nothing.tissue.vessels({1.0, 0.0, 2.0}), 1.0);
+    EXPECT_EQ(nothing.tissue.wound_strength({1.0, 0.0, 2.0}), 1.0);
+    EXPECT_EQ(nothing.tissue.report().known, 0.0);
+}
+
+TEST(TissueDensity, BadPlacesAreNowhere) {
+    const Known k(textured_plane(20.0, painted(100, 100, 20.0, half_fat)));
+    for (const double bad : {nan, infinity, -infinity}) {
+        const TissueSample sample = k.tissue.sample({bad, 0.0, 0.0});
+        EXPECT_EQ(sample.vessels, 0.0);
+        EXPECT_EQ(sample.fat, 0.0);
+        EXPECT_EQ(k.tissue.wound_strength({0.0, 0.0, bad}), 0.0);
+    }
+    EXPECT_GE(k.tissue.fat({1e5, 0.0, 0.0}), 0.97) << "far away: the nearest place";
+}
+
+TEST(TissueDensity, VertexColoursAtAnyMeshWidth) {
+    VesselParameters p;
+    p.smoothing = 2.0;
+    p.region = 0.1;
+    for (const std::uint32_t n : {40u, 100u, 200u}) {
+        const Known k(painted_plane(40.0, n, half_fat, Cut::irregular), p);
+        EXPECT_NEAR(k.tissue.fat({0.0, 0.0, 0.0}), 0.5, 0.07) << n;
+        EXPECT_NEAR(k.tissue.fat({2.0, 0.0, 3.0}), below(1.0, 1.0), 0.07) << n;
+        EXPECT_NEAR(k.tissue.fat({-2.0, 0.0, 3.0}), below(-1.0, 1.0), 0.07) << n;
+    }
+    VesselParameters wide;
+    wide.vessel_width = 2.0;
+    const Known stripes(painted_plane(40.0, 160, [](double x, double) { return std::abs(x) < 1.0 ? artery : serosa; }),
+                        wide);
+    EXPECT_GT(stripes.tissue.vessels({0.0, 0.0, 4.0}), 0.4) << "2 of 4 mm are vessel";
+    EXPECT_LT(stripes.tissue.vessels({5.0, 0.0, 4.0}), 0.01);
+    EXPECT_EQ(stripes.tissue.report().texels_per_mm, 0.0);
+    EXPECT_EQ(stripes.tissue.report().known, 1.0);
+}
+
+/// Arteries and the organ under them are often separate meshes, each of one colour.
+TEST(TissueDensity, AMaterialOfItsOwnStandsOutOfItsSurroundings) {
+    Organ organ = joined(plane(60.0, 60), plane(2.0, 4), {5.0f, 0.5f, 0.0f});
+    organ.materials = {Material{.name = "heart", .base_color = {0.59f, 0.18f, 0.16f, 1.0f}},
+                       Material{.name = "artery", .base_color = {1.0f, 0.0f, 0.0f, 1.0f}}};
+    const auto first = static_cast<std::uint32_t>(3 * plane(60.0, 60).triangle_count());
+    organ.parts = {{"heart", 0, first, 0},
+                   {"artery", first, static_cast<std::uint32_t>(organ.indices.size()) - first, 1}};
+    const Known k(organ, sharp());
+    VesselParameters p = sharp();
+    p.region = 0.5;
+    Known near(organ, p);
+    EXPECT_GT(near.tissue.vessels({5.0, 0.6, 0.0}), 0.9);
+    EXPECT_LT(near.tissue.vessels({-5.0, 0.0, 0.0}), 0.01);
+    EXPECT_EQ(k.tissue.report().known, 1.0);
+}
+
+/// The two halves of the plane are swapped in the texture, so that its middle is a seam.
+TEST(TissueDensity, ASeamOfTheTextureIsNoEdgeOfTheTissue) {
+    const auto vessel_across = [](double, double z) { return std::abs(z) < 0.6 ? artery : serosa; };
+    const auto swapped = [&](double x, double z) { return vessel_across(x > 0 ? x - 20.0 : x + 20.0, z); };
+    const Organ whole = textured_plane(40.0, painted(800, 800, 40.0, vessel_across), 8);
+    const Organ before = textured_plane(40.0, painted(800, 800, 40.0, swapped), 8);
+    Organ split;
+    std::vector<glm::vec2> uvs;
+    for (std::size_t i = 0; i < before.indices.size(); ++i) {
+        float middle = 0.0f;  // of the triangle
+        for (std::size_t c = 0; c < 3; ++c) middle += before.positions[before.indices[i - i % 3 + c]].x;
+        split.positions.push_back(before.positions[before.indices[i]]);
+        split.indices.push_back(static_cast<std::uint32_t>(i));
+        uvs.push_back(before.uvs[before.indices[i]] + glm::vec2(middle > 0.0f ? -0.5f : 0.5f, 0.0f));
+    }
+    split = drawable(split, std::vector<glm::vec3>(split.positions.size(), {0.0f, 1.0f, 0.0f}));
+    split.uvs = uvs;
+    split.images = before.images;
+    split.materials = before.materials;
+    const Known a(whole), b(split);
+    EXPECT_GT(a.tissue.vessels({0.0, 0.0, 0.0}), 0.3);
+    for (const double x : {-1.5, -0.3, 0.0, 0.3, 1.5})
+        for (const double z : {0.0, 1.0})
+            EXPECT_NEAR(b.tissue.vessels({x, 0.0, z}), a.tissue.vessels({x, 0.0, z}), 0.03) << x << ' ' << z;
+}
+
+TEST(TissueDensity, SharesOfTheSurface) {
+    const auto paint = [](double x, double z) { return x > 10.0 ? fat_tissue : striped(x, z); };
+    for (const std::uint32_t n : {1u, 30u}) {
+        const TissueReport report = report_tissue(textured_plane(40.0, painted(800, 800, 40.0, paint), n));
+        EXPECT_EQ(report.known, 1.0);
+        EXPECT_NEAR(report.fat, 0.25, 0.01);
+        EXPECT_NEAR(report.vessels, (1.2 + 1.2 + 0.6 + 0.6) / 40.0, 0.015) << "at -20 (half), -10, 0 and 10 (half)";
+        EXPECT_NEAR(report.texels_per_mm, 20.0, 1e-4);
+    }
+}
+
+TEST(TissueDensity, TheSameEveryTime) {
+    const Organ organ = textured_plane(40.0, painted(300, 300, 40.0, striped));
+    const Known a(organ), b(organ);
+    for (double x = -10.0; x < 10.0; x += 0.7)
+        EXPECT_EQ(a.tissue.vessels({x, 0.1, 0.3 * x}), b.tissue.vessels({x, 0.1, 0.3 * x}));
+}
+
+}  // namespace
+}  // namespace lapfx::bleeding
