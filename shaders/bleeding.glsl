@@ -83,6 +83,6 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     b.slope = steep * (0.5 * slope - strength * noise.yzw);
     // Blood on living tissue is never still and never even: a swell from the lobes and from the grain.
     float swell = clamp(depth / 1.5, 0.0, 1.0);
-    b.slope += swell * (0.30 * noise.yzw + (0.035 + 0.06 * b.clot) * grain.yzw);
+    b.slope += swell * (0.12 * u_blood_edge.y * noise.yzw + (0.045 + 0.06 * b.clot) * grain.yzw);
     return b;
 }
