@@ -31,6 +31,9 @@ void add_cut(inout Tissue tissue, vec3 geometric, vec4 fine) {
     tissue.normal = tilted(tissue.normal, slope, geometric);
     tissue.film_normal = tilted(tissue.film_normal, slope, geometric);
     tissue.roughness = mix(tissue.roughness, 0.28, raw);
+    // The lamp does not shine far into a groove.
+    tissue.sheen *= 1.0 - 0.8 * raw;
+    tissue.wetness *= 1.0 - 0.8 * bottom;
 }
 
 // Heated tissue: first pale and cooked, then black-brown, matt, with a cracked crust.
