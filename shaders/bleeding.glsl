@@ -69,7 +69,7 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     float pooled = 1.0 - exp2(-3.0 * share);
     b.color = mix(u_blood_thin.rgb, u_blood_deep.rgb, pooled);
     // Dried blood: brown-black, red only where it is thin.
-    vec3 dried = vec3(0.030, 0.0055, 0.004) * (1.3 - 0.7 * pooled) * (1.0 + 0.8 * grain.x);
+    vec3 dried = vec3(0.024, 0.0045, 0.0035) * (1.3 - 0.7 * pooled) * (1.0 + 0.8 * grain.x);
     b.color = mix(b.color, dried, b.clot * u_blood_down.w);
     // Beer and Lambert. Even at its edge a film of blood has a thickness.
     vec3 most = 1.0 - (1.0 - u_blood_deep.a) * vec3(1.0, 0.15, 0.15);
@@ -83,6 +83,6 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     b.slope = steep * (0.5 * slope - strength * noise.yzw);
     // Blood on living tissue is never still and never even: a swell from the lobes and from the grain.
     float swell = clamp(depth / 1.5, 0.0, 1.0);
-    b.slope += swell * (0.35 * noise.yzw + (0.05 + 0.06 * b.clot) * grain.yzw);
+    b.slope += swell * (0.12 * u_blood_edge.y * noise.yzw + (0.045 + 0.06 * b.clot) * grain.yzw);
     return b;
 }

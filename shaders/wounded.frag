@@ -31,6 +31,9 @@ void add_cut(inout Tissue tissue, vec3 geometric, vec4 fine) {
     tissue.normal = tilted(tissue.normal, slope, geometric);
     tissue.film_normal = tilted(tissue.film_normal, slope, geometric);
     tissue.roughness = mix(tissue.roughness, 0.28, raw);
+    // The lamp does not shine far into a groove.
+    tissue.sheen *= 1.0 - 0.8 * raw;
+    tissue.wetness *= 1.0 - 0.8 * bottom;
 }
 
 // Heated tissue: first pale and cooked, then black-brown, matt, with a cracked crust.
@@ -58,7 +61,7 @@ void add_blood(inout Tissue tissue, vec3 geometric) {
     tissue.albedo = mix(tissue.albedo, blood.color, blood.coverage * blood.opacity);
     // A layer of fluid levels the bumps as it deepens, and light scatters through it: its body is shaded smoothly.
     tissue.normal = normalize(mix(tissue.normal, geometric, 0.9 * blood.level));
-    vec3 surface = normalize(mix(tissue.film_normal, geometric, 0.9 * blood.level));
+    vec3 surface = normalize(mix(tissue.film_normal, geometric, 0.6 * blood.level));
     tissue.film_normal = tilted(surface, blood.coverage * blood.slope, geometric);
     tissue.roughness = mix(tissue.roughness, mix(0.55, 0.10, blood.gloss), blood.coverage);
     tissue.wetness = mix(tissue.wetness, mix(0.02, 1.0, smoothstep(0.15, 0.85, blood.gloss)), blood.coverage);

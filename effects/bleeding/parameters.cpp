@@ -26,8 +26,8 @@
 // - pulse 0: venous. An artery is 1 to 1.5 Hz with a strength near 0.6.
 // - coagulation_time 1.5 s: "coagulated within a short period of time".
 // - colours: dark saturated red. Measured in surgery videos (8-bit sRGB): thin running strip 145, 7, 10; pool 93, 15, 17.
-//   color_thin and color_deep are darker: the lamp near the tissue and the exposure bring them to that. Median of the
-//   blood in the sample scene with them: 101, 22, 19; in the clips 67 to 87, 15 to 18, 18 to 22.
+//   color_thin and color_deep are darker: the lamp near the tissue and the exposure bring them to that. Median of the dark
+//   red pixels in the sample scene at 8.6 s, without smoke: 69, 19, 15; in the bloodiest clips 67 to 87, 15 to 18, 18 to 22.
 // - deep_at 5 mm, opacity 0.9, thickness 0.6 mm, gloss 0.85: a pool hides the texture below, a film does not; its
 //   highlights are small, sharp and white.
 // - clot_darkening 0.85: old clots beside fresh blood are brown-black, and dull whatever this is.

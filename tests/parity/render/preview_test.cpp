@@ -32,6 +32,7 @@ TEST_F(PreviewTest, BloodCoversTheAreaItShould) {
     preset.smoke.clips.clear();
     preset.bleeding.noise_strength = 0.0;
     preset.bleeding.threshold = 3.0;
+    scene.light.focus_distance = 60.0;  // dim enough that the lamp's mirror image is not white with and without blood
     scene.events.resize(1);
     scene.events[0].position = scene.events[0].to = {0.0, 0.0, 0.0};
     Preview p = preview();
