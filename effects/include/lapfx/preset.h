@@ -51,8 +51,8 @@ struct VesselParameters {
     double vessel_low = 0.2;
     double vessel_high = 0.4;
     double vessel_width = 1.25;
-    double fat_low = 55.0;
-    double fat_high = 70.0;
+    double fat_low = 56.0;
+    double fat_high = 66.0;
     double smoothing = 0.4;
     double region = 2.0;
     double vessel_threshold = 0.0;
