@@ -93,22 +93,24 @@ void DensityMap::set(const VesselParameters& p) {
     cv::Mat near = TextureBlur(weights, texels(near_share * p.vessel_width), layout_.repeats)(red);
     const cv::Mat around = TextureBlur(weights, texels(around_share * p.vessel_width), layout_.repeats)(red);
 
-    const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
+    static const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
     const auto fatty = chroma_table([&](double a, double b) { return fattiness(a, b, p.fat_low, p.fat_high); });
     cv::Mat& vessels = near;
     cv::Mat& fat = red;
     const auto low = static_cast<float>(p.vessel_low);
     const auto scale = static_cast<float>(1.0 / std::max(p.vessel_high - p.vessel_low, 1e-6));
-    std::size_t i = 0;
-    for (int y = 0; y < size.height; ++y) {
-        float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
-        const float* far = around.ptr<float>(y);
-        for (int x = 0; x < size.width; ++x, ++i) {
-            const auto color = static_cast<std::size_t>(chroma_[i].x * 256 + chroma_[i].y);
-            vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
-            fatness[x] = fatty[color];
+    cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
+        for (int y = rows.start; y < rows.end; ++y) {
+            float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
+            const float* far = around.ptr<float>(y);
+            const glm::u8vec2* chroma = &chroma_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
+            for (int x = 0; x < size.width; ++x) {
+                const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);
+                vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
+                fatness[x] = fatty[color];
+            }
         }
-    }
+    });
     const TextureBlur smooth(weights, texels(p.smoothing), layout_.repeats);
     const cv::Mat planes[] = {smooth(vessels), smooth(fat)};
     cv::Mat merged, both(size, CV_8UC2, values_.data());
