@@ -57,7 +57,8 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     vec4 noise = lapfx_blood_noise(position, normal, octaves);
 
     LapfxBlood b;
-    b.depth = possible ? blood.x - (threshold + strength * noise.x) : -1.0;
+    // Beyond it the lowest edge counts: without a jump in depth, the edge is smooth also where strength is 0.
+    b.depth = blood.x - (threshold + strength * (possible ? noise.x : -1.0));
     float width = max(fwidth(b.depth), 1e-3);
     b.coverage = possible ? clamp(b.depth / width + 0.5, 0.0, 1.0) : 0.0;
 

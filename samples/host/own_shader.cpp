@@ -143,7 +143,8 @@ int main(int argc, char** argv) {
         const lapfx::Scene scene = lapfx::load_scene(argv[1]);
         const int width = std::atoi(argv[4]), height = std::atoi(argv[5]);
         const lapfx::Context context = lapfx::Context::create(lapfx::Backend::osmesa);
-        const lapfx::Organ organ = lapfx::load_organ(scene.folder / scene.organ.file, {.scale = scene.organ.scale});
+        const lapfx::Organ organ = lapfx::load_organ(scene.folder / scene.organ.file,
+                                                     {.scale = scene.organ.scale, .rotation = scene.organ.rotation});
         lapfx::Preset preset = lapfx::load_preset(argv[2]);
         preset.smoke.clips.clear();  // this host wants blood only
         lapfx::Effects effects(

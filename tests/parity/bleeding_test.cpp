@@ -65,10 +65,10 @@ float edge_noise(const BleedingParameters& b, glm::vec3 position, glm::vec3 norm
     return glm::clamp(x - steep * x * x * x / 6.75f, -1.0f, 1.0f);
 }
 
-/// The shader's documented depth: bleed - (threshold + noise); -1 where no blood can be.
+/// The shader's documented depth: bleed - (threshold + noise); noise is -1 where no blood can be.
 float depth_of(const BleedingParameters& b, glm::vec4 sample, glm::vec3 normal) {
     const auto threshold = static_cast<float>(b.threshold), strength = static_cast<float>(b.noise_strength);
-    if (sample.w <= threshold - strength) return -1.0f;
+    if (sample.w <= threshold - strength) return sample.w - (threshold - strength);
     return sample.w - (threshold + strength * edge_noise(b, glm::vec3(sample), normal));
 }
 
