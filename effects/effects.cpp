@@ -4,8 +4,8 @@
 
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
-#include "cautery/char_cpu.h"
-#include "cautery/heat_cpu.h"
+#include "cautery/cautery.h"
+#include "cautery/recorder.h"
 #include "gl/state_guard.h"
 #include "render/organ_gpu.h"
 #include "render/view_block.h"
@@ -18,33 +18,48 @@ struct Effects::State {
         : options(wanted),
           down(glm::normalize(wanted.gravity)),
           surface(organ),
-          positions(organ.positions),
           bleed(surface, down),
-          charred(positions),
+          cautery(surface, {}),
           bleed_gpu(organ.positions.size(), wanted.seed),
           organ_gpu(organ, &bleed_gpu.values()),
           smoke(wanted.seed) {}
 
     EffectsOptions options;
     Preset preset;
-    std::vector<ToolContact> contacts;
+    ToolQueue queue;
+    cautery::Recorder recorder;
     double time = 0.0;
 
     glm::dvec3 down;
     Surface surface;
-    std::vector<glm::vec3> positions;
     bleeding::BleedField bleed;
-    cautery::CharField charred;
+    cautery::Cautery cautery;
+    std::uint64_t wounds_version = 0;
     bleeding::BleedGpu bleed_gpu;
     render::OrganGpu organ_gpu;
     render::ViewBlock view_block;
     smoke::Smoke smoke;
 
     void refresh() {
-        bleed.set(cautery::wounds_of(contacts, preset.cautery), preset.bleeding);
-        charred.set(contacts, preset.cautery);
+        take_contacts();
+        take_wounds();
         bleed_gpu.set(preset.bleeding);
-        smoke.set_contacts(contacts);
+    }
+    void take_contacts() {
+        cautery.set(recorder.contacts(), preset.cautery);
+        smoke.set_contacts(recorder.contacts());
+    }
+    void take_wounds() {
+        const std::span<const Wound> wounds = cautery.wounds();
+        bleed.set({wounds.begin(), wounds.end()}, preset.bleeding);
+        wounds_version = cautery.wounds_version();
+    }
+    void drain_queue() {
+        ToolSample sample;
+        bool any = false;
+        // No more than were there when it began: the haptic thread goes on.
+        for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) any |= recorder.add(sample);
+        if (any) take_contacts();
     }
 };
 
@@ -65,19 +80,29 @@ void Effects::set_preset(const Preset& preset) {
 }
 
 void Effects::set_contacts(std::span<const ToolContact> contacts) {
-    state_->contacts.assign(contacts.begin(), contacts.end());
-    state_->refresh();
+    state_->recorder.set(contacts);
+    state_->take_contacts();
+}
+
+ToolQueue& Effects::tool_queue() noexcept {
+    return state_->queue;
+}
+
+std::span<const ToolContact> Effects::contacts() const noexcept {
+    return state_->recorder.contacts();
 }
 
 void Effects::seek(double time) noexcept {
     if (!std::isfinite(time)) return;
     State& s = *state_;
     s.time = time;
+    s.drain_queue();
+    s.cautery.update(time);
+    if (s.wounds_version != s.cautery.wounds_version()) s.take_wounds();
     const bleeding::Dirty dirty = s.bleed.update(time);
     const VertexRun changed{dirty.begin, dirty.end};
     if (!dirty.empty()) s.bleed_gpu.send(s.bleed.values(), {&changed, 1});
-    const VertexRun whole{0, static_cast<std::uint32_t>(s.positions.size())};
-    if (s.charred.update(time)) s.organ_gpu.send_marks(s.charred.values(), {&whole, 1});
+    if (!s.cautery.changed().empty()) s.organ_gpu.send_marks(s.cautery.marks(), s.cautery.changed().take());
 }
 
 void Effects::draw_organ(const View& view) noexcept {

@@ -184,6 +184,35 @@ SurfacePoint Surface::closest_point(const glm::dvec3& point) const {
     return best;
 }
 
+void Surface::points_within(const glm::dvec3& centre, double radius, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    if (nodes_.empty() || !(radius >= 0.0)) return;
+    const double limit = radius * radius;
+    std::array<std::uint32_t, deepest> stack;
+    std::size_t size = 0;
+    stack[size++] = 0;
+    while (size > 0) {
+        const std::uint32_t n = stack[--size];
+        const Node& node = nodes_[n];
+        if (distance_to_box(centre, node.low, node.high) > limit) continue;
+        if (node.count == 0) {
+            stack[size++] = node.first;
+            stack[size++] = n + 1;
+            continue;
+        }
+        for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+            const std::uint32_t t = order_[i];
+            for (std::size_t c = 0; c < 3; ++c) {
+                const std::uint32_t point = triangles[t][c];
+                // Its first triangle tells of a point, and that triangle's first corner there.
+                if (point_triangles[triangle_start[point]] != t) continue;
+                if ((c > 0 && triangles[t][0] == point) || (c > 1 && triangles[t][1] == point)) continue;
+                if (square(positions[point] - centre) <= limit) out.push_back(point);
+            }
+        }
+    }
+}
+
 bool Surface::intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const {
     if (nodes_.empty() || !(square(direction) > 0.0)) return false;
     const glm::dvec3 inverse = 1.0 / direction;
