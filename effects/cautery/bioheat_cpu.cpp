@@ -85,6 +85,7 @@ void Bioheat::seek(const Track& track, double time) {
     if (later != snapshots_.rend() && later->step > step_) restore(*later);
     while (step_ < wanted) {
         find_running(track, time_of(step_), time_of(step_ + 1));
+        if (!heat_.field().points.empty() && cold_at(track, time_of(step_))) heat_.clear();
         if (heat_.field().points.empty() && running_.empty()) {
             // Nothing is warm and nothing goes on: to the next contact.
             const double now = time_of(step_);
@@ -173,6 +174,14 @@ void Bioheat::set_mark(std::uint32_t point, float peak, float divided) {
 void Bioheat::take_changed() {
     for (const std::uint32_t p : changed_) is_changed_[p] = false;
     changed_.clear();
+}
+
+/// Whether the last heating is so long ago that what is left of it counts for nothing.
+bool Bioheat::cold_at(const Track& track, double time) const {
+    const auto stays = track.stays();
+    const auto later =
+        std::partition_point(stays.begin(), stays.end(), [&](const Stay& s) { return s.contact.time <= time; });
+    return later == stays.begin() || time - (later - 1)->latest_hot > forgotten;
 }
 
 /// The contacts that go on in a step, and where their tips are in the middle of their share of it.

@@ -15,7 +15,8 @@ namespace lapfx::cautery {
 
 class Bioheat {
   public:
-    static constexpr double step = 0.01;  ///< s
+    static constexpr double step = 0.01;       ///< s
+    static constexpr double forgotten = 60.0;  ///< s after the last heating, tissue is at the body's temperature
 
     /// Keeps references.
     Bioheat(const Surface& surface, const StrengthAt& strength_at);
@@ -68,6 +69,7 @@ class Bioheat {
     void go_back(std::int64_t to);
     void keep_snapshot();
     void advance(const Track& track);
+    bool cold_at(const Track& track, double time) const;
     void find_running(const Track& track, double from, double to);
     void heat_under(const Stay& stay, const glm::dvec3& tip, double from, double to);
     void divide(const Track& track, double from);

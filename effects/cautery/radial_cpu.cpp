@@ -239,7 +239,7 @@ void Radial::close_wounds(const Track& track, std::uint32_t number, std::uint32_
                 const Wound& wound = wounds_.wounds()[w];
                 // The heat that cuts tissue does not close that very cut.
                 const bool own = stay.contact.action == ToolAction::cauterise && wound.start >= stay.chain_start;
-                if (w < first_wound || own) continue;
+                if (w < first_wound || own || wound.stop <= h->start) continue;
                 const double closed = closing_time(*h, glm::distance(place, wound.position));
                 if (closed > wound.start && closed < never)
                     wounds_.close(w, closed, static_cast<std::int64_t>(contacts_.size()) - 1);
@@ -296,16 +296,23 @@ double Radial::temperature(const glm::dvec3& place, double time) const {
 void Radial::bells(std::uint32_t number, double time, std::vector<Bell>& out) const {
     out.clear();
     const Contact& contact = contacts_[number];
-    for (const std::uint32_t s : contact.stations)
+    for (const std::uint32_t s : contact.stations) {
+        const std::size_t first = out.size();
         for (auto h = stations_[s].heatings.rbegin(); h != stations_[s].heatings.rend(); ++h) {
             if (h->from < contact.chain_start) break;
             if (h->owner != number || h->start > time || h->visible > time) continue;
             const State state = state_at(*h, std::min(time, h->finish));
+            const double wide = radius(state.stayed);
+            if (out.size() > first && state.rise <= out[first].rise && wide <= out[first].radius) {
+                out[first].divided |= h->opened <= time;  // the newest one covers it
+                continue;
+            }
             out.push_back({.position = stations_[s].place.point.position,
                            .rise = state.rise,
-                           .radius = radius(state.stayed),
+                           .radius = wide,
                            .divided = h->opened <= time});
         }
+    }
 }
 
 }  // namespace lapfx::cautery

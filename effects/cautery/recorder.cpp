@@ -22,7 +22,7 @@ bool usable(const ToolSample& s) {
 
 void Recorder::set(std::span<const ToolContact> contacts) {
     contacts_.assign(contacts.begin(), contacts.end());
-    running_ = false;
+    running_ = any_ = false;
 }
 
 bool Recorder::add(const ToolSample& given) {

@@ -26,7 +26,7 @@ class Recorder {
     static constexpr double tolerance = 0.2;     ///< mm
     static constexpr double longest_move = 0.2;  ///< s; so that a growing contact changes little of the past
 
-    /// Takes the place of the log; a running contact ends.
+    /// Takes the place of the log. A running contact is over, and time may begin anew.
     void set(std::span<const ToolContact> contacts);
     /// False when the sample was dropped.
     bool add(const ToolSample& sample);
@@ -46,7 +46,7 @@ class Recorder {
     std::vector<ToolContact> contacts_;
     std::vector<Point> path_;  // samples of the running contact
     bool running_ = false;
-    double last_time_;
+    double last_time_ = 0.0;
     bool any_ = false;
     std::uint64_t dropped_ = 0;
 };

@@ -25,30 +25,39 @@ double same_until(const ToolContact& a, const ToolContact& b) {
 }  // namespace
 
 std::size_t Track::set(std::span<const ToolContact> contacts, const CauteryParameters& parameters) {
-    wanted_.clear();
-    for (const ToolContact& given : contacts)
-        if (const auto contact = usable(given)) wanted_.push_back(*contact);
-    const auto earlier = [](const ToolContact& a, const ToolContact& b) { return a.time < b.time; };
-    if (!std::is_sorted(wanted_.begin(), wanted_.end(), earlier))
-        std::stable_sort(wanted_.begin(), wanted_.end(), earlier);
-
     const auto per_wound = static_cast<std::uint32_t>(std::ceil(3.0 * wound_spacing / parameters.tip_radius));
     if (per_wound != per_wound_ || spacing_ == 0.0) stays_.clear();
     per_wound_ = per_wound;
     spacing_ = wound_spacing / per_wound;
 
-    std::size_t first = 0;
-    while (first < stays_.size() && first < wanted_.size() && same(stays_[first].contact, wanted_[first])) ++first;
+    std::size_t first = 0;  // what is like before, mostly all but the end
+    while (first < stays_.size() && first < contacts.size() && same(stays_[first].contact, contacts[first])) ++first;
+    const auto earlier = [](const ToolContact& a, const ToolContact& b) { return a.time < b.time; };
+    const auto want_from = [&](std::size_t begin) {
+        wanted_.clear();
+        for (const ToolContact& given : contacts.subspan(begin))
+            if (const auto contact = usable(given)) wanted_.push_back(*contact);
+        return std::is_sorted(wanted_.begin(), wanted_.end(), earlier);
+    };
+    const bool sorted = want_from(first);
+    if (!sorted || (first > 0 && !wanted_.empty() && wanted_.front().time < stays_[first - 1].contact.time)) {
+        if (!want_from(0)) std::stable_sort(wanted_.begin(), wanted_.end(), earlier);
+        first = 0;
+    }
+    std::size_t next = 0;
+    for (; first < stays_.size() && next < wanted_.size() && same(stays_[first].contact, wanted_[next]); ++next)
+        ++first;
+
     same_until_ = never;
     if (first < stays_.size()) same_until_ = stays_[first].contact.time;
-    if (first < wanted_.size()) same_until_ = std::min(same_until_, wanted_[first].time);
-    if (first + 1 == stays_.size() && first < wanted_.size()) {
-        same_until_ = cautery::same_until(stays_[first].contact, wanted_[first]);
-        if (first + 1 < wanted_.size()) same_until_ = std::min(same_until_, wanted_[first + 1].time);
+    if (next < wanted_.size()) same_until_ = std::min(same_until_, wanted_[next].time);
+    if (first + 1 == stays_.size() && next < wanted_.size()) {
+        same_until_ = cautery::same_until(stays_[first].contact, wanted_[next]);
+        if (next + 1 < wanted_.size()) same_until_ = std::min(same_until_, wanted_[next + 1].time);
     }
     stays_.resize(first);
     places_.resize(first > 0 ? stays_.back().end_place : 0);
-    for (std::size_t i = first; i < wanted_.size(); ++i) append(wanted_[i]);
+    for (; next < wanted_.size(); ++next) append(wanted_[next]);
     return first;
 }
 
@@ -58,8 +67,12 @@ void Track::append(const ToolContact& contact) {
               .chain = number,
               .chain_start = contact.time,
               .first_place = static_cast<std::uint32_t>(places_.size()),
-              .latest_end = contact.end()};
-    if (number > 0) stay.latest_end = std::max(stay.latest_end, stays_.back().latest_end);
+              .latest_end = contact.end(),
+              .latest_hot = contact.hot() ? contact.end() : -never};
+    if (number > 0) {
+        stay.latest_end = std::max(stay.latest_end, stays_.back().latest_end);
+        stay.latest_hot = std::max(stay.latest_hot, stays_.back().latest_hot);
+    }
     // Few tools work at once: the contact before is among the last.
     for (std::uint32_t back = 1; back <= std::min(number, 8u); ++back) {
         const Stay& before = stays_[number - back];

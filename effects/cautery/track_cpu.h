@@ -28,6 +28,7 @@ struct Stay {
     std::uint64_t next_place = 0;  ///< number, along the chain, of the first place that this contact did not reach
     std::uint32_t first_place = 0, end_place = 0;
     double latest_end = 0.0;  ///< of this contact and all before
+    double latest_hot = 0.0;  ///< the same, of the hot ones
 };
 
 class Track {

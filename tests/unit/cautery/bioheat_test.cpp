@@ -284,6 +284,18 @@ TEST_F(BioheatTest, ThinAndBrokenTrianglesKeepItFinite) {
     EXPECT_NEAR(broken.temperature(glm::dvec3(organ.positions[middle]), 300.0), 37.0, 0.5);
 }
 
+TEST_F(BioheatTest, HeatThatCannotLeaveIsForgottenInTheEnd) {
+    const Surface small(test::plane(6.0, 6));
+    parameters.perfusion = 0.0;
+    Cautery on(small, {});
+    on.set(std::vector{at({0, 0, 0}, 0.0, 1.0)}, parameters);
+    // 200 degrees/s for 1 s in a Gaussian of 1.5 mm, most of it on 36 mm2.
+    EXPECT_NEAR(on.temperature({3, 0, 3}, 60.0) - 37.0, 200.0 * 3.14159 * 2.25 / 36.0, 3.0);
+    EXPECT_EQ(on.temperature({3, 0, 3}, 62.0), 37.0);
+    on.update(1e7);
+    EXPECT_GT(on.marks()[24].x, 0.3f) << "the char stays";
+}
+
 TEST_F(BioheatTest, WorksAtTheRimOfTheSurface) {
     cautery.set(std::vector{at({40, 0, 0}, 0.0, 1.0)}, parameters);
     const double rim = cautery.temperature({40, 0, 0}, 1.0) - 37.0;
