@@ -2,30 +2,37 @@
 
 #include <cassert>
 
-#include "cautery/heat_cpu.h"
-
 namespace lapfx {
 
 Body::Body(const Organ& organ, glm::dvec3 down, std::uint32_t seed, const VesselParameters& vessels)
     : surface_(organ),
       moved_(surface_),
-      positions_(organ.positions),
+      vertices_(organ.positions.size()),
       tissue_(organ, surface_, vessels),
       bleed_(surface_, down),
-      charred_(positions_),
+      cautery_(surface_, [this](const glm::dvec3& place) { return tissue_.wound_strength(place); }),
       bleed_gpu_(organ.positions.size(), seed, down),
       organ_gpu_(organ, &bleed_gpu_.values()) {}
 
 void Body::set(std::span<const ToolContact> contacts, const Preset& preset) {
-    tissue_.set(preset.vessels);
-    std::vector<Wound> wounds = cautery::wounds_of(contacts, preset.cautery);
-    for (Wound& wound : wounds) wound.strength *= tissue_.wound_strength(wound.position);
-    std::erase_if(wounds, [](const Wound& wound) { return wound.strength == 0.0; });
-    bleed_.set(wounds, preset.bleeding);
-    bleed_.set_clearing(contacts);
-    charred_.set(contacts, preset.cautery);
-    bleed_gpu_.set(preset.bleeding);
+    if (preset.vessels != vessels_) cautery_.strengths_changed();
+    vessels_ = preset.vessels;
+    bleeding_ = preset.bleeding;
+    tissue_.set(vessels_);
+    bleed_gpu_.set(bleeding_);
     send_density();
+    set_contacts(contacts, preset);
+    take_wounds();
+}
+
+void Body::set_contacts(std::span<const ToolContact> contacts, const Preset& preset) {
+    cautery_.set(contacts, preset.cautery);
+    bleed_.set_clearing(contacts, bleeding_);
+}
+
+void Body::take_wounds() {
+    bleed_.set(cautery_.wounds(), bleeding_);
+    wounds_version_ = cautery_.wounds_version();
 }
 
 void Body::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
@@ -68,11 +75,11 @@ void Body::inherit(const Body& former, std::span<const std::uint32_t> origin, do
 }
 
 std::size_t Body::seek(double time) noexcept {
+    cautery_.update(time);
+    if (wounds_version_ != cautery_.wounds_version()) take_wounds();
     bleed_.update(time);
-    std::size_t sent = bleed_gpu_.send(bleed_.values(), bleed_.changed().take());
-    const VertexRun whole{0, static_cast<std::uint32_t>(vertices())};
-    if (charred_.update(time)) sent += organ_gpu_.send_marks(charred_.values(), {&whole, 1});
-    return sent;
+    return bleed_gpu_.send(bleed_.values(), bleed_.changed().take()) +
+           organ_gpu_.send_marks(cautery_.marks(), cautery_.changed().take());
 }
 
 void Body::draw() const noexcept {

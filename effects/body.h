@@ -8,7 +8,7 @@
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
 #include "bleeding/tissue_density_cpu.h"
-#include "cautery/char_cpu.h"
+#include "cautery/cautery.h"
 #include "lapfx/preset.h"
 #include "lapfx/view.h"
 #include "organ/moved_surface.h"
@@ -22,6 +22,7 @@ class Body {
     Body(const Organ& organ, glm::dvec3 down, std::uint32_t seed, const VesselParameters& vessels);
 
     void set(std::span<const ToolContact> contacts, const Preset& preset);
+    void set_contacts(std::span<const ToolContact> contacts, const Preset& preset);
     /// As Effects::set_shape.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay);
@@ -32,21 +33,26 @@ class Body {
     std::size_t seek(double time) noexcept;
     void draw() const noexcept;
 
-    std::size_t vertices() const { return positions_.size(); }
+    std::size_t vertices() const { return vertices_; }
     const MovedSurface& moved() const { return moved_; }
     const bleeding::BleedField& bleed() const { return bleed_; }
     const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
     const bleeding::TissueDensity& tissue() const { return tissue_; }
 
   private:
+    void take_wounds();
     void send_density();
 
     Surface surface_;
     MovedSurface moved_;
-    std::vector<glm::vec3> positions_, normals_;
+    std::size_t vertices_;
+    std::vector<glm::vec3> normals_;
     bleeding::TissueDensity tissue_;
+    BleedingParameters bleeding_;
     bleeding::BleedField bleed_;
-    cautery::CharField charred_;
+    cautery::Cautery cautery_;
+    std::uint64_t wounds_version_ = 0;
+    VesselParameters vessels_;
     bleeding::BleedGpu bleed_gpu_;
     render::OrganGpu organ_gpu_;
     Overlay overlay_ = Overlay::none;

@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "body.h"
+#include "cautery/recorder.h"
 #include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "render/view_block.h"
@@ -30,7 +31,8 @@ struct Effects::State {
 
     EffectsOptions options;
     Preset preset;
-    std::vector<ToolContact> contacts;
+    ToolQueue queue;
+    cautery::Recorder recorder;
     double time = 0.0;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
@@ -41,8 +43,23 @@ struct Effects::State {
     smoke::Smoke smoke;
 
     void refresh() {
-        body->set(contacts, preset);
-        smoke.set_contacts(contacts);
+        body->set(recorder.contacts(), preset);
+        smoke.set_contacts(recorder.contacts());
+    }
+    void take_contacts() {
+        body->set_contacts(recorder.contacts(), preset);
+        smoke.set_contacts(recorder.contacts());
+    }
+    /// The tool touches the organ as it is now; contacts are of the shape at rest.
+    void drain_queue() {
+        ToolSample sample;
+        bool any = false;
+        // No more than were there when it began: the haptic thread goes on.
+        for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
+            if (sample.touching) sample.position = body->moved().to_rest(sample.position);
+            any |= recorder.add(sample);
+        }
+        if (any) take_contacts();
     }
 };
 
@@ -63,8 +80,16 @@ void Effects::set_preset(const Preset& preset) {
 }
 
 void Effects::set_contacts(std::span<const ToolContact> contacts) {
-    state_->contacts.assign(contacts.begin(), contacts.end());
-    state_->refresh();
+    state_->recorder.set(contacts);
+    state_->take_contacts();
+}
+
+ToolQueue& Effects::tool_queue() noexcept {
+    return state_->queue;
+}
+
+std::span<const ToolContact> Effects::contacts() const noexcept {
+    return state_->recorder.contacts();
 }
 
 void Effects::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
@@ -79,7 +104,7 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     State& s = *state_;
     assert(origin.size() == organ.positions.size());
     auto body = std::make_unique<Body>(organ, s.down, s.options.seed, s.preset.vessels);
-    body->set(s.contacts, s.preset);
+    body->set(s.recorder.contacts(), s.preset);
     body->set_overlay(s.overlay);
     body->inherit(*s.body, origin, s.time);
     s.body = std::move(body);
@@ -93,6 +118,7 @@ void Effects::set_overlay(Overlay overlay) {
 void Effects::seek(double time) noexcept {
     if (!std::isfinite(time)) return;
     state_->time = time;
+    state_->drain_queue();
     state_->uploaded = state_->body->seek(time);
 }
 

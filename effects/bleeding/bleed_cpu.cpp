@@ -107,8 +107,8 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
     status_.resize(wounds.size());
 }
 
-void BleedField::set_clearing(std::span<const ToolContact> contacts) {
-    if (clearing_.set(contacts, parameters_)) stale_ = true;
+void BleedField::set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters) {
+    if (clearing_.set(contacts, parameters)) stale_ = true;
 }
 
 void BleedField::keep(std::vector<glm::vec2> values, double time) {

@@ -42,7 +42,7 @@ class BleedField {
     /// at their place are kept; a new gravity_bias, crease_bias or bridge_gap lets all run anew.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
     /// Suction and irrigation among the contacts.
-    void set_clearing(std::span<const ToolContact> contacts);
+    void set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters);
     /// Blood that is there at `time`, whatever the wounds say, until it is cleared: per surface vertex, bleed value and clot.
     void keep(std::vector<glm::vec2> values, double time);
 

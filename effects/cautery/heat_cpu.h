@@ -1,37 +1,66 @@
-// Heat under the tool, radial model (paper: "the amount of heat and its effects on the nearby tissue is
-// proportional to the duration of the application of the cautery ... the region affected by the heat is
-// expanded radially ... If a pre-determined temperature threshold is exceeded, the tissue within the region
-// is divided and bleeding is initiated"). Temperatures degrees Celsius, lengths mm, times s; closed form.
-// Pure; any thread.
+// What the heat models share: which contacts count, what a tip does along its path, and what heat does to tissue.
+// Temperatures degrees Celsius, rises degrees above the body's 37, lengths mm, times s. Pure; any thread.
 #pragma once
 
-#include <span>
-#include <vector>
+#include <functional>
+#include <limits>
+#include <optional>
 
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
-#include "lapfx/wound.h"
 
 namespace lapfx::cautery {
 
 inline constexpr double body_temperature = 37.0;
-inline constexpr double tip_radius = 1.5;  ///< mm of tissue that the bare tip touches
+inline constexpr double never = std::numeric_limits<double>::infinity();
+inline constexpr double wound_spacing =
+    2.5;  ///< mm between the wounds of a cut line; below the width of any visible pool
+inline constexpr double farthest_touch = 5.0;  ///< mm from the surface beyond which the tip touches nothing
+inline constexpr double longest_stay = 600.0;  ///< s; of a longer contact only so much counts
+inline constexpr double torn_strength =
+    0.6;  ///< blunt dissection crushes the vessels that it opens, so they bleed less
 
-/// Where on the tip's path, 0 at its start .. 1 at its end, the tip is nearest to `point`.
-double nearest_share(const ToolContact& contact, glm::dvec3 point) noexcept;
+/// How strongly tissue bleeds where the tool divides it: factor on the wound's strength; 0 = not at all (too few vessels).
+/// Empty = 1 everywhere.
+using StrengthAt = std::function<double(const glm::dvec3& position)>;
 
-/// The hottest that the tissue at `point` has been by `time` because of this contact.
-double peak_temperature(const ToolContact& contact, const CauteryParameters& cautery, glm::dvec3 point,
-                        double time) noexcept;
+/// The contact as it counts; nothing for one that cannot be: not finite, time beyond +-1e7 s, coordinates beyond
+/// +-1e5 mm, a path longer than 1000 mm, negative duration or strength. Power is clamped to 0..1, strength to 1000.
+std::optional<ToolContact> usable(const ToolContact& contact) noexcept;
+
+/// Whether `next` goes on where `contact` ends, so that both are one stay of one tool.
+bool continues(const ToolContact& contact, const ToolContact& next) noexcept;
+
+inline bool divides(ToolAction action) noexcept {
+    return action == ToolAction::cut || action == ToolAction::tear || action == ToolAction::cauterise;
+}
+inline bool cold(ToolAction action) noexcept {
+    return action == ToolAction::cut || action == ToolAction::tear;
+}
+
+/// Strength of a wound that a contact opens at `place`.
+double wound_strength(const ToolContact& contact, const glm::dvec3& place, const StrengthAt& strength_at);
+
+/// Degrees per second right under the tip.
+inline double rise_rate(const ToolContact& contact, const CauteryParameters& c) noexcept {
+    return contact.hot() ? c.heat_rate * contact.power : 0.0;
+}
+
+/// Highest rise that can be read.
+inline double highest_rise(const CauteryParameters& c) noexcept {
+    return c.maximum_temperature > body_temperature ? c.maximum_temperature - body_temperature : 0.0;
+}
+
+struct Interval {
+    double from, to;
+};
+/// When the tip of this contact is within `radius` of `place`.
+std::optional<Interval> passes(const ToolContact& contact, glm::dvec3 place, double radius) noexcept;
 
 /// 0 = unburnt .. 1 = charred through, from the hottest temperature.
-double char_of(double peak, const CauteryParameters& cautery) noexcept;
+double char_of(double peak, const CauteryParameters& c) noexcept;
 
-/// mm from the tip's path beyond which a contact of this length changes nothing that can be seen.
-double heated_reach(const ToolContact& contact, const CauteryParameters& cautery) noexcept;
-
-/// The wounds that these contacts open, each with the time at which a later coagulating contact stops it. A
-/// moving tip opens a row of wounds along its path. In the order of the contacts.
-std::vector<Wound> wounds_of(std::span<const ToolContact> contacts, const CauteryParameters& cautery);
+/// 1 = divided .. 0 = whole, `distance` mm from a place that was divided: one tip radius wide, with a soft edge.
+double divided_at(double distance, const CauteryParameters& c) noexcept;
 
 }  // namespace lapfx::cautery

@@ -1,19 +1,36 @@
 // The parameters of heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator").
 //
-//   T(r, t) = 37 + min(heat_rate * power * t, maximum_temperature - 37) * exp(-(r / R)^2)        degrees Celsius
-//   R(t)    = 1.5 + heat_spread * sqrt(t): radius of the heated region, t the duration of contact at a place   mm
-//   T > cut_temperature: the tissue is divided and bleeds
-//   coagulation_temperature < T: wounds close        T > char_temperature: the surface chars
+// Both models: T > cut_temperature under the tip: the tissue is divided and bleeds. T > coagulation_temperature: wounds
+// close. The hottest that tissue has been decides how charred it is.
 //
+// model "radial", the paper's; temperatures in degrees Celsius, lengths mm, times s:
+//
+//   T(r, t) = 37 + U exp(-(r / R)^2),   R = tip_radius + heat_spread * sqrt(H)
+//   tip within tip_radius of the place:  dU/dt = heat_rate * power up to maximum_temperature - 37,  dH/dt = 1
+//   else:                                dU/dt = -U / cooling_time,                                dH/dt = -H / cooling_time
+//
+// H is the duration of contact at a place of the tip's path, r the distance from it; of several places the hottest counts.
 // "The amount of heat and its effects on the nearby tissue is proportional to the duration of the application"; "the region
 // affected by the heat is expanded radially". The paper gives no numbers.
 //
+// model "bioheat" (H. H. Pennes, J Appl Physiol 1(2), 1948), on the surface; u is the rise above 37 degrees:
+//
+//   du/dt = diffusivity * Laplacian(u) - perfusion * u + heat_rate * power * exp(-(r / tip_radius)^2)
+//
+// maximum_temperature bounds what is read, not u itself.
+//
 // Why these defaults:
 // - heat_rate 220 degrees per second: at full power a hook divides fat after about 0.7 s, as in the videos.
+// - tip_radius 1.5 mm: half the width of the heel of a 5 mm hook, the part that lies on the tissue.
 // - coagulation 60: proteins denature and vessels shrink shut. Char 150: water is gone and the surface blackens. Cut 180:
 //   tissue parts. Maximum 400: what a monopolar hook reaches; keeps long contacts from running away.
 // - heat_spread 2.2 mm in the first second: heat diffuses, so the radius grows with the square root of time; pale cooked
 //   rims in the videos are 2 to 4 mm wide.
+// - cooling_time 4 s: a Gaussian of the tip's radius w loses half its height by diffusion within w^2 / (4 diffusivity).
+// - diffusivity 0.13 mm2/s: conductivity over density and specific heat of soft tissue, 0.5 W/m/K / (1060 kg/m3 *
+//   3600 J/kg/K); F. A. Duck, Physical Properties of Tissue, 1990, lists 0.11 to 0.15.
+// - perfusion 0.02 per second: of the order of a well perfused liver (about 1 ml blood per ml of tissue and minute); it also
+//   stands for the heat that goes into the depth, which the surface does not have.
 #include "preset/tables.h"
 
 namespace lapfx::preset {
@@ -24,11 +41,19 @@ using C = CauteryParameters;
 
 constexpr Range temperature{37, 600, 1, "°C"};
 
+constexpr std::string_view models[] = {"radial", "bioheat"};
+
 constexpr Parameter rows[] = {
+    choice<&C::model>("model", "Heat model", models,
+                      "radial: the paper's heat, in closed form. bioheat: Pennes' bio-heat equation on the tissue's "
+                      "surface, which the paper names as the more physical way; it wants triangles no larger than the "
+                      "tip."),
     number<&C::heat_rate>(
         "heat_rate", "Heat rate", {0, 2000, 5, "°C/s"},
         "How fast tissue heats under a tool at full power: the paper's heat, proportional to the duration "
         "of the cautery."),
+    number<&C::tip_radius>("tip_radius", "Tip radius", {0.3, 10, 0.1, "mm"},
+                           "How far around its tip the tool touches the tissue."),
     number<&C::cut_temperature>("cut_temperature", "Cut temperature", temperature,
                                 "Above it the tissue is divided and may bleed: the paper's pre-determined temperature "
                                 "threshold."),
@@ -37,10 +62,19 @@ constexpr Parameter rows[] = {
     number<&C::char_temperature>("char_temperature", "Char temperature", temperature,
                                  "Above it the surface of the tissue blackens."),
     number<&C::heat_spread>("heat_spread", "Heat spread", {0, 20, 0.1, "mm/sqrt(s)"},
-                            "Radius of the heated region after one second; it grows with the square root of time. The "
-                            "paper's radial expansion."),
+                            "How far the heated region has grown after one second; it grows with the square root of "
+                            "time. The paper's radial expansion. Only for the model radial."),
+    number<&C::cooling_time>("cooling_time", "Cooling time", {0.1, 60, 0.1, "s", Scale::logarithmic},
+                             "In this time tissue cools to 37 % of its rise when the tool has left. Only for the model "
+                             "radial."),
     number<&C::maximum_temperature>("maximum_temperature", "Maximum temperature", temperature,
                                     "The heat under the tool never exceeds it."),
+    number<&C::diffusivity>(
+        "diffusivity", "Diffusivity", {0, 2, 0.01, "mm²/s"},
+        "How fast heat spreads through the tissue: its conductivity over its heat capacity. Only for "
+        "the model bioheat."),
+    number<&C::perfusion>("perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
+                          "How fast flowing blood carries heat away. Only for the model bioheat."),
 };
 
 constexpr Rule rules[] = {

@@ -15,7 +15,7 @@ glm::dvec3 MovedSurface::to_rest(const glm::dvec3& place) const {
     SurfacePoint nearest;
     if (!moved() || !tree_.nearest(mesh(), place, nearest)) return place;
     const auto& corners = rest_.triangles[nearest.triangle];
-    glm::dvec3 at_rest(0.0);
+    glm::dvec3 at_rest = place - nearest.position;
     for (int i = 0; i < 3; ++i) at_rest += nearest.weights[i] * rest_.positions[corners[i]];
     return at_rest;
 }

@@ -18,7 +18,7 @@ class MovedSurface {
     void move(std::span<const glm::vec3> positions);
     bool moved() const { return !positions_.empty(); }
 
-    /// The place at rest of the place on the moved shape that is nearest to `place`.
+    /// The place at rest of the place on the moved shape that is nearest to `place`, as far off the surface as that.
     glm::dvec3 to_rest(const glm::dvec3& place) const;
     bool intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 

@@ -95,12 +95,26 @@ bool Surface::intersect_ray(const glm::dvec3& origin, const glm::dvec3& directio
     return tree_.first_hit(mesh(), origin, direction, hit);
 }
 
+void Surface::points_within(const glm::dvec3& centre, double radius, std::vector<std::uint32_t>& out) const {
+    out.clear();
+    if (!(radius >= 0.0)) return;
+    tree_.near_path(centre, centre, radius, [&](std::uint32_t t) {
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t point = triangles[t][c];
+            // Its first triangle tells of a point, and that triangle's first corner there.
+            if (point_triangles[triangle_start[point]] != t) continue;
+            if ((c > 0 && triangles[t][0] == point) || (c > 1 && triangles[t][1] == point)) continue;
+            if (glm::distance(positions[point], centre) <= radius) out.push_back(point);
+        }
+    });
+}
+
 std::vector<std::uint32_t> Surface::points_near(const glm::dvec3& a, const glm::dvec3& b, double radius) const {
-    std::vector<std::uint32_t> near, points;
-    tree_.near_path(a, b, radius, near);
-    for (const std::uint32_t t : near)
+    std::vector<std::uint32_t> points;
+    tree_.near_path(a, b, radius, [&](std::uint32_t t) {
         for (const std::uint32_t p : triangles[t])
             if (distance_to_path(positions[p], a, b) <= radius) points.push_back(p);
+    });
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());
     return points;

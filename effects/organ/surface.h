@@ -47,6 +47,11 @@ class Surface {
     bool closest_on_other_component(const glm::dvec3& point, std::uint32_t component_of_point, double within,
                                     SurfacePoint& place) const;
 
+    /// All points within `radius` mm of `centre`, of whatever part of the surface, replacing what `out` held; each once, in
+    /// an order that depends on the surface alone. Points without a triangle are never found. Allocates only to
+    /// grow `out`.
+    void points_within(const glm::dvec3& centre, double radius, std::vector<std::uint32_t>& out) const;
+
     /// The first place that the ray hits, from either side; false when it misses. `direction` need not be
     /// unit length.
     bool intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;

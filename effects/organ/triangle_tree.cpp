@@ -10,8 +10,6 @@ namespace {
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double rounding = 1e-12;  // a ray through an edge must not slip between its two triangles
 constexpr std::uint32_t leaf_size = 4;
-/// Halving a leaf's triangles each time, no tree of 2^32 triangles is deeper.
-constexpr std::size_t deepest = 64;
 
 double square(const glm::dvec3& v) {
     return glm::dot(v, v);
@@ -59,8 +57,6 @@ double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dve
     // Boxes are rounded outwards by less than this.
     return from <= to * (1 + 1e-12) ? from : infinity;
 }
-
-using Stack = std::array<std::uint32_t, deepest>;
 
 }  // namespace
 
@@ -208,39 +204,19 @@ bool TriangleTree::first_hit(TriangleMesh mesh, const glm::dvec3& origin, const 
     return nearest < infinity;
 }
 
-void TriangleTree::near_path(const glm::dvec3& a, const glm::dvec3& b, double radius,
-                             std::vector<std::uint32_t>& triangles) const {
-    if (nodes_.empty()) return;
-    const glm::dvec3 path = b - a, inverse = 1.0 / path;
-    // The path meets the box grown by the radius: a little more than what is within the radius, never less.
-    const auto meets = [&](const Node& node) {
-        const glm::dvec3 low = glm::dvec3(node.low) - radius, high = glm::dvec3(node.high) + radius;
-        double from = 0.0, to = 1.0;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (path[axis] == 0.0) {
-                if (a[axis] < low[axis] || a[axis] > high[axis]) return false;
-                continue;
-            }
-            const double s = (low[axis] - a[axis]) * inverse[axis], e = (high[axis] - a[axis]) * inverse[axis];
-            from = std::max(from, std::min(s, e));
-            to = std::min(to, std::max(s, e));
-        }
-        return from <= to;
-    };
-    Stack stack;
-    std::size_t size = 0;
-    stack[size++] = 0;
-    while (size > 0) {
-        const std::uint32_t n = stack[--size];
-        const Node& node = nodes_[n];
-        if (!meets(node)) continue;
-        if (node.count == 0) {
-            stack[size++] = node.first;
-            stack[size++] = n + 1;
+bool TriangleTree::meets_path(const Node& node, const glm::dvec3& a, const glm::dvec3& path, double radius) {
+    const glm::dvec3 low = glm::dvec3(node.low) - radius, high = glm::dvec3(node.high) + radius;
+    double from = 0.0, to = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (path[axis] == 0.0) {
+            if (a[axis] < low[axis] || a[axis] > high[axis]) return false;
             continue;
         }
-        triangles.insert(triangles.end(), order_.begin() + node.first, order_.begin() + node.first + node.count);
+        const double s = (low[axis] - a[axis]) / path[axis], e = (high[axis] - a[axis]) / path[axis];
+        from = std::max(from, std::min(s, e));
+        to = std::min(to, std::max(s, e));
     }
+    return from <= to;
 }
 
 }  // namespace lapfx

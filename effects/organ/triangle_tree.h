@@ -47,9 +47,26 @@ class TriangleTree {
     /// The first place that the ray hits, from either side. `direction` need not be of unit length.
     bool first_hit(TriangleMesh mesh, const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 
-    /// Appends every triangle whose box comes within `radius` of the straight path from `a` to `b`.
-    void near_path(const glm::dvec3& a, const glm::dvec3& b, double radius,
-                   std::vector<std::uint32_t>& triangles) const;
+    /// Calls visit(triangle) for every triangle that comes within `radius` of the straight path from `a` to `b`, and for some
+    /// that lie a little farther off.
+    template <class Visit>
+    void near_path(const glm::dvec3& a, const glm::dvec3& b, double radius, Visit visit) const {
+        if (nodes_.empty()) return;
+        Stack stack;
+        std::size_t size = 0;
+        stack[size++] = 0;
+        while (size > 0) {
+            const std::uint32_t n = stack[--size];
+            const Node& node = nodes_[n];
+            if (!meets_path(node, a, b - a, radius)) continue;
+            if (node.count == 0) {
+                stack[size++] = node.first;
+                stack[size++] = n + 1;
+                continue;
+            }
+            for (std::uint32_t i = node.first; i < node.first + node.count; ++i) visit(order_[i]);
+        }
+    }
 
   private:
     /// A box around a run of triangles, or around two boxes.
@@ -58,6 +75,11 @@ class TriangleTree {
         std::uint32_t first = 0;  ///< leaf: into order_; else the second child (the first is the next node)
         std::uint32_t count = 0;  ///< leaf: triangles; else 0
     };
+    /// Halving a leaf's triangles each time, no tree of 2^32 triangles is deeper.
+    using Stack = std::array<std::uint32_t, 64>;
+
+    /// Whether the path meets the box grown by the radius: a little more than what is within the radius, never less.
+    static bool meets_path(const Node& node, const glm::dvec3& a, const glm::dvec3& path, double radius);
     void fit(Node& node, std::uint32_t first, std::uint32_t count, TriangleMesh mesh) const noexcept;
 
     std::vector<Node> nodes_;

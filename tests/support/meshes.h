@@ -1,6 +1,7 @@
 // Organs of known shape, so that distances and areas on them have a closed form.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>

@@ -4,7 +4,7 @@
 //     lapfx::Organ organ = lapfx::load_organ("stomach.glb");
 //     lapfx::Effects effects(organ, lapfx::load_preset("tuned.json"), {.clip_folders = {"clips"}});
 //
-//     effects.set_contacts(contacts);          // whenever the tool does something
+//     effects.set_contacts(contacts);          // whenever the tool does something; or push samples, see tool_queue.h
 //     effects.seek(now);                       // once per frame; s, any order
 //     effects.draw_organ(view);                // into the bound framebuffer, tested against its depth
 //     effects.draw_smoke(view, depth_texture); // over the frame, when all else has been drawn
@@ -39,6 +39,7 @@
 #include "lapfx/preset.h"
 #include "lapfx/tissue.h"
 #include "lapfx/tool.h"
+#include "lapfx/tool_queue.h"
 #include "lapfx/view.h"
 #include "lapfx/wound.h"
 
@@ -78,7 +79,15 @@ class Effects {
     /// preset.
     void set_preset(const Preset& preset);
     /// All contacts so far, past and running; what happened is a function of this list and the time.
+    /// They take the place of what the tool queue has brought so far.
     void set_contacts(std::span<const ToolContact> contacts);
+    /// Samples of a haptic thread; seek() takes what has come. Valid as long as the Effects that it came from, also when
+    /// that is moved.
+    ToolQueue& tool_queue() noexcept;
+    /// What has happened so far: what was set, and what came through the queue since; for saving as a scene's events.
+    /// Samples become contacts as effects/cautery/recorder.h says: a running contact grows, bad samples are dropped.
+    /// Valid until the next seek() or set_contacts().
+    std::span<const ToolContact> contacts() const noexcept;
 
     /// The organ moves: new positions, mm, and unit normals for every vertex of the organ (empty: smooth ones are made), same
     /// connectivity. Blood, burns and wounds stay on the tissue: distances, areas and contacts are those of the rest shape, what

@@ -58,17 +58,28 @@ struct VesselParameters {
     double vessel_threshold = 0.0;
     double vessel_reference = 0.1;
     double vessel_strength = 0.0;
+
+    friend bool operator==(const VesselParameters&, const VesselParameters&) = default;
 };
+
+enum class HeatModel { radial, bioheat };
 
 /// Heat under the tool (paper: "Bleeding and Smoke in a Virtual LAGB Simulator").
 /// Formulas: effects/cautery/parameters.cpp.
 struct CauteryParameters {
+    HeatModel model = HeatModel::radial;
     double heat_rate = 220.0;
+    double tip_radius = 1.5;
     double cut_temperature = 180.0;
     double coagulation_temperature = 60.0;
     double char_temperature = 150.0;
     double heat_spread = 2.2;
+    double cooling_time = 4.0;
     double maximum_temperature = 400.0;
+    double diffusivity = 0.13;
+    double perfusion = 0.02;
+
+    friend bool operator==(const CauteryParameters&, const CauteryParameters&) = default;
 };
 
 enum class ClipRole { plume, haze };

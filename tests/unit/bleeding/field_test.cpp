@@ -151,11 +151,11 @@ TEST(Field, SeekEqualsSteppingAtAnyFrameRateWithEverythingOn) {
         {.action = ToolAction::suction, .time = 2.2, .duration = 0.6, .position = {0, 0, 36}, .to = {8, 0, 36}}};
     BleedField direct(surface, down);
     direct.set(wounds, b);
-    direct.set_clearing(suction);
+    direct.set_clearing(suction, b);
     for (const double rate : {13.0, 60.0}) {
         BleedField stepped(surface, down);
         stepped.set(wounds, b);
-        stepped.set_clearing(suction);
+        stepped.set_clearing(suction, b);
         for (int frame = 0; frame <= static_cast<int>(6.0 * rate); ++frame) {
             stepped.update(frame / rate);
             if (frame % 11 != 0) continue;
@@ -173,8 +173,9 @@ TEST(Field, SuctionTakesBloodAwayAndAnOpenWoundFillsThePlaceAgain) {
     BleedingParameters b = plain();
     b.suction_radius = 10.0;
     field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}}}, b);
-    field.set_clearing(std::vector<ToolContact>{
-        {.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}});
+    field.set_clearing(
+        std::vector<ToolContact>{{.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}},
+        b);
     const auto disc = [](double r) { return std::numbers::pi * r * r; };
     field.update(9.0);
     EXPECT_NEAR(field.amount().area, disc(16), 0.02 * disc(16));
@@ -237,7 +238,7 @@ TEST(Field, KeptBloodStaysUntilItIsCleared) {
     field.update(8.0);
     EXPECT_EQ(field.values()[middle], glm::vec2(4.0f, 0.0f)) << "fresh blood over it: 8 - 4 mm";
     field.set(std::vector<Wound>{}, b);
-    field.set_clearing(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}});
+    field.set_clearing(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}}, b);
     field.update(9.0);
     EXPECT_EQ(field.values()[middle].x, 3.0f);
     field.update(11.0);

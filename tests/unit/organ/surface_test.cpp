@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "support/meshes.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -95,6 +96,26 @@ TEST(Surface, TreeAgreesWithEveryTriangleTried) {
             EXPECT_NEAR(hit.position.x, p.x, 1e-12);
         }
     }
+}
+
+TEST(PointsWithin, FindsAllPointsOfAllPartsOnce) {
+    const Surface surface(test::joined(test::plane(20.0, 20, test::Cut::irregular), test::sphere(5.0, 3), {3, 4, 0}));
+    std::vector<std::uint32_t> found{99};
+    for (const double radius : {0.0, 0.7, 3.0, 9.0, 100.0})
+        for (const glm::dvec3 centre : {glm::dvec3(0.0), glm::dvec3(3.0, 1.0, 0.5), surface.positions[7]}) {
+            surface.points_within(centre, radius, found);
+            std::vector<std::uint32_t> wanted;
+            for (std::uint32_t p = 0; p < surface.positions.size(); ++p)
+                if (glm::distance(surface.positions[p], centre) <= radius) wanted.push_back(p);
+            std::sort(found.begin(), found.end());
+            EXPECT_EQ(found, wanted) << radius;
+        }
+    surface.points_within(glm::dvec3(0.0), -1.0, found);
+    EXPECT_TRUE(found.empty());
+    surface.points_within(glm::dvec3(0.0), std::nan(""), found);
+    EXPECT_TRUE(found.empty());
+    Surface().points_within(glm::dvec3(0.0), 10.0, found);
+    EXPECT_TRUE(found.empty());
 }
 
 }  // namespace

@@ -1,0 +1,183 @@
+#include "cautery/cautery.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace lapfx::cautery {
+
+Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
+    : surface_(surface),
+      strength_at_(std::move(strength_at)),
+      track_(surface),
+      radial_(strength_at_),
+      vertex_start_(surface.positions.size() + 1, 0),
+      point_vertices_(surface.weld.size()),
+      is_dirty_(surface.positions.size(), false),
+      marks_(surface.weld.size(), glm::vec2(0.0f)),
+      changed_(surface.weld.size()) {
+    settled_.values.assign(surface.positions.size(), glm::vec2(0.0f));
+    last_.values = settled_.values;
+    for (const std::uint32_t point : surface.weld) ++vertex_start_[point + 1];
+    for (std::size_t i = 1; i < vertex_start_.size(); ++i) vertex_start_[i] += vertex_start_[i - 1];
+    std::vector<std::uint32_t> next(vertex_start_.begin(), vertex_start_.end() - 1);
+    for (std::uint32_t v = 0; v < surface.weld.size(); ++v) point_vertices_[next[surface.weld[v]]++] = v;
+}
+
+void Cautery::choose_model(const CauteryParameters& parameters) {
+    radial_.truncate(0);
+    radial_.set_parameters(parameters);
+    if (bioheat_)
+        for (const std::uint32_t point : bioheat_->touched()) touch(point);
+    const std::uint64_t before = wounds_version();
+    if (parameters.model != HeatModel::bioheat)
+        bioheat_.reset();
+    else if (!bioheat_)
+        bioheat_ = std::make_unique<Bioheat>(surface_, strength_at_);
+    if (bioheat_) bioheat_->reset(parameters);
+    versions_ = before + 1 - list().version();
+    parameters_ = parameters;
+    all_stale_ = true;
+}
+
+void Cautery::set(std::span<const ToolContact> contacts, const CauteryParameters& parameters) {
+    const std::size_t before = track_.stays().size();
+    std::size_t first = track_.set(contacts, parameters);
+    const std::size_t count = track_.stays().size();
+    if (!(parameters == parameters_) || !chosen_) {
+        choose_model(parameters);
+        chosen_ = true;
+        first = 0;
+    } else if (first == before && first == count) {
+        return;
+    }
+    if (bioheat_) {
+        bioheat_->changed_from(track_.same_until());
+    } else {
+        radial_.truncate(first);
+        for (std::size_t i = first; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
+    }
+    // Only the last contact's marks can be taken back.
+    if (first + 1 < before || count < before) all_stale_ = true;
+    last_stale_ = true;
+    if (all_stale_) return;
+    for (std::size_t i = std::min(first, before > 0 ? before - 1 : 0); i + 1 < count; ++i)
+        contribute(static_cast<std::uint32_t>(i), updated_, settled_);
+}
+
+void Cautery::update(double time) noexcept {
+    if (!std::isfinite(time)) return;
+    const auto stays = track_.stays();
+    if (bioheat_) {
+        bioheat_->seek(track_, time);
+        for (const std::uint32_t point : bioheat_->changed()) touch(point);
+        bioheat_->take_changed();
+    }
+    const bool back = time < updated_;
+    const double from = back || all_stale_ ? -never : updated_;
+    if (back || all_stale_) clear(settled_);
+    if (!stays.empty()) {
+        const auto begun =
+            std::partition_point(stays.begin(), stays.end(), [&](const Stay& s) { return s.contact.time <= time; });
+        auto i = static_cast<std::uint32_t>(begun - stays.begin());
+        const auto last = static_cast<std::uint32_t>(stays.size() - 1);
+        if (last_stale_ || back || stays[last].contact.end() >= updated_) {
+            clear(last_);
+            contribute(last, time, last_);
+        }
+        while (i > 0 && stays[i - 1].latest_end >= from) {
+            --i;
+            if (i != last && stays[i].contact.end() >= from) contribute(i, time, settled_);
+        }
+    } else {
+        clear(last_);
+    }
+    all_stale_ = last_stale_ = false;
+    updated_ = time;
+    publish();
+}
+
+void Cautery::clear(Layer& layer) {
+    for (const std::uint32_t point : layer.points) {
+        layer.values[point] = glm::vec2(0.0f);
+        touch(point);
+    }
+    layer.points.clear();
+}
+
+/// What a contact has marked by `time`. It only grows with time, so that adding it again later does no harm.
+void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
+    const Stay& stay = track_.stays()[number];
+    if (stay.contact.time > time) return;
+    if (cold(stay.contact.action)) {
+        for (const Place& place : track_.places_of(stay))
+            if (place.arrival <= time) divide_around(place.point.position, layer);
+        return;
+    }
+    if (!stay.contact.hot() || bioheat_) return;
+    // Heat that does not cook leaves no mark.
+    const double least = std::max(parameters_.coagulation_temperature - body_temperature, 0.5);
+    radial_.bells(number, time, bells_);
+    for (const Bell& bell : bells_) {
+        if (bell.divided) divide_around(bell.position, layer);
+        if (!(bell.rise > least)) continue;
+        surface_.points_within(bell.position, bell.radius * std::sqrt(std::log(bell.rise / least)), near_);
+        for (const std::uint32_t point : near_) {
+            const double peak = body_temperature + bell.at(surface_.positions[point]);
+            raise(layer, point, {static_cast<float>(char_of(peak, parameters_)), 0.0f});
+        }
+    }
+}
+
+void Cautery::divide_around(const glm::dvec3& place, Layer& layer) {
+    surface_.points_within(place, parameters_.tip_radius, near_);
+    for (const std::uint32_t point : near_) {
+        const double distance = glm::distance(surface_.positions[point], place);
+        raise(layer, point, {0.0f, static_cast<float>(divided_at(distance, parameters_))});
+    }
+}
+
+void Cautery::raise(Layer& layer, std::uint32_t point, glm::vec2 mark) {
+    glm::vec2& value = layer.values[point];
+    const glm::vec2 higher = glm::max(value, mark);
+    if (higher == value) return;
+    if (value == glm::vec2(0.0f)) layer.points.push_back(point);
+    value = higher;
+    touch(point);
+}
+
+void Cautery::touch(std::uint32_t point) {
+    if (is_dirty_[point]) return;
+    is_dirty_[point] = true;
+    dirty_.push_back(point);
+}
+
+void Cautery::publish() {
+    for (const std::uint32_t point : dirty_) {
+        is_dirty_[point] = false;
+        glm::vec2 mark = glm::max(settled_.values[point], last_.values[point]);
+        if (bioheat_) {
+            const auto charred = static_cast<float>(char_of(bioheat_->peak(point), parameters_));
+            mark = glm::max(mark, {charred, static_cast<float>(bioheat_->divided(point))});
+        }
+        for (std::uint32_t i = vertex_start_[point]; i < vertex_start_[point + 1]; ++i) {
+            const std::uint32_t vertex = point_vertices_[i];
+            if (marks_[vertex] == mark) continue;
+            marks_[vertex] = mark;
+            changed_.mark(vertex);
+        }
+    }
+    dirty_.clear();
+}
+
+double Cautery::temperature(const glm::dvec3& place, double time) {
+    const glm::dvec3 size = glm::abs(place);
+    if (!(size.x <= 1e5 && size.y <= 1e5 && size.z <= 1e5) || !std::isfinite(time) || surface_.triangles.empty())
+        return body_temperature;
+    const SurfacePoint nearest = surface_.closest_point(place);
+    if (!(nearest.distance <= farthest_touch)) return body_temperature;
+    if (!bioheat_) return radial_.temperature(nearest.position, time);
+    bioheat_->seek(track_, time);
+    return bioheat_->temperature(nearest);
+}
+
+}  // namespace lapfx::cautery

@@ -1,0 +1,94 @@
+// What the tool does to the organ: heat, the wounds that it opens and closes, and the marks that it leaves. CPU only. A
+// function of the contacts and the time: any order of times and of set() gives the same. One thread at a time.
+//
+// Contacts that cannot be (not finite, absurd; see usable()) are left out, and so is every part of a tip's path that is
+// farther than 5 mm from the surface: there the tip touches nothing. An empty surface has no wounds and no marks. Contacts
+// whose action is suction or irrigation do nothing here.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "cautery/bioheat_cpu.h"
+#include "cautery/radial_cpu.h"
+#include "cautery/track_cpu.h"
+#include "organ/changed_vertices.h"
+
+namespace lapfx::cautery {
+
+class Cautery {
+  public:
+    /// Keeps a reference to the surface. `strength_at` may be empty: 1 everywhere. It is asked when a wound may open.
+    Cautery(const Surface& surface, StrengthAt strength_at);
+    Cautery(const Cautery&) = delete;
+    Cautery& operator=(const Cautery&) = delete;
+
+    /// All contacts, past and future. Costs what has changed at the end of the list since the last call, besides
+    /// comparing it; a change further back, or of the parameters, does all anew.
+    void set(std::span<const ToolContact> contacts, const CauteryParameters& parameters);
+    /// strength_at would answer otherwise than before: the next set() does all anew.
+    void strengths_changed() { chosen_ = false; }
+    /// Heat, wounds and marks at `time`. Times that are not finite are ignored.
+    void update(double time) noexcept;
+
+    /// All wounds that start at or before the updated time, and perhaps later ones, with their stops as far as they are
+    /// known. Of places closer than 1 mm only the first wound counts while it is open and at least as strong. The first
+    /// WoundList::most (4096) are kept; later ones are left out. Valid until the next set() or update().
+    std::span<const Wound> wounds() const { return list().wounds(); }
+    /// Changes when the wounds do.
+    std::uint64_t wounds_version() const { return list().version() + versions_; }
+    /// Wounds that were left out because there were too many.
+    std::size_t left_out() const { return list().left_out(); }
+
+    /// Per organ vertex: x char 0..1, y divided 0..1.
+    std::span<const glm::vec2> marks() const { return marks_; }
+    /// Which marks have changed.
+    ChangedVertices& changed() { return changed_; }
+
+    /// Degrees Celsius of the surface at `place`; 37 far from it. In the model bioheat this costs a seek.
+    double temperature(const glm::dvec3& place, double time);
+
+  private:
+    /// Marks per point of the surface, and the points where there are any.
+    struct Layer {
+        std::vector<glm::vec2> values;
+        std::vector<std::uint32_t> points;
+    };
+
+    const WoundList& list() const { return bioheat_ ? bioheat_->wounds() : radial_.wounds(); }
+    void choose_model(const CauteryParameters& parameters);
+    void clear(Layer& layer);
+    void contribute(std::uint32_t contact, double time, Layer& layer);
+    void raise(Layer& layer, std::uint32_t point, glm::vec2 mark);
+    void divide_around(const glm::dvec3& place, Layer& layer);
+    void touch(std::uint32_t point);
+    void publish();
+
+    const Surface& surface_;
+    StrengthAt strength_at_;
+    CauteryParameters parameters_;
+    bool chosen_ = false;  // parameters_ are of a set()
+    Track track_;
+    Radial radial_;
+    std::unique_ptr<Bioheat> bioheat_;  // while the model is bioheat
+    std::uint64_t versions_ = 0;        // of the model that was before
+
+    std::vector<std::uint32_t> vertex_start_;  // per point, into point_vertices_; one more at the end
+    std::vector<std::uint32_t> point_vertices_;
+
+    // The last contact grows while its button is held: its marks lie over those of all others.
+    Layer settled_, last_;
+    bool all_stale_ = true, last_stale_ = true;
+    double updated_ = 0.0;
+    std::vector<std::uint32_t> dirty_;  // points whose marks may have changed
+    std::vector<char> is_dirty_;        // per point
+    std::vector<glm::vec2> marks_;
+    ChangedVertices changed_;
+
+    std::vector<Bell> bells_;
+    std::vector<std::uint32_t> near_;
+};
+
+}  // namespace lapfx::cautery
