@@ -41,6 +41,7 @@ Bioheat::Bioheat(const Surface& surface, const StrengthAt& strength_at)
       heat_(surface),
       peak_(surface.positions.size(), 0.0f),
       divided_(surface.positions.size(), 0.0f),
+      recent_(most_undone),
       is_touched_(surface.positions.size(), false),
       is_changed_(surface.positions.size(), false) {}
 
@@ -51,7 +52,8 @@ void Bioheat::reset(const CauteryParameters& parameters) {
     pending_.clear();
     snapshots_.clear();
     interval_ = 64;
-    started_ = can_undo_ = false;
+    started_ = false;
+    can_undo_ = 0;
     furthest_ = std::numeric_limits<std::int64_t>::min();
     wounds_.truncate(std::numeric_limits<std::int64_t>::min());
 }
@@ -95,7 +97,7 @@ void Bioheat::seek(const Track& track, double time) {
                 next == stays.end() ? wanted : std::min(wanted, step_at_or_before(next->contact.time));
             pending_.clear();
             step_ = std::max(idle, step_ + 1);
-            can_undo_ = false;
+            can_undo_ = 0;
             furthest_ = std::max(furthest_, step_);
             continue;
         }
@@ -104,16 +106,18 @@ void Bioheat::seek(const Track& track, double time) {
 }
 
 void Bioheat::go_back(std::int64_t to) {
-    if (can_undo_ && to == step_ - 1) {
-        heat_.restore(last_.field);
-        for (auto mark = last_.marks.rbegin(); mark != last_.marks.rend(); ++mark)
-            set_mark(mark->point, mark->peak, mark->divided);
-        pending_ = last_.pending;
-        --step_;
-        can_undo_ = false;
+    if (to < step_ && step_ - to <= can_undo_) {
+        can_undo_ -= step_ - to;
+        while (step_ > to) {
+            const Snapshot& before = recent(--step_);
+            for (auto mark = before.marks.rbegin(); mark != before.marks.rend(); ++mark)
+                set_mark(mark->point, mark->peak, mark->divided);
+        }
+        heat_.restore(recent(step_).field);
+        pending_ = recent(step_).pending;
         return;
     }
-    can_undo_ = false;
+    can_undo_ = 0;
     const auto before =
         std::find_if(snapshots_.rbegin(), snapshots_.rend(), [&](const Snapshot& s) { return s.step <= to; });
     if (before != snapshots_.rend()) {
@@ -132,7 +136,7 @@ void Bioheat::restore(const Snapshot& snapshot) {
     for (const Mark& mark : snapshot.marks) set_mark(mark.point, mark.peak, mark.divided);
     pending_ = snapshot.pending;
     step_ = snapshot.step;
-    can_undo_ = false;
+    can_undo_ = 0;
 }
 
 void Bioheat::keep_snapshot() {
@@ -201,10 +205,11 @@ void Bioheat::find_running(const Track& track, double from, double to) {
 
 void Bioheat::advance(const Track& track) {
     const double from = time_of(step_), to = time_of(step_ + 1);
-    last_.field = heat_.field();
-    last_.pending = pending_;
-    last_.marks.clear();
-    can_undo_ = true;
+    Snapshot& before = recent(step_);
+    before.field = heat_.field();
+    before.pending = pending_;
+    before.marks.clear();
+    can_undo_ = std::min(can_undo_ + 1, most_undone);
     if (step_ % cool_interval == 0) heat_.drop_cool();
     ++step_;
     opened_.clear();
@@ -248,7 +253,7 @@ void Bioheat::record_peaks() {
         const std::uint32_t p = field.points[i];
         const auto rise = static_cast<float>(field.now[i]);
         if (!(rise > peak_[p])) continue;
-        last_.marks.push_back({p, peak_[p], divided_[p]});
+        recent(step_ - 1).marks.push_back({p, peak_[p], divided_[p]});
         set_mark(p, rise, divided_[p]);
     }
 }
@@ -278,7 +283,7 @@ void Bioheat::divide(const Track& track, double from) {
             const auto divided =
                 static_cast<float>(divided_at(glm::distance(surface_.positions[p], place.point.position), parameters_));
             if (!(divided > divided_[p])) continue;
-            last_.marks.push_back({p, peak_[p], divided_[p]});
+            recent(step_ - 1).marks.push_back({p, peak_[p], divided_[p]});
             set_mark(p, peak_[p], divided);
         }
         if (!place.wound || step_ <= furthest_) continue;

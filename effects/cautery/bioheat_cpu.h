@@ -48,6 +48,8 @@ class Bioheat {
         std::uint32_t point;
         float peak, divided;
     };
+    static constexpr std::int64_t most_undone = 32;  // a power of two
+
     /// What a tip may yet divide.
     struct Pending {
         std::uint32_t place, stay;
@@ -67,6 +69,7 @@ class Bioheat {
     void set_mark(std::uint32_t point, float peak, float divided);
     void restore(const Snapshot& snapshot);
     void go_back(std::int64_t to);
+    Snapshot& recent(std::int64_t at) { return recent_[static_cast<std::size_t>(at & (most_undone - 1))]; }
     void keep_snapshot();
     void advance(const Track& track);
     bool cold_at(const Track& track, double time) const;
@@ -91,9 +94,10 @@ class Bioheat {
 
     std::vector<Snapshot> snapshots_;  // by step
     std::int64_t interval_ = 64;       // steps between snapshots
-    // One step back, for live use, where what comes next changes the step that has just begun.
-    Snapshot last_;  // its marks: those that the last step changed, as they were
-    bool can_undo_ = false;
+    // The last steps, for live use, where the contact that has just begun still changes: how it was before each of them.
+    // Their marks are only those that the step has changed.
+    std::vector<Snapshot> recent_;  // a ring, by step
+    std::int64_t can_undo_ = 0;     // so many steps
 
     WoundList wounds_;
     std::vector<Wound> opened_;

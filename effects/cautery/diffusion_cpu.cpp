@@ -52,7 +52,15 @@ void Diffusion::join(std::uint32_t point) {
     field_.now.push_back(0.0);
     field_.before.push_back(0.0);
     source_.push_back(0.0);
-    stale_ = true;
+    if (stale_) return;
+    assemble_row(point);
+    // The rows of its neighbours know it from now on.
+    for (const std::uint32_t other : surface_.neighbours_of(point)) {
+        if (slot_[other] == none || other == point) continue;
+        const auto around = surface_.neighbours_of(other);
+        const auto at = std::lower_bound(around.begin(), around.end(), point) - around.begin();
+        entries_[row_start_[slot_[other]] + static_cast<std::size_t>(at)].column = slot_[point];
+    }
 }
 
 void Diffusion::heat(std::uint32_t point, double rate) {
@@ -104,14 +112,8 @@ void Diffusion::assemble_row(std::uint32_t point) {
     // Points of triangles without any area have no mass; so little keeps the matrix regular.
     mass_.push_back(std::max(mass, 1e-12));
     stiffness_.push_back(stiffness);
-    // Neighbours out of play are 0 and stay so.
-    std::size_t kept = first;
-    for (std::size_t e = first; e < entries_.size(); ++e)
-        if (slot_[entries_[e].column] != none) {
-            entries_[kept] = entries_[e];
-            entries_[kept++].column = slot_[entries_[e].column];
-        }
-    entries_.resize(kept);
+    for (std::size_t e = first; e < entries_.size(); ++e) entries_[e].column = slot_[entries_[e].column];
+    row_start_.push_back(static_cast<std::uint32_t>(entries_.size()));
 }
 
 void Diffusion::assemble() {
@@ -119,10 +121,7 @@ void Diffusion::assemble() {
     mass_.clear();
     stiffness_.clear();
     row_start_.assign(1, 0);
-    for (const std::uint32_t p : field_.points) {
-        assemble_row(p);
-        row_start_.push_back(static_cast<std::uint32_t>(entries_.size()));
-    }
+    for (const std::uint32_t p : field_.points) assemble_row(p);
     stale_ = false;
 }
 
@@ -131,7 +130,8 @@ void Diffusion::apply(double a, double b, const std::vector<double>& x, std::vec
     for (std::size_t i = 0; i < x.size(); ++i) {
         double sum = (a * mass_[i] + b * stiffness_[i]) * x[i];
         for (std::uint32_t e = row_start_[i]; e < row_start_[i + 1]; ++e)
-            sum += (a * entries_[e].mass + b * entries_[e].stiffness) * x[entries_[e].column];
+            if (entries_[e].column != none)
+                sum += (a * entries_[e].mass + b * entries_[e].stiffness) * x[entries_[e].column];
         out[i] = sum;
     }
 }
@@ -139,15 +139,19 @@ void Diffusion::apply(double a, double b, const std::vector<double>& x, std::vec
 void Diffusion::solve(double a, double b, const std::vector<double>& right, std::vector<double>& x) {
     const std::size_t size = right.size();
     matrix_.resize(entries_.size());
-    for (std::size_t e = 0; e < matrix_.size(); ++e) matrix_[e] = a * entries_[e].mass + b * entries_[e].stiffness;
+    columns_.resize(entries_.size());
+    for (std::size_t e = 0; e < matrix_.size(); ++e) {
+        const bool in_play = entries_[e].column != none;
+        matrix_[e] = in_play ? a * entries_[e].mass + b * entries_[e].stiffness : 0.0;
+        columns_[e] = in_play ? entries_[e].column : 0;
+    }
     diagonal_.resize(size);
     for (std::size_t i = 0; i < size; ++i) diagonal_[i] = a * mass_[i] + b * stiffness_[i];
     const auto multiply = [&](const std::vector<double>& of, std::vector<double>& out) {
         out.resize(size);
         for (std::size_t i = 0; i < size; ++i) {
             double sum = diagonal_[i] * of[i];
-            for (std::uint32_t e = row_start_[i]; e < row_start_[i + 1]; ++e)
-                sum += matrix_[e] * of[entries_[e].column];
+            for (std::uint32_t e = row_start_[i]; e < row_start_[i + 1]; ++e) sum += matrix_[e] * of[columns_[e]];
             out[i] = sum;
         }
     };
@@ -161,7 +165,7 @@ void Diffusion::solve(double a, double b, const std::vector<double>& right, std:
     direction_ = conditioned_;
     double norm = dot(residual_, conditioned_);
     // In the norm of the preconditioner: the error in degrees, weighted by area.
-    const double enough = 1e-15 * std::max(dot(x, right), norm);
+    const double enough = 1e-13 * std::max(dot(x, right), norm);
     for (int i = 0; i < 200 && norm > enough && norm > 1e-24; ++i) {
         multiply(direction_, applied_);
         const double step = norm / dot(direction_, applied_);

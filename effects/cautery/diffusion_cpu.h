@@ -41,7 +41,7 @@ class Diffusion {
   private:
     static constexpr std::uint32_t none = 0xffffffff;
     struct Entry {
-        std::uint32_t column;
+        std::uint32_t column;  // slot of the neighbour; none: out of play, where the rise is 0 and stays so
         double mass, stiffness;
     };
 
@@ -64,7 +64,8 @@ class Diffusion {
     bool stale_ = true;           // the rows are of another set of points
     std::vector<std::uint32_t> row_start_;
     std::vector<Entry> entries_;
-    std::vector<double> mass_, stiffness_;   // diagonals
+    std::vector<double> mass_, stiffness_;  // diagonals
+    std::vector<std::uint32_t> columns_;
     std::vector<double> matrix_, diagonal_;  // of the system in hand
     std::vector<double> right_, applied_, middle_, residual_, direction_, conditioned_;
 };

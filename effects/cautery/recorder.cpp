@@ -7,7 +7,7 @@ namespace lapfx::cautery {
 
 namespace {
 
-/// Of the path's samples, so many are compared with the straight way: enough for 0.2 s at 1 kHz; of a longer stay, evenly
+/// Of the path's samples, so many are compared with the straight way: enough for a moving contact at 1 kHz; of a longer stay, evenly
 /// thinned out ones.
 constexpr std::size_t most_points = 256;
 

@@ -24,7 +24,7 @@ class Recorder {
   public:
     static constexpr double longest_gap = 0.1;   ///< s
     static constexpr double tolerance = 0.2;     ///< mm
-    static constexpr double longest_move = 0.2;  ///< s; so that a growing contact changes little of the past
+    static constexpr double longest_move = 0.1;  ///< s; so that a growing contact changes little of the past
 
     /// Takes the place of the log. A running contact is over, and time may begin anew.
     void set(std::span<const ToolContact> contacts);
