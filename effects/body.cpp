@@ -64,12 +64,12 @@ void Body::send_density() {
 }
 
 void Body::inherit(const Body& former, std::span<const std::uint32_t> origin, double time) {
-    std::vector<glm::vec2> kept(surface_.positions.size(), glm::vec2(bleeding::BleedField::dry, 0.0f));
+    std::vector<glm::vec2> kept(surface_.positions.size(), glm::vec2(bleeding::BleedField::none, 0.0f));
     const std::span<const glm::vec2> values = former.bleed_.values();
     for (std::size_t v = 0; v < origin.size(); ++v) {
         if (origin[v] >= values.size()) continue;
         glm::vec2& at = kept[surface_.weld[v]];
-        if (values[origin[v]].x > at.x) at = values[origin[v]];
+        if (values[origin[v]].x > std::max(at.x, former.bleed_.dry())) at = values[origin[v]];
     }
     bleed_.keep(std::move(kept), time);
 }

@@ -19,6 +19,14 @@ float steepness(float source, float noise_strength) {
     return std::max(1.0f, noise_strength / source);
 }
 
+double longest_edge(const Surface& surface) {
+    double longest = 0.0;
+    const auto& p = surface.positions;
+    for (const auto& c : surface.triangles)
+        for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(p[c[i]], p[c[(i + 1) % 3]]));
+    return std::min(longest, longest_triangle);
+}
+
 double rest_area(const Surface& surface, std::uint32_t triangle) {
     const auto& c = surface.triangles[triangle];
     const auto& p = surface.positions;
@@ -44,10 +52,12 @@ Wet wet_part(double a, double b, double c) {
 
 BleedField::BleedField(const Surface& surface, glm::dvec3 down)
     : surface_(surface),
+      longest_edge_(longest_edge(surface)),
+      dry_(driest()),
       room_(surface, down),
       clearing_(surface, down),
-      surface_values_(surface.positions.size(), glm::vec2(dry, 0.0f)),
-      values_(surface.weld.size(), glm::vec2(dry, 0.0f)),
+      surface_values_(surface.positions.size(), glm::vec2(dry_, 0.0f)),
+      values_(surface.weld.size(), glm::vec2(dry_, 0.0f)),
       is_touched_(surface.positions.size(), false),
       is_counted_(surface.triangles.size(), false),
       changed_(surface.weld.size()) {
@@ -71,7 +81,18 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
     stale_ = stale_ || !same_values;
     parameters_ = parameters;
     amount_known_ = false;
+    if (const float wanted = driest(); wanted != dry_) {
+        dry_ = wanted;
+        std::fill(surface_values_.begin(), surface_values_.end(), glm::vec2(dry_, 0.0f));
+        std::fill(values_.begin(), values_.end(), glm::vec2(dry_, 0.0f));
+        changed_.mark_all();
+    }
     replace_wounds(wounds);
+}
+
+/// Gravity at most doubles a distance, so no neighbour of what noise can reach is drier.
+float BleedField::driest() const noexcept {
+    return static_cast<float>(-(parameters_.noise_strength + 2.0 * longest_edge_ + 1.0));
 }
 
 /// The common case, wounds added at the end and others stopped, touches no front.
@@ -115,7 +136,7 @@ void BleedField::keep(std::vector<glm::vec2> values, double time) {
     kept_ = std::move(values);
     kept_at_ = time;
     for (std::uint32_t v = 0; v < kept_.size(); ++v)
-        if (kept_[v].x > dry) touch(v);
+        if (kept_[v].x > none) touch(v);
     stale_ = true;
 }
 
@@ -170,8 +191,8 @@ void BleedField::forget() noexcept {
 
 void BleedField::wipe() noexcept {
     for (const std::uint32_t v : touched_) {
-        const bool is_kept = !kept_.empty() && kept_[v].x > dry && !(clearing_.last(v) >= kept_at_);
-        surface_values_[v] = is_kept ? kept_[v] : glm::vec2(dry, 0.0f);
+        const bool is_kept = !kept_.empty() && kept_[v].x > none && !(clearing_.last(v) >= kept_at_);
+        surface_values_[v] = is_kept ? kept_[v] : glm::vec2(dry_, 0.0f);
     }
     written_.assign(touched_.begin(), touched_.end());
 }
@@ -195,7 +216,7 @@ void BleedField::write(Bleeder& b) noexcept {
                 fall = steepness(from, noise);
             }
             const float inside = from - at.distance;
-            put(at.vertex, std::max(inside >= 0.0f ? inside : inside * fall, dry), b.clot);
+            put(at.vertex, std::max(inside >= 0.0f ? inside : inside * fall, dry_), b.clot);
         }
     }
 }

@@ -33,7 +33,7 @@ struct BloodAmount {
 
 class BleedField {
   public:
-    static constexpr float dry = -1000.0f;  ///< mm, where no blood can come
+    static constexpr float none = -1e30f;  ///< for keep(): nothing is kept here
 
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     BleedField(const Surface& surface, glm::dvec3 down);
@@ -48,6 +48,9 @@ class BleedField {
 
     void update(double time) noexcept;
 
+    /// Value where no blood can come, mm: lower than where noise can show any, and not so low that its slope, carried on beyond
+    /// a triangle by multisampling, could come above 0. Changes with noise_strength.
+    float dry() const { return dry_; }
     std::span<const glm::vec2> values() const { return values_; }                  ///< per organ vertex: mm; clot 0..1
     std::span<const glm::vec2> surface_values() const { return surface_values_; }  ///< the same per surface vertex
     ChangedVertices& changed() { return changed_; }                                ///< organ vertices; at first, all
@@ -79,10 +82,14 @@ class BleedField {
     void touch(std::uint32_t vertex) noexcept;
     void publish() noexcept;
 
+    float driest() const noexcept;
+
     const Surface& surface_;
+    BleedingParameters parameters_;
+    double longest_edge_;  // mm
+    float dry_;            // driest(): of the members above
     FrontRoom room_;
     Clearing clearing_;
-    BleedingParameters parameters_;
     std::vector<Bleeder> bleeders_;
     std::vector<WoundStatus> status_;
     std::vector<std::uint32_t>
