@@ -47,7 +47,7 @@ struct Preview::State {
 
     void draw_tool(const View& view, double time) noexcept {
         if (!tool) return;
-        const auto pose = render::tool_pose(scene.events, scene.tool.port, time);
+        const auto pose = render::tool_pose(effects.contacts(), scene.tool.port, time);
         if (!pose) return;
         const gl::StateGuard guard;
         view_block.bind(view);
@@ -105,8 +105,13 @@ void Preview::set_camera(const SceneCamera& camera) {
     state_->scene.camera = camera;
 }
 void Preview::set_contacts(std::span<const ToolContact> contacts) {
-    state_->scene.events.assign(contacts.begin(), contacts.end());
     state_->effects.set_contacts(contacts);
+}
+ToolQueue& Preview::tool_queue() {
+    return state_->effects.tool_queue();
+}
+std::span<const ToolContact> Preview::contacts() const {
+    return state_->effects.contacts();
 }
 const SceneCamera& Preview::camera() const {
     return state_->scene.camera;

@@ -85,7 +85,8 @@ Opened open_files(const std::vector<std::string>& files) {
 void run(const std::vector<std::string>& files) {
     const Opened opened = open_files(files);
     std::cerr
-        << "lapfx: left button cauterises the organ; right button or empty space orbits, middle pans, wheel zooms;"
+        << "lapfx: left button works on the organ (1 cauterise, 2 cut, 3 coagulate, 4 tear, 5 suction, 6 irrigation);"
+           " right button or empty space orbits, middle pans, wheel zooms;"
            " space plays and pauses, arrows step, R restarts, Home resets the view\n";
     window::view(opened.scene, opened.preset, clip_folders());
 }

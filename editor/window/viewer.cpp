@@ -12,6 +12,7 @@ namespace lapfx::window {
 
 namespace {
 
+constexpr double sample_time = 0.01;   // s between samples of the tool that the pointer is
 constexpr double still_longest = 0.5;  // s; a frame that took longer (a stopped process) does not make time jump
 
 /// What the user does, turned into a camera, contacts and a time. No drawing.
@@ -20,7 +21,6 @@ class Viewer {
     Viewer(GlfwWindow& window, Preview& preview, const Scene& scene)
         : window_(window),
           preview_(preview),
-          contacts_(scene.events),
           camera_(scene.camera),
           home_(scene.camera),
           scene_contacts_(scene.events),
@@ -51,14 +51,23 @@ class Viewer {
     }
 
   private:
-    enum class Drag { none, orbit, pan, cauterise };
+    enum class Drag { none, orbit, pan, tool };
+
+    /// What the left button does, by number key.
+    struct Tool {
+        ToolAction action;
+        const char* name;
+    };
+    static constexpr Tool tools[] = {{ToolAction::cauterise, "1 cauterise"}, {ToolAction::cut, "2 cut"},
+                                     {ToolAction::coagulate, "3 coagulate"}, {ToolAction::tear, "4 tear"},
+                                     {ToolAction::suction, "5 suction"},     {ToolAction::irrigation, "6 irrigation"}};
 
     static Viewer& self(GLFWwindow* window) { return *static_cast<Viewer*>(glfwGetWindowUserPointer(window)); }
 
     void advance(double seconds) {
         time_ += seconds;
-        if (drag_ == Drag::cauterise) {
-            hold_contact();
+        if (drag_ == Drag::tool) {
+            hold_tool();
         } else if (time_ > duration_) {
             time_ = 0.0;
         }
@@ -78,10 +87,9 @@ class Viewer {
 
     void show_state() {
         const Amounts amounts = preview_.amounts();
-        char title[160];
-        std::snprintf(title, sizeof title, "lapfx  %s %.1f s  blood %.0f mm2  haze %.2f  %s",
-                      playing_ ? "playing" : "paused", time_, amounts.blood_area, amounts.haze,
-                      drag_ == Drag::cauterise ? "cauterising" : "");
+        char title[200];
+        std::snprintf(title, sizeof title, "lapfx  %s %.1f s  blood %.0f mm2  haze %.2f  tool: %s",
+                      playing_ ? "playing" : "paused", time_, amounts.blood_area, amounts.haze, tools[tool_].name);
         if (title_ != title) glfwSetWindowTitle(window_.get(), title);
         title_ = title;
     }
@@ -97,30 +105,51 @@ class Viewer {
         const bool shift = glfwGetKey(window_.get(), GLFW_KEY_LEFT_SHIFT) == GLFW_PRESS;
         if (button == GLFW_MOUSE_BUTTON_MIDDLE || (shift && button == GLFW_MOUSE_BUTTON_RIGHT)) {
             drag_ = Drag::pan;
-        } else if (button == GLFW_MOUSE_BUTTON_LEFT && begin_contact()) {
-            drag_ = Drag::cauterise;
+        } else if (button == GLFW_MOUSE_BUTTON_LEFT && put_tool_on()) {
+            drag_ = Drag::tool;
         } else {
             drag_ = Drag::orbit;
         }
     }
 
-    /// The left button burns where it meets the organ, for as long as it is held. A burn needs time, so it plays.
-    bool begin_contact() {
+    /// The left button is a tool on the organ for as long as it is held, and follows the pointer. It needs time, so it plays.
+    bool put_tool_on() {
         const auto hit = preview_.pick(at_, window_.framebuffer_size());
         if (!hit) return false;
-        contacts_.push_back({.action = ToolAction::cauterise,
-                             .time = time_,
-                             .duration = 0.0,
-                             .position = hit->position,
-                             .to = hit->position});
-        preview_.set_contacts(contacts_);
+        // Samples go forwards in time; a log that is set lets time begin anew.
+        const std::vector<ToolContact> log(preview_.contacts().begin(), preview_.contacts().end());
+        preview_.set_contacts(log);
+        tip_ = hit->position;
+        sampled_ = time_;
+        push_sample(time_, tip_, true);
         playing_ = true;
         return true;
     }
 
-    /// After a burn the scene goes on long enough to show what comes of it.
+    void push_sample(double time, const glm::dvec3& tip, bool touching) {
+        preview_.tool_queue().push(
+            {.time = time, .position = tip, .touching = touching, .action = tools[tool_].action});
+    }
+
+    /// As a tool would have sent them while the last frame was drawn.
+    void hold_tool() {
+        const auto hit = preview_.pick(at_, window_.framebuffer_size());
+        const glm::dvec3 from = tip_, to = hit ? hit->position : tip_;
+        const double begin = sampled_;
+        while (sampled_ + sample_time <= time_) {
+            sampled_ += sample_time;
+            push_sample(sampled_, glm::mix(from, to, (sampled_ - begin) / (time_ - begin)), true);
+        }
+        tip_ = to;
+        duration_ = std::max(duration_, time_);
+    }
+
+    /// Afterwards the scene goes on long enough to show what comes of it.
     void end_drag() {
-        if (drag_ == Drag::cauterise) duration_ = std::max(duration_, time_ + 10.0);
+        if (drag_ == Drag::tool) {
+            push_sample(sampled_ + 1e-3, tip_, false);
+            duration_ = std::max(duration_, time_ + 10.0);
+        }
         drag_ = Drag::none;
     }
 
@@ -132,17 +161,9 @@ class Viewer {
 
     void start_over() {
         drag_ = Drag::none;
-        contacts_ = scene_contacts_;
         duration_ = scene_duration_;
-        preview_.set_contacts(contacts_);
+        preview_.set_contacts(scene_contacts_);
         jump(0.0);
-    }
-
-    void hold_contact() {
-        ToolContact& contact = contacts_.back();
-        contact.duration = time_ - contact.time;
-        duration_ = std::max(duration_, time_);
-        preview_.set_contacts(contacts_);
     }
 
     void moved(glm::dvec2 place) {
@@ -162,6 +183,11 @@ class Viewer {
 
     void key(int key) {
         changed_ = true;
+        if (const int tool = key - GLFW_KEY_1; tool >= 0 && tool < static_cast<int>(std::size(tools))) {
+            end_drag();
+            tool_ = static_cast<std::size_t>(tool);
+            return;
+        }
         switch (key) {
             case GLFW_KEY_SPACE:
                 end_drag();
@@ -195,7 +221,6 @@ class Viewer {
 
     GlfwWindow& window_;
     Preview& preview_;
-    std::vector<ToolContact> contacts_;
     SceneCamera camera_, home_;
     std::vector<ToolContact> scene_contacts_;
     double scene_duration_;
@@ -204,6 +229,9 @@ class Viewer {
     bool playing_ = true;
     bool changed_ = true;
     Drag drag_ = Drag::none;
+    std::size_t tool_ = 0;  // into tools
+    glm::dvec3 tip_{0.0};   // while the tool is on
+    double sampled_ = 0.0;  // s, of its last sample
     int button_ = 0;
     glm::dvec2 at_{0.0};
     std::string title_;

@@ -191,8 +191,12 @@ void BleedField::forget() noexcept {
 
 void BleedField::wipe() noexcept {
     for (const std::uint32_t v : touched_) {
-        const bool is_kept = !kept_.empty() && kept_[v].x > none && !(clearing_.last(v) >= kept_at_);
-        surface_values_[v] = is_kept ? kept_[v] : glm::vec2(dry_, 0.0f);
+        surface_values_[v] = glm::vec2(dry_, 0.0f);
+        if (kept_.empty() || kept_[v].x <= none) continue;
+        glm::vec2 value = kept_[v];
+        for (const Clearing::Cap* cap = clearing_.first(v); cap != nullptr; cap = clearing_.next(*cap))
+            if (cap->time >= kept_at_) value.x = std::min(value.x, cap->cap);
+        surface_values_[v] = {std::max(value.x, dry_), value.x > dry_ ? value.y : 0.0f};
     }
     written_.assign(touched_.begin(), touched_.end());
 }
@@ -201,6 +205,7 @@ void BleedField::write(Bleeder& b) noexcept {
     if (b.source <= 0.0) return;
     const auto source = static_cast<float>(b.source), noise = static_cast<float>(parameters_.noise_strength);
     const float steep = steepness(source, noise);
+    const bool cleared = clearing_.any();
     double edge = 0.0;
     // Up to what noise can reach, and a triangle beyond, where gravity at most doubles a distance.
     for (std::size_t r = 0;
@@ -209,16 +214,27 @@ void BleedField::write(Bleeder& b) noexcept {
         if (b.front.ended(r)) break;
         edge = std::min(b.front.longest_edge(r), longest_triangle);
         for (const Reached& at : ring) {
-            float from = source, fall = steep;
-            if (const double last = clearing_.last(at.vertex); last > b.wound.start) {
-                from = static_cast<float>(source_of(b, b.flowed - flow(b.wound, parameters_, last)));
-                if (from <= 0.0f) continue;
-                fall = steepness(from, noise);
-            }
-            const float inside = from - at.distance;
-            put(at.vertex, std::max(inside >= 0.0f ? inside : inside * fall, dry_), b.clot);
+            const float inside = source - at.distance;
+            const float value = inside >= 0.0f ? inside : inside * steep;
+            put(at.vertex, std::max(cleared ? shown(b, at) : value, dry_), b.clot);
         }
     }
+}
+
+/// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not.
+float BleedField::shown(const Bleeder& b, const Reached& at) const noexcept {
+    const auto since = [&](double time) {
+        const double source = source_of(b, b.flowed - flow(b.wound, parameters_, time));
+        if (source <= 0.0) return dry_;
+        const float inside = static_cast<float>(source) - at.distance;
+        return inside >= 0.0f
+                   ? inside
+                   : inside * steepness(static_cast<float>(source), static_cast<float>(parameters_.noise_strength));
+    };
+    float value = since(Clearing::never);
+    for (const Clearing::Cap* cap = clearing_.first(at.vertex); cap != nullptr; cap = clearing_.next(*cap))
+        value = std::max(std::min(value, cap->cap), since(cap->time));
+    return value;
 }
 
 /// The larger value counts; of equal ones the fresher blood.

@@ -3,8 +3,8 @@
 // edge would move outwards, the farther the coarser the mesh, and noise could only ever take blood away. Beside it goes how
 // far the blood there has clotted.
 //
-// Where suction or irrigation has cleared a place, only what has flowed since counts: s_w is replaced by the flow since
-// then, and the wound fills the place again from the wound outwards.
+// Where suction or irrigation has cleared a place, what was there is capped (clearing_cpu.h), and what has flowed since comes
+// on top: the wound fills the place again from the wound outwards.
 //
 // Work follows what changes: while blood only grows, the wounds that grow are written and nothing else; when nothing changes,
 // nothing is done. One thread at a time.
@@ -78,6 +78,7 @@ class BleedField {
     void wipe() noexcept;
     void forget() noexcept;
     void write(Bleeder& bleeder) noexcept;
+    float shown(const Bleeder& bleeder, const Reached& at) const noexcept;
     void put(std::uint32_t vertex, float value, float clot) noexcept;
     void touch(std::uint32_t vertex) noexcept;
     void publish() noexcept;

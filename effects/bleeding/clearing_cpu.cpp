@@ -7,8 +7,7 @@ namespace lapfx::bleeding {
 
 namespace {
 
-constexpr double draw_speed =
-    40.0;  // mm/s at which blood is drawn to a suction tip, and rinsed away from an irrigating one
+constexpr double draw_speed = 40.0;  // mm/s at which the reach grows when the tip is put on
 
 bool clears(const ToolContact& c) {
     if (c.action != ToolAction::suction && c.action != ToolAction::irrigation) return false;
@@ -22,31 +21,34 @@ bool same(const ToolContact& a, const ToolContact& b) {
            a.to == b.to;
 }
 
+/// From `point` to the nearest place of the path a b.
+glm::dvec3 off_path(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 path = b - a, from = point - a;
+    const double squared = glm::dot(path, path);
+    return from - (squared > 0.0 ? std::clamp(glm::dot(from, path) / squared, 0.0, 1.0) : 0.0) * path;
+}
+
 }  // namespace
 
 Clearing::Clearing(const Surface& surface, glm::dvec3 down) : surface_(surface), down_(down) {}
 
 Clearing::Sweep Clearing::sweep_of(const ToolContact& contact) const {
     const bool water = contact.action == ToolAction::irrigation;
-    const double radius = water ? irrigation_radius_ : suction_radius_;
+    Sweep sweep{.contact = contact, .reach = water ? irrigation_radius_ : suction_radius_, .passed = {}};
     const glm::dvec3 path = contact.to - contact.position;
-    const double length_squared = glm::dot(path, path);
-    Sweep sweep{.contact = contact, .cleared = {}};
-    for (const std::uint32_t v : surface_.points_near(contact.position, contact.to, water ? 1.5 * radius : radius)) {
-        const glm::dvec3 from = surface_.positions[v] - contact.position;
-        // Share of the path nearest to the vertex, and how far the reach goes along the path to both sides of it.
-        const double share = length_squared > 0.0 ? std::clamp(glm::dot(from, path) / length_squared, 0.0, 1.0) : 0.0;
-        const glm::dvec3 off = from - share * path;
+    const double squared = glm::dot(path, path), farthest = (water ? 1.5 : 1.0) * sweep.reach + rim;
+    for (const std::uint32_t v : surface_.points_near(contact.position, contact.to, farthest)) {
+        const glm::dvec3 off = off_path(surface_.positions[v], contact.position, contact.to);
         const double distance = glm::length(off);
-        const double reach =
-            water ? radius * (1.0 + 0.5 * std::max(0.0, glm::dot(off, down_)) / std::max(distance, 1e-9)) : radius;
-        if (distance > reach) continue;
-        const double half =
-            length_squared > 0.0 ? std::sqrt((reach * reach - distance * distance) / length_squared) : 1.0;
-        const double enters = contact.time + std::max(0.0, share - half) * contact.duration;
-        const double leaves = contact.time + std::min(1.0, share + half) * contact.duration;
-        const double first = enters + distance / draw_speed;
-        if (first < leaves) sweep.cleared.push_back({v, first, leaves});
+        const double downhill = water ? std::max(0.0, glm::dot(off, down_)) / std::max(distance, 1e-9) : 0.0;
+        const double stretch = 1.0 + 0.5 * downhill, zone = stretch * sweep.reach + rim;
+        if (distance > zone) continue;
+        // Shares of the path between which the tip is within the zone.
+        const double share = squared > 0.0 ? glm::dot(surface_.positions[v] - contact.position, path) / squared : 0.0;
+        const double half = squared > 0.0 ? std::sqrt((zone * zone - distance * distance) / squared) : 1.0;
+        const double enter = std::clamp(share - half, 0.0, 1.0), leave = std::clamp(share + half, 0.0, 1.0);
+        sweep.passed.push_back({v, static_cast<float>(stretch), contact.time + enter * contact.duration,
+                                contact.time + leave * contact.duration});
     }
     return sweep;
 }
@@ -58,28 +60,24 @@ bool Clearing::set(std::span<const ToolContact> contacts, const BleedingParamete
     irrigation_radius_ = parameters.irrigation_radius;
     std::size_t count = 0;
     bool changed = false;
+    const auto forget = [&](const Sweep& sweep) {  // nothing of it may stay behind
+        for (const Passed& p : sweep.passed) heads_[p.vertex] = -1;
+        changed = true;
+    };
     for (const ToolContact& contact : contacts) {
         if (!clears(contact)) continue;
-        if (count < sweeps_.size() && same_reach && same(sweeps_[count].contact, contact)) {
-            ++count;
-            continue;
-        }
-        changed = true;
-        // Nothing of the old sweep may stay behind: its vertices are put back first.
-        if (count < sweeps_.size()) {
-            for (const Cleared& c : sweeps_[count].cleared) last_[c.vertex] = never;
+        const bool known = count < sweeps_.size();
+        if (!known || !same_reach || !same(sweeps_[count].contact, contact)) {
+            changed = true;
+            if (known) forget(sweeps_[count]);
+            if (!known) sweeps_.emplace_back();
             sweeps_[count] = sweep_of(contact);
-        } else {
-            sweeps_.push_back(sweep_of(contact));
         }
         ++count;
     }
-    for (std::size_t i = count; i < sweeps_.size(); ++i) {
-        changed = true;
-        for (const Cleared& c : sweeps_[i].cleared) last_[c.vertex] = never;
-    }
+    for (std::size_t i = count; i < sweeps_.size(); ++i) forget(sweeps_[i]);
     sweeps_.resize(count);
-    if (!sweeps_.empty() && last_.empty()) last_.assign(surface_.positions.size(), never);
+    if (!sweeps_.empty() && heads_.empty()) heads_.assign(surface_.positions.size(), -1);
     stale_ = stale_ || changed;
     return changed;
 }
@@ -94,14 +92,48 @@ bool Clearing::update(double time) noexcept {
     stale_ = false;
     latest_ = never;
     for (const Sweep& sweep : sweeps_)
-        for (const Cleared& c : sweep.cleared) last_[c.vertex] = never;
+        for (const Passed& p : sweep.passed) heads_[p.vertex] = -1;
+    caps_.clear();
     for (const Sweep& sweep : sweeps_)
-        for (const Cleared& c : sweep.cleared)
-            if (time > c.first) {
-                last_[c.vertex] = std::max(last_[c.vertex], std::min(time, c.last));
-                latest_ = std::max(latest_, last_[c.vertex]);
-            }
+        if (time > sweep.contact.time) lay(sweep, time);
     return true;
+}
+
+void Clearing::lay(const Sweep& sweep, double time) {
+    const ToolContact& c = sweep.contact;
+    const double drawn = std::min(1.0, (time - c.time) * draw_speed / std::max(sweep.reach, 1e-9));
+    const glm::dvec3 tip = c.tip(time);
+    for (const Passed& p : sweep.passed) {
+        if (time <= p.enter) continue;
+        const double distance = glm::length(off_path(surface_.positions[p.vertex], c.position, tip));
+        const double outside = distance - drawn * static_cast<double>(p.stretch) * sweep.reach;
+        if (outside > rim) continue;
+        const double until = std::min(time, p.leave);
+        insert(p.vertex, until, static_cast<float>(cap_slope * outside));
+        latest_ = std::max(latest_, until);
+    }
+}
+
+/// Keeps the list of a vertex in order of time, caps rising: a cap that a later one is not above is overruled.
+void Clearing::insert(std::uint32_t vertex, double time, float cap) {
+    std::int32_t* link = &heads_[vertex];
+    while (*link >= 0) {
+        Cap& other = caps_[static_cast<std::size_t>(*link)];
+        if (other.time <= time) {
+            if (other.cap >= cap) {
+                *link = other.next;
+                continue;
+            }
+        } else {
+            if (cap >= other.cap) return;
+            break;
+        }
+        link = &other.next;
+    }
+    const std::int32_t after = *link;
+    const auto at = static_cast<std::int32_t>(caps_.size());
+    *link = at;  // before the list grows: the link may lie in it
+    caps_.push_back({time, cap, after});
 }
 
 }  // namespace lapfx::bleeding

@@ -24,55 +24,90 @@ class ClearingTest : public testing::Test {
     Surface surface{test::plane(60.0, 60)};
     Clearing clearing{surface, down};
 
-    double last_at(double x, double z) const {
+    const Clearing::Cap* first_at(double x, double z) const {
         const SurfacePoint p = surface.closest_point({x, 0, z});
         const auto& corners = surface.triangles[p.triangle];
         std::uint32_t best = corners[0];
         for (const std::uint32_t c : corners)
             if (glm::distance(surface.positions[c], p.position) < glm::distance(surface.positions[best], p.position))
                 best = c;
-        return clearing.last(best);
+        return clearing.first(best);
     }
+    /// mm; 1000 where there is no cap.
+    double cap_at(double x, double z) const {
+        const Clearing::Cap* cap = first_at(x, z);
+        return cap == nullptr ? 1000.0 : static_cast<double>(cap->cap);
+    }
+    double time_at(double x, double z) const { return first_at(x, z)->time; }
 };
 
-TEST_F(ClearingTest, SuctionClearsItsDiscWhileItLastsAndBloodIsDrawnInAtASpeed) {
+TEST_F(ClearingTest, SuctionClearsADiscThatGrowsWhenTheTipIsPutOn) {
     clearing.set(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 1.0, .duration = 2.0}}, reach(8, 15));
     clearing.update(0.5);
     EXPECT_FALSE(clearing.update(1.0));
+    EXPECT_EQ(first_at(0, 0), nullptr);
     EXPECT_TRUE(clearing.update(1.15));
-    EXPECT_DOUBLE_EQ(last_at(4, 0), 1.15) << "drawn in at 40 mm/s: 0.1 s";
-    EXPECT_EQ(last_at(7, 0), Clearing::never) << "0.175 s";
+    EXPECT_NEAR(cap_at(4, 0), -6.0, 1e-5) << "40 mm/s for 0.15 s reaches 6 mm: 2 mm inside, slope 3";
+    EXPECT_NEAR(cap_at(7, 0), 3.0, 1e-5) << "1 mm outside";
     clearing.update(2.0);
-    EXPECT_DOUBLE_EQ(last_at(7, 0), 2.0);
-    EXPECT_EQ(last_at(9, 0), Clearing::never);
+    EXPECT_NEAR(cap_at(7, 0), -3.0, 1e-5);
+    EXPECT_NEAR(cap_at(13, 0), 15.0, 1e-5) << "the rim";
+    EXPECT_EQ(first_at(15, 0), nullptr) << "beyond the rim";
+    EXPECT_DOUBLE_EQ(time_at(7, 0), 2.0);
     clearing.update(50.0);
-    EXPECT_DOUBLE_EQ(last_at(7, 0), 3.0) << "until the end of the contact";
+    EXPECT_DOUBLE_EQ(time_at(7, 0), 3.0) << "until the end of the contact";
     EXPECT_DOUBLE_EQ(clearing.latest(), 3.0);
     EXPECT_FALSE(clearing.update(60.0));
     EXPECT_TRUE(clearing.update(0.0)) << "back to before";
-    EXPECT_EQ(last_at(0, 0), Clearing::never);
+    EXPECT_EQ(first_at(0, 0), nullptr);
 }
 
-TEST_F(ClearingTest, AMovingTipClearsEachPlaceWhileItIsInReach) {
+TEST_F(ClearingTest, AMovingTipClearsWhatItHasPassed) {
     clearing.set(
         std::vector<ToolContact>{
             {.action = ToolAction::suction, .time = 0.0, .duration = 4.0, .position = {-20, 0, 0}, .to = {20, 0, 0}}},
         reach(5, 15));
+    clearing.update(2.0);  // at x = 0
+    EXPECT_NEAR(cap_at(-10, 3), -6.0, 1e-5);
+    EXPECT_NEAR(cap_at(3, 4), 0.0, 1e-5) << "5 mm off the tip";
+    EXPECT_EQ(first_at(12, 0), nullptr);
     clearing.update(100.0);
-    EXPECT_NEAR(last_at(0, 0), 2.5, 1e-9) << "10 mm/s: past x = 0 at 2 s, 5 mm on at 2.5 s";
-    EXPECT_NEAR(last_at(0, 3), 2.4, 1e-9) << "half chord 4 mm";
-    EXPECT_EQ(last_at(0, 6), Clearing::never);
-    EXPECT_NEAR(last_at(20, 0), 4.0, 1e-9);
+    EXPECT_NEAR(cap_at(0, 3), -6.0, 1e-5);
+    EXPECT_NEAR(cap_at(0, 7), 6.0, 1e-5);
+    EXPECT_NEAR(time_at(0, 0), 2.0 + 1.1, 1e-9) << "10 mm/s: 5 mm and the rim of 6 mm on";
+    EXPECT_NEAR(time_at(20, 0), 4.0, 1e-9);
 }
 
 TEST_F(ClearingTest, WaterRunsDownhill) {
     clearing.set(std::vector<ToolContact>{{.action = ToolAction::irrigation, .time = 0.0, .duration = 3.0}},
                  reach(8, 10));
     clearing.update(2.0);
-    EXPECT_NE(last_at(0, 14), Clearing::never) << "half as far again";
-    EXPECT_EQ(last_at(0, 16), Clearing::never);
-    EXPECT_NE(last_at(9, 0), Clearing::never);
-    EXPECT_EQ(last_at(0, -11), Clearing::never);
+    EXPECT_NEAR(cap_at(0, 14), -3.0, 1e-5) << "half as far again";
+    EXPECT_NEAR(cap_at(9, 0), -3.0, 1e-5);
+    EXPECT_NEAR(cap_at(0, -11), 3.0, 1e-5);
+}
+
+TEST_F(ClearingTest, OfSeveralOnlyThoseThatAreNotOverruledAreKept) {
+    const auto suction = [](double time, double x) {
+        return ToolContact{
+            .action = ToolAction::suction, .time = time, .duration = 1.0, .position = {x, 0, 0}, .to = {x, 0, 0}};
+    };
+    clearing.set(std::vector{suction(0, 0), suction(4, 12), suction(2, 4)}, reach(8, 15));
+    clearing.update(100.0);
+    // At the origin: -24 at 1 s, -12 at 3 s, 12 at 5 s; the order of the list does not matter.
+    const Clearing::Cap* cap = first_at(0, 0);
+    for (const glm::dvec2 wanted : {glm::dvec2(1, -24), glm::dvec2(3, -12), glm::dvec2(5, 12)}) {
+        ASSERT_NE(cap, nullptr);
+        EXPECT_DOUBLE_EQ(cap->time, wanted.x);
+        EXPECT_NEAR(cap->cap, wanted.y, 1e-5);
+        cap = clearing.next(*cap);
+    }
+    EXPECT_EQ(cap, nullptr);
+    // At x = 12 the last is the lowest: the others are overruled.
+    cap = first_at(12, 0);
+    ASSERT_NE(cap, nullptr);
+    EXPECT_DOUBLE_EQ(cap->time, 5.0);
+    EXPECT_EQ(clearing.next(*cap), nullptr);
 }
 
 TEST_F(ClearingTest, OtherActionsAndBadNumbersClearNothing) {
@@ -95,17 +130,17 @@ TEST_F(ClearingTest, WhatIsTakenAwayOrChangedLeavesNothingBehind) {
     contacts[1].to = contacts[1].position;
     clearing.set(contacts, reach(4, 15));
     clearing.update(9.0);
-    EXPECT_DOUBLE_EQ(last_at(20, 0), 1.0);
+    EXPECT_NEAR(cap_at(20, 0), -12.0, 1e-5);
     contacts[1].position = contacts[1].to = {-20, 0, 0};
     EXPECT_TRUE(clearing.set(contacts, reach(4, 15)));
     clearing.update(9.0);
-    EXPECT_EQ(last_at(20, 0), Clearing::never);
-    EXPECT_DOUBLE_EQ(last_at(-20, 0), 1.0);
+    EXPECT_EQ(first_at(20, 0), nullptr);
+    EXPECT_NEAR(cap_at(-20, 0), -12.0, 1e-5);
     contacts.pop_back();
     clearing.set(contacts, reach(4, 15));
     clearing.update(9.0);
-    EXPECT_EQ(last_at(-20, 0), Clearing::never);
-    EXPECT_DOUBLE_EQ(last_at(0, 0), 1.0);
+    EXPECT_EQ(first_at(-20, 0), nullptr);
+    EXPECT_NEAR(cap_at(0, 0), -12.0, 1e-5);
 }
 
 }  // namespace
