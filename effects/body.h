@@ -34,6 +34,7 @@ class Body {
     void draw() const noexcept;
 
     std::size_t vertices() const { return vertices_; }
+    std::size_t left_out_wounds() const { return cautery_.left_out(); }
     const MovedSurface& moved() const { return moved_; }
     const bleeding::BleedField& bleed() const { return bleed_; }
     const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }

@@ -20,12 +20,22 @@ void require_valid(const Preset& preset) {
         throw Error(Failure::bad_input, std::move(faults));
 }
 
+/// Unit. Throws Error (bad_input) for what is no direction.
+glm::dvec3 direction_of(const glm::dvec3& gravity) {
+    const double length = glm::length(gravity);
+    if (length > 1e-6 && std::isfinite(length)) return gravity / length;
+    throw Error(Failure::bad_input, Fault{.file = "",
+                                          .place = "/gravity",
+                                          .reason = "a vector of length " + std::to_string(length) +
+                                                    " has no direction; expected one longer than 0.000001"});
+}
+
 }  // namespace
 
 struct Effects::State {
     State(const Organ& organ, const EffectsOptions& wanted, const VesselParameters& vessels)
         : options(wanted),
-          down(glm::normalize(wanted.gravity)),
+          down(direction_of(wanted.gravity)),
           body(std::make_unique<Body>(organ, down, wanted.seed, vessels)),
           smoke(wanted.seed) {}
 
@@ -53,13 +63,13 @@ struct Effects::State {
     /// The tool touches the organ as it is now; contacts are of the shape at rest.
     void drain_queue() {
         ToolSample sample;
-        bool any = false;
+        const std::uint64_t before = recorder.version();
         // No more than were there when it began: the haptic thread goes on.
         for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
             if (sample.touching) sample.position = body->moved().to_rest(sample.position);
-            any |= recorder.add(sample);
+            recorder.add(sample);
         }
-        if (any) take_contacts();
+        if (recorder.version() != before) take_contacts();
     }
 };
 
@@ -116,9 +126,9 @@ void Effects::set_overlay(Overlay overlay) {
 }
 
 void Effects::seek(double time) noexcept {
+    state_->drain_queue();
     if (!std::isfinite(time)) return;
     state_->time = time;
-    state_->drain_queue();
     state_->uploaded = state_->body->seek(time);
 }
 
@@ -152,6 +162,8 @@ Amounts Effects::amounts() const noexcept {
             .blood_volume = blood.volume,
             .wounds = static_cast<int>(bleed.wounds().size()) - static_cast<int>(waiting),
             .bleeding_wounds = bleed.growing(state_->time),
+            .left_out_wounds = static_cast<int>(state_->body->left_out_wounds()),
+            .lost_samples = state_->recorder.dropped() + state_->queue.missed(),
             .haze = state_->smoke.haze(state_->time)};
 }
 

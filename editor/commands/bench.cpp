@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "commands/command.h"
+#include "commands/options.h"
 #include "lapfx/file.h"
 
 namespace lapfx::commands {
@@ -28,6 +29,7 @@ struct Options {
 };
 
 void run(BenchReport (*bench)(), const Options& options) {
+    if (!options.json.empty()) check_folder(options.json);
     const BenchReport report = bench();
     print(report);
     if (!options.json.empty()) write_json(report, options.json);

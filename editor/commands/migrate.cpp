@@ -16,7 +16,7 @@ void migrate(const std::string& file) {
         save_preset(load_preset(file), file);
     else
         save_scene(load_scene(file), file);
-    std::cout << file << ": " << found.kind << " \"" << found.name << "\", version 1\n";
+    std::cout << file << ": " << found.kind << " \"" << found.name << "\" is of today's version\n";
 }
 
 }  // namespace
@@ -27,6 +27,7 @@ void add_migrate(CLI::App& app) {
         app.add_subcommand("migrate", "Bring a preset or scene to today's version, with every key written out");
     verb->add_option("FILE", *files, "Presets and scenes (.json); rewritten in place")->required();
     verb->callback([files] {
+        for (const std::string& file : *files) check_document(file);  // all or none
         for (const std::string& file : *files) migrate(file);
     });
 }

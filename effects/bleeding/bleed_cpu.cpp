@@ -126,6 +126,7 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
     for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i)
         bleeders_.push_back({.wound = wounds[i], .front = Front(room_, metric_of(parameters_), wounds[i].position)});
     status_.resize(wounds.size());
+    for (std::size_t i = 0; i < wounds.size(); ++i) status_[i].wound = wounds[i];
 }
 
 void BleedField::set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters) {
@@ -166,6 +167,7 @@ void BleedField::update(double time) noexcept {
         only_grows = only_grows && source >= b.source;
         changed = changed || source != b.source || refills(b, flowed);
     }
+    if (age_kept(time)) changed = true, only_grows = false;
     if (!changed) return;
     stale_ = false;
     only_grows = only_grows && !clearing_.any();
@@ -187,15 +189,37 @@ void BleedField::forget() noexcept {
     for (const Touched& t : touched_triangles_) is_counted_[t.triangle] = false;
     touched_.clear();
     touched_triangles_.clear();
+    sorted_triangles_ = 0;
+}
+
+/// Blood that was there before the organ was cut belongs to the wounds of that time: it clots when they have. True when
+/// that has changed.
+bool BleedField::age_kept(double time) noexcept {
+    if (kept_.empty()) return false;
+    const bool shown = time >= kept_at_;
+    float clot = 1.0f;
+    bool any = false;
+    for (const Bleeder& b : bleeders_) {
+        if (b.wound.start >= kept_at_) continue;
+        clot = std::min(clot, b.clot);
+        any = true;
+    }
+    const float aged = any ? clot : 0.0f;
+    const bool changed = shown != kept_shown_ || aged != kept_clot_;
+    kept_shown_ = shown;
+    kept_clot_ = aged;
+    return changed;
 }
 
 void BleedField::wipe() noexcept {
     for (const std::uint32_t v : touched_) {
         surface_values_[v] = glm::vec2(dry_, 0.0f);
         if (kept_.empty() || kept_[v].x <= none) continue;
-        glm::vec2 value = kept_[v];
-        for (const Clearing::Cap* cap = clearing_.first(v); cap != nullptr; cap = clearing_.next(*cap))
-            if (cap->time >= kept_at_) value.x = std::min(value.x, cap->cap);
+        if (!kept_shown_) continue;
+        glm::vec2 value(kept_[v].x, std::max(kept_[v].y, kept_clot_));
+        clearing_.for_each(v, [&](const Clearing::Cap& cap) {
+            if (cap.time >= kept_at_) value.x = std::min(value.x, cap.cap);
+        });
         surface_values_[v] = {std::max(value.x, dry_), value.x > dry_ ? value.y : 0.0f};
     }
     written_.assign(touched_.begin(), touched_.end());
@@ -232,8 +256,8 @@ float BleedField::shown(const Bleeder& b, const Reached& at) const noexcept {
                    : inside * steepness(static_cast<float>(source), static_cast<float>(parameters_.noise_strength));
     };
     float value = since(Clearing::never);
-    for (const Clearing::Cap* cap = clearing_.first(at.vertex); cap != nullptr; cap = clearing_.next(*cap))
-        value = std::max(std::min(value, cap->cap), since(cap->time));
+    clearing_.for_each(at.vertex,
+                       [&](const Clearing::Cap& cap) { value = std::max(std::min(value, cap.cap), since(cap.time)); });
     return value;
 }
 
@@ -272,6 +296,11 @@ void BleedField::publish() noexcept {
 BloodAmount BleedField::amount() const noexcept {
     if (amount_known_) return amount_;
     amount_ = {};
+    // In the order of the triangles: sums depend on theirs, and blood touches them in another at each frame rate.
+    if (sorted_triangles_ != touched_triangles_.size())
+        std::sort(touched_triangles_.begin(), touched_triangles_.end(),
+                  [](const Touched& a, const Touched& b) { return a.triangle < b.triangle; });
+    sorted_triangles_ = touched_triangles_.size();
     const auto above = [&](std::uint32_t v) { return surface_values_[v].x - parameters_.threshold; };
     for (const Touched& t : touched_triangles_) {
         const auto& c = surface_.triangles[t.triangle];

@@ -43,7 +43,8 @@ class BleedField {
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
     /// Suction and irrigation among the contacts.
     void set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters);
-    /// Blood that is there at `time`, whatever the wounds say, until it is cleared: per surface vertex, bleed value and clot.
+    /// Blood that is there from `time` on, whatever the wounds say, until it is cleared: per surface vertex, bleed value and
+    /// clot. It clots on when the wounds have that were open by then.
     void keep(std::vector<glm::vec2> values, double time);
 
     void update(double time) noexcept;
@@ -75,6 +76,7 @@ class BleedField {
     void replace_wounds(std::span<const Wound> wounds);
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
+    bool age_kept(double time) noexcept;
     void wipe() noexcept;
     void forget() noexcept;
     void write(Bleeder& bleeder) noexcept;
@@ -100,10 +102,13 @@ class BleedField {
     std::vector<glm::vec2> values_;          // per organ vertex
     std::vector<glm::vec2> kept_;            // per surface vertex, or empty
     double kept_at_ = 0.0;
+    float kept_clot_ = 0.0f;
+    bool kept_shown_ = false;
     std::vector<char> is_touched_;  // per surface vertex: blood has come near
     std::vector<std::uint32_t> touched_;
     std::vector<char> is_counted_;  // per triangle
-    std::vector<Touched> touched_triangles_;
+    mutable std::vector<Touched> touched_triangles_;
+    mutable std::size_t sorted_triangles_ = 0;
     std::vector<std::uint32_t> written_;  // surface vertices since the last publish, some more than once
     ChangedVertices changed_;
     bool stale_ = true;  // all has to be written anew

@@ -3,23 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "preset/usable_contact.h"
+
 namespace lapfx::bleeding {
 
 namespace {
 
 constexpr double draw_speed = 40.0;  // mm/s at which the reach grows when the tip is put on
-
-bool clears(const ToolContact& c) {
-    if (c.action != ToolAction::suction && c.action != ToolAction::irrigation) return false;
-    const double numbers[] = {c.time, c.duration, c.position.x, c.position.y, c.position.z, c.to.x, c.to.y, c.to.z};
-    return std::all_of(std::begin(numbers), std::end(numbers), [](double n) { return std::isfinite(n); }) &&
-           c.duration > 0.0;
-}
-
-bool same(const ToolContact& a, const ToolContact& b) {
-    return a.action == b.action && a.time == b.time && a.duration == b.duration && a.position == b.position &&
-           a.to == b.to;
-}
 
 /// From `point` to the nearest place of the path a b.
 glm::dvec3 off_path(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
@@ -60,24 +50,25 @@ bool Clearing::set(std::span<const ToolContact> contacts, const BleedingParamete
     irrigation_radius_ = parameters.irrigation_radius;
     std::size_t count = 0;
     bool changed = false;
-    const auto forget = [&](const Sweep& sweep) {  // nothing of it may stay behind
-        for (const Passed& p : sweep.passed) heads_[p.vertex] = -1;
-        changed = true;
-    };
-    for (const ToolContact& contact : contacts) {
-        if (!clears(contact)) continue;
-        const bool known = count < sweeps_.size();
-        if (!known || !same_reach || !same(sweeps_[count].contact, contact)) {
+    for (const ToolContact& given : contacts) {
+        if (given.action != ToolAction::suction && given.action != ToolAction::irrigation) continue;
+        const std::optional<ToolContact> contact = usable(given);
+        if (!contact || !(contact->duration > 0.0)) continue;
+        if (count == sweeps_.size()) {
+            sweeps_.push_back(sweep_of(*contact));
             changed = true;
-            if (known) forget(sweeps_[count]);
-            if (!known) sweeps_.emplace_back();
-            sweeps_[count] = sweep_of(contact);
+        } else if (!same_reach || !(sweeps_[count].contact == *contact)) {
+            all_stale_ = all_stale_ || sweeps_[count].is_over;
+            sweeps_[count] = sweep_of(*contact);
+            changed = true;
         }
         ++count;
     }
-    for (std::size_t i = count; i < sweeps_.size(); ++i) forget(sweeps_[i]);
+    for (std::size_t i = count; i < sweeps_.size(); ++i) {
+        all_stale_ = all_stale_ || sweeps_[i].is_over;
+        changed = true;
+    }
     sweeps_.resize(count);
-    if (!sweeps_.empty() && heads_.empty()) heads_.assign(surface_.positions.size(), -1);
     stale_ = stale_ || changed;
     return changed;
 }
@@ -87,21 +78,30 @@ bool Clearing::update(double time) noexcept {
         return std::min(time, updated_) < s.contact.end() && std::max(time, updated_) > s.contact.time;
     };
     const bool changes = stale_ || (time != updated_ && std::any_of(sweeps_.begin(), sweeps_.end(), touched));
+    if (time < updated_) all_stale_ = all_stale_ || changes;
     updated_ = time;
     if (!changes) return false;
-    stale_ = false;
-    latest_ = never;
-    for (const Sweep& sweep : sweeps_)
-        for (const Passed& p : sweep.passed) heads_[p.vertex] = -1;
-    caps_.clear();
-    for (const Sweep& sweep : sweeps_)
-        if (time > sweep.contact.time) lay(sweep, time);
+    for (Layer* layer : {&over_, &running_})
+        if (layer->heads.empty()) layer->heads.assign(surface_.positions.size(), -1);
+    running_.clear();
+    if (all_stale_) {
+        over_.clear();
+        latest_ = never;
+        for (Sweep& sweep : sweeps_) sweep.is_over = false;
+    }
+    stale_ = all_stale_ = false;
+    for (Sweep& sweep : sweeps_) {
+        if (sweep.is_over || time <= sweep.contact.time) continue;
+        sweep.is_over = time >= sweep.contact.end();
+        lay(sweep, time, sweep.is_over ? over_ : running_);
+    }
     return true;
 }
 
-void Clearing::lay(const Sweep& sweep, double time) {
+void Clearing::lay(const Sweep& sweep, double time, Layer& layer) {
     const ToolContact& c = sweep.contact;
-    const double drawn = std::min(1.0, (time - c.time) * draw_speed / std::max(sweep.reach, 1e-9));
+    const double held = std::min(time, c.end()) - c.time;
+    const double drawn = std::min(1.0, held * draw_speed / std::max(sweep.reach, 1e-9));
     const glm::dvec3 tip = c.tip(time);
     for (const Passed& p : sweep.passed) {
         if (time <= p.enter) continue;
@@ -109,18 +109,27 @@ void Clearing::lay(const Sweep& sweep, double time) {
         const double outside = distance - drawn * static_cast<double>(p.stretch) * sweep.reach;
         if (outside > rim) continue;
         const double until = std::min(time, p.leave);
-        insert(p.vertex, until, static_cast<float>(cap_slope * outside));
+        layer.insert(p.vertex, until, static_cast<float>(cap_slope * outside));
         latest_ = std::max(latest_, until);
     }
 }
 
+void Clearing::Layer::clear() noexcept {
+    for (const std::uint32_t v : vertices) heads[v] = -1;
+    vertices.clear();
+    caps.clear();
+}
+
 /// Keeps the list of a vertex in order of time, caps rising: a cap that a later one is not above is overruled.
-void Clearing::insert(std::uint32_t vertex, double time, float cap) {
-    std::int32_t* link = &heads_[vertex];
+void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
+    std::int32_t* link = &heads[vertex];
+    std::int32_t free = -1;  // the place in caps of one that is overruled
+    if (*link < 0) vertices.push_back(vertex);
     while (*link >= 0) {
-        Cap& other = caps_[static_cast<std::size_t>(*link)];
+        Cap& other = caps[static_cast<std::size_t>(*link)];
         if (other.time <= time) {
             if (other.cap >= cap) {
+                free = *link;
                 *link = other.next;
                 continue;
             }
@@ -130,10 +139,10 @@ void Clearing::insert(std::uint32_t vertex, double time, float cap) {
         }
         link = &other.next;
     }
-    const std::int32_t after = *link;
-    const auto at = static_cast<std::int32_t>(caps_.size());
+    const std::int32_t after = *link, at = free >= 0 ? free : static_cast<std::int32_t>(caps.size());
     *link = at;  // before the list grows: the link may lie in it
-    caps_.push_back({time, cap, after});
+    if (free < 0) caps.emplace_back();
+    caps[static_cast<std::size_t>(at)] = {time, cap, after};
 }
 
 }  // namespace lapfx::bleeding

@@ -24,7 +24,7 @@ class Clearing {
     struct Cap {
         double time;        ///< s, until when it held
         float cap;          ///< mm, the highest bleed value of what was there by then
-        std::int32_t next;  ///< see next()
+        std::int32_t next;  ///< of the same place, in the list of its layer; -1: none
     };
 
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
@@ -39,12 +39,14 @@ class Clearing {
 
     bool any() const { return !sweeps_.empty(); }
     double latest() const { return latest_; }  ///< s, of all caps, as of the last update
-    /// Null where nothing has been cleared.
-    const Cap* first(std::uint32_t vertex) const {
-        return heads_.empty() || heads_[vertex] < 0 ? nullptr : &caps_[static_cast<std::size_t>(heads_[vertex])];
-    }
-    const Cap* next(const Cap& cap) const {
-        return cap.next < 0 ? nullptr : &caps_[static_cast<std::size_t>(cap.next)];
+    /// Calls visit(cap) for each cap of a place: of what is over in order of time, then of what still runs.
+    template <class Visit>
+    void for_each(std::uint32_t vertex, Visit visit) const {
+        for (const Layer* layer : {&over_, &running_}) {
+            if (layer->heads.empty()) continue;
+            for (std::int32_t i = layer->heads[vertex]; i >= 0; i = layer->caps[static_cast<std::size_t>(i)].next)
+                visit(layer->caps[static_cast<std::size_t>(i)]);
+        }
     }
 
   private:
@@ -58,19 +60,26 @@ class Clearing {
         ToolContact contact;
         double reach;  // mm
         std::vector<Passed> passed;
+        bool is_over = false;  // and lies in the layer over_
+    };
+    struct Layer {
+        std::vector<std::int32_t> heads;  // per surface vertex, into caps; empty until there is a sweep
+        std::vector<Cap> caps;
+        std::vector<std::uint32_t> vertices;  // that have a cap
+        void clear() noexcept;
+        void insert(std::uint32_t vertex, double time, float cap);
     };
     Sweep sweep_of(const ToolContact& contact) const;
-    void lay(const Sweep& sweep, double time);
-    void insert(std::uint32_t vertex, double time, float cap);
+    void lay(const Sweep& sweep, double time, Layer& layer);
 
     const Surface& surface_;
     glm::dvec3 down_;
     double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
     std::vector<Sweep> sweeps_;
-    std::vector<std::int32_t> heads_;  // per surface vertex, into caps_; empty until there is a sweep
-    std::vector<Cap> caps_;
+    // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that were.
+    Layer over_, running_;
     double updated_ = 0.0, latest_ = never;
-    bool stale_ = false;
+    bool stale_ = false, all_stale_ = false;
 };
 
 }  // namespace lapfx::bleeding

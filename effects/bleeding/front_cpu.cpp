@@ -71,7 +71,9 @@ void Front::load(FrontRoom& room) {
     if (room.loaded_ == id_) return;
     room.loaded_ = id_;
     ++room.stamp_;
-    for (const Reached& r : reached_) room.cells_[r.vertex] = {0.0, room.stamp_, true};
+    // Offers come from the rim outwards; only a bridge can lead back into the middle.
+    if (metric_.bridge_gap > 0.0 && !room.surface.connected)
+        for (const Reached& r : reached_) room.cells_[r.vertex] = {0.0, room.stamp_, true};
     for (const Known& known : rim_) room.cells_[known.vertex] = {known.length, room.stamp_, true};
     for (const Known& known : pending_) room.cells_[known.vertex] = {known.length, room.stamp_, false};
 }

@@ -240,6 +240,10 @@ void Bioheat::heat_under(const Stay& stay, const glm::dvec3& tip, double from, d
     if (!(rate > 0.0)) return;
     const SurfacePoint centre = surface_.closest_point(tip);
     if (!(centre.distance <= farthest_touch)) return;
+    // Coagulation holds its temperature: it heats only while the tissue under it is below.
+    if (stay.contact.action == ToolAction::coagulate &&
+        heat_.rise_at(centre, heat_.field().now) >= highest_rise(stay.contact, parameters_))
+        return;
     surface_.points_within(centre.position, source_reach * parameters_.tip_radius, near_);
     for (const std::uint32_t p : near_) {
         const double r = glm::distance(surface_.positions[p], centre.position) / parameters_.tip_radius;

@@ -2,12 +2,14 @@
 // Temperatures degrees Celsius, rises degrees above the body's 37, lengths mm, times s. Pure; any thread.
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <limits>
 #include <optional>
 
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
+#include "preset/usable_contact.h"
 
 namespace lapfx::cautery {
 
@@ -16,17 +18,12 @@ inline constexpr double never = std::numeric_limits<double>::infinity();
 inline constexpr double wound_spacing =
     2.5;  ///< mm between the wounds of a cut line; below the width of any visible pool
 inline constexpr double farthest_touch = 5.0;  ///< mm from the surface beyond which the tip touches nothing
-inline constexpr double longest_stay = 600.0;  ///< s; of a longer contact only so much counts
 inline constexpr double torn_strength =
     0.6;  ///< blunt dissection crushes the vessels that it opens, so they bleed less
 
 /// How strongly tissue bleeds where the tool divides it: factor on the wound's strength; 0 = not at all (too few vessels).
 /// Empty = 1 everywhere.
 using StrengthAt = std::function<double(const glm::dvec3& position)>;
-
-/// The contact as it counts; nothing for one that cannot be: not finite, time beyond +-1e7 s, coordinates beyond
-/// +-1e5 mm, a path longer than 1000 mm, negative duration or strength. Power is clamped to 0..1, strength to 1000.
-std::optional<ToolContact> usable(const ToolContact& contact) noexcept;
 
 /// Whether `next` goes on where `contact` ends, so that both are one stay of one tool.
 bool continues(const ToolContact& contact, const ToolContact& next) noexcept;
@@ -49,6 +46,13 @@ inline double rise_rate(const ToolContact& contact, const CauteryParameters& c) 
 /// Highest rise that can be read.
 inline double highest_rise(const CauteryParameters& c) noexcept {
     return c.maximum_temperature > body_temperature ? c.maximum_temperature - body_temperature : 0.0;
+}
+
+/// Highest rise that a contact makes. Coagulation is gentle: it goes half way from the coagulation to the char temperature,
+/// so that tissue blanches and does not char.
+inline double highest_rise(const ToolContact& contact, const CauteryParameters& c) noexcept {
+    if (contact.action != ToolAction::coagulate) return highest_rise(c);
+    return std::min(highest_rise(c), 0.5 * (c.coagulation_temperature + c.char_temperature) - body_temperature);
 }
 
 struct Interval {

@@ -24,7 +24,7 @@ double Radial::radius(double stayed) const {
 
 Radial::State Radial::state_at(const Heating& h, double time) const {
     const double heated = std::clamp(time - h.start, 0.0, h.finish - h.start);
-    State state{std::min(h.rise + h.rate * heated, highest_rise(parameters_)), h.stayed + heated};
+    State state{std::min(h.rise + h.rate * heated, std::max(h.top, h.rise)), h.stayed + heated};
     if (time > h.finish) {
         const double left = std::exp(-(time - h.finish) / parameters_.cooling_time);
         state.rise *= left;
@@ -143,6 +143,7 @@ void Radial::heat(Station& station, const Track& track, std::uint32_t contact, s
     heating.from = near->from;
     heating.to = near->to;
     heating.rate = rise_rate(stay.contact, parameters_);
+    heating.top = highest_rise(stay.contact, parameters_);
     heating.cuts = divides(stay.contact.action);
     auto& all = station.heatings;
     const auto later = [](double from, const Heating& other) { return from < other.from; };
@@ -165,8 +166,9 @@ void Radial::settle(Station& station, std::size_t from) {
         h.rise = state.rise;
         h.stayed = state.stayed;
         const double delay =
-            time_to(parameters_.cut_temperature - body_temperature, h.rise, h.rate, highest_rise(parameters_));
-        h.opened = h.cuts && h.start + delay <= h.finish ? h.start + delay : never;
+            time_to(parameters_.cut_temperature - body_temperature, h.rise, h.rate, std::max(h.top, h.rise));
+        // A tip that has gone before its turn comes divides nothing.
+        h.opened = h.cuts && h.start <= h.to && h.start + delay <= h.finish ? h.start + delay : never;
         widest_ = std::max(widest_, spread(h));
     }
 }
@@ -214,7 +216,7 @@ void Radial::add_wounds(std::uint32_t number) {
 /// When a heating closes a wound so far away: when the tip's place is warm enough and the heated region has come near.
 double Radial::closing_time(const Heating& h, double distance) const {
     const double warm =
-        time_to(parameters_.coagulation_temperature - body_temperature, h.rise, h.rate, highest_rise(parameters_));
+        time_to(parameters_.coagulation_temperature - body_temperature, h.rise, h.rate, std::max(h.top, h.rise));
     const double growth = distance - wound_spacing - parameters_.tip_radius;
     double wide = 0.0;
     if (growth > 0.0) {

@@ -55,6 +55,7 @@ class Radial {
         double visible = 0.0;         // s, when the owner begins
         double from = 0.0, to = 0.0;  // when the tip is near
         double rate = 0.0;            // degrees per second
+        double top = 0.0;             // degrees, the highest rise that it makes
         bool cuts = false;
         double start = 0.0, finish = 0.0;  // the same less what an earlier one has taken
         double rise = 0.0, stayed = 0.0;   // U and H at the start

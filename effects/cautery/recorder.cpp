@@ -22,6 +22,7 @@ bool usable(const ToolSample& s) {
 
 void Recorder::set(std::span<const ToolContact> contacts) {
     contacts_.assign(contacts.begin(), contacts.end());
+    ++version_;
     running_ = any_ = false;
 }
 
@@ -46,6 +47,7 @@ bool Recorder::add(const ToolSample& given) {
         }
         // The old action lasts until the sample that says otherwise, where the tip was last seen with it.
         contact.duration = sample.time - contact.time;
+        ++version_;
         running_ = false;
     }
     if (sample.touching) begin(sample, {sample.time, sample.position});
@@ -53,6 +55,7 @@ bool Recorder::add(const ToolSample& given) {
 }
 
 void Recorder::begin(const ToolSample& sample, const Point& from) {
+    ++version_;
     contacts_.push_back({.action = sample.action,
                          .time = from.time,
                          .duration = sample.time - from.time,
@@ -73,6 +76,7 @@ void Recorder::extend(const ToolSample& sample) {
         begin(sample, {contact.end(), contact.to});
         return;
     }
+    ++version_;
     contact.duration = here.time - contact.time;
     contact.to = here.position;
     if (path_.size() == most_points) {

@@ -33,6 +33,8 @@ class Recorder {
     /// What happened so far; the last one grows while the tool touches.
     std::span<const ToolContact> contacts() const { return contacts_; }
     std::uint64_t dropped() const { return dropped_; }
+    /// Changes when the contacts do: samples that do not touch change nothing.
+    std::uint64_t version() const { return version_; }
 
   private:
     struct Point {
@@ -48,7 +50,7 @@ class Recorder {
     bool running_ = false;
     double last_time_ = 0.0;
     bool any_ = false;
-    std::uint64_t dropped_ = 0;
+    std::uint64_t dropped_ = 0, version_ = 0;
 };
 
 }  // namespace lapfx::cautery

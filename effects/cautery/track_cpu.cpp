@@ -7,18 +7,13 @@ namespace lapfx::cautery {
 
 namespace {
 
-bool same(const ToolContact& a, const ToolContact& b) {
-    return a.action == b.action && a.time == b.time && a.duration == b.duration && a.position == b.position &&
-           a.to == b.to && a.power == b.power && a.strength == b.strength;
-}
-
 /// Up to when two contacts are the same but for their ends: exactly, so only where both stand still or share a path.
 double same_until(const ToolContact& a, const ToolContact& b) {
     ToolContact longer = a;
     longer.duration = b.duration;
     longer.to = b.to;
     const bool still = a.position == a.to && b.position == b.to;
-    if (same(longer, b) && still) return std::min(a.end(), b.end());
+    if (longer == b && still) return std::min(a.end(), b.end());
     return std::min(a.time, b.time);
 }
 
@@ -31,7 +26,7 @@ std::size_t Track::set(std::span<const ToolContact> contacts, const CauteryParam
     spacing_ = wound_spacing / per_wound;
 
     std::size_t first = 0;  // what is like before, mostly all but the end
-    while (first < stays_.size() && first < contacts.size() && same(stays_[first].contact, contacts[first])) ++first;
+    while (first < stays_.size() && first < contacts.size() && stays_[first].contact == contacts[first]) ++first;
     const auto earlier = [](const ToolContact& a, const ToolContact& b) { return a.time < b.time; };
     const auto want_from = [&](std::size_t begin) {
         wanted_.clear();
@@ -45,8 +40,7 @@ std::size_t Track::set(std::span<const ToolContact> contacts, const CauteryParam
         first = 0;
     }
     std::size_t next = 0;
-    for (; first < stays_.size() && next < wanted_.size() && same(stays_[first].contact, wanted_[next]); ++next)
-        ++first;
+    for (; first < stays_.size() && next < wanted_.size() && stays_[first].contact == wanted_[next]; ++next) ++first;
 
     same_until_ = never;
     if (first < stays_.size()) same_until_ = stays_[first].contact.time;

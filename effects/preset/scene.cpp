@@ -114,7 +114,7 @@ constexpr Parameter scene_rows[] = {
 
 constexpr Rule scene_rules[] = {{"gravity", [](const void* owner) -> std::string {
                                      const glm::dvec3& gravity = static_cast<const Scene*>(owner)->gravity;
-                                     return gravity == glm::dvec3(0) ? "zero: it has no direction" : "";
+                                     return glm::length(gravity) > 1e-6 ? "" : "zero: it has no direction";
                                  }}};
 
 constexpr std::size_t most_events = 4096;

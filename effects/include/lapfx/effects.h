@@ -19,7 +19,7 @@
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
 // Constructor and set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady
-// state and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-2,
+// state (while blood spreads or samples arrive they may; out of memory then ends the process) and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-2,
 // uniform bindings 0-2). They expect GL's initial front face, colour mask, stencil, polygon mode and clip control, and
 // no sampler objects on units 0 to 2. Output is linear light: draw into a float or an sRGB framebuffer with
 // GL_FRAMEBUFFER_SRGB.
@@ -58,7 +58,9 @@ struct Amounts {
     double blood_volume = 0.0;  ///< mm3, a proxy: a layer from 0 at its edge to `thickness` at `deep_at` and beyond
     int wounds = 0;             ///< that have opened by now
     int bleeding_wounds = 0;    ///< that still spread
-    double haze = 0.0;          ///< E, optical thickness at the focus distance
+    int left_out_wounds = 0;    ///< that came when there were 4096 already
+    std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
+    double haze = 0.0;               ///< E, optical thickness at the focus distance
 };
 
 /// A point on the organ under a ray.
@@ -98,8 +100,8 @@ class Effects {
 
     /// The organ has been cut: another surface takes its place, at rest, with the materials and textures of `organ`.
     /// `origin[v]`: the vertex of the former organ that vertex v was, or `new_vertex`. Blood that lies on surviving vertices
-    /// stays there until it is cleared, wounds and burns stay at their places, and blood spreads on over the new surface. Time
-    /// before this call shows the new surface. Rebuilds what depends on the mesh (as long as the constructor took); buffer
+    /// stays there until it is cleared, and clots with the wounds of that time; wounds and burns stay at their places, and blood spreads on over the new surface. Time
+    /// before this call shows the new surface, with the blood that would have spread over it. Rebuilds what depends on the mesh (as long as the constructor took); buffer
     /// names change. Throws Error (runtime); then the former organ stays.
     void set_topology(const Organ& organ, std::span<const std::uint32_t> origin);
     static constexpr std::uint32_t new_vertex = 0xffffffff;
@@ -114,15 +116,16 @@ class Effects {
     void draw_smoke(const View& view, unsigned scene_depth) noexcept;
 
     /// For a host's own organ shader: the GL buffer of bleed value (mm; below 0 it runs on, for the noise) and clot (0..1), a
-    /// vec2 per organ vertex in the order of Organ::positions. seek() updates it. The name is valid, and the same, as long as
-    /// this object lives; do not write to it.
+    /// vec2 per organ vertex in the order of Organ::positions. seek() updates it. The name is valid until
+    /// set_topology() or the end of this object; do not write to it.
     unsigned bleed_buffer() const noexcept;
     /// Binds the uniform block that bleeding_shader() reads at uniform binding 1, and leaves it there: unlike the draw calls
     /// it changes the host's state, as it is meant to.
     void bind_bleeding() const noexcept;
 
     Amounts amounts() const noexcept;
-    /// Every wound so far, with what it is doing. Valid until the next call that is not const.
+    /// Every wound of the contacts, with what it was doing at the last seek(); those of contacts that are yet to come are waiting.
+    /// Valid until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;
     /// Bytes that the last seek sent to the GPU.
     std::size_t uploaded() const noexcept;

@@ -8,10 +8,10 @@ namespace lapfx {
 enum class ToolAction {
     cauterise,   ///< heats; above the cut temperature the tissue divides and may bleed; smokes
     cut,         ///< divides cold: bleeds at once, no smoke
-    coagulate,   ///< heats gently: wounds near it close; smokes
+    coagulate,   ///< heats gently, below charring: wounds near it close; smokes
     tear,        ///< blunt dissection: bleeds at once, 0.6 times as strongly, no heat, no smoke
-    suction,     ///< takes blood away around the tip
-    irrigation,  ///< rinses blood away around the tip and downhill of it
+    suction,     ///< takes blood away around the tip, which need not touch
+    irrigation,  ///< rinses blood away around the tip, which need not touch, and downhill of it
 };
 
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. Contacts of one
@@ -27,6 +27,7 @@ struct ToolContact {
     double power = 1.0;     ///< cautery power, 0..1
     double strength = 1.0;  ///< of the wound, times the preset's speed
 
+    friend bool operator==(const ToolContact&, const ToolContact&) = default;
     double end() const { return time + duration; }
     /// Where the tip is at `t`; before and after the contact, its first and last place.
     glm::dvec3 tip(double t) const {

@@ -24,42 +24,44 @@ class ClearingTest : public testing::Test {
     Surface surface{test::plane(60.0, 60)};
     Clearing clearing{surface, down};
 
-    const Clearing::Cap* first_at(double x, double z) const {
+    std::vector<Clearing::Cap> caps_at(double x, double z) const {
         const SurfacePoint p = surface.closest_point({x, 0, z});
         const auto& corners = surface.triangles[p.triangle];
         std::uint32_t best = corners[0];
         for (const std::uint32_t c : corners)
             if (glm::distance(surface.positions[c], p.position) < glm::distance(surface.positions[best], p.position))
                 best = c;
-        return clearing.first(best);
+        std::vector<Clearing::Cap> caps;
+        clearing.for_each(best, [&](const Clearing::Cap& cap) { caps.push_back(cap); });
+        return caps;
     }
-    /// mm; 1000 where there is no cap.
+    /// mm, of the first; 1000 where there is no cap.
     double cap_at(double x, double z) const {
-        const Clearing::Cap* cap = first_at(x, z);
-        return cap == nullptr ? 1000.0 : static_cast<double>(cap->cap);
+        const auto caps = caps_at(x, z);
+        return caps.empty() ? 1000.0 : static_cast<double>(caps[0].cap);
     }
-    double time_at(double x, double z) const { return first_at(x, z)->time; }
+    double time_at(double x, double z) const { return caps_at(x, z).at(0).time; }
 };
 
 TEST_F(ClearingTest, SuctionClearsADiscThatGrowsWhenTheTipIsPutOn) {
     clearing.set(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 1.0, .duration = 2.0}}, reach(8, 15));
     clearing.update(0.5);
     EXPECT_FALSE(clearing.update(1.0));
-    EXPECT_EQ(first_at(0, 0), nullptr);
+    EXPECT_EQ(cap_at(0, 0), 1000.0);
     EXPECT_TRUE(clearing.update(1.15));
     EXPECT_NEAR(cap_at(4, 0), -6.0, 1e-5) << "40 mm/s for 0.15 s reaches 6 mm: 2 mm inside, slope 3";
     EXPECT_NEAR(cap_at(7, 0), 3.0, 1e-5) << "1 mm outside";
     clearing.update(2.0);
     EXPECT_NEAR(cap_at(7, 0), -3.0, 1e-5);
     EXPECT_NEAR(cap_at(13, 0), 15.0, 1e-5) << "the rim";
-    EXPECT_EQ(first_at(15, 0), nullptr) << "beyond the rim";
+    EXPECT_EQ(cap_at(15, 0), 1000.0) << "beyond the rim";
     EXPECT_DOUBLE_EQ(time_at(7, 0), 2.0);
     clearing.update(50.0);
     EXPECT_DOUBLE_EQ(time_at(7, 0), 3.0) << "until the end of the contact";
     EXPECT_DOUBLE_EQ(clearing.latest(), 3.0);
     EXPECT_FALSE(clearing.update(60.0));
     EXPECT_TRUE(clearing.update(0.0)) << "back to before";
-    EXPECT_EQ(first_at(0, 0), nullptr);
+    EXPECT_EQ(cap_at(0, 0), 1000.0);
 }
 
 TEST_F(ClearingTest, AMovingTipClearsWhatItHasPassed) {
@@ -70,7 +72,7 @@ TEST_F(ClearingTest, AMovingTipClearsWhatItHasPassed) {
     clearing.update(2.0);  // at x = 0
     EXPECT_NEAR(cap_at(-10, 3), -6.0, 1e-5);
     EXPECT_NEAR(cap_at(3, 4), 0.0, 1e-5) << "5 mm off the tip";
-    EXPECT_EQ(first_at(12, 0), nullptr);
+    EXPECT_EQ(cap_at(12, 0), 1000.0);
     clearing.update(100.0);
     EXPECT_NEAR(cap_at(0, 3), -6.0, 1e-5);
     EXPECT_NEAR(cap_at(0, 7), 6.0, 1e-5);
@@ -95,19 +97,40 @@ TEST_F(ClearingTest, OfSeveralOnlyThoseThatAreNotOverruledAreKept) {
     clearing.set(std::vector{suction(0, 0), suction(4, 12), suction(2, 4)}, reach(8, 15));
     clearing.update(100.0);
     // At the origin: -24 at 1 s, -12 at 3 s, 12 at 5 s; the order of the list does not matter.
-    const Clearing::Cap* cap = first_at(0, 0);
-    for (const glm::dvec2 wanted : {glm::dvec2(1, -24), glm::dvec2(3, -12), glm::dvec2(5, 12)}) {
-        ASSERT_NE(cap, nullptr);
-        EXPECT_DOUBLE_EQ(cap->time, wanted.x);
-        EXPECT_NEAR(cap->cap, wanted.y, 1e-5);
-        cap = clearing.next(*cap);
+    const auto caps = caps_at(0, 0);
+    ASSERT_EQ(caps.size(), 3u);
+    const glm::dvec2 wanted[] = {{1, -24}, {3, -12}, {5, 12}};
+    for (std::size_t n = 0; n < 3; ++n) {
+        EXPECT_DOUBLE_EQ(caps[n].time, wanted[n].x);
+        EXPECT_NEAR(caps[n].cap, wanted[n].y, 1e-5);
     }
-    EXPECT_EQ(cap, nullptr);
     // At x = 12 the last is the lowest: the others are overruled.
-    cap = first_at(12, 0);
-    ASSERT_NE(cap, nullptr);
-    EXPECT_DOUBLE_EQ(cap->time, 5.0);
-    EXPECT_EQ(clearing.next(*cap), nullptr);
+    ASSERT_EQ(caps_at(12, 0).size(), 1u);
+    EXPECT_DOUBLE_EQ(time_at(12, 0), 5.0);
+}
+
+TEST_F(ClearingTest, SteppingThroughShortContactsEqualsSeeking) {
+    // As samples of a moving tip become contacts: shorter than the reach needs to grow.
+    std::vector<ToolContact> contacts;
+    for (int i = 0; i < 12; ++i)
+        contacts.push_back({.action = ToolAction::suction,
+                            .time = 0.1 * i,
+                            .duration = 0.1,
+                            .position = {2.0 * i - 12.0, 0, 0.5 * (i % 3)},
+                            .to = {2.0 * i - 10.0, 0, 0.5 * ((i + 1) % 3)}});
+    clearing.set(contacts, reach(8, 15));
+    for (double time = 0.0; time < 3.0; time += 0.037) {
+        clearing.update(time);
+        Clearing fresh(surface, down);
+        fresh.set(contacts, reach(8, 15));
+        fresh.update(time);
+        for (std::uint32_t v = 0; v < surface.positions.size(); v += 3) {
+            std::vector<std::pair<double, float>> stepped, direct;
+            clearing.for_each(v, [&](const Clearing::Cap& c) { stepped.emplace_back(c.time, c.cap); });
+            fresh.for_each(v, [&](const Clearing::Cap& c) { direct.emplace_back(c.time, c.cap); });
+            ASSERT_EQ(stepped, direct) << time;
+        }
+    }
 }
 
 TEST_F(ClearingTest, OtherActionsAndBadNumbersClearNothing) {
@@ -134,12 +157,12 @@ TEST_F(ClearingTest, WhatIsTakenAwayOrChangedLeavesNothingBehind) {
     contacts[1].position = contacts[1].to = {-20, 0, 0};
     EXPECT_TRUE(clearing.set(contacts, reach(4, 15)));
     clearing.update(9.0);
-    EXPECT_EQ(first_at(20, 0), nullptr);
+    EXPECT_EQ(cap_at(20, 0), 1000.0);
     EXPECT_NEAR(cap_at(-20, 0), -12.0, 1e-5);
     contacts.pop_back();
     clearing.set(contacts, reach(4, 15));
     clearing.update(9.0);
-    EXPECT_EQ(first_at(-20, 0), nullptr);
+    EXPECT_EQ(cap_at(-20, 0), 1000.0);
     EXPECT_NEAR(cap_at(0, 0), -12.0, 1e-5);
 }
 

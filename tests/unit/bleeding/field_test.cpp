@@ -246,6 +246,23 @@ TEST(Field, KeptBloodStaysUntilItIsCleared) {
     EXPECT_EQ(field.values()[middle].x, field.dry());
 }
 
+TEST(Field, KeptBloodClotsWithTheWoundsOfItsTimeAndIsNotThereBefore) {
+    const Surface surface(test::plane(40.0, 40));
+    BleedField field(surface, down);
+    field.set(std::vector<Wound>{{.position = {15, 0, 0}, .stop = 5.0}}, plain());
+    std::vector<glm::vec2> kept(surface.positions.size(), glm::vec2(BleedField::none, 0.0f));
+    const std::size_t far = 20 * 41 + 2;
+    kept[far] = {3.0f, 0.0f};
+    field.keep(kept, 5.0);
+    field.update(30.0);
+    EXPECT_EQ(field.values()[far], glm::vec2(3.0f, 1.0f));
+    field.update(4.0);
+    EXPECT_EQ(field.values()[far].x, field.dry());
+    field.update(5.5);
+    EXPECT_EQ(field.values()[far].x, 3.0f);
+    EXPECT_LT(field.values()[far].y, 0.2f);
+}
+
 TEST(Field, ContactsInOddPlacesGiveClearResults) {
     const double nan = std::numeric_limits<double>::quiet_NaN(), infinity = std::numeric_limits<double>::infinity();
     // A sheet, a fin standing on it (a non-manifold edge), and a sliver.
