@@ -129,6 +129,39 @@ TEST_F(EffectsTest, OnlyWhatChangesIsSentAndASettledSceneSendsAndAllocatesNothin
     EXPECT_EQ(allocations, 0u);
 }
 
+TEST_F(EffectsTest, GravityWithoutADirectionIsRefused) {
+    for (const glm::dvec3 gravity :
+         {glm::dvec3(0.0), glm::dvec3(1e-200, 0.0, 0.0), glm::dvec3(0.0, std::nan(""), 0.0)}) {
+        EffectsOptions options;
+        options.gravity = gravity;
+        try {
+            Effects effects(test::plane(10.0, 4), Preset{}, options);
+            ADD_FAILURE() << gravity.x;
+        } catch (const Error& error) {
+            EXPECT_EQ(error.failure(), Failure::bad_input);
+            EXPECT_NE(std::string(error.what()).find("/gravity"), std::string::npos);
+        }
+    }
+}
+
+TEST_F(EffectsTest, AToolThatHoversCostsASettledSceneNothingAndLossesAreCounted) {
+    Effects effects(test::plane(100.0, 100), bloody());
+    effects.set_contacts(cut_at({0, 0, 0}));
+    effects.seek(50.0);
+    allocations = 0;
+    for (int i = 0; i < 500; ++i) {
+        effects.tool_queue().push({.time = 50.0 + 0.001 * i, .position = {1, 5, 1}, .touching = false});
+        effects.seek(50.0 + 0.001 * i);
+        EXPECT_EQ(effects.uploaded(), 0u);
+    }
+    EXPECT_EQ(allocations, 0u);
+    EXPECT_EQ(effects.amounts().lost_samples, 0u);
+    effects.tool_queue().push({.time = std::nan(""), .touching = true});
+    effects.tool_queue().push({.time = 3.0, .touching = true});
+    effects.seek(std::nan(""));
+    EXPECT_EQ(effects.amounts().lost_samples, 2u) << "the queue is emptied whatever the host's clock says";
+}
+
 TEST_F(EffectsTest, AMovingOrganCarriesItsBloodAlong) {
     const Organ organ = test::plane(100.0, 100);
     Effects effects(organ, bloody());

@@ -135,6 +135,29 @@ TEST_F(CauteryTest, AnyOrderOfTimesAndListsGivesTheSame) {
     expect_like_fresh(edited, time);
 }
 
+TEST_F(CauteryTest, TwoToolsAtOnePlaceAtOnceGiveTheSameInAnyOrderOfTimes) {
+    const std::vector contacts{at({0, 0, 0}, 0.0, 2.0, ToolAction::coagulate), at({0, 0, 0}, 0.5, 1.0),
+                               at({1, 0, 0}, 1.2, 1.5)};
+    cautery.set(contacts, parameters);
+    for (double time = 0.0; time < 4.0; time += 0.13) {
+        cautery.update(time);
+        expect_like_fresh(contacts, time);
+    }
+}
+
+TEST_F(CauteryTest, CoagulationBlanchesAndDoesNotChar) {
+    for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
+        parameters.model = model;
+        cautery.set(std::vector{at({0, 0, 0}, 0.0, 5.0, ToolAction::coagulate)}, parameters);
+        cautery.update(6.0);
+        const double gentle = 0.5 * (parameters.coagulation_temperature + parameters.char_temperature);
+        EXPECT_GT(mark_at(cautery, 0, 0).x, 0.5 * char_of(gentle, parameters));
+        EXPECT_LT(mark_at(cautery, 0, 0).x, 1.3 * char_of(gentle, parameters)) << "a step of the solver beyond at most";
+        EXPECT_LT(mark_at(cautery, 0, 0).x, 0.35f) << "nothing is burnt";
+        EXPECT_EQ(mark_at(cautery, 0, 0).y, 0.0f);
+    }
+}
+
 TEST_F(CauteryTest, ParametersTakeEffectAtOnce) {
     const std::vector contacts{at({0, 0, 0}, 0.0, 1.0), along({5, 0, 0}, {9, 0, 0}, 2.0, 4.0)};
     cautery.set(contacts, parameters);
