@@ -284,8 +284,8 @@ void Bioheat::divide(const Track& track, double from) {
         const double before = heat_.rise_at(place.point, heat_.field().before);
         surface_.points_within(place.point.position, parameters_.tip_radius, near_);
         for (const std::uint32_t p : near_) {
-            const auto divided =
-                static_cast<float>(divided_at(glm::distance(surface_.positions[p], place.point.position), parameters_));
+            const auto divided = static_cast<float>(divided_at(
+                glm::distance(surface_.positions[p], place.point.position), ToolAction::cauterise, parameters_));
             if (!(divided > divided_[p])) continue;
             recent(step_ - 1).marks.push_back({p, peak_[p], divided_[p]});
             set_mark(p, peak_[p], divided);

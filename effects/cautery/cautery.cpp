@@ -110,7 +110,7 @@ void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
     if (stay.contact.time > time) return;
     if (cold(stay.contact.action)) {
         for (const Place& place : track_.places_of(stay))
-            if (place.arrival <= time) divide_around(place.point.position, layer);
+            if (place.arrival <= time) divide_around(place.point.position, stay.contact.action, layer);
         return;
     }
     if (!stay.contact.hot() || bioheat_) return;
@@ -118,7 +118,7 @@ void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
     const double least = std::max(parameters_.coagulation_temperature - body_temperature, 0.5);
     radial_.bells(number, time, bells_);
     for (const Bell& bell : bells_) {
-        if (bell.divided) divide_around(bell.position, layer);
+        if (bell.divided) divide_around(bell.position, stay.contact.action, layer);
         if (!(bell.rise > least)) continue;
         surface_.points_within(bell.position, bell.radius * std::sqrt(std::log(bell.rise / least)), near_);
         for (const std::uint32_t point : near_) {
@@ -128,11 +128,11 @@ void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
     }
 }
 
-void Cautery::divide_around(const glm::dvec3& place, Layer& layer) {
-    surface_.points_within(place, parameters_.tip_radius, near_);
+void Cautery::divide_around(const glm::dvec3& place, ToolAction action, Layer& layer) {
+    surface_.points_within(place, 2.0 * parameters_.tip_radius, near_);
     for (const std::uint32_t point : near_) {
         const double distance = glm::distance(surface_.positions[point], place);
-        raise(layer, point, {0.0f, static_cast<float>(divided_at(distance, parameters_))});
+        raise(layer, point, {0.0f, static_cast<float>(divided_at(distance, action, parameters_))});
     }
 }
 

@@ -62,7 +62,7 @@ class Cautery {
     void clear(Layer& layer);
     void contribute(std::uint32_t contact, double time, Layer& layer);
     void raise(Layer& layer, std::uint32_t point, glm::vec2 mark);
-    void divide_around(const glm::dvec3& place, Layer& layer);
+    void divide_around(const glm::dvec3& place, ToolAction action, Layer& layer);
     void touch(std::uint32_t point);
     void publish();
 

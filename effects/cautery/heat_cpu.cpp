@@ -43,8 +43,11 @@ double char_of(double peak, const CauteryParameters& c) noexcept {
     return 0.35 * cooked + 0.65 * burnt;
 }
 
-double divided_at(double distance, const CauteryParameters& c) noexcept {
-    return 1.0 - glm::smoothstep(0.25 * c.tip_radius, 0.75 * c.tip_radius, distance);
+double divided_at(double distance, ToolAction action, const CauteryParameters& c) noexcept {
+    constexpr double frayed_width = 2.0, frayed_depth = 0.6;
+    const bool frays = action == ToolAction::tear;
+    const double width = (frays ? frayed_width : 1.0) * c.tip_radius;
+    return (frays ? frayed_depth : 1.0) * (1.0 - glm::smoothstep(0.25 * width, 0.75 * width, distance));
 }
 
 }  // namespace lapfx::cautery

@@ -64,7 +64,8 @@ std::optional<Interval> passes(const ToolContact& contact, glm::dvec3 place, dou
 /// 0 = unburnt .. 1 = charred through, from the hottest temperature.
 double char_of(double peak, const CauteryParameters& c) noexcept;
 
-/// 1 = divided .. 0 = whole, `distance` mm from a place that was divided: one tip radius wide, with a soft edge.
-double divided_at(double distance, const CauteryParameters& c) noexcept;
+/// 1 = divided .. 0 = whole, `distance` mm from a place that was divided: one tip radius wide, with a soft edge. Blunt
+/// dissection frays: wider, and nowhere divided through, so that the shader's noise leaves strands of it.
+double divided_at(double distance, ToolAction action, const CauteryParameters& c) noexcept;
 
 }  // namespace lapfx::cautery

@@ -62,21 +62,19 @@ TEST_F(CauteryTest, HeatDividesWhenItIsHotEnough) {
     EXPECT_EQ(mark_at(cautery, 0, 0).y, 0.0f);
     cautery.update(1.71);
     EXPECT_EQ(mark_at(cautery, 0, 0).y, 1.0f);
-    EXPECT_NEAR(mark_at(cautery, 1, 0).y, divided_at(1.0, parameters), 1e-6);
+    EXPECT_NEAR(mark_at(cautery, 1, 0).y, divided_at(1.0, ToolAction::cut, parameters), 1e-6);
     EXPECT_EQ(mark_at(cautery, 2, 0).y, 0.0f);
 }
 
 TEST_F(CauteryTest, AKnifeDividesAlongItsPathAsItGoes) {
-    for (const ToolAction action : {ToolAction::cut, ToolAction::tear}) {
-        cautery.set(std::vector{along({0, 0, 0}, {10, 0, 0}, 1.0, 2.0, action)}, parameters);
-        cautery.update(2.0);
-        for (int x = 0; x <= 5; ++x) EXPECT_EQ(mark_at(cautery, x, 0), glm::vec2(0.0f, 1.0f)) << x;
-        EXPECT_EQ(mark_at(cautery, 7, 0).y, 0.0f) << "not there yet";
-        EXPECT_NEAR(mark_at(cautery, 3, 1).y, divided_at(1.0, parameters), 1e-6);
-        EXPECT_EQ(mark_at(cautery, 3, 2).y, 0.0f);
-        cautery.update(9.0);
-        EXPECT_EQ(mark_at(cautery, 10, 0).y, 1.0f);
-    }
+    cautery.set(std::vector{along({0, 0, 0}, {10, 0, 0}, 1.0, 2.0, ToolAction::cut)}, parameters);
+    cautery.update(2.0);
+    for (int x = 0; x <= 5; ++x) EXPECT_EQ(mark_at(cautery, x, 0), glm::vec2(0.0f, 1.0f)) << x;
+    EXPECT_EQ(mark_at(cautery, 7, 0).y, 0.0f) << "not there yet";
+    EXPECT_NEAR(mark_at(cautery, 3, 1).y, divided_at(1.0, ToolAction::cut, parameters), 1e-6);
+    EXPECT_EQ(mark_at(cautery, 3, 2).y, 0.0f);
+    cautery.update(9.0);
+    EXPECT_EQ(mark_at(cautery, 10, 0).y, 1.0f);
 }
 
 TEST_F(CauteryTest, OtherActionsAndNoPowerLeaveNoMarks) {
@@ -143,6 +141,18 @@ TEST_F(CauteryTest, TwoToolsAtOnePlaceAtOnceGiveTheSameInAnyOrderOfTimes) {
         cautery.update(time);
         expect_like_fresh(contacts, time);
     }
+}
+
+TEST_F(CauteryTest, BluntDissectionFraysWiderThanAKnifeCuts) {
+    cautery.set(std::vector{at({0, 0, 0}, 0.0, 1.0, ToolAction::cut), at({20, 0, 0}, 0.0, 1.0, ToolAction::tear)},
+                parameters);
+    cautery.update(1.0);
+    EXPECT_EQ(mark_at(cautery, 0, 0).y, 1.0f);
+    EXPECT_EQ(mark_at(cautery, 2, 0).y, 0.0f);
+    EXPECT_NEAR(mark_at(cautery, 20, 0).y, 0.6f, 1e-6);
+    EXPECT_GT(mark_at(cautery, 21, 0).y, 0.3f);
+    EXPECT_GT(mark_at(cautery, 22, 0).y, 0.0f);
+    EXPECT_EQ(mark_at(cautery, 23, 0).y, 0.0f);
 }
 
 TEST_F(CauteryTest, CoagulationBlanchesAndDoesNotChar) {

@@ -25,10 +25,10 @@ TEST(Char, FollowsThePeak) {
 TEST(Divided, IsOneTipRadiusWideWithASoftEdge) {
     CauteryParameters c = simple_parameters();
     c.tip_radius = 2.0;
-    EXPECT_EQ(divided_at(0.0, c), 1.0);
-    EXPECT_EQ(divided_at(0.5, c), 1.0);
-    EXPECT_NEAR(divided_at(1.0, c), 0.5, 1e-12) << "half at half the width of one radius";
-    EXPECT_EQ(divided_at(1.5, c), 0.0);
+    EXPECT_EQ(divided_at(0.0, ToolAction::cut, c), 1.0);
+    EXPECT_EQ(divided_at(0.5, ToolAction::cut, c), 1.0);
+    EXPECT_NEAR(divided_at(1.0, ToolAction::cut, c), 0.5, 1e-12) << "half at half the width of one radius";
+    EXPECT_EQ(divided_at(1.5, ToolAction::cut, c), 0.0);
 }
 
 TEST(Usable, LeavesOutWhatCannotBe) {
