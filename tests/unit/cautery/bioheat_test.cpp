@@ -101,6 +101,16 @@ TEST(Bioheat, DoesNotDependOnTheMesh) {
 
 class BioheatTest : public testing::Test {
   protected:
+    /// Marks and wounds are those of one that has never seen another time.
+    void expect_like_fresh(double time) {
+        Cautery fresh(flat(), {});
+        fresh.set(operation, parameters);
+        fresh.update(time);
+        EXPECT_TRUE(same(cautery.marks(), fresh.marks()));
+        EXPECT_TRUE(
+            std::equal(cautery.wounds().begin(), cautery.wounds().end(), fresh.wounds().begin(), fresh.wounds().end()));
+    }
+
     std::vector<Wound> wounds(const std::vector<ToolContact>& contacts) {
         cautery.set(contacts, parameters);
         cautery.update(60.0);
@@ -144,12 +154,7 @@ TEST_F(BioheatTest, UpdateIsAFunctionOfTheTime) {
 TEST_F(BioheatTest, StepByStepIsTheSameAsAtOnce) {
     cautery.set(operation, parameters);
     for (int frame = 0; frame <= 25 * 60; ++frame) cautery.update(frame / 60.0);
-    Cautery fresh(flat(), {});
-    fresh.set(operation, parameters);
-    fresh.update(25.0);
-    EXPECT_TRUE(same(cautery.marks(), fresh.marks()));
-    EXPECT_TRUE(
-        std::equal(cautery.wounds().begin(), cautery.wounds().end(), fresh.wounds().begin(), fresh.wounds().end()));
+    expect_like_fresh(25.0);
 }
 
 TEST_F(BioheatTest, AContactThatGrowsWithEveryFrameIsTheSameAsTheWholeOne) {
@@ -176,12 +181,7 @@ TEST_F(BioheatTest, AContactThatGrowsWithEveryFrameIsTheSameAsTheWholeOne) {
     std::printf("bio-heat, live: %.3f ms a frame\n", spent.count() / (22 * 60));
     cautery.set(operation, parameters);
     cautery.update(25.0);
-    Cautery fresh(flat(), {});
-    fresh.set(operation, parameters);
-    fresh.update(25.0);
-    EXPECT_TRUE(same(cautery.marks(), fresh.marks()));
-    EXPECT_TRUE(
-        std::equal(cautery.wounds().begin(), cautery.wounds().end(), fresh.wounds().begin(), fresh.wounds().end()));
+    expect_like_fresh(25.0);
 }
 
 TEST_F(BioheatTest, WhatComesLaterDoesNotDisturbThePast) {
