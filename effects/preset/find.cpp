@@ -129,6 +129,7 @@ void check_table(const Table& table, void* owner, const std::string& pointer, st
             if (std::string reason = rule.check(owner); !reason.empty())
                 faults.push_back({"", join_pointer(pointer, rule.key), std::move(reason)});
     for (const Table& child : table.tables) {
+        if (child.present && !*child.present(owner)) continue;
         const std::string inner = join_pointer(pointer, child.key);
         void* member = child.member(owner);
         if (!child.list) {
@@ -148,10 +149,12 @@ Place find_parameter(const Table& root, void* document, std::string_view key) {
     std::vector<std::string_view> parts = split(key.substr(key.starts_with('/') ? 1 : 0), "./");
     const Table* table = &root;
     void* owner = document;
+    bool* present = nullptr;
     std::string pointer;
     for (std::size_t i = 0; i + 1 < parts.size(); ++i) {
         table = table->find(parts[i]);
         if (!table) fail_unknown(root, document, key);
+        present = table->present ? table->present(owner) : nullptr;
         owner = table->member(owner);
         pointer = join_pointer(pointer, parts[i]);
         if (!table->list) continue;
@@ -161,7 +164,7 @@ Place find_parameter(const Table& root, void* document, std::string_view key) {
     }
     const Parameter* row = table->find_row(parts.back());
     if (!row) fail_unknown(root, document, key);
-    return {row, owner, join_pointer(pointer, row->key)};
+    return {row, owner, join_pointer(pointer, row->key), present};
 }
 
 void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value) {
@@ -170,6 +173,7 @@ void set_parameter(const Table& root, void* document, std::string_view key, std:
     if (!read) fail(key, in_quotes(value) + " is not " + place.row->expected());
     if (std::string reason = place.row->check(*read); !reason.empty()) fail(key, std::move(reason));
     place.row->set(place.owner, *read);
+    if (place.present) *place.present = true;
 }
 
 std::vector<Fault> check(const Table& root, const void* document) {

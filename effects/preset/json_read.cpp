@@ -187,6 +187,7 @@ void Reader::read_object(const Table& table, const Json* object, void* owner, co
         const Json* value = object ? object->find(child.key) : nullptr;
         const std::string inner = join_pointer(pointer, child.key);
         void* member = child.member(owner);
+        if (child.present) *child.present(owner) = value != nullptr;
         if (!child.list) {
             read_object(child, value, member, inner);
         } else if (value) {

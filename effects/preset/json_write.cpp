@@ -21,6 +21,7 @@ std::string json_number(double value) {
 void write_table(JsonWriter& out, const Table& table, void* owner) {
     for (const Parameter& row : table.rows) out.value(row.key, json_value(row, row.get(owner)));
     for (const Table& child : table.tables) {
+        if (child.present && !*child.present(owner)) continue;
         void* member = child.member(owner);
         out.open(child.list ? '[' : '{', child.key);
         if (!child.list) write_table(out, child, member);

@@ -132,6 +132,13 @@ constexpr Table table(std::string_view key, std::string_view name, std::string_v
             .member = address_of<Member>};
 }
 
+/// A struct that may be left out; the bool `Present` of the same owner says whether it is there.
+template <auto Present>
+constexpr Table optional(Table made) {
+    made.present = [](void* owner) { return static_cast<bool*>(address_of<Present>(owner)); };
+    return made;
+}
+
 template <class T, std::size_t Maximum>
 inline constexpr Table::List list_of{
     .size = [](const void* list) { return static_cast<const std::vector<T>*>(list)->size(); },

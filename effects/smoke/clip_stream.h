@@ -12,14 +12,9 @@
 #include <vector>
 
 #include "smoke/clip_file.h"
+#include "smoke/policy.h"
 
 namespace lapfx::smoke {
-
-/// What to do when a frame has not been decoded yet.
-enum class Policy {
-    wait,    ///< wait for exactly this frame: offline rendering, tests
-    latest,  ///< never wait: repeat the last one and count the miss
-};
 
 class ClipStream {
   public:

@@ -30,27 +30,6 @@ namespace lapfx::preset {
 
 namespace {
 
-constexpr std::string_view roles[] = {"plume", "haze"};
-constexpr std::string_view polarities[] = {"light", "dark"};
-
-using S = SmokeClip;
-constexpr Parameter clip_rows[] = {
-    required(contained(path<&S::file>("file", "File",
-                                      "The smoke video: a file in the folder of the preset, or a bare name that the "
-                                      "simulator looks up."))),
-    choice<&S::role>("role", "Role", roles,
-                     "plume: the paper's source smoke at the tool tip. haze: its environmental smoke over "
-                     "the whole view."),
-    choice<&S::polarity>("polarity", "Polarity", polarities,
-                         "light: light smoke before a dark background. dark: dark smoke before a light background."),
-    number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
-    number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic}, "Speed of playing; 1 is as filmed."),
-    number<&S::source_x>("source_x", "Source x", {0, 1, 0.01, "clip widths"},
-                         "Where in the frame the smoke starts, from the left: this point is put on the tool tip."),
-    number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
-                         "Where in the frame the smoke starts, from the top."),
-};
-
 constexpr Range luma{0, 255, 1, "code values"};
 constexpr Range chroma{0, 180, 1, "code values"};
 
@@ -70,6 +49,11 @@ constexpr Parameter keying_rows[] = {
         "chroma_high", "Chroma high", chroma,
         "Distance from the key colour in Cb and Cr from which a pixel is fully smoke, whatever its luma."),
     number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is taken out of the smoke."),
+    number<&K::choke>(
+        "choke", "Choke", {0, 16, 0.5, "pixels"},
+        "How far the smoke is drawn in from its edges, in pixels of the clip: takes off a rim of background."),
+    number<&K::feather>("feather", "Feather", {0, 16, 0.5, "pixels"},
+                        "How far the smoke's opacity is smoothed, in pixels of the clip: takes off noise and blocks."),
     number<&K::noise_scale>("noise_scale", "Noise scale", {0.01, 2, 0.01, "clip heights", Scale::logarithmic},
                             "Width of one lobe of the Perlin noise on alpha."),
     number<&K::noise_strength>("noise_strength", "Noise strength", {0, 1, 0.01},
@@ -90,6 +74,56 @@ constexpr Rule keying_rules[] = {
      }},
 };
 
+constexpr std::string_view roles[] = {"plume", "haze"};
+constexpr std::string_view polarities[] = {"light", "dark"};
+constexpr std::string_view starts[] = {"seeded", "beginning"};
+constexpr std::string_view mirrors[] = {"seeded", "off", "on"};
+constexpr Range clip_time{0, 3600, 0.1, "s"};
+
+using S = SmokeClip;
+constexpr Parameter clip_rows[] = {
+    required(contained(path<&S::file>("file", "File",
+                                      "The smoke video: a file in the folder of the preset, or a bare name that the "
+                                      "simulator looks up."))),
+    choice<&S::role>("role", "Role", roles,
+                     "plume: the paper's source smoke at the tool tip. haze: its environmental smoke over "
+                     "the whole view."),
+    choice<&S::polarity>("polarity", "Polarity", polarities,
+                         "light: light smoke before a dark background. dark: dark smoke before a light background."),
+    number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
+    number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic}, "Speed of playing; 1 is as filmed."),
+    number<&S::source_x>("source_x", "Source x", {0, 1, 0.01, "clip widths"},
+                         "Where in the frame the smoke starts, from the left: this point is put on the tool tip."),
+    number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
+                         "Where in the frame the smoke starts, from the top."),
+    number<&S::in>("in", "In", clip_time, "Where in the clip playing starts."),
+    number<&S::out>("out", "Out", clip_time, "Where in the clip playing ends and starts over; 0 is the clip's end."),
+    number<&S::crossfade>("crossfade", "Cross-fade", {0, 30, 0.1, "s"},
+                          "How long the end of the loop is faded into its beginning, at most half of the loop."),
+    choice<&S::start>(
+        "start", "Start", starts,
+        "seeded: starts anywhere in the loop, so that clips named twice never look alike. beginning: at the "
+        "in point."),
+    choice<&S::mirror>("mirror", "Mirror", mirrors, "Left and right exchanged: by chance, never, or always."),
+    number<&S::rotation>(
+        "rotation", "Rotation", {0, 180, 1, "degrees"},
+        "The clip is turned by a seeded angle, at most this much either way, about where its smoke starts."),
+};
+
+constexpr Rule clip_rules[] = {
+    {"in",
+     [](const void* owner) {
+         const S& c = *static_cast<const S*>(owner);
+         return c.out > 0.0 ? below(c.in, "out", c.out) : std::string();
+     }},
+};
+
+constexpr Table clip_tables[] = {
+    optional<&S::own_keying>(table<&S::keying>("keying", "Own keying",
+                                               "Keying of this clip alone; without it the preset's keying holds.",
+                                               {keying_rows, {}, keying_rules})),
+};
+
 constexpr Range extinction{0, 2, 0.01};
 constexpr Range fade{0, 10, 0.1, "s"};
 
@@ -103,6 +137,14 @@ constexpr Parameter plume_rows[] = {
                        "By which part of its size the plume grows in a second."),
     number<&P::fade_in>("fade_in", "Fade in", fade, "How long the plume takes to full density once cautery starts."),
     number<&P::fade_out>("fade_out", "Fade out", fade, "How long the plume stays once cautery ends."),
+    number<&P::lean>(
+        "lean", "Lean", {0, 1.5, 0.05},
+        "How far the plume leans towards the camera, mm for each mm that it rises: smoke along a wall is turned "
+        "away from it."),
+    number<&P::softness>("softness", "Softness", {0.1, 50, 0.1, "mm", Scale::logarithmic},
+                         "Over which distance the plume fades where it meets tissue or instruments."),
+    number<&P::fat_gain>("fat_gain", "Fat gain", {0, 4, 0.05},
+                         "How much more smoke burning fat gives, plume and haze: 1 is twice as much where all is fat."),
     color<&P::color>("color", "Colour", "Colour of thick plume under the endoscope's lamp."),
     vector<&P::extinction>("extinction", "Extinction", extinction,
                            "How strongly red, green and blue are held back; real smoke passes more red than blue."),
@@ -114,6 +156,8 @@ constexpr Parameter haze_rows[] = {
                              "How fast cautery at full emission fills the view with the paper's environmental smoke."),
     number<&H::ventilation>("ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
                             "Which part of the haze leaves per second; 0 keeps it for ever."),
+    number<&H::suction>("suction", "Suction", {0, 10, 0.05, "1/s"},
+                        "Which part of the haze a suction tool takes per second while it runs, besides ventilation."),
     number<&H::unevenness>("unevenness", "Unevenness", {0, 1, 0.01},
                            "0 is an even veil, 1 takes all its shape from the haze clips and noise."),
     color<&H::color>("color", "Colour", "Colour of dense haze under the endoscope's lamp."),
@@ -121,18 +165,30 @@ constexpr Parameter haze_rows[] = {
                            "How strongly red, green and blue are held back; real smoke passes more red than blue."),
 };
 
-constexpr std::size_t most_clips = 32;  // twice the fifteen streams of the paper's benchmark
+using F = ParticleParameters;
+constexpr Parameter particle_rows[] = {
+    number<&F::rate>("rate", "Rate", {0, 60, 1, "1/s"},
+                     "Specks thrown off per second where all of the tissue is fat and power is full; 0 is none."),
+    number<&F::size>("size", "Size", {0.05, 3, 0.05, "mm", Scale::logarithmic}, "Diameter of the largest specks."),
+    number<&F::speed>("speed", "Speed", {0, 200, 1, "mm/s"}, "How fast specks leave the tip; air slows them down."),
+    number<&F::lifetime>("lifetime", "Lifetime", {0.05, 5, 0.05, "s", Scale::logarithmic}, "How long a speck is seen."),
+    color<&F::color>("color", "Colour", "Colour of a speck under the endoscope's lamp."),
+};
+
+constexpr std::size_t most_clips = 64;  // four times the fifteen streams of the paper's benchmark, and a few
 
 }  // namespace
 
 Table smoke_table() {
     using A = SmokeParameters;
     static constexpr Table tables[] = {
-        list<&A::clips, most_clips>("clips", "Clips", "Smoke videos and how each is used.", {clip_rows}),
+        list<&A::clips, most_clips>("clips", "Clips", "Smoke videos and how each is used.",
+                                    {clip_rows, clip_tables, clip_rules}),
         table<&A::keying>("keying", "Keying", "How smoke is told from the background of its clip.",
                           {keying_rows, {}, keying_rules}),
         table<&A::plume>("plume", "Plume", "The paper's source smoke, at the tool tip.", {plume_rows}),
         table<&A::haze>("haze", "Haze", "The paper's environmental smoke, over the whole view.", {haze_rows}),
+        table<&A::particles>("particles", "Fat particles", "Specks that fly off while fat burns.", {particle_rows}),
     };
     return table<&Preset::smoke>("smoke", "Smoke", "Smoke at the tool tip and over the view.", {{}, tables});
 }

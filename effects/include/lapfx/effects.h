@@ -37,6 +37,7 @@
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
+#include "lapfx/streaming.h"
 #include "lapfx/tissue.h"
 #include "lapfx/tool.h"
 #include "lapfx/tool_queue.h"
@@ -50,6 +51,7 @@ struct EffectsOptions {
     glm::dvec3 gravity{0.0, -1.0, 0.0};               ///< direction in organ space; blood runs down, smoke rises
     std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
     bool wait_for_clips = false;  ///< true: exact frames, for offline rendering; false: never wait, repeat the last
+    StreamingOptions streaming = {};
 };
 
 /// Amounts at the current time, without reading back from the GPU.

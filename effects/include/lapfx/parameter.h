@@ -88,6 +88,9 @@ struct Table {
         std::size_t maximum;  ///< most elements allowed
     };
     const List* list = nullptr;  ///< set when `member` is a std::vector
+    /// Set for an object that may be left out: whether it is there, a bool in the parent's struct. Where it is not, its
+    /// values mean nothing and are neither written nor checked.
+    bool* (*present)(void* owner) = nullptr;
 
     const Parameter* find_row(std::string_view row_key) const;
     const Table* find(std::string_view table_key) const;
@@ -98,6 +101,8 @@ struct Place {
     const Parameter* row = nullptr;
     void* owner = nullptr;
     std::string pointer;  ///< JSON pointer, "/bleeding/speed"
+    bool* present =
+        nullptr;  ///< where the row's object may be left out: whether it is there; set it when you set a value
 };
 
 /// Follows a key; '.' and '/' both separate, a leading '/' is allowed.

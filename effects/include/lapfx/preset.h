@@ -82,8 +82,25 @@ struct CauteryParameters {
     friend bool operator==(const CauteryParameters&, const CauteryParameters&) = default;
 };
 
+/// Smoke out of a clip's frame: luma and chroma thresholds, then noise on alpha (paper: figures 1 and 2).
+struct KeyingParameters {
+    double luma_low = 16.0;
+    double luma_high = 200.0;
+    glm::dvec3 key_color{0.0, 0.0, 0.0};
+    double chroma_low = 0.0;
+    double chroma_high = 0.0;
+    double spill = 0.0;
+    double choke = 0.0;
+    double feather = 0.0;
+    double noise_scale = 0.25;
+    double noise_strength = 0.35;
+    double noise_drift = 0.15;
+};
+
 enum class ClipRole { plume, haze };
 enum class ClipPolarity { light, dark };
+enum class ClipStart { seeded, beginning };
+enum class ClipMirror { seeded, off, on };
 
 /// One smoke video and how it is used.
 struct SmokeClip {
@@ -94,19 +111,14 @@ struct SmokeClip {
     double speed = 1.0;
     double source_x = 0.5;   ///< where in the frame the smoke starts, 0 left .. 1 right
     double source_y = 0.92;  ///< 0 top .. 1 bottom
-};
-
-/// Smoke out of a clip's frame: luma and chroma thresholds, then noise on alpha (paper: figures 1 and 2).
-struct KeyingParameters {
-    double luma_low = 16.0;
-    double luma_high = 200.0;
-    glm::dvec3 key_color{0.0, 0.0, 0.0};
-    double chroma_low = 0.0;
-    double chroma_high = 0.0;
-    double spill = 0.0;
-    double noise_scale = 0.25;
-    double noise_strength = 0.35;
-    double noise_drift = 0.15;
+    double in = 0.0;         ///< s of the clip
+    double out = 0.0;        ///< s of the clip; 0 = its end
+    double crossfade = 0.0;  ///< s
+    ClipStart start = ClipStart::seeded;
+    ClipMirror mirror = ClipMirror::seeded;
+    double rotation = 0.0;    ///< degrees, at most, either way; the angle is seeded
+    bool own_keying = false;  ///< `keying` takes the place of the preset's for this clip
+    KeyingParameters keying{};
 };
 
 /// Source smoke at the tool tip.
@@ -117,6 +129,9 @@ struct PlumeParameters {
     double growth = 0.25;
     double fade_in = 0.3;
     double fade_out = 1.2;
+    double lean = 0.7;
+    double softness = 6.0;
+    double fat_gain = 0.5;
     glm::dvec3 color{0.80, 0.82, 0.86};
     glm::dvec3 extinction{0.85, 1.0, 1.1};
 };
@@ -125,16 +140,27 @@ struct PlumeParameters {
 struct HazeParameters {
     double accumulation = 0.12;
     double ventilation = 0.05;
+    double suction = 0.6;
     double unevenness = 0.5;
     glm::dvec3 color{0.46, 0.41, 0.46};
     glm::dvec3 extinction{0.80, 1.0, 1.12};
 };
 
+/// Specks of fat thrown off while fat burns (the paper's future work).
+struct ParticleParameters {
+    double rate = 0.0;
+    double size = 0.4;
+    double speed = 40.0;
+    double lifetime = 0.7;
+    glm::dvec3 color{0.86, 0.72, 0.45};
+};
+
 struct SmokeParameters {
     std::vector<SmokeClip> clips;
-    KeyingParameters keying;
+    KeyingParameters keying{};
     PlumeParameters plume;
     HazeParameters haze;
+    ParticleParameters particles;
 };
 
 struct Preset {

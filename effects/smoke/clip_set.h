@@ -1,0 +1,44 @@
+// The clips of a preset, decoding and playing (paper: figures 3 to 5, table 1). Render thread, context current.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "lapfx/preset.h"
+#include "lapfx/streaming.h"
+#include "smoke/clip_frame.h"
+#include "smoke/decoder.h"
+#include "smoke/policy.h"
+
+namespace lapfx::smoke {
+
+class ClipSet {
+  public:
+    explicit ClipSet(const StreamingOptions& options);
+    ~ClipSet();
+
+    /// Opens clips that are new and lets go of those that are gone. Throws Error (bad_input) for a clip that cannot be used, and
+    /// keeps what it had.
+    void set(std::span<const SmokeClip> clips, const std::filesystem::path& preset_folder,
+             std::span<const std::filesystem::path> search_path);
+
+    std::size_t size() const;
+    const ClipInfo& info(std::size_t clip) const;
+
+    /// Frame `index` of a clip. `head`: 0, or 1 for the second place that a cross-fade plays at. Under Policy::latest the last
+    /// one that this head showed when it is late (black at first). Called once per clip and head in a cycle.
+    ClipFrame frame(std::size_t clip, int head, int index, Policy policy) noexcept;
+    /// At the end of each cycle, when all is drawn: the paper's FrameCoalescing, and the signal to decode on.
+    void end_cycle() noexcept;
+
+    std::vector<ClipStatus> status() const;
+    StreamingTimes times() const noexcept;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lapfx::smoke
