@@ -156,8 +156,30 @@ TEST(ReadPreset, ListsHaveALimit) {
         for (int i = 0; i < count; ++i) list += (i ? ", " : "") + std::string(R"({"file": "a.mp4"})");
         return preset_text(R"(, "smoke": {"clips": [)" + list + "]}");
     };
-    EXPECT_EQ(parse_preset(clips(32), "p.json").smoke.clips.size(), 32u);
-    EXPECT_THAT(preset_faults(clips(33)), ElementsAre("p.json: /smoke/clips: 33 elements; at most 32 are allowed"));
+    EXPECT_EQ(parse_preset(clips(64), "p.json").smoke.clips.size(), 64u);
+    EXPECT_THAT(preset_faults(clips(65)), ElementsAre("p.json: /smoke/clips: 65 elements; at most 64 are allowed"));
+}
+
+TEST(ReadPreset, AnObjectThatMayBeLeftOutIsThereOnlyWhenItIsWritten) {
+    const auto clip = [](const std::string& more) {
+        return preset_text(R"(, "smoke": {"clips": [{"file": "a.mp4")" + more + "}]}");
+    };
+    Preset without = parse_preset(clip(""), "p.json");
+    EXPECT_FALSE(without.smoke.clips[0].own_keying);
+    EXPECT_THAT(write_preset(without), testing::Not(testing::HasSubstr("        \"keying\"")));
+    const Preset with = parse_preset(clip(R"(, "keying": {"luma_low": 40})"), "p.json");
+    EXPECT_TRUE(with.smoke.clips[0].own_keying);
+    EXPECT_EQ(with.smoke.clips[0].keying.luma_low, 40.0);
+    EXPECT_EQ(with.smoke.clips[0].keying.luma_high, KeyingParameters{}.luma_high);
+    EXPECT_TRUE(parse_preset(write_preset(with), "p.json").smoke.clips[0].own_keying);
+    EXPECT_THAT(preset_faults(clip(R"(, "keying": {"luma_low": 300})")),
+                ElementsAre(testing::StartsWith("p.json: /smoke/clips/0/keying/luma_low: 300 is above")));
+
+    without.smoke.clips[0].keying.luma_low = -1.0;  // means nothing while it is not there
+    EXPECT_TRUE(check(preset_table(), &without).empty());
+    set_parameter(preset_table(), &without, "smoke.clips.0.keying.luma_low", "17");
+    EXPECT_TRUE(without.smoke.clips[0].own_keying);
+    EXPECT_EQ(without.smoke.clips[0].keying.luma_low, 17.0);
 }
 
 TEST(ReadPreset, HugeKeysAndStringsGiveShortFaults) {

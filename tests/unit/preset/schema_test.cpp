@@ -37,7 +37,7 @@ TEST(Schema, DescribesTheRowsOfAPreset) {
     EXPECT_THAT(speed["description"].get<std::string>(), testing::StartsWith("Speed (mm/s). How fast"));
 
     const json& clips = schema["properties"]["smoke"]["properties"]["clips"];
-    EXPECT_EQ(clips["maxItems"], 32);
+    EXPECT_EQ(clips["maxItems"], 64);
     EXPECT_EQ(clips["items"]["required"], json({"file"}));
     EXPECT_EQ(clips["items"]["additionalProperties"], false);
     EXPECT_EQ(clips["items"]["properties"]["role"]["enum"], json({"plume", "haze"}));

@@ -101,7 +101,7 @@ void for_each_row(const Table& table, void* owner, const Visit& visit, const std
 inline Preset full_preset() {
     Preset preset;
     preset.name = "Full";
-    preset.smoke.clips = {{.file = "a.mp4"}, {.file = "smoke/b.mp4"}};
+    preset.smoke.clips = {{.file = "a.mp4", .own_keying = true}, {.file = "smoke/b.mp4", .own_keying = true}};
     return preset;
 }
 

@@ -50,10 +50,11 @@ TEST(Tables, EveryMemberOfAPresetHasItsRow) {
     expect_complete<CauteryParameters>(*preset.find("cautery"));
     const Table& smoke = *preset.find("smoke");
     expect_complete<SmokeParameters>(smoke);
-    expect_complete<SmokeClip>(*smoke.find("clips"));
+    expect_complete<SmokeClip>(*smoke.find("clips"), 1);  // own_keying: whether `keying` is there
     expect_complete<KeyingParameters>(*smoke.find("keying"));
     expect_complete<PlumeParameters>(*smoke.find("plume"));
     expect_complete<HazeParameters>(*smoke.find("haze"));
+    expect_complete<ParticleParameters>(*smoke.find("particles"));
     expect_complete<VesselParameters>(*preset.find("vessels"));
 }
 
