@@ -2,6 +2,8 @@
 
 #include <bit>
 
+#include "gl/unpack_guard.h"
+
 namespace lapfx::gl {
 
 void release_buffer(GLuint name) {
@@ -60,17 +62,8 @@ Texture::Texture(const TextureDescription& d) : size_(d.size) {
 }
 
 void Texture::upload(GLenum format, const void* pixels) const {
-    // The host's own way of unpacking pixels is put aside: frames are uploaded in the middle of its drawing.
-    constexpr GLenum names[] = {GL_UNPACK_ALIGNMENT, GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS};
-    constexpr GLint packed[] = {1, 0, 0, 0};
-    GLint before[4] = {}, buffer = 0;
-    glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer);
-    for (int i = 0; i < 4; ++i) glGetIntegerv(names[i], &before[i]);
-    if (buffer != 0) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
-    for (int i = 0; i < 4; ++i) glPixelStorei(names[i], packed[i]);
+    const UnpackGuard guard;
     glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, format, GL_UNSIGNED_BYTE, pixels);
-    for (int i = 0; i < 4; ++i) glPixelStorei(names[i], before[i]);
-    if (buffer != 0) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer));
 }
 
 void Texture::generate_mipmaps() const {

@@ -2,123 +2,160 @@
 
 #include <algorithm>
 #include <cassert>
+#include <chrono>
 
 namespace lapfx::smoke {
 
-ClipStream::ClipStream(const std::filesystem::path& path, int buffers)
-    : path_(path), info_(read_clip_info(path)), capture_(open_clip(path)) {
-    last_good_ = cv::Mat::zeros(info_.size, CV_8UC3);
-    slots_.resize(static_cast<std::size_t>(std::clamp(buffers, 2, std::max(2, info_.frame_count))));
-    worker_ = std::thread([this] { work(); });
+ClipStream::ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers, const std::vector<std::uint8_t>* kept)
+    : pool_(pool),
+      kept_(kept),
+      decoder_(std::move(decoder)),
+      slots_(static_cast<std::size_t>(buffers)),
+      loop_(loop),
+      current_(loop.first),
+      broken_(static_cast<std::size_t>(decoder_.info().frame_count())) {
+    window_.reserve(slots_.size());
+    find_window();
+    pool_.join(*this);
 }
 
 ClipStream::~ClipStream() {
-    {
-        const std::lock_guard lock(mutex_);
-        stop_ = true;
-    }
-    wanted_.notify_one();
-    worker_.join();
+    stop_ = true;
+    pool_.leave(*this);
 }
 
-const cv::Mat* ClipStream::frame(int index, Policy policy) noexcept {
-    assert(index >= 0 && index < info_.frame_count);
-    std::unique_lock lock(mutex_);
-    if (current_ != index) {
-        current_ = index;
-        wanted_.notify_one();
-    }
-    Slot* slot = find_slot(index);
-    if (slot == nullptr && policy == Policy::wait)
-        ready_.wait(lock, [&] { return (slot = find_slot(index)) != nullptr; });
-    if (slot == nullptr) {
-        ++misses_;
-        return nullptr;
-    }
-    return &slot->image;  // pinned: the worker never reuses the current frame's slot
-}
-
-const cv::Mat* ClipStream::peek(int index) noexcept {
-    const std::lock_guard lock(mutex_);
-    const Slot* slot = find_slot(index);
-    return slot == nullptr ? nullptr : &slot->image;
-}
-
-void ClipStream::work() {
-    std::unique_lock lock(mutex_);
-    while (true) {
-        Slot* slot = nullptr;
-        int index = -1;
-        wanted_.wait(lock, [&] {
-            if (stop_) return true;
-            index = next_missing();
-            slot = index < 0 ? nullptr : free_slot();
-            return slot != nullptr;
-        });
-        if (stop_) return;
-        slot->index = -1;  // nobody can find it while it is written without the lock
-        lock.unlock();
-        decode(index, slot->image);
-        lock.lock();
-        slot->index = index;
-        ready_.notify_one();
+/// The nearest frames at or after the current one, round the loop, that are not kept. Frames outside the loop come once.
+void ClipStream::find_window() {
+    window_.clear();
+    int index = current_;
+    for (int steps = 0; steps <= loop_.length() && window_.size() < slots_.size();
+         ++steps, index = loop_.after(index)) {
+        if (is_kept(index)) continue;
+        if (in_window(index)) return;
+        window_.push_back(index);
     }
 }
 
-ClipStream::Slot* ClipStream::find_slot(int index) {
+bool ClipStream::in_window(int index) const {
+    return std::find(window_.begin(), window_.end(), index) != window_.end();
+}
+
+bool ClipStream::is_kept(int index) const {
+    return kept_ != nullptr && (*kept_)[static_cast<std::size_t>(index)] != 0;
+}
+
+ClipStream::Slot* ClipStream::find(int index) {
     const auto found = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; });
     return found == slots_.end() ? nullptr : &*found;
 }
 
-/// Frames from the current one on, round the loop.
-int ClipStream::ahead_of_current(int index) const {
-    return (index - current_ + info_.frame_count) % info_.frame_count;
+int ClipStream::urgency() {
+    if (stop_) return -1;
+    find_window();
+    const auto missing =
+        std::find_if(window_.begin(), window_.end(), [&](int index) { return find(index) == nullptr; });
+    if (missing == window_.end()) return -1;
+    wanted_ = *missing;
+    return static_cast<int>(missing - window_.begin());
 }
 
-/// The nearest frame at or after the current one that no slot holds, or -1 when the ring is full of what
-/// comes next.
-int ClipStream::next_missing() const {
-    const int span = std::min(static_cast<int>(slots_.size()), info_.frame_count);
-    for (int ahead = 0; ahead < span; ++ahead) {
-        const int index = (current_ + ahead) % info_.frame_count;
-        if (std::none_of(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; })) return index;
+void ClipStream::begin() {
+    // There are as many slots as frames in the window, and one of these is missing.
+    const auto free = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return !in_window(s.index); });
+    assert(free != slots_.end());
+    into_ = &*free;
+    into_->index = -1;  // nobody finds it while it is written without the lock
+}
+
+void ClipStream::run() noexcept {
+    whole_ = decoder_.read(wanted_, into_->picture, &stop_);
+}
+
+void ClipStream::end() {
+    into_->index = wanted_;
+    work_.decode = decoder_.decode_seconds();
+    work_.copy = decoder_.copy_seconds();
+    ++work_.decoded;
+    std::uint8_t& broken = broken_[static_cast<std::size_t>(wanted_)];
+    if (whole_ || stop_ || broken != 0) return;
+    broken = 1;
+    ++work_.broken;
+}
+
+void ClipStream::aim(int index) noexcept {
+    {
+        const std::lock_guard lock(pool_.mutex());
+        current_ = index;
     }
-    return -1;
+    pool_.wake();
 }
 
-/// A slot whose frame is not among the next ones to be shown.
-ClipStream::Slot* ClipStream::free_slot() {
-    const int span = static_cast<int>(slots_.size());
-    for (Slot& slot : slots_)
-        if (slot.index < 0 || ahead_of_current(slot.index) >= span) return &slot;
+const Picture* ClipStream::frame(int index, Policy policy, double& waited) noexcept {
+    std::unique_lock lock(pool_.mutex());
+    assert(index >= 0 && static_cast<std::size_t>(index) < broken_.size() && !is_kept(index));
+    if (current_ != index) {
+        current_ = index;
+        find_window();
+        pool_.wake();
+    }
+    Slot* slot = find(index);
+    if (slot == nullptr && policy == Policy::wait) {
+        const auto start = std::chrono::steady_clock::now();
+        pool_.wake();
+        while ((slot = find(index)) == nullptr) pool_.wait_for_piece(lock);
+        waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    }
+    // The current frame is in the window: no worker writes over it until the render thread moves on.
+    return slot == nullptr ? nullptr : &slot->picture;
+}
+
+const Picture* ClipStream::peek(int index) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    const Slot* slot = in_window(index) ? find(index) : nullptr;
+    return slot == nullptr ? nullptr : &slot->picture;
+}
+
+const Picture* ClipStream::peek_any(int& index) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    find_window();
+    for (const int next : window_)
+        if (const Slot* slot = find(next)) {
+            index = next;
+            return &slot->picture;
+        }
     return nullptr;
 }
 
-/// A file can break or vanish while it plays; the stream goes on with the last good frame.
-void ClipStream::decode(int index, cv::Mat& into) noexcept {
-    try {
-        if (read(index, into)) {
-            into.copyTo(last_good_);
-            return;
-        }
-    } catch (const std::exception&) {  // cv::Exception, or Error when the file cannot be opened again
+void ClipStream::set_loop(Loop loop) noexcept {
+    {
+        const std::lock_guard lock(pool_.mutex());
+        if (loop_ == loop) return;
+        loop_ = loop;
+        find_window();
     }
-    try {
-        last_good_.copyTo(into);
-    } catch (const std::exception&) {  // no memory for it: the slot keeps what it had
-    }
+    pool_.wake();
 }
 
-bool ClipStream::read(int index, cv::Mat& into) {
-    if (index < position_) {
-        // Seeking by number is not exact in every container; the start always is.
-        capture_ = open_clip(path_);
-        position_ = 0;
-    }
-    for (; position_ < index; ++position_)
-        if (!capture_.grab()) return false;
-    ++position_;
-    return capture_.read(into) && into.size() == info_.size && into.type() == CV_8UC3;
+bool ClipStream::rest() noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    find_window();
+    if (!window_.empty()) return false;
+    for (Slot& slot : slots_)
+        if (slot.index >= 0) slot = Slot();
+    return true;
+}
+
+ClipStream::Work ClipStream::work() const noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    return work_;
+}
+
+std::size_t ClipStream::memory() const noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    std::size_t bytes = 0;
+    for (const Slot& slot : slots_)
+        if (slot.index >= 0) bytes += slot.picture.bytes.capacity();
+    return bytes;
 }
 
 }  // namespace lapfx::smoke

@@ -1,76 +1,82 @@
-// Frames of one clip, decoded ahead on a worker thread into a fixed ring of buffers (paper: "buffering
-// scheme", table 1: MAX_TEXTURES / streams buffers each). The render thread asks for a frame by number and
-// never decodes.
+// Frames of one clip, decoded ahead into a fixed ring of buffers (paper: "buffering scheme", table 1: MAX_TEXTURES / streams
+// buffers each; with one buffer it is the "pipeline scheme"). The render thread asks for frames by number and never decodes.
+// All but the constructor and destructor: render thread, noexcept, and nothing is allocated.
 #pragma once
 
-#include <condition_variable>
-#include <cstdint>
-#include <filesystem>
-#include <mutex>
-#include <opencv2/core.hpp>
-#include <thread>
+#include <atomic>
+#include <optional>
 #include <vector>
 
-#include "smoke/clip_file.h"
+#include "smoke/decode_pool.h"
+#include "smoke/decoder.h"
+#include "smoke/loop.h"
 #include "smoke/policy.h"
 
 namespace lapfx::smoke {
 
-class ClipStream {
+class ClipStream : private DecodePool::Job {
   public:
-    /// Opens the clip and counts its frames. `buffers` is at least 2. Throws Error (bad_input).
-    ClipStream(const std::filesystem::path& path, int buffers);
-    ~ClipStream();
-    ClipStream(const ClipStream&) = delete;
-    ClipStream& operator=(const ClipStream&) = delete;
+    /// What a worker has done so far.
+    struct Work {
+        double decode = 0.0, copy = 0.0;  ///< s
+        std::uint64_t decoded = 0;        ///< frames
+        int broken = 0;                   ///< different frames that could not be decoded
+    };
 
-    const ClipInfo& info() const { return info_; }
+    /// `buffers`: at least 1. `kept`, unless null: a byte for each frame of the clip, not 0 for those that need not be
+    /// decoded; it is changed under the pool's mutex only. Both `pool` and `kept` outlive the stream.
+    ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers,
+               const std::vector<std::uint8_t>* kept = nullptr);
+    /// Waits for the frame that is being decoded; a long way to a frame is cut short.
+    ~ClipStream() override;
 
-    /// Frame `index` (0 .. frame_count - 1), BGR, valid until the next call; null when it is late (policy
-    /// latest). Moving forward by a few frames is what the ring is made for; any other jump starts decoding
-    /// anew there. A frame that the file cannot give (corrupt in the middle) is the last good
-    /// one that was decoded.
-    const cv::Mat* frame(int index, Policy policy) noexcept;
+    /// Frame `index`, valid until the next call; null when it is late (Policy::latest). `waited` grows by the s of waiting.
+    const Picture* frame(int index, Policy policy, double& waited) noexcept;
+    /// A frame among the next ones that is decoded already, or null; it does not move the stream.
+    const Picture* peek(int index) noexcept;
+    /// Any frame of those decoded ahead; null when there is none. `index` is its number.
+    const Picture* peek_any(int& index) noexcept;
+    /// Decode from `index` on.
+    void aim(int index) noexcept;
+    void set_loop(Loop loop) noexcept;
+    /// Gives its buffers' memory back if all frames of its loop are kept: true. Until then: false.
+    bool rest() noexcept;
 
-    /// A frame that is decoded already, or null; it does not move the stream. Meant for the frame after the
-    /// current one.
-    const cv::Mat* peek(int index) noexcept;
-
-    std::uint64_t misses() const { return misses_; }
+    Work work() const noexcept;
+    std::size_t memory() const noexcept;
+    int buffers() const { return static_cast<int>(slots_.size()); }
 
   private:
     struct Slot {
         int index = -1;  ///< frame number that it holds
-        cv::Mat image;
+        Picture picture;
     };
 
-    void work();
-    Slot* find_slot(int index);
-    int next_missing() const;
-    Slot* free_slot();
-    void decode(int index, cv::Mat& into) noexcept;
-    bool read(int index, cv::Mat& into);
-    int ahead_of_current(int index) const;
+    int urgency() override;
+    void begin() override;
+    void run() noexcept override;
+    void end() override;
 
-    const std::filesystem::path path_;
-    const ClipInfo info_;
+    Slot* find(int index);
+    void find_window();
+    bool in_window(int index) const;
+    bool is_kept(int index) const;
 
-    // worker only
-    cv::VideoCapture capture_;
-    int position_ = 0;  ///< number of the frame that the next grab gives
-    cv::Mat last_good_;
+    DecodePool& pool_;
+    const std::vector<std::uint8_t>* kept_;
+    Decoder decoder_;  // the worker's while it runs
 
-    // shared, under mutex_
-    std::mutex mutex_;
-    std::condition_variable wanted_, ready_;
+    // under the pool's mutex
     std::vector<Slot> slots_;
-    int current_ = 0;  ///< frame that the render thread shows; its slot is not reused
-    bool stop_ = false;
-
-    // render thread only
-    std::uint64_t misses_ = 0;
-
-    std::thread worker_;  ///< last: it starts when all else is ready
+    std::vector<int> window_;  // the next frames that are not kept, as many as there are slots
+    Loop loop_;
+    int current_;
+    int wanted_ = -1;  // found by urgency(): the frame to decode next, and where to
+    Slot* into_ = nullptr;
+    bool whole_ = true;                 // what is being decoded came out whole
+    std::vector<std::uint8_t> broken_;  // a byte for each frame of the clip
+    Work work_;
+    std::atomic<bool> stop_{false};
 };
 
 }  // namespace lapfx::smoke

@@ -4,6 +4,7 @@
 
 #include "lapfx/preset.h"
 #include "smoke/decoder.h"
+#include "smoke/loop.h"
 
 namespace lapfx::smoke {
 
@@ -15,5 +16,10 @@ struct Playhead {
 
 /// `time`: s, any; `chance`: a seeded number from which a seeded start is taken.
 Playhead playhead(const ClipInfo& clip, const SmokeClip& settings, std::uint32_t chance, double time) noexcept;
+
+/// The frames that Playhead::frame runs through.
+Loop main_loop(const ClipInfo& clip, const SmokeClip& settings) noexcept;
+/// Those of Playhead::fading: the end of the clip that is laid over its beginning.
+Loop fading_loop(const ClipInfo& clip, const SmokeClip& settings) noexcept;
 
 }  // namespace lapfx::smoke

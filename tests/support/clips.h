@@ -15,9 +15,14 @@ inline int level_of(int index) {
     return 5 + level_step * index;
 }
 
+/// The frame whose grey level this is.
+inline int number_of_level(double level) {
+    return cvRound((level - 5.0) / level_step);
+}
+
 /// Which frame of a clip made by write_clip() this is.
 inline int frame_number(const cv::Mat& image) {
-    return cvRound((cv::mean(image)[1] - 5.0) / level_step);
+    return number_of_level(cv::mean(image)[1]);
 }
 
 /// A motion-JPEG AVI of flat grey frames: level_of(0), level_of(1), ...; at most 25.

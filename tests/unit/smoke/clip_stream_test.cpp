@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <numeric>
 #include <random>
+#include <thread>
 
 #include "support/clips.h"
 #include "unit/preset/support.h"
@@ -13,36 +15,49 @@ namespace {
 
 constexpr int frames = 12;
 
+/// Which frame of a clip made by write_clip() a picture is, from its luma plane; -1 for none.
+int number_of(const Picture* picture, const PictureFormat& format) {
+    if (picture == nullptr) return -1;
+    const auto luma = picture->bytes.begin();
+    const auto end = luma + static_cast<std::ptrdiff_t>(format.color_bytes());
+    return test::number_of_level(std::accumulate(luma, end, 0.0) / static_cast<double>(format.color_bytes()));
+}
+
 class ClipStreamTest : public testing::TestWithParam<int> {
   protected:
     test::Folder folder;
     std::filesystem::path clip = test::write_clip(folder / "c.avi", frames);
+    DecodePool pool{2};
+    std::vector<std::uint8_t> kept = std::vector<std::uint8_t>(frames);
+    double waited = 0.0;
 
-    /// The number that frame `index` shows, which should be `index`; -1 when it is late.
-    static int shown(ClipStream& stream, int index, Policy policy = Policy::wait) {
-        const cv::Mat* image = stream.frame(index, policy);
-        return image == nullptr ? -1 : test::frame_number(*image);
+    ClipStream open(int buffers, Loop loop = {0, frames - 1}) {
+        return {pool, Decoder(clip, Layout::planar), loop, buffers, &kept};
     }
-    /// Asks without waiting until the frame is there.
-    static int polled(ClipStream& stream, int index) {
+    /// The number that frame `index` shows, which should be `index`; -1 when it is late.
+    int shown(ClipStream& stream, int index, Policy policy = Policy::wait) {
+        return number_of(stream.frame(index, policy, waited), {.size = {64, 48}});
+    }
+    int peeked(ClipStream& stream, int index) { return number_of(stream.peek(index), {.size = {64, 48}}); }
+    /// Calls `done` until it is true or 20 s have gone.
+    template <class Done>
+    static bool becomes_true(const Done& done) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
         while (std::chrono::steady_clock::now() < until) {
-            if (const int number = shown(stream, index, Policy::latest); number >= 0) return number;
+            if (done()) return true;
             std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
-        return -1;
+        return false;
     }
 };
 
 TEST_P(ClipStreamTest, PlaysForwardAndRoundTheLoop) {
-    ClipStream stream(clip, GetParam());
-    EXPECT_EQ(stream.info().frame_count, frames);
+    ClipStream stream = open(GetParam());
     for (int i = 0; i < 3 * frames; ++i) ASSERT_EQ(shown(stream, i % frames), i % frames) << i;
-    EXPECT_EQ(stream.misses(), 0u);
 }
 
 TEST_P(ClipStreamTest, AnyOrderGivesTheRightFrame) {
-    ClipStream stream(clip, GetParam());
+    ClipStream stream = open(GetParam());
     std::mt19937 random(3);
     for (int i = 0; i < 60; ++i) {
         const int index = static_cast<int>(random() % frames);
@@ -51,99 +66,124 @@ TEST_P(ClipStreamTest, AnyOrderGivesTheRightFrame) {
 }
 
 TEST_P(ClipStreamTest, PlaysBackwardsSkipsAndRepeats) {
-    ClipStream stream(clip, GetParam());
+    ClipStream stream = open(GetParam());
     for (int i = frames - 1; i >= 0; --i) ASSERT_EQ(shown(stream, i), i);
     for (int i = 0; i < 2 * frames; i += 3) ASSERT_EQ(shown(stream, i % frames), i % frames);
     for (int i = 0; i < 5; ++i) ASSERT_EQ(shown(stream, 4), 4);
 }
 
-INSTANTIATE_TEST_SUITE_P(Buffers, ClipStreamTest, testing::Values(2, 3, 8, 64));
+TEST_P(ClipStreamTest, StartsOverWithinItsLoop) {
+    ClipStream stream = open(GetParam(), {3, 6});
+    for (int i = 0; i < 20; ++i) ASSERT_EQ(shown(stream, 3 + i % 4), 3 + i % 4) << i;
+    EXPECT_EQ(shown(stream, 9), 9) << "outside of it frames are there all the same";
+    stream.set_loop({8, 8});
+    for (int i = 0; i < 3; ++i) ASSERT_EQ(shown(stream, 8), 8);
+}
+
+TEST_P(ClipStreamTest, DecodesNothingThatIsKept) {
+    ClipStream stream = open(GetParam());
+    for (int i = 0; i < frames; ++i) {
+        ASSERT_EQ(shown(stream, i), i);
+        const std::lock_guard lock(pool.mutex());
+        kept[static_cast<std::size_t>(i)] = 1;
+    }
+    pool.wake();
+    ASSERT_TRUE(stream.rest());
+    EXPECT_EQ(stream.memory(), 0u) << "resting, it holds nothing";
+    const auto decoded = stream.work().decoded;
+    EXPECT_EQ(decoded, static_cast<std::uint64_t>(frames)) << "each frame once";
+    {
+        const std::lock_guard lock(pool.mutex());
+        kept[5] = 0;
+    }
+    EXPECT_EQ(shown(stream, 5), 5) << "what is no longer kept is decoded again";
+}
+
+INSTANTIATE_TEST_SUITE_P(Buffers, ClipStreamTest, testing::Values(1, 2, 3, 8, 64));
 
 using ClipStreamOnce = ClipStreamTest;
 
 TEST_F(ClipStreamOnce, AClipOfOneFrameAlwaysShowsIt) {
-    ClipStream stream(test::write_clip(folder / "one.avi", 1), 4);
-    ASSERT_EQ(stream.info().frame_count, 1);
+    ClipStream stream(pool, Decoder(test::write_clip(folder / "one.avi", 1), Layout::planar), {0, 0}, 4);
     for (int i = 0; i < 3; ++i) EXPECT_EQ(shown(stream, 0), 0);
+    EXPECT_EQ(stream.work().decoded, 1u);
 }
 
-TEST_F(ClipStreamOnce, LatestDoesNotWaitAndCountsTheMiss) {
-    ClipStream stream(clip, 2);  // it holds frames 0 and 1 at most, so 9 cannot be there
-    EXPECT_EQ(shown(stream, 9, Policy::latest), -1);
-    EXPECT_EQ(stream.misses(), 1u);
-    EXPECT_EQ(polled(stream, 9), 9) << "asking for it has set the worker to it";
-    const auto misses = stream.misses();
-    EXPECT_EQ(shown(stream, 9, Policy::latest), 9);
-    EXPECT_EQ(stream.misses(), misses) << "a frame that is there is no miss";
-    EXPECT_EQ(shown(stream, 2, Policy::latest), -1);
-    EXPECT_EQ(stream.misses(), misses + 1);
-}
-
-TEST_F(ClipStreamOnce, LatestNeverShowsAWrongFrame) {
-    ClipStream stream(clip, 3);
+TEST_F(ClipStreamOnce, LatestDoesNotWaitAndNeverShowsAWrongFrame) {
+    ClipStream stream = open(3);
     std::mt19937 random(5);
+    int late = 0;
     for (int i = 0; i < 3000; ++i) {
         const int index = static_cast<int>(random() % frames);
         const int number = shown(stream, index, Policy::latest);
         ASSERT_TRUE(number == -1 || number == index) << index << " shows " << number;
+        late += number == -1 ? 1 : 0;
     }
+    EXPECT_GT(late, 0);
+    EXPECT_EQ(waited, 0.0);
+    EXPECT_TRUE(becomes_true([&] { return shown(stream, 9, Policy::latest) == 9; })) << "asking sets the worker to it";
 }
 
 TEST_F(ClipStreamOnce, PeekFindsTheNextFrameAndDoesNotMove) {
-    ClipStream stream(clip, 4);
+    ClipStream stream = open(4);
     ASSERT_EQ(shown(stream, 5), 5);
-    ASSERT_EQ(shown(stream, 6), 6);
-    ASSERT_EQ(shown(stream, 5), 5);
-    const cv::Mat* next = stream.peek(6);
-    ASSERT_NE(next, nullptr) << "it was decoded for the call before";
-    EXPECT_EQ(test::frame_number(*next), 6);
+    EXPECT_TRUE(becomes_true([&] { return peeked(stream, 6) == 6; }));
     EXPECT_EQ(stream.peek(2), nullptr);
-    EXPECT_EQ(stream.misses(), 0u);
+    int index = -1;
+    EXPECT_NE(stream.peek_any(index), nullptr);
+    EXPECT_EQ(index, 5) << "the nearest";
 }
 
-TEST_F(ClipStreamOnce, ATruncatedClipPlaysWhatItHas) {
+TEST_F(ClipStreamOnce, WithOneBufferTheNextFrameIsDecodedWhenItIsAimedAt) {
+    ClipStream stream = open(1);
+    ASSERT_EQ(shown(stream, 3), 3);
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    const auto decoded = stream.work().decoded;
+    EXPECT_EQ(peeked(stream, 4), -1) << "figure 3: not before the signal";
+    stream.aim(4);
+    EXPECT_TRUE(becomes_true([&] { return peeked(stream, 4) == 4; }));
+    EXPECT_EQ(stream.work().decoded, decoded + 1);
+}
+
+TEST_F(ClipStreamOnce, ACorruptFrameIsTheOneBeforeAndIsCountedOnce) {
     const std::string whole = test::read_text(test::write_clip(folder / "whole.avi", frames, {320, 240}));
-    ClipStream stream(folder.write("half.avi", whole.substr(0, whole.size() * 6 / 10)), 3);
-    const int count = stream.info().frame_count;
-    ASSERT_GE(count, 3);
-    ASSERT_LT(count, frames);
-    for (int i = 0; i < count - 1; ++i) EXPECT_EQ(shown(stream, i), i);  // the last may be cut through
-    EXPECT_EQ(shown(stream, 0), 0);
-}
-
-TEST_F(ClipStreamOnce, WhenTheFileVanishesTheLastGoodFrameStays) {
-    ClipStream stream(clip, 2);
-    ASSERT_EQ(shown(stream, 5), 5);
-    std::filesystem::remove(clip);
-    // Back at the start the file would have to be opened again. The worker may have been one frame ahead.
-    for (const int index : {0, 1, 3}) {
-        const int number = shown(stream, index);
-        EXPECT_TRUE(number == 5 || number == 6) << index << " shows " << number;
+    std::string broken = whole;
+    const std::size_t middle = whole.size() / 2;
+    std::fill_n(broken.begin() + static_cast<std::ptrdiff_t>(middle), whole.size() / 16, '\0');
+    ClipStream stream(pool, Decoder(folder.write("broken.avi", broken), Layout::planar), {0, frames - 1}, 3);
+    for (int i = 0; i < 2 * frames; ++i) {
+        const Picture* picture = stream.frame(i % frames, Policy::wait, waited);
+        ASSERT_NE(picture, nullptr);
+        ASSERT_EQ(picture->bytes.size(), (PictureFormat{.size = {320, 240}}).bytes());
     }
-    test::write_clip(clip, frames);
-    ASSERT_EQ(shown(stream, 10), 10) << "it has come back";
-    EXPECT_EQ(shown(stream, 2), 2);
+    EXPECT_LE(stream.work().broken, frames);
+    EXPECT_EQ(number_of(stream.frame(0, Policy::wait, waited), {.size = {320, 240}}), 0);
+    EXPECT_EQ(number_of(stream.frame(frames - 1, Policy::wait, waited), {.size = {320, 240}}), frames - 1);
 }
 
-TEST_F(ClipStreamOnce, WhenTheFileBecomesGarbageTheLastGoodFrameStays) {
-    ClipStream stream(clip, 2);
+TEST_F(ClipStreamOnce, PlaysOnWhenItsFileVanishes) {
+    ClipStream stream = open(2);
     ASSERT_EQ(shown(stream, 5), 5);
     std::filesystem::remove(clip);
-    folder.write("c.avi", "no video any more");
-    const int number = shown(stream, 0);
-    EXPECT_TRUE(number == 5 || number == 6) << number;
+    for (const int index : {0, 1, 3, 11}) EXPECT_EQ(shown(stream, index), index) << "the file stays open";
 }
 
 TEST_F(ClipStreamOnce, EndsWhileTheWorkerIsBusy) {
     for (int i = 0; i < 20; ++i) {
-        ClipStream stream(clip, 8);
-        stream.frame(frames - 1, Policy::latest);
+        ClipStream stream = open(8);
+        stream.frame(frames - 1, Policy::latest, waited);
     }
 }
 
-TEST_F(ClipStreamOnce, WhatCannotBeOpenedIsAnError) {
-    EXPECT_EQ(test::faults_of([&] { ClipStream(folder / "none.avi", 2); }),
-              std::vector{(folder / "none.avi").string() + ": no such file"});
+TEST_F(ClipStreamOnce, ManyShareFewThreads) {
+    DecodePool one(1);
+    std::vector<std::unique_ptr<ClipStream>> streams;
+    for (int i = 0; i < 20; ++i)
+        streams.push_back(std::make_unique<ClipStream>(one, Decoder(clip, Layout::planar), Loop{0, frames - 1}, 2));
+    for (int i = 0; i < 2 * frames; ++i)
+        for (auto& stream : streams) ASSERT_EQ(shown(*stream, i % frames), i % frames);
+    streams.erase(streams.begin() + 5, streams.begin() + 15);  // while others play
+    for (auto& stream : streams) ASSERT_EQ(shown(*stream, 7), 7);
 }
 
 }  // namespace

@@ -1,0 +1,32 @@
+// Puts the host's own way of unpacking pixels aside while it lives: frames are uploaded in the middle of its drawing.
+#pragma once
+
+#include "gl/gl.h"
+
+namespace lapfx::gl {
+
+class UnpackGuard {
+  public:
+    UnpackGuard() noexcept {
+        glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer_);
+        for (int i = 0; i < count; ++i) glGetIntegerv(names[i], &before_[i]);
+        if (buffer_ != 0) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+        for (int i = 0; i < count; ++i) glPixelStorei(names[i], packed[i]);
+    }
+    ~UnpackGuard() {
+        for (int i = 0; i < count; ++i) glPixelStorei(names[i], before_[i]);
+        if (buffer_ != 0) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
+    }
+    UnpackGuard(const UnpackGuard&) = delete;
+    UnpackGuard& operator=(const UnpackGuard&) = delete;
+
+  private:
+    static constexpr int count = 6;
+    static constexpr GLenum names[count] = {GL_UNPACK_ALIGNMENT,   GL_UNPACK_ROW_LENGTH,   GL_UNPACK_SKIP_ROWS,
+                                            GL_UNPACK_SKIP_PIXELS, GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SKIP_IMAGES};
+    static constexpr GLint packed[count] = {1, 0, 0, 0, 0, 0};
+    GLint before_[count] = {};
+    GLint buffer_ = 0;
+};
+
+}  // namespace lapfx::gl

@@ -1,0 +1,276 @@
+#include "smoke/clip_set.h"
+
+#include <algorithm>
+#include <chrono>
+#include <optional>
+#include <thread>
+
+#include "lapfx/error.h"
+#include "smoke/clip_file.h"
+#include "smoke/clip_player.h"
+
+namespace lapfx::smoke {
+
+namespace {
+
+/// Decoded frames held over all clips (paper, table 1: MAX_TEXTURES).
+constexpr int max_textures = 64;
+constexpr int most_buffers = 8;  // more than a few frames ahead buys nothing and costs memory
+constexpr int fewest_buffers = 2;
+
+int decoding_threads(const StreamingOptions& options) {
+    return options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
+}
+
+Layout layout_of(Scheme scheme) {
+    return scheme == Scheme::pipeline || scheme == Scheme::buffered ? Layout::rgb : Layout::planar;
+}
+
+void require_drawable(const ClipFile& file) {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
+    if (file.info.size.x <= most && file.info.size.y <= most) return;
+    throw Error(Failure::bad_input,
+                Fault{.file = file.path.string(),
+                      .place = "",
+                      .reason = "is " + std::to_string(file.info.size.x) + "x" + std::to_string(file.info.size.y) +
+                                " pixels; this driver takes at most " + std::to_string(most) + " a side"});
+}
+
+std::string mebibytes(std::size_t bytes) {
+    return std::to_string((bytes + (std::size_t{1} << 20) - 1) >> 20) + " MiB";
+}
+
+/// A clip of the preset on its way to being played.
+struct Plan {
+    std::shared_ptr<ClipFile> file;
+    std::optional<Decoder> opened;  // when the file is new
+    Scheme scheme = Scheme::resident;
+    int buffers = fewest_buffers;
+    std::unique_ptr<ClipPlayer> player;
+};
+
+}  // namespace
+
+struct ClipSet::State {
+    explicit State(const StreamingOptions& wanted) : options(wanted), pool(decoding_threads(wanted)) {}
+
+    struct Clip {
+        SmokeClip settings;
+        std::unique_ptr<ClipPlayer> player;
+    };
+
+    StreamingOptions options;
+    std::vector<std::shared_ptr<ClipFile>> files;  // those of clips, and those kept for when they come back
+    DecodePool pool;
+    std::vector<Clip> clips;  // after the pool: its threads outlive them
+    StreamingTimes sums;
+    ClipStream::Work gone;  // of players that are no more
+    std::uint64_t cycle = 0;
+
+    std::shared_ptr<ClipFile> known(const std::filesystem::path& path) const;
+    Plan plan(const std::filesystem::path& path, std::span<const Plan> before);
+    void share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const;
+    void cast(std::span<const SmokeClip> wanted, std::span<Plan> plans);
+    void evict();
+};
+
+/// The file of that name if it is still the one that was opened.
+std::shared_ptr<ClipFile> ClipSet::State::known(const std::filesystem::path& path) const {
+    std::error_code error;
+    const auto bytes = std::filesystem::file_size(path, error);
+    const auto written = std::filesystem::last_write_time(path, error);
+    const auto found = std::find_if(files.begin(), files.end(), [&](const auto& file) {
+        return file->path == path && file->bytes == bytes && file->written == written;
+    });
+    return found == files.end() ? nullptr : *found;
+}
+
+Plan ClipSet::State::plan(const std::filesystem::path& path, std::span<const Plan> before) {
+    Plan made;
+    made.file = known(path);
+    for (const Plan& other : before)
+        if (!made.file && other.file->path == path) made.file = other.file;
+    if (made.file) return made;
+    made.opened.emplace(path, layout_of(options.scheme));
+    made.file = std::make_shared<ClipFile>(path, *made.opened);
+    require_drawable(*made.file);
+    return made;
+}
+
+/// As StreamingOptions::memory says.
+void ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const {
+    std::size_t heads = 0;
+    for (const SmokeClip& clip : wanted) heads += clip.crossfade > 0.0 ? 2 : 1;
+    const int by_count =
+        std::clamp(max_textures / static_cast<int>(std::max<std::size_t>(heads, 1)), fewest_buffers, most_buffers);
+    std::size_t left = options.memory;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        // A quarter of the memory is enough for what is on its way.
+        const std::size_t fitting = options.memory / 4 / heads / plans[i].file->format.bytes();
+        plans[i].buffers =
+            std::clamp(static_cast<int>(std::min<std::size_t>(fitting, most_buffers)), fewest_buffers, by_count);
+        plans[i].scheme = options.scheme;
+        if (options.scheme == Scheme::pipeline) plans[i].buffers = 1;
+        const std::size_t taken =
+            (wanted[i].crossfade > 0.0 ? 2 : 1) * head_memory(plans[i].file->format, options.scheme, plans[i].buffers);
+        left -= std::min(left, taken);
+    }
+    if (options.scheme != Scheme::resident) return;
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        const bool shared = std::any_of(
+            plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i),
+            [&](const Plan& other) { return other.file == plans[i].file && other.scheme == Scheme::resident; });
+        const std::size_t needed = shared ? 0 : ClipPlayer::resident_memory(*plans[i].file, wanted[i]);
+        if (needed <= left)
+            left -= needed;
+        else
+            plans[i].scheme = Scheme::buffered_planar;
+    }
+}
+
+/// Gives each plan its player: one that plays the same already, or a new one.
+void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> plans) {
+    std::vector<Clip*> taken(plans.size(), nullptr);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        for (Clip& clip : clips) {
+            const bool fits = clip.player->file() == plans[i].file && clip.player->scheme() == plans[i].scheme &&
+                              clip.player->buffers() == plans[i].buffers && clip.player->same_heads(wanted[i]);
+            if (taken[i] == nullptr && fits && std::find(taken.begin(), taken.end(), &clip) == taken.end())
+                taken[i] = &clip;
+        }
+        if (taken[i] != nullptr) continue;
+        Plan& plan = plans[i];
+        Decoder decoder = plan.opened ? std::move(*plan.opened)
+                                      : Decoder(plan.file->path, layout_of(options.scheme), plan.file->info);
+        plan.opened.reset();
+        plan.player =
+            std::make_unique<ClipPlayer>(pool, plan.file, std::move(decoder), wanted[i], plan.scheme, plan.buffers);
+    }
+    // From here on nothing throws.
+    for (std::size_t i = 0; i < plans.size(); ++i)
+        if (taken[i] != nullptr) plans[i].player = std::move(taken[i]->player);
+}
+
+void ClipSet::State::evict() {
+    const auto plays = [&](const std::shared_ptr<ClipFile>& file, bool resident) {
+        return std::any_of(clips.begin(), clips.end(), [&](const Clip& clip) {
+            return clip.player->file() == file && (!resident || clip.player->scheme() == Scheme::resident);
+        });
+    };
+    std::size_t used = 0;
+    for (const Clip& clip : clips)
+        used += clip.player->scheme() == Scheme::resident
+                    ? ClipPlayer::resident_memory(*clip.player->file(), clip.settings)
+                    : head_memory(clip.player->file()->format, clip.player->scheme(), clip.player->buffers());
+    std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a->drawn > b->drawn; });
+    std::erase_if(files, [&](const std::shared_ptr<ClipFile>& file) {
+        if (plays(file, true)) return false;
+        if (plays(file, false)) {
+            file->store.clear();  // it was resident once; now it streams
+            return false;
+        }
+        if (file->store.count() == 0) return true;
+        used += file->store.memory();
+        return used > options.memory;
+    });
+}
+
+ClipSet::ClipSet(const StreamingOptions& options) : state_(std::make_unique<State>(options)) {}
+ClipSet::~ClipSet() = default;
+
+void ClipSet::set(std::span<const SmokeClip> wanted, const std::filesystem::path& preset_folder,
+                  std::span<const std::filesystem::path> search_path) {
+    State& s = *state_;
+    const auto start = std::chrono::steady_clock::now();
+    std::vector<Plan> plans;
+    for (const SmokeClip& clip : wanted) {
+        const auto path =
+            std::filesystem::absolute(find_clip(clip.file, preset_folder, search_path)).lexically_normal();
+        plans.push_back(s.plan(path, plans));
+    }
+    s.share_memory(wanted, plans);
+    std::vector<State::Clip> clips(wanted.size());
+    for (std::size_t i = 0; i < wanted.size(); ++i) clips[i].settings = wanted[i];
+    std::vector<std::shared_ptr<ClipFile>> files = s.files;
+    for (const Plan& plan : plans)
+        if (std::find(files.begin(), files.end(), plan.file) == files.end()) files.push_back(plan.file);
+    s.cast(wanted, plans);
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        clips[i].player = std::move(plans[i].player);
+        clips[i].player->set_loops(wanted[i]);
+    }
+    for (const State::Clip& clip : s.clips) {
+        if (!clip.player) continue;
+        const ClipStream::Work work = clip.player->work();
+        s.gone.decode += work.decode;
+        s.gone.copy += work.copy;
+        s.gone.decoded += work.decoded;
+    }
+    s.clips = std::move(clips);
+    s.files = std::move(files);
+    s.evict();
+    s.sums.open += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::size_t ClipSet::size() const {
+    return state_->clips.size();
+}
+
+const ClipInfo& ClipSet::info(std::size_t clip) const {
+    return state_->clips[clip].player->file()->info;
+}
+
+ClipFrame ClipSet::frame(std::size_t clip, int head, int index, Policy policy) noexcept {
+    ClipPlayer& player = *state_->clips[clip].player;
+    player.file()->drawn = state_->cycle;
+    return player.frame(head, index, policy, state_->sums);
+}
+
+void ClipSet::end_cycle() noexcept {
+    ++state_->cycle;
+    for (State::Clip& clip : state_->clips) clip.player->end_cycle(state_->sums);
+}
+
+std::vector<ClipStatus> ClipSet::status() const {
+    std::vector<ClipStatus> all;
+    for (const State::Clip& clip : state_->clips) {
+        const ClipFile& file = *clip.player->file();
+        const bool resident = clip.player->scheme() == Scheme::resident;
+        ClipStatus status{.file = file.path.string(),
+                          .size = file.info.size,
+                          .frames = file.info.frame_count(),
+                          .duration = file.info.duration,
+                          .alpha = file.info.alpha,
+                          .resident = resident ? file.store.count() : 0,
+                          .memory = clip.player->memory() + (resident ? file.store.memory() : 0),
+                          .broken = clip.player->work().broken,
+                          .misses = clip.player->misses(),
+                          .warning = file.info.warning};
+        if (status.warning.empty() && status.broken > 0)
+            status.warning = std::to_string(status.broken) + " of its " + std::to_string(status.frames) +
+                             " frames cannot be decoded; the one before is shown in their place";
+        if (status.warning.empty() && state_->options.scheme == Scheme::resident && !resident)
+            status.warning = "does not fit the memory for clips beside those before it (it takes " +
+                             mebibytes(ClipPlayer::resident_memory(file, clip.settings)) + " of " +
+                             mebibytes(state_->options.memory) + "); it is decoded while it plays";
+        all.push_back(std::move(status));
+    }
+    return all;
+}
+
+StreamingTimes ClipSet::times() const noexcept {
+    StreamingTimes times = state_->sums;
+    times.decode = state_->gone.decode;
+    times.copy = state_->gone.copy;
+    times.decoded = state_->gone.decoded;
+    for (const State::Clip& clip : state_->clips) {
+        const ClipStream::Work work = clip.player->work();
+        times.decode += work.decode;
+        times.copy += work.copy;
+        times.decoded += work.decoded;
+    }
+    return times;
+}
+
+}  // namespace lapfx::smoke

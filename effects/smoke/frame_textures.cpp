@@ -1,0 +1,82 @@
+#include "smoke/frame_textures.h"
+
+#include <algorithm>
+
+namespace lapfx::smoke {
+
+namespace {
+
+constexpr std::uint8_t no_chroma = 128;
+
+}  // namespace
+
+FrameTextures::FrameTextures(const PictureFormat& format, int layers) : format_(format) {
+    const bool planar = format.layout == Layout::planar;
+    color_ = gl::TextureArray(format.size, layers, planar ? GL_R8 : GL_RGB8, 0);
+    if (planar) chroma_ = gl::TextureArray(format.chroma_size(), layers, GL_RG8, no_chroma);
+    if (format.alpha) alpha_ = gl::TextureArray(format.size, layers, GL_R8, 0);
+}
+
+std::size_t FrameTextures::upload(int layer, const Picture& picture) const noexcept {
+    if (picture.bytes.size() != format_.bytes()) return 0;
+    const std::uint8_t* bytes = picture.bytes.data();
+    color_.upload(layer, bytes);
+    if (chroma_.name() != 0) chroma_.upload(layer, bytes + format_.color_bytes());
+    if (alpha_.name() != 0) alpha_.upload(layer, bytes + format_.color_bytes() + format_.chroma_bytes());
+    return format_.bytes();
+}
+
+ClipFrame FrameTextures::frame(int layer, const ColorMatrix& matrix) const noexcept {
+    return {.format = format_,
+            .color = color_.name(),
+            .chroma = chroma_.name(),
+            .alpha = alpha_.name(),
+            .layer = layer,
+            .matrix = &matrix};
+}
+
+FrameStore::FrameStore(const PictureFormat& format, int frame_count)
+    : format_(format),
+      chunks_(static_cast<std::size_t>((frame_count + layers - 1) / layers)),
+      present_(static_cast<std::size_t>(frame_count)) {}
+
+FrameTextures& FrameStore::chunk(int index) {
+    FrameTextures& chunk = chunks_[static_cast<std::size_t>(index / layers)];
+    const int last = static_cast<int>(present_.size()) - index / layers * layers;
+    if (!chunk.made()) chunk = FrameTextures(format_, std::min(layers, last));
+    return chunk;
+}
+
+std::size_t FrameStore::upload(int index, const Picture& picture) {
+    return chunk(index).upload(index % layers, picture);
+}
+
+void FrameStore::mark(int index) {
+    std::uint8_t& present = present_[static_cast<std::size_t>(index)];
+    count_ += present == 0 ? 1 : 0;
+    present = 1;
+}
+
+ClipFrame FrameStore::frame(int index, const ColorMatrix& matrix) {
+    return chunk(index).frame(index % layers, matrix);
+}
+
+std::size_t FrameStore::memory() const {
+    std::size_t frames = 0;
+    for (std::size_t i = 0; i < chunks_.size(); ++i)
+        if (chunks_[i].made()) frames += std::min<std::size_t>(layers, present_.size() - i * layers);
+    return frames * format_.bytes();
+}
+
+std::size_t FrameStore::memory_for(const PictureFormat& format, int first, int last) {
+    const int chunks = last / layers - first / layers + 1;
+    return static_cast<std::size_t>(chunks) * layers * format.bytes();
+}
+
+void FrameStore::clear() {
+    std::fill(present_.begin(), present_.end(), std::uint8_t{0});
+    for (FrameTextures& chunk : chunks_) chunk = FrameTextures();
+    count_ = 0;
+}
+
+}  // namespace lapfx::smoke

@@ -1,0 +1,58 @@
+// Frames of one clip on the GPU. Render thread, context current.
+#pragma once
+
+#include <vector>
+
+#include "gl/texture_array.h"
+#include "smoke/clip_frame.h"
+
+namespace lapfx::smoke {
+
+/// A few frames in array textures, black until they are sent.
+class FrameTextures {
+  public:
+    FrameTextures() = default;
+    FrameTextures(const PictureFormat& format, int layers);
+
+    /// A picture of another size than the format's is not sent. Gives the bytes sent.
+    std::size_t upload(int layer, const Picture& picture) const noexcept;
+    ClipFrame frame(int layer, const ColorMatrix& matrix) const noexcept;
+    bool made() const { return color_.name() != 0; }
+
+  private:
+    PictureFormat format_;
+    gl::TextureArray color_, chroma_, alpha_;
+};
+
+/// Frames that stay: those of a whole clip, as they come.
+class FrameStore {
+  public:
+    FrameStore(const PictureFormat& format, int frame_count);
+
+    bool has(int index) const { return present_[static_cast<std::size_t>(index)] != 0; }
+    /// Bytes sent; mark() it then.
+    std::size_t upload(int index, const Picture& picture);
+    void mark(int index);
+    /// Black while has(index) is false.
+    ClipFrame frame(int index, const ColorMatrix& matrix);
+    int count() const { return count_; }
+    /// GPU memory, bytes.
+    std::size_t memory() const;
+    /// What it would take for the frames first..last.
+    static std::size_t memory_for(const PictureFormat& format, int first, int last);
+    /// One byte a frame, not 0 where it is there. A worker reads it: mark() and clear() are called under the lock that the
+    /// worker holds then.
+    const std::vector<std::uint8_t>& present() const { return present_; }
+    void clear();
+
+  private:
+    static constexpr int layers = 32;  // of one array texture: memory comes in steps as a clip plays in
+    FrameTextures& chunk(int index);
+
+    PictureFormat format_;
+    std::vector<FrameTextures> chunks_;
+    std::vector<std::uint8_t> present_;
+    int count_ = 0;
+};
+
+}  // namespace lapfx::smoke
