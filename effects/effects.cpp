@@ -171,6 +171,14 @@ std::span<const WoundStatus> Effects::wounds() const noexcept {
     return state_->body->bleed().wounds();
 }
 
+std::vector<ClipStatus> Effects::clips() const {
+    return state_->smoke.clip_status();
+}
+
+StreamingTimes Effects::streaming_times() const noexcept {
+    return state_->smoke.streaming_times();
+}
+
 std::size_t Effects::uploaded() const noexcept {
     return state_->uploaded;
 }

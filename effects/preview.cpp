@@ -16,7 +16,8 @@ EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options
     return {.seed = static_cast<std::uint32_t>(scene.seed),
             .gravity = scene.gravity,
             .clip_folders = options.clip_folders,
-            .wait_for_clips = options.wait_for_clips};
+            .wait_for_clips = options.wait_for_clips,
+            .streaming = options.streaming};
 }
 
 /// The instrument, if the scene names one.
@@ -121,6 +122,12 @@ const Organ& Preview::organ() const {
 }
 Amounts Preview::amounts() const {
     return state_->effects.amounts();
+}
+std::vector<ClipStatus> Preview::clips() const {
+    return state_->effects.clips();
+}
+StreamingTimes Preview::streaming_times() const {
+    return state_->effects.streaming_times();
 }
 TissueSample Preview::tissue(const glm::dvec3& position) const {
     return state_->effects.tissue(position);

@@ -24,13 +24,12 @@ std::string processor() {
     return "unknown";
 }
 
-struct Options {
-    std::string json;
-};
+using Bench = BenchReport (*)(const BenchOptions&);
 
-void run(BenchReport (*bench)(), const Options& options) {
-    if (!options.json.empty()) check_folder(options.json);
-    const BenchReport report = bench();
+void run(Bench bench, const BenchOptions& options) {
+    for (const std::string& file : {options.json, options.plot})
+        if (!file.empty()) check_folder(file);
+    const BenchReport report = bench(options);
     print(report);
     if (!options.json.empty()) write_json(report, options.json);
 }
@@ -53,7 +52,9 @@ double median(std::vector<double> values) {
 void print(const BenchReport& report) {
     std::cout << report.bench << " on " << processor() << ", " << std::thread::hardware_concurrency() << " cores; "
               << report.renderer << "\n\n";
+    std::cout << report.table;
     for (const BenchRow& row : report.rows) {
+        if (!report.table.empty()) break;
         for (const auto& [key, value] : row.of) std::cout << key << ' ' << std::setw(9) << std::left << value << ' ';
         std::cout << " |";
         for (const auto& [key, value] : row.measured)
@@ -83,13 +84,19 @@ void write_json(const BenchReport& report, const std::filesystem::path& path) {
 void add_bench(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("bench", "Measure speed as ratios within one run");
     verb->require_subcommand(1);
-    const auto add = [verb](const char* name, const char* help, BenchReport (*bench)()) {
-        auto options = std::make_shared<Options>();
+    const auto add = [verb](const char* name, const char* help, Bench bench) {
+        auto options = std::make_shared<BenchOptions>();
         CLI::App* part = verb->add_subcommand(name, help);
         part->add_option("--json", options->json, "Write the figures to this file too");
         part->callback([bench, options] { run(bench, *options); });
+        return std::pair(part, options);
     };
     add("bleeding", "CPU time and bytes per frame of blood on small and large organs", bench_bleeding);
+    add("frame", "What 15 smoke clips add to a frame, and what a haptic thread notices of them", bench_frame);
+    const auto [streaming, options] =
+        add("streaming", "Smoke clips by the paper's schemes and ours, as its table 2, and FFmpeg beside them",
+            bench_streaming);
+    streaming->add_option("--plot", options->plot, "Draw the panels of the paper's figure 10 to this PNG");
 }
 
 }  // namespace lapfx::commands

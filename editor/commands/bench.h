@@ -21,6 +21,12 @@ struct BenchReport {
     std::string renderer;  ///< GL_RENDERER
     std::vector<BenchRow> rows;
     std::map<std::string, double> ratios;
+    std::string table;  ///< what is printed in place of the rows, unless empty
+};
+
+struct BenchOptions {
+    std::string json;  ///< file that the figures are written to, unless empty
+    std::string plot;  ///< PNG that they are drawn to, unless empty
 };
 
 /// Rows and ratios as text on stdout.
@@ -32,6 +38,8 @@ void write_json(const BenchReport& report, const std::filesystem::path& path);
 double thread_seconds();
 double median(std::vector<double> values);
 
-BenchReport bench_bleeding();
+BenchReport bench_bleeding(const BenchOptions& options);
+BenchReport bench_frame(const BenchOptions& options);
+BenchReport bench_streaming(const BenchOptions& options);
 
 }  // namespace lapfx::commands

@@ -115,9 +115,9 @@ BenchRow row_of(int side, int wounds, const Figures& figures) {
 
 }  // namespace
 
-BenchReport bench_bleeding() {
+BenchReport bench_bleeding(const BenchOptions&) {
     const Context context = Context::create(Backend::automatic);
-    BenchReport report{.bench = "bleeding", .renderer = context.renderer(), .rows = {}, .ratios = {}};
+    BenchReport report{.bench = "bleeding", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     std::vector<Organ> organs;
     for (const int side : sides) organs.push_back(sheet(side));
     Progress progress("measuring", runs * static_cast<int>(std::size(wound_counts) * std::size(sides)));

@@ -129,6 +129,9 @@ class Effects {
     /// Every wound of the contacts, with what it was doing at the last seek(); those of contacts that are yet to come are waiting.
     /// Valid until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;
+    /// The smoke clips of the preset, in its order, and what playing them has cost so far (streaming.h).
+    std::vector<ClipStatus> clips() const;
+    StreamingTimes streaming_times() const noexcept;
     /// Bytes that the last seek sent to the GPU.
     std::size_t uploaded() const noexcept;
     /// The tissue around the place of the organ nearest to `position`, mm: means over the preset's region of influence (paper:

@@ -20,6 +20,7 @@ namespace lapfx {
 struct PreviewOptions {
     std::vector<std::filesystem::path> clip_folders;
     bool wait_for_clips = false;
+    StreamingOptions streaming = {};
     Overlay overlay = Overlay::none;
 };
 
@@ -46,6 +47,8 @@ class Preview {
     const SceneCamera& camera() const;
     const Organ& organ() const;
     Amounts amounts() const;
+    std::vector<ClipStatus> clips() const;
+    StreamingTimes streaming_times() const;
     TissueSample tissue(const glm::dvec3& position) const;  ///< as Effects::tissue
 
     /// Where the organ is under a pixel (origin top left) of a frame of `size`.

@@ -1,0 +1,78 @@
+#include <opencv2/imgproc.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "commands/bench_streaming.h"
+#include "lapfx/error.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+constexpr int distinct = 15;  // beyond these, copies: another file each, but the same pictures
+const cv::Size size(720, 480);
+
+[[noreturn]] void cannot(const std::filesystem::path& path) {
+    throw Error(Failure::runtime, Fault{path.string(), "", "cannot be written: the bench needs its clips there"});
+}
+
+/// Puffs that rise and change: fields of noise, large and small, sliding over each other, brightest in a column; and a
+/// camera's grain, so that the encoder has as much to do as with a real clip.
+cv::Mat smoke(cv::RNG& random, const cv::Mat& coarse, const cv::Mat& fine, const cv::Mat& column, int frame) {
+    cv::Mat large, small, grain(size, CV_32F), code;
+    const cv::Rect window(0, 2 * (bench_clip_frames - frame), size.width, size.height);
+    coarse(window).copyTo(large);
+    fine(cv::Rect(0, 3 * (bench_clip_frames - frame), size.width, size.height)).copyTo(small);
+    random.fill(grain, cv::RNG::NORMAL, 0.0, 2.0);
+    const cv::Mat value = column.mul(0.7 * large + 0.3 * small) * 230.0 + 16.0 + grain;
+    value.convertTo(code, CV_8U);
+    cv::cvtColor(code, code, cv::COLOR_GRAY2BGR);
+    return code;
+}
+
+cv::Mat field(cv::RNG& random, int lobes) {
+    cv::Mat values(2 * lobes, 2 * lobes, CV_32F), whole;
+    random.fill(values, cv::RNG::UNIFORM, 0.0, 1.0);
+    cv::resize(values, whole, {size.width, size.height + 3 * bench_clip_frames}, 0, 0, cv::INTER_CUBIC);
+    return whole;
+}
+
+void make(const std::filesystem::path& path, int seed) {
+    cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
+    const cv::Mat coarse = field(random, 4), fine = field(random, 16);
+    cv::Mat column(size, CV_32F);
+    for (int y = 0; y < size.height; ++y)
+        for (int x = 0; x < size.width; ++x) {
+            const double wide = 60.0 + 0.35 * (size.height - y), off = (x - 0.5 * size.width) / wide;
+            column.at<float>(y, x) = static_cast<float>(std::exp(-off * off));
+        }
+    cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('D', 'I', 'V', 'X'), bench_clip_fps,
+                           size);
+    if (!writer.isOpened()) cannot(path);
+    for (int frame = 0; frame < bench_clip_frames; ++frame) writer.write(smoke(random, coarse, fine, column, frame));
+}
+
+}  // namespace
+
+BenchClips::BenchClips(int count) {
+    std::string name = (std::filesystem::temp_directory_path() / "lapfx-bench-XXXXXX").string();
+    if (mkdtemp(name.data()) == nullptr) cannot(name);
+    folder_ = name;
+    try {
+        for (int i = 0; i < count; ++i)
+            if (i < distinct)
+                make(path(i), i);
+            else
+                std::filesystem::copy_file(path(i % distinct), path(i));
+    } catch (...) {
+        std::error_code error;
+        std::filesystem::remove_all(folder_, error);
+        throw;
+    }
+}
+
+BenchClips::~BenchClips() {
+    std::error_code error;
+    std::filesystem::remove_all(folder_, error);
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,202 @@
+// lapfx bench frame: what smoke adds to a frame of the sample scene, and what a haptic thread notices of it all.
+//
+// Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in turns, medians.
+// The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once beside the core that
+// plays 15 clips at 30 frames per second in real time, once beside threads that do nothing but take the same share of the
+// processor; in turns, medians.
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <thread>
+
+#include "commands/bench_host.h"
+#include "commands/progress.h"
+#include "commands/session.h"
+#include "lapfx/preview.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+using std::chrono::duration;
+
+constexpr int clip_count = 15, frame_runs = 9, haptic_runs = 5;
+constexpr double haptic_seconds = 4.0;
+constexpr double frame_seconds = 1.0 / bench_clip_fps;
+
+double seconds_since(Clock::time_point start) {
+    return duration<double>(Clock::now() - start).count();
+}
+
+/// CPU time of the process, s.
+double process_seconds() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    const auto seconds = [](const timeval& t) {
+        return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
+    };
+    return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// A haptic thread: 1 kHz, sends where its tool is.
+class HapticThread {
+  public:
+    /// Starts at once. `queue` may be null.
+    explicit HapticThread(ToolQueue* queue) {
+        late_.reserve(static_cast<std::size_t>(2000.0 * haptic_seconds));
+        thread_ = std::thread([this, queue] { work(queue); });
+    }
+    ~HapticThread() {
+        if (thread_.joinable()) finish();
+    }
+    HapticThread(const HapticThread&) = delete;
+    HapticThread& operator=(const HapticThread&) = delete;
+
+    /// Ends it: s of lateness that one wake in a thousand exceeds.
+    double finish() {
+        stop_ = true;
+        thread_.join();
+        std::sort(late_.begin(), late_.end());
+        return late_.empty() ? 0.0 : late_[late_.size() * 999 / 1000];
+    }
+
+  private:
+    void work(ToolQueue* queue) {
+        const auto start = Clock::now();
+        auto next = start;
+        while (!stop_ && late_.size() < late_.capacity()) {
+            next += std::chrono::milliseconds(1);
+            std::this_thread::sleep_until(next);
+            const auto now = Clock::now();
+            late_.push_back(duration<double>(now - next).count());
+            if (queue) queue->push({.time = duration<double>(now - start).count(), .position = {0.0, 80.0, 0.0}});
+            // Who has slept through a millisecond does not make up for it.
+            while (next + std::chrono::milliseconds(1) < now) next += std::chrono::milliseconds(1);
+        }
+    }
+    std::vector<double> late_;
+    std::atomic<bool> stop_{false};
+    std::thread thread_;
+};
+
+struct Beside {
+    double late = 0.0;  ///< s, 99.9th percentile
+    double load = 0.0;  ///< processors in use
+};
+
+Beside beside_the_core(const HostFrame& host, const BenchClips& clips) {
+    Effects effects(triangle(), smoke_of(clip_count, clips), {});
+    effects.set_contacts(burning());
+    HapticThread haptic(&effects.tool_queue());
+    const double cpu = process_seconds();
+    const auto start = Clock::now();
+    auto next = start;
+    while (seconds_since(start) < haptic_seconds) {
+        effects.seek(20.0 + seconds_since(start));
+        host.bind(1.0);
+        effects.draw_smoke(looking_on(), host.depth());
+        finish_drawing();
+        next += std::chrono::duration_cast<Clock::duration>(duration<double>(frame_seconds));
+        std::this_thread::sleep_until(next);
+    }
+    const double load = (process_seconds() - cpu) / seconds_since(start);
+    return {.late = haptic.finish(), .load = load};
+}
+
+/// Threads that spin for a share of each frame and sleep for the rest.
+Beside beside_a_load(double load) {
+    const int threads = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const double share = std::min(load / threads, 1.0);
+    std::atomic<bool> stop{false};
+    std::vector<std::thread> burners;
+    const double cpu = process_seconds();
+    const auto start = Clock::now();
+    for (int i = 0; i < threads; ++i)
+        burners.emplace_back([&stop, share] {
+            while (!stop) {
+                const auto begin = Clock::now();
+                while (seconds_since(begin) < share * frame_seconds) {
+                }
+                std::this_thread::sleep_for(duration<double>((1.0 - share) * frame_seconds));
+            }
+        });
+    HapticThread haptic(nullptr);
+    std::this_thread::sleep_for(duration<double>(haptic_seconds));
+    const double late = haptic.finish();
+    stop = true;
+    for (std::thread& burner : burners) burner.join();
+    return {.late = late, .load = (process_seconds() - cpu) / seconds_since(start)};
+}
+
+void compare_haptics(const HostFrame& host, const BenchClips& clips, BenchReport& report, Progress& progress) {
+    std::vector<double> with, without, loads, stand_in_loads;
+    for (int run = 0; run < haptic_runs; ++run) {
+        const Beside core = beside_the_core(host, clips);
+        const Beside load = beside_a_load(core.load);
+        with.push_back(1e6 * core.late);
+        without.push_back(1e6 * load.late);
+        loads.push_back(core.load);
+        stand_in_loads.push_back(load.load);
+        progress.step();
+    }
+    const auto row = [&](const char* what, std::vector<double>& late, std::vector<double>& load) {
+        report.rows.push_back(
+            {.of = {{"what", what}}, .measured = {{"late_us_p999", median(late)}, {"processors", median(load)}}});
+    };
+    row("1 kHz thread beside the core", with, loads);
+    row("1 kHz thread beside an equal load", without, stand_in_loads);
+    report.ratios["haptic_lateness_with_over_without"] = median(with) / median(without);
+}
+
+/// ms for a frame of the scene; another time each, so that nothing is as it was.
+double frame_ms(Preview& preview, int run, unsigned framebuffer) {
+    const auto start = Clock::now();
+    preview.draw(8.0 + run * frame_seconds, {screen_width, screen_height}, framebuffer);
+    finish_drawing();
+    return 1e3 * seconds_since(start);
+}
+
+void compare_frames(const HostFrame& host, const BenchClips& clips, BenchReport& report, Progress& progress) {
+    const std::filesystem::path data = data_folder();
+    const Scene scene = load_scene(data / "samples/lagb.scene.json");
+    Preset with = load_preset(data / "presets/gastric_banding.json");
+    with.smoke.clips = smoke_of(clip_count, clips).smoke.clips;
+    with.folder = clips.folder();
+    Preset none = with;
+    none.smoke.clips.clear();
+    none.smoke.haze.accumulation = 0.0;
+    Preview smoky(scene, with, {.clip_folders = {}, .wait_for_clips = true}), clear(scene, none, {});
+    for (int i = 0; i <= bench_clip_frames; ++i)  // until every clip is resident; small
+        smoky.draw(8.0 + i * frame_seconds, {64, 48}, host.framebuffer());
+    std::vector<double> with_ms, none_ms;
+    for (int run = 0; run <= frame_runs; ++run) {
+        const double clear_ms = frame_ms(clear, run, host.framebuffer()),
+                     smoky_ms = frame_ms(smoky, run, host.framebuffer());
+        progress.step();
+        if (run == 0) continue;  // makes its targets
+        none_ms.push_back(clear_ms);
+        with_ms.push_back(smoky_ms);
+    }
+    report.rows.push_back({.of = {{"what", "frame without smoke"}}, .measured = {{"frame_ms", median(none_ms)}}});
+    report.rows.push_back({.of = {{"what", "frame with 15 clips"}}, .measured = {{"frame_ms", median(with_ms)}}});
+    report.ratios["frame_15_over_0"] = median(with_ms) / median(none_ms);
+}
+
+}  // namespace
+
+BenchReport bench_frame(const BenchOptions&) {
+    const Context context = Context::create(Backend::automatic);
+    BenchReport report{.bench = "frame", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
+    const BenchClips clips(clip_count);
+    const HostFrame host;
+    Progress progress("measuring", frame_runs + 1 + haptic_runs);
+    compare_frames(host, clips, report, progress);
+    compare_haptics(host, clips, report, progress);
+    return report;
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,214 @@
+// lapfx bench streaming: what N smoke clips over a 1280x1024 frame cost by each scheme, as the paper's table 2 has it, and what
+// FFmpeg takes for the like.
+//
+// Method: clips 720x480, MPEG-4 part 2, 30 frames per second, each over the whole view (environmental smoke), luma keyed with
+// noise; one frame of every clip a frame (Policy::wait: nothing is skipped). The paper's schemes shade every layer at
+// the screen's resolution, ours all layers at the clips' and once over the screen. After the warm-up (a loop of the clips for
+// resident, else a few frames) `measured` frames; figures are medians over frames, decoding and copying means.
+#include "commands/bench_streaming.h"
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+
+#include "commands/bench_host.h"
+#include "commands/command.h"
+#include "commands/options.h"
+#include "commands/progress.h"
+#include "lapfx/effects.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr int stream_counts[] = {1, 2, 3, 5, 8, 10, 15, 30, 60};
+constexpr int warm_up = 6, measured = 24;
+constexpr std::size_t memory = std::size_t{3} << 30;  // for 60 resident clips
+
+struct Way {
+    const char* name;
+    Scheme scheme;
+    SmokeResolution resolution;
+};
+constexpr Way ways[] = {{"pipeline", Scheme::pipeline, SmokeResolution::screen},
+                        {"buffered", Scheme::buffered, SmokeResolution::screen},
+                        {"buffered planar", Scheme::buffered_planar, SmokeResolution::clip},
+                        {"resident", Scheme::resident, SmokeResolution::clip}};
+
+double ms_since(Clock::time_point start) {
+    return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+/// One scheme with so many clips, playing.
+class Case {
+  public:
+    Case(const HostFrame& host, const Way& way, int streams, const BenchClips& clips)
+        : host_(host),
+          effects_(triangle(), smoke_of(streams, clips),
+                   {.clip_folders = {},
+                    .wait_for_clips = true,
+                    .streaming = {.scheme = way.scheme, .resolution = way.resolution, .memory = memory}}) {
+        row_.scheme = way.name;
+        row_.streams = streams;
+        row_.open = 1e3 * effects_.streaming_times().open;
+        effects_.set_contacts(burning());
+    }
+
+    void warm(int frames, double share = 1.0) {
+        for (int i = 0; i < frames; ++i) step(share);
+    }
+
+    StreamingRow measure() {
+        std::vector<double> waits, uploads, totals, shadings, frames;
+        const StreamingTimes before = effects_.streaming_times();
+        for (int i = 0; i < measured; ++i) {
+            const StreamingTimes at = effects_.streaming_times();
+            const auto [total, shading] = step(1.0);
+            const StreamingTimes now = effects_.streaming_times();
+            waits.push_back(1e3 * (now.wait - at.wait));
+            uploads.push_back(1e3 * (now.upload - at.upload));
+            totals.push_back(total);
+            shadings.push_back(shading);
+            frames.push_back(total + shading);
+        }
+        const StreamingTimes after = effects_.streaming_times();
+        row_.retrieve = 1e3 * (after.decode - before.decode) / measured;
+        row_.copy = 1e3 * (after.copy - before.copy) / measured;
+        row_.wait = mean(waits);
+        row_.upload = mean(uploads);
+        row_.total = median(totals);
+        row_.shading = median(shadings);
+        row_.frame = median(frames);
+        std::sort(frames.begin(), frames.end());
+        row_.spread = 0.5 * (frames[frames.size() * 3 / 4] - frames[frames.size() / 4]);
+        row_.fps = 1e3 / mean(frames);
+        row_.resident = resident_share();
+        return row_;
+    }
+
+    /// Frames decoded per second of the wall clock while next to nothing is drawn.
+    double decoded_per_second() {
+        warm(10, 0.02);
+        const std::uint64_t before = effects_.streaming_times().decoded;
+        const auto start = Clock::now();
+        for (int i = 0; i < 3 * bench_clip_frames; ++i) step(0.02);
+        return 1e3 * static_cast<double>(effects_.streaming_times().decoded - before) / ms_since(start);
+    }
+
+  private:
+    static double mean(const std::vector<double>& values) {
+        double sum = 0.0;
+        for (const double value : values) sum += value;
+        return sum / static_cast<double>(values.size());
+    }
+    double resident_share() const {
+        double resident = 0.0, frames = 0.0;
+        for (const ClipStatus& clip : effects_.clips()) {
+            resident += clip.resident;
+            frames += clip.frames;
+        }
+        return resident / frames;
+    }
+    /// ms in the call, and after it until all is drawn.
+    std::pair<double, double> step(double share) {
+        effects_.seek(20.0 + frame_++ / bench_clip_fps);
+        host_.bind(share);
+        finish_drawing();
+        const auto start = Clock::now();
+        effects_.draw_smoke(view_, host_.depth());
+        const double total = ms_since(start);
+        finish_drawing();
+        return {total, ms_since(start) - total};
+    }
+
+    const HostFrame& host_;
+    Effects effects_;
+    View view_ = looking_on();
+    StreamingRow row_;
+    int frame_ = 0;
+};
+
+StreamingRow measure(const HostFrame& host, const Way& way, int streams, const BenchClips& clips) {
+    Case playing(host, way, streams, clips);
+    // Drawn small, a loop of the clips does no more than fill the memory.
+    if (way.scheme == Scheme::resident) playing.warm(bench_clip_frames + 10, 0.02);
+    playing.warm(warm_up);
+    return playing.measure();
+}
+
+BenchRow as_bench_row(const StreamingRow& r) {
+    return {.of = {{"scheme", r.scheme}, {"streams", std::to_string(r.streams)}},
+            .measured = {{"open_ms", r.open},
+                         {"retrieve_ms", r.retrieve},
+                         {"copy_ms", r.copy},
+                         {"wait_ms", r.wait},
+                         {"upload_ms", r.upload},
+                         {"shading_ms", r.shading},
+                         {"total_ms", r.total},
+                         {"frame_ms", r.frame},
+                         {"frame_spread_ms", r.spread},
+                         {"fps", r.fps},
+                         {"resident", r.resident}}};
+}
+
+const StreamingRow& find(std::span<const StreamingRow> rows, std::string_view scheme, int streams) {
+    return *std::find_if(rows.begin(), rows.end(),
+                         [&](const StreamingRow& r) { return r.scheme == scheme && r.streams == streams; });
+}
+
+void add_ratios(std::span<const StreamingRow> rows, std::map<std::string, double>& ratios) {
+    const auto sending = [&](const char* scheme) {
+        return find(rows, scheme, 15).wait + find(rows, scheme, 15).upload;
+    };
+    ratios["upload_buffered_over_pipeline_15"] = sending("buffered") / sending("pipeline");
+    ratios["upload_resident_over_pipeline_15"] = sending("resident") / sending("pipeline");
+    ratios["upload_resident_over_buffered_15"] = sending("resident") / sending("buffered");
+    ratios["smoke_ours_over_paper_15"] = find(rows, "resident", 15).frame / find(rows, "pipeline", 15).frame;
+}
+
+void compare_with_ffmpeg(const HostFrame& host, const BenchClips& clips, BenchReport& report,
+                         std::span<const StreamingRow> rows, Progress& progress) {
+    for (const int streams : {5, 15}) {
+        if (const auto theirs = ffmpeg_overlay_ms(clips, streams)) {
+            report.rows.push_back({.of = {{"scheme", "ffmpeg lumakey+overlay"}, {"streams", std::to_string(streams)}},
+                                   .measured = {{"frame_ms", *theirs}}});
+            report.ratios["smoke_ours_over_ffmpeg_" + std::to_string(streams)] =
+                find(rows, "resident", streams).frame / *theirs;
+        }
+        progress.step();
+    }
+    if (const auto theirs = ffmpeg_decode_fps(clips, 15)) {
+        Case playing(host, ways[2], 15, clips);
+        const double ours = playing.decoded_per_second();
+        report.rows.push_back(
+            {.of = {{"scheme", "decoding"}, {"streams", "15"}}, .measured = {{"fps", ours}, {"ffmpeg_fps", *theirs}}});
+        report.ratios["decode_over_ffmpeg"] = ours / *theirs;
+    }
+    progress.step();
+}
+
+}  // namespace
+
+BenchReport bench_streaming(const BenchOptions& options) {
+    const Context context = Context::create(Backend::automatic);
+    BenchReport report{.bench = "streaming", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
+    const BenchClips clips(stream_counts[std::size(stream_counts) - 1]);
+    const HostFrame host;
+    std::vector<StreamingRow> rows;
+    Progress progress("measuring", static_cast<int>(std::size(ways) * std::size(stream_counts)) + 3);
+    for (const Way& way : ways)
+        for (const int streams : stream_counts) {
+            rows.push_back(measure(host, way, streams, clips));
+            report.rows.push_back(as_bench_row(rows.back()));
+            progress.step();
+        }
+    add_ratios(rows, report.ratios);
+    compare_with_ffmpeg(host, clips, report, rows, progress);
+    report.table = streaming_table(rows);
+    if (!options.plot.empty()) plot_streaming(rows, options.plot);
+    return report;
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,263 @@
+#include "smoke/clip_set.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <numeric>
+#include <random>
+#include <thread>
+
+#include "smoke/clip_player.h"
+#include "support/clips.h"
+#include "support/gpu_test.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::smoke {
+namespace {
+
+constexpr int frames = 12;
+constexpr glm::ivec2 size{64, 48};
+
+/// Mean code value of the layer of luma or RGB that a frame names.
+double level(const ClipFrame& frame) {
+    const bool planar = frame.format.layout == Layout::planar;
+    const std::size_t bytes = frame.format.color_bytes();
+    std::vector<std::uint8_t> pixels(bytes);
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glGetTextureSubImage(frame.color, 0, 0, 0, frame.layer, frame.format.size.x, frame.format.size.y, 1,
+                         planar ? GL_RED : GL_RGB, GL_UNSIGNED_BYTE, static_cast<GLsizei>(bytes), pixels.data());
+    glPixelStorei(GL_PACK_ALIGNMENT, 4);
+    return std::accumulate(pixels.begin(), pixels.end(), 0.0) / static_cast<double>(bytes);
+}
+
+class ClipSetTest : public test::GpuTest, public testing::WithParamInterface<Scheme> {
+  protected:
+    test::Folder folder;
+    void SetUp() override {
+        GpuTest::SetUp();
+        for (const char* name : {"a.avi", "b.avi", "c.avi"}) test::write_clip(folder / name, frames);
+    }
+    static std::vector<SmokeClip> clips(std::initializer_list<const char*> names, double crossfade = 0.0) {
+        std::vector<SmokeClip> all;
+        for (const char* name : names)
+            all.push_back({.file = name, .crossfade = crossfade, .start = ClipStart::beginning});
+        return all;
+    }
+    void set(ClipSet& set, const std::vector<SmokeClip>& clips) { set.set(clips, folder.path(), {}); }
+    static int shown(ClipSet& set, std::size_t clip, int index, Policy policy = Policy::wait, int head = 0) {
+        return test::number_of_level(level(set.frame(clip, head, index, policy)));
+    }
+    /// Plays one loop of every clip.
+    static void play(ClipSet& set, int loops = 1) {
+        for (int i = 0; i < loops * frames; ++i) {
+            for (std::size_t clip = 0; clip < set.size(); ++clip) ASSERT_EQ(shown(set, clip, i % frames), i % frames);
+            set.end_cycle();
+        }
+    }
+    static std::size_t frame_bytes() { return PictureFormat{.size = size}.bytes(); }
+};
+
+TEST_P(ClipSetTest, ShowsTheFrameThatIsAskedForInAnyOrder) {
+    ClipSet set({.scheme = GetParam()});
+    this->set(set, clips({"a.avi", "b.avi", "a.avi"}));
+    play(set, 2);
+    std::mt19937 random(7);
+    for (int i = 0; i < 60; ++i) {
+        for (std::size_t clip = 0; clip < set.size(); ++clip) {
+            const int index = static_cast<int>(random() % frames);
+            ASSERT_EQ(shown(set, clip, index), index);
+        }
+        set.end_cycle();
+    }
+    for (const ClipStatus& clip : set.status()) EXPECT_EQ(clip.misses, 0u);
+}
+
+TEST_P(ClipSetTest, CrossFadesFromTwoPlacesAtOnce) {
+    ClipSet set({.scheme = GetParam()});
+    this->set(set, clips({"a.avi"}, 0.2));  // 4 frames at 20 a second
+    for (int i = 0; i < 3 * frames; ++i) {
+        const int at = i % 8;
+        ASSERT_EQ(shown(set, 0, at), at);
+        if (at < 4) {
+            ASSERT_EQ(shown(set, 0, 8 + at, Policy::wait, 1), 8 + at);
+        }
+        set.end_cycle();
+    }
+}
+
+TEST_P(ClipSetTest, LatestNeverWaitsAndNeverShowsAFrameThatWasNotAskedFor) {
+    ClipSet set({.scheme = GetParam()});
+    this->set(set, clips({"a.avi"}));
+    int last = -1, late = 0;
+    for (int i = 0; i < 400; ++i) {
+        const int index = i * 5 % frames;
+        const double value = level(set.frame(0, 0, index, Policy::latest));
+        if (value < 2.0) {  // black: none has come yet
+            ASSERT_EQ(last, -1);
+            ++late;
+            continue;
+        }
+        const int number = test::number_of_level(value);
+        ASSERT_TRUE(number == index || number == last) << number << " for " << index << " after " << last;
+        last = number;
+        set.end_cycle();
+    }
+    EXPECT_EQ(set.times().wait, 0.0);
+    EXPECT_GE(set.status()[0].misses, static_cast<std::uint64_t>(late));
+}
+
+TEST_P(ClipSetTest, ClipsComeAndGoWhileOthersPlay) {
+    ClipSet set({.scheme = GetParam()});
+    for (int i = 0; i < 12; ++i) {
+        this->set(set, i % 3 == 0   ? clips({"a.avi", "b.avi"})
+                       : i % 3 == 1 ? clips({"b.avi"})
+                                    : clips({"c.avi", "b.avi", "a.avi"}));
+        for (std::size_t clip = 0; clip < set.size(); ++clip) set.frame(clip, 0, i % frames, Policy::latest);
+        set.end_cycle();
+        ASSERT_EQ(shown(set, 0, i % frames), i % frames);
+    }
+    this->set(set, {});
+    EXPECT_EQ(set.size(), 0u);
+    set.end_cycle();
+}
+
+TEST_P(ClipSetTest, AClipThatCannotBeUsedLeavesTheOthersPlaying) {
+    ClipSet set({.scheme = GetParam()});
+    this->set(set, clips({"a.avi"}));
+    EXPECT_THAT(test::faults_of([&] {
+                    this->set(set, clips({"b.avi", "none.avi"}));
+                }),
+                testing::ElementsAre(testing::HasSubstr("none.avi: no such clip")));
+    ASSERT_EQ(set.size(), 1u);
+    play(set);
+}
+
+INSTANTIATE_TEST_SUITE_P(Schemes, ClipSetTest,
+                         testing::Values(Scheme::pipeline, Scheme::buffered, Scheme::buffered_planar,
+                                         Scheme::resident));
+
+using ClipSetOnce = ClipSetTest;
+
+TEST_F(ClipSetOnce, PipelineSendsEveryFrameAndBufferedTwoInEverySecondCycle) {
+    for (const Scheme scheme : {Scheme::pipeline, Scheme::buffered}) {
+        ClipSet set({.scheme = scheme});
+        this->set(set, clips({"a.avi"}));
+        std::vector<std::uint64_t> sent;
+        for (int i = 0; i < frames; ++i) {
+            const auto before = set.times().uploaded;
+            std::this_thread::sleep_for(std::chrono::milliseconds(30));  // until the next one is decoded
+            shown(set, 0, i);
+            set.end_cycle();
+            sent.push_back(set.times().uploaded - before);
+        }
+        for (int i = 0; i < frames; ++i)
+            EXPECT_EQ(sent[static_cast<std::size_t>(i)], scheme == Scheme::pipeline ? 1u : i % 2 == 0 ? 2u : 0u) << i;
+    }
+}
+
+TEST_F(ClipSetOnce, ResidentSendsEachFrameOnceAndThenNothing) {
+    ClipSet set({.scheme = Scheme::resident});
+    this->set(set, clips({"a.avi", "a.avi"}));
+    play(set);
+    EXPECT_EQ(set.status()[0].resident, frames);
+    const StreamingTimes whole = set.times();
+    EXPECT_EQ(whole.uploaded, static_cast<std::uint64_t>(frames)) << "two clips of one file share its frames";
+    play(set, 3);
+    EXPECT_EQ(set.times().uploaded, whole.uploaded);
+    EXPECT_EQ(set.times().upload, whole.upload);
+    EXPECT_EQ(set.times().decoded, whole.decoded);
+}
+
+TEST_F(ClipSetOnce, AJumpingClipBecomesResidentToo) {
+    ClipSet set({.scheme = Scheme::resident});
+    this->set(set, clips({"a.avi"}));
+    for (int i = 0; i < 200 && set.status()[0].resident < frames; ++i) {
+        shown(set, 0, i * 4 % frames);  // only every fourth
+        set.end_cycle();
+        std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    EXPECT_EQ(set.status()[0].resident, frames);
+}
+
+TEST_F(ClipSetOnce, MemoryGoesToWholeClipsInTheirOrder) {
+    // Buffers of three heads, and one clip of at most 32 frames.
+    const std::size_t room = 3 * head_memory({.size = size}, Scheme::resident, 8) + 40 * frame_bytes();
+    ClipSet set({.scheme = Scheme::resident, .memory = room});
+    this->set(set, clips({"a.avi", "b.avi", "c.avi"}));
+    play(set, 2);
+    const auto status = set.status();
+    EXPECT_EQ(status[0].resident, frames);
+    EXPECT_EQ(status[0].warning, "");
+    for (const std::size_t i : {1u, 2u}) {
+        EXPECT_EQ(status[i].resident, 0);
+        EXPECT_THAT(status[i].warning, testing::HasSubstr("does not fit the memory"));
+    }
+    std::size_t used = 0;
+    for (const ClipStatus& clip : status) used += clip.memory;
+    EXPECT_LE(used, room);
+}
+
+TEST_F(ClipSetOnce, WithTooLittleMemoryEverythingStillPlays) {
+    ClipSet set({.scheme = Scheme::resident, .memory = 1});
+    this->set(set, clips({"a.avi", "b.avi"}));
+    play(set, 2);
+    for (const ClipStatus& clip : set.status()) EXPECT_EQ(clip.memory, 4 * frame_bytes()) << "two buffers, two sent";
+}
+
+TEST_F(ClipSetOnce, AClipThatComesBackIsStillThereAndTheOldestGoesFirst) {
+    const std::size_t room = 2 * head_memory({.size = size}, Scheme::resident, 8) + 80 * frame_bytes();
+    ClipSet set({.scheme = Scheme::resident, .memory = room});
+    for (const char* name : {"a.avi", "b.avi"}) {
+        this->set(set, clips({name}));
+        play(set);
+    }
+    const auto sent = set.times().uploaded;
+    this->set(set, clips({"a.avi"}));
+    EXPECT_EQ(set.status()[0].resident, frames) << "kept for when it comes back";
+    play(set);
+    EXPECT_EQ(set.times().uploaded, sent);
+    this->set(set, clips({"c.avi"}));  // a was drawn last, so b goes
+    play(set);
+    this->set(set, clips({"a.avi"}));
+    EXPECT_EQ(set.status()[0].resident, frames);
+    this->set(set, clips({"b.avi"}));
+    EXPECT_EQ(set.status()[0].resident, 0);
+}
+
+TEST_F(ClipSetOnce, AnotherFileUnderTheSameNameIsAnotherClip) {
+    ClipSet set({.scheme = Scheme::resident});
+    this->set(set, clips({"a.avi"}));
+    play(set);
+    test::write_clip(folder / "a.avi", 5);
+    std::filesystem::last_write_time(folder / "a.avi",
+                                     std::filesystem::file_time_type::clock::now() + std::chrono::hours(1));
+    this->set(set, clips({"a.avi"}));
+    EXPECT_EQ(set.info(0).frame_count(), 5);
+}
+
+TEST_F(ClipSetOnce, InAndOutChangeWhatIsKept) {
+    ClipSet set({.scheme = Scheme::resident});
+    std::vector<SmokeClip> part = clips({"a.avi"});
+    part[0].out = 0.2;  // 4 frames
+    this->set(set, part);
+    for (int i = 0; i < 12; ++i) {
+        ASSERT_EQ(shown(set, 0, i % 4), i % 4);
+        set.end_cycle();
+    }
+    EXPECT_EQ(set.status()[0].resident, 4);
+    this->set(set, clips({"a.avi"}));
+    play(set);
+    EXPECT_EQ(set.status()[0].resident, frames);
+}
+
+TEST_F(ClipSetOnce, AResidentClipPlaysOnWhenItsFileHasGone) {
+    ClipSet set({.scheme = Scheme::resident});
+    this->set(set, clips({"a.avi"}));
+    play(set);
+    std::filesystem::remove(folder / "a.avi");
+    play(set, 2);
+}
+
+}  // namespace
+}  // namespace lapfx::smoke
