@@ -42,6 +42,11 @@ void print_warnings(const Preview& preview) {
         std::cerr << "lapfx: warning: " << warning << '\n';
 }
 
+void print_clip_warnings(const Preview& preview) {
+    for (const ClipStatus& clip : preview.clips())
+        if (!clip.warning.empty()) std::cerr << "lapfx: warning: " << clip.file << ": " << clip.warning << '\n';
+}
+
 void warn_after_end(const Scene& scene, double at) {
     if (at > scene.duration)
         std::cerr << "lapfx: warning: --at " << at << " s is after the scene's end at " << scene.duration << " s\n";

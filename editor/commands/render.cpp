@@ -114,6 +114,7 @@ void run(Options o) {
     print_warnings(preview);
     if (o.has_at) warn_after_end(scene, o.at);
     render_frames(preview, o, times, size);
+    print_clip_warnings(preview);
 }
 
 }  // namespace

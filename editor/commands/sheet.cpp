@@ -129,6 +129,7 @@ void run(const Options& o) {
     print_warnings(preview);
     for (const double time : o.times) warn_after_end(scene, time);
     write_png(o.output, draw_sheet(preview, rows, o.times, layout));
+    print_clip_warnings(preview);
 }
 
 }  // namespace
