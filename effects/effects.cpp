@@ -37,7 +37,7 @@ struct Effects::State {
         : options(wanted),
           down(direction_of(wanted.gravity)),
           body(std::make_unique<Body>(organ, down, wanted.seed, vessels)),
-          smoke(wanted.seed) {}
+          smoke(wanted.seed, wanted.streaming) {}
 
     EffectsOptions options;
     Preset preset;
@@ -141,7 +141,7 @@ void Effects::draw_organ(const View& view) noexcept {
 void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
     state_->view_block.bind(view);
-    state_->smoke.draw(view.view, -state_->down, state_->time, scene_depth,
+    state_->smoke.draw(view, -state_->down, state_->time, scene_depth,
                        state_->options.wait_for_clips ? smoke::Policy::wait : smoke::Policy::latest);
 }
 

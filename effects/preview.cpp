@@ -16,7 +16,8 @@ EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options
     return {.seed = static_cast<std::uint32_t>(scene.seed),
             .gravity = scene.gravity,
             .clip_folders = options.clip_folders,
-            .wait_for_clips = options.wait_for_clips};
+            .wait_for_clips = options.wait_for_clips,
+            .streaming = options.streaming};
 }
 
 /// The instrument, if the scene names one.

@@ -21,6 +21,7 @@ struct PreviewOptions {
     std::vector<std::filesystem::path> clip_folders;
     bool wait_for_clips = false;
     Overlay overlay = Overlay::none;
+    StreamingOptions streaming = {};
 };
 
 class Preview {
