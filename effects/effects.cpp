@@ -37,7 +37,7 @@ struct Effects::State {
         : options(wanted),
           down(direction_of(wanted.gravity)),
           body(std::make_unique<Body>(organ, down, wanted.seed, vessels)),
-          smoke(wanted.seed) {}
+          smoke(wanted.seed, wanted.streaming) {}
 
     EffectsOptions options;
     Preset preset;
@@ -141,7 +141,7 @@ void Effects::draw_organ(const View& view) noexcept {
 void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
     state_->view_block.bind(view);
-    state_->smoke.draw(view.view, -state_->down, state_->time, scene_depth,
+    state_->smoke.draw(view, -state_->down, state_->time, scene_depth,
                        state_->options.wait_for_clips ? smoke::Policy::wait : smoke::Policy::latest);
 }
 
@@ -172,11 +172,14 @@ std::span<const WoundStatus> Effects::wounds() const noexcept {
 }
 
 std::vector<ClipStatus> Effects::clips() const {
-    return state_->smoke.clip_status();
+    return state_->smoke.clips().status();
 }
 
 StreamingTimes Effects::streaming_times() const noexcept {
-    return state_->smoke.streaming_times();
+    StreamingTimes times = state_->smoke.clips().times();
+    times.shading = state_->smoke.shading_seconds();
+    times.shaded = state_->smoke.shaded();
+    return times;
 }
 
 std::size_t Effects::uploaded() const noexcept {

@@ -21,10 +21,11 @@ vec3 lapfx_gradient(ivec3 cell, uint seed) {
     return (h & 1u) == 0u ? vec3(v, 1.0, 0.0) : vec3(0.0, -1.0, v);
 }
 
-// Value in about -1..1 with mean 0 (x), and its gradient (yzw). One lobe per unit of p.
-vec4 lapfx_perlin(vec3 p, uint seed) {
+// Value in about -1..1 with mean 0 (x), and its gradient (yzw). One lobe per unit of p. `from`: whole lobes that are added to
+// p without losing its precision, so that noise may drift for days.
+vec4 lapfx_perlin_from(ivec3 from, vec3 p, uint seed) {
     vec3 base = floor(p);
-    ivec3 cell = ivec3(base);
+    ivec3 cell = from + ivec3(base);
     vec3 f = p - base;
     vec3 s = f * f * f * (f * (f * 6.0 - 15.0) + 10.0);
     vec3 ds = 30.0 * f * f * (f * (f - 2.0) + 1.0);
@@ -47,6 +48,8 @@ vec4 lapfx_perlin(vec3 p, uint seed) {
     value.w += ds.z * (y1.x - y0.x);
     return value;
 }
+
+vec4 lapfx_perlin(vec3 p, uint seed) { return lapfx_perlin_from(ivec3(0), p, seed); }
 
 // Octaves of noise, each half as large and half as strong, scaled so that the sum stays in about -1..1. Value and gradient.
 vec4 lapfx_fractal_noise(vec3 p, int octaves, uint seed) {

@@ -7,12 +7,12 @@ layout(location = 1) in vec3 v_camera;
 
 void main() {
     vec3 code;
-    float alpha = keyed_alpha(v_uv, code);
+    float alpha = smoke_opacity(v_uv, code);
     // Clips are rarely empty at their border; the quad's must not show.
     vec2 border = smoothstep(vec2(0.0), vec2(0.08), v_uv) * smoothstep(vec2(0.0), vec2(0.08), 1.0 - v_uv);
-    float scene = view_depth(texelFetch(u_scene_depth, ivec2(gl_FragCoord.xy), 0).r);
-    float soft = clamp((scene + v_camera.z) / u_clip.w, 0.0, 1.0);
-    alpha = 1.0 - pow(1.0 - alpha * border.x * border.y * soft, u_extinction.a);
+    float soft = clamp((scene_depth() + v_camera.z) / u_extinction.a, 0.0, 1.0);
+    // Whole opacity would be endless thickness; half a code value is left.
+    float left = max(1.0 - alpha * border.x * border.y * soft, 0.002);
     vec3 position = u_eye.xyz + transpose(mat3(u_view)) * v_camera;
-    put(alpha, tinted(code) * min(lapfx_lamp(position), 1.6));
+    put(-log(left) * u_color.a, tinted(code) * min(lapfx_lamp(position), 1.6));
 }

@@ -18,3 +18,9 @@ vec3 lapfx_lamp(vec3 position) {
     float reach = u_light.a / distance_mm;
     return u_light.rgb * min(reach * reach, 9.0) * beam;
 }
+
+// Distance from the camera plane, mm, of a window depth.
+float lapfx_view_depth(float depth) { return u_projection[3][2] / (2.0 * depth - 1.0 + u_projection[2][2]); }
+
+// The farther the tissue, the more haze lies before it: 1 at the focus distance.
+float lapfx_haze_reach(float scene) { return clamp(scene / u_light.a, 0.4, 1.8); }

@@ -28,10 +28,10 @@ inline glm::vec3 noise_gradient(glm::ivec3 cell, std::uint32_t seed) {
     return (h & 1u) == 0u ? glm::vec3(v, 1.0f, 0.0f) : glm::vec3(0.0f, -1.0f, v);
 }
 
-/// Improved Perlin noise: about -1..1, mean 0, one lobe per unit of p.
-inline float perlin(glm::vec3 p, std::uint32_t seed) {
+/// Improved Perlin noise: about -1..1, mean 0, one lobe per unit of p. `from`: whole lobes added to p; they wrap around.
+inline float perlin_from(glm::uvec3 from, glm::vec3 p, std::uint32_t seed) {
     const glm::vec3 base = glm::floor(p);
-    const glm::ivec3 cell(base);
+    const glm::ivec3 cell(from + glm::uvec3(glm::ivec3(base)));
     const glm::vec3 f = p - base;
     const glm::vec3 s = f * f * f * (f * (f * 6.0f - 15.0f) + 10.0f);
     float plane[2];
@@ -41,13 +41,18 @@ inline float perlin(glm::vec3 p, std::uint32_t seed) {
             float corner[2];
             for (int x = 0; x < 2; ++x) {
                 const glm::ivec3 offset(x, y, z);
-                corner[x] = glm::dot(noise_gradient(cell + offset, seed), f - glm::vec3(offset));
+                corner[x] = glm::dot(noise_gradient(glm::ivec3(glm::uvec3(cell) + glm::uvec3(offset)), seed),
+                                     f - glm::vec3(offset));
             }
             row[y] = glm::mix(corner[0], corner[1], s.x);
         }
         plane[z] = glm::mix(row[0], row[1], s.y);
     }
     return glm::mix(plane[0], plane[1], s.z);
+}
+
+inline float perlin(glm::vec3 p, std::uint32_t seed) {
+    return perlin_from(glm::uvec3(0), p, seed);
 }
 
 /// Octaves, each half as large and half as strong, scaled to stay in about -1..1.

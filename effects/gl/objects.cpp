@@ -45,14 +45,17 @@ void Buffer::update(std::size_t offset, std::size_t bytes, const void* data) con
     glNamedBufferSubData(name(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes), data);
 }
 
-Texture::Texture(const TextureDescription& d) : size_(d.size) {
+Texture::Texture(const TextureDescription& d) : size_(d.size), layers_(d.layers) {
     if (d.samples > 0) {
         name_ = Name<release_texture>(make_texture(GL_TEXTURE_2D_MULTISAMPLE));
         glTextureStorage2DMultisample(name(), d.samples, d.format, d.size.x, d.size.y, GL_TRUE);
         return;
     }
-    name_ = Name<release_texture>(make_texture(GL_TEXTURE_2D));
-    glTextureStorage2D(name(), d.levels, d.format, d.size.x, d.size.y);
+    name_ = Name<release_texture>(make_texture(d.layers > 0 ? GL_TEXTURE_2D_ARRAY : GL_TEXTURE_2D));
+    if (d.layers > 0)
+        glTextureStorage3D(name(), d.levels, d.format, d.size.x, d.size.y, d.layers);
+    else
+        glTextureStorage2D(name(), d.levels, d.format, d.size.x, d.size.y);
     const bool mipmaps = d.levels > 1;
     const GLenum minify = d.filter == GL_NEAREST ? GL_NEAREST : mipmaps ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR;
     glTextureParameteri(name(), GL_TEXTURE_MIN_FILTER, static_cast<GLint>(minify));
@@ -61,9 +64,12 @@ Texture::Texture(const TextureDescription& d) : size_(d.size) {
     glTextureParameteri(name(), GL_TEXTURE_WRAP_T, static_cast<GLint>(d.wrap));
 }
 
-void Texture::upload(GLenum format, const void* pixels) const {
+void Texture::upload(GLenum format, const void* pixels, int layer) const {
     const UnpackGuard guard;
-    glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, format, GL_UNSIGNED_BYTE, pixels);
+    if (layers_ > 0)
+        glTextureSubImage3D(name(), 0, 0, 0, layer, size_.x, size_.y, 1, format, GL_UNSIGNED_BYTE, pixels);
+    else
+        glTextureSubImage2D(name(), 0, 0, 0, size_.x, size_.y, format, GL_UNSIGNED_BYTE, pixels);
 }
 
 void Texture::generate_mipmaps() const {

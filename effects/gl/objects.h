@@ -66,6 +66,7 @@ struct TextureDescription {
     GLenum format = GL_RGBA8;
     int levels = 1;
     int samples = 0;  ///< 0: an ordinary texture, else multisample
+    int layers = 0;   ///< 0: GL_TEXTURE_2D, else a GL_TEXTURE_2D_ARRAY of so many layers
     GLenum filter = GL_LINEAR;
     GLenum wrap = GL_CLAMP_TO_EDGE;
 };
@@ -75,15 +76,17 @@ class Texture {
     Texture() = default;
     explicit Texture(const TextureDescription& description);
 
-    /// Level 0, rows from the top, tightly packed.
-    void upload(GLenum format, const void* pixels) const;
+    /// Level 0 (of a layer of an array), bytes, rows from the top, tightly packed. Leaves the host's unpacking state as it was.
+    void upload(GLenum format, const void* pixels, int layer = 0) const;
     void generate_mipmaps() const;
     GLuint name() const { return name_.get(); }
     glm::ivec2 size() const { return size_; }
+    int layers() const { return layers_; }  ///< 0: not an array
 
   private:
     Name<release_texture> name_;
     glm::ivec2 size_{0};
+    int layers_ = 0;
 };
 
 /// Colour and depth textures to draw into; it does not own them.

@@ -40,11 +40,13 @@ Error shader_error(const std::string& name, const std::string& log) {
     return {Failure::runtime, std::move(faults)};
 }
 
-Shader compile(GLenum stage, const std::string& name) {
+Shader compile(GLenum stage, const std::string& name, const std::string& defines) {
     const ShaderSource source = shader_source(name);
     Shader shader(glCreateShader(stage));
-    const char* text = source.text.c_str();
-    glShaderSource(shader.get(), 1, &text, nullptr);
+    std::string text = source.text;
+    if (!defines.empty()) text.insert(text.find('\n') + 1, defines + "#line 2 0\n");  // #version stays first
+    const char* lines = text.c_str();
+    glShaderSource(shader.get(), 1, &lines, nullptr);
     glCompileShader(shader.get());
     GLint done = 0;
     glGetShaderiv(shader.get(), GL_COMPILE_STATUS, &done);
@@ -55,9 +57,10 @@ Shader compile(GLenum stage, const std::string& name) {
 
 }  // namespace
 
-Program::Program(const std::string& vertex, const std::string& fragment) : name_(glCreateProgram()) {
-    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex);
-    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment);
+Program::Program(const std::string& vertex, const std::string& fragment, const std::string& defines)
+    : name_(glCreateProgram()) {
+    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, defines);
+    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines);
     glAttachShader(name(), vertex_shader.get());
     glAttachShader(name(), fragment_shader.get());
     glLinkProgram(name());
@@ -96,6 +99,9 @@ void Program::set(const char* uniform, glm::vec3 value) const {
 }
 void Program::set(const char* uniform, glm::vec4 value) const {
     glProgramUniform4fv(name(), location(uniform), 1, glm::value_ptr(value));
+}
+void Program::set(const char* uniform, glm::ivec4 value) const {
+    glProgramUniform4iv(name(), location(uniform), 1, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, const glm::mat3& value) const {
     glProgramUniformMatrix3fv(name(), location(uniform), 1, GL_FALSE, glm::value_ptr(value));

@@ -18,7 +18,8 @@ class Program {
   public:
     Program() = default;
     /// File names in shaders/. Throws Error (runtime) with file, line and the numbered source around it.
-    Program(const std::string& vertex, const std::string& fragment);
+    /// `defines`: whole lines of `#define NAME`, put before both texts, to make variants of one shader.
+    Program(const std::string& vertex, const std::string& fragment, const std::string& defines = "");
 
     void use() const { glUseProgram(name_.get()); }
     void set(const char* uniform, int value) const;
@@ -26,6 +27,7 @@ class Program {
     void set(const char* uniform, glm::vec2 value) const;
     void set(const char* uniform, glm::vec3 value) const;
     void set(const char* uniform, glm::vec4 value) const;
+    void set(const char* uniform, glm::ivec4 value) const;
     void set(const char* uniform, const glm::mat3& value) const;
     void set(const char* uniform, const glm::mat4& value) const;
     GLuint name() const { return name_.get(); }

@@ -29,6 +29,7 @@ StateGuard::StateGuard() noexcept {
     for (int i = 0; i < texture_units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glGetIntegerv(GL_TEXTURE_BINDING_2D, &textures_[static_cast<std::size_t>(i)]);
+        glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &texture_arrays_[static_cast<std::size_t>(i)]);
     }
     glActiveTexture(as_enum(active_texture_));
     glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
@@ -52,6 +53,7 @@ StateGuard::~StateGuard() {
     for (int i = 0; i < texture_units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glBindTexture(GL_TEXTURE_2D, as_name(textures_[static_cast<std::size_t>(i)]));
+        glBindTexture(GL_TEXTURE_2D_ARRAY, as_name(texture_arrays_[static_cast<std::size_t>(i)]));
     }
     glActiveTexture(as_enum(active_texture_));
     // A program that the host has deleted while it was current is gone once another one has been used.

@@ -18,7 +18,7 @@ class StateGuard {
     static constexpr std::array<GLenum, 5> switches{GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_MULTISAMPLE,
                                                     GL_SCISSOR_TEST};
     static constexpr int uniform_bindings = 3;
-    static constexpr int texture_units = 3;
+    static constexpr int texture_units = 5;
 
     std::array<GLboolean, switches.size()> enabled_{};
     struct UniformBinding {
@@ -26,7 +26,7 @@ class StateGuard {
         GLint64 start = 0, size = 0;  // size 0: the whole buffer
     };
     std::array<UniformBinding, uniform_bindings> uniform_buffers_{};
-    std::array<GLint, texture_units> textures_{};
+    std::array<GLint, texture_units> textures_{}, texture_arrays_{};
     GLint program_ = 0, vertex_array_ = 0, depth_function_ = 0, active_texture_ = 0, uniform_buffer_ = 0;
     GLint blend_[6] = {};
     GLboolean depth_mask_ = GL_TRUE;

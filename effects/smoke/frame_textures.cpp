@@ -8,21 +8,29 @@ namespace {
 
 constexpr std::uint8_t no_chroma = 128;
 
+/// Layers of bytes, all `filled`.
+gl::Texture planes(glm::ivec2 size, int layers, GLenum format, GLenum channels, std::uint8_t filled) {
+    gl::Texture made({.size = size, .format = format, .layers = layers});
+    const std::uint8_t value[3] = {filled, filled, filled};
+    glClearTexImage(made.name(), 0, channels, GL_UNSIGNED_BYTE, value);
+    return made;
+}
+
 }  // namespace
 
 FrameTextures::FrameTextures(const PictureFormat& format, int layers) : format_(format) {
     const bool planar = format.layout == Layout::planar;
-    color_ = gl::TextureArray(format.size, layers, planar ? GL_R8 : GL_RGB8, 0);
-    if (planar) chroma_ = gl::TextureArray(format.chroma_size(), layers, GL_RG8, no_chroma);
-    if (format.alpha) alpha_ = gl::TextureArray(format.size, layers, GL_R8, 0);
+    color_ = planes(format.size, layers, planar ? GL_R8 : GL_RGB8, planar ? GL_RED : GL_RGB, 0);
+    if (planar) chroma_ = planes(format.chroma_size(), layers, GL_RG8, GL_RG, no_chroma);
+    if (format.alpha) alpha_ = planes(format.size, layers, GL_R8, GL_RED, 0);
 }
 
 std::size_t FrameTextures::upload(int layer, const Picture& picture) const noexcept {
     if (picture.bytes.size() != format_.bytes()) return 0;
     const std::uint8_t* bytes = picture.bytes.data();
-    color_.upload(layer, bytes);
-    if (chroma_.name() != 0) chroma_.upload(layer, bytes + format_.color_bytes());
-    if (alpha_.name() != 0) alpha_.upload(layer, bytes + format_.color_bytes() + format_.chroma_bytes());
+    color_.upload(format_.layout == Layout::planar ? GL_RED : GL_RGB, bytes, layer);
+    if (chroma_.name() != 0) chroma_.upload(GL_RG, bytes + format_.color_bytes(), layer);
+    if (alpha_.name() != 0) alpha_.upload(GL_RED, bytes + format_.color_bytes() + format_.chroma_bytes(), layer);
     return format_.bytes();
 }
 

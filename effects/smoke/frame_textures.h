@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "gl/texture_array.h"
+#include "gl/objects.h"
 #include "smoke/clip_frame.h"
 
 namespace lapfx::smoke {
@@ -21,7 +21,7 @@ class FrameTextures {
 
   private:
     PictureFormat format_;
-    gl::TextureArray color_, chroma_, alpha_;
+    gl::Texture color_, chroma_, alpha_;
 };
 
 /// Frames that stay: those of a whole clip, as they come.

@@ -1,31 +1,13 @@
-// The CPU reference of shaders/keying.glsl, line for line. tests/parity/keying_test.cpp holds the two
+// The CPU reference of shaders/keying.glsl and edges.glsl, line for line. tests/parity/keying_test.cpp holds them
 // together. Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <algorithm>
 #include <glm/glm.hpp>
 
+#include "smoke/keying.h"
+
 namespace lapfx::smoke {
-
-/// What the shader's LapfxKeying holds.
-struct Keying {
-    float luma_low, luma_high;
-    glm::vec2 key_chroma;
-    float chroma_low, chroma_high;
-    float spill;
-    float dark;
-};
-
-/// BT.601 luma, full range.
-inline float luma(glm::vec3 code) {
-    return glm::dot(code, glm::vec3(0.299f, 0.587f, 0.114f));
-}
-
-/// BT.601 Cb and Cr around 0.
-inline glm::vec2 chroma(glm::vec3 code) {
-    const float y = luma(code);
-    return {(code.b - y) / 1.772f, (code.r - y) / 1.402f};
-}
 
 /// `x` within 0..1; NaN, from a pixel that holds one, counts as nothing.
 inline float unit(float x) {
@@ -55,6 +37,31 @@ inline glm::vec2 despill(glm::vec2 value, const Keying& key) {
 
 inline float vary_alpha(float alpha, float noise, float strength) {
     return unit(alpha * (1.0f + strength * noise));
+}
+
+inline constexpr glm::vec2 edge_directions[8] = {
+    {1.0f, 0.0f},  {0.70710678f, 0.70710678f},   {0.0f, 1.0f},  {-0.70710678f, 0.70710678f},
+    {-1.0f, 0.0f}, {-0.70710678f, -0.70710678f}, {0.0f, -1.0f}, {0.70710678f, -0.70710678f}};
+
+/// The least opacity here and `choke` pixels away in eight directions: edges move inwards. `opacity_at`: float(glm::vec2), the
+/// keyed opacity at a place of the clip, pixels.
+template <typename OpacityAt>
+float choked(const OpacityAt& opacity_at, glm::vec2 position, float choke) {
+    float least = opacity_at(position);
+    if (choke > 0.0f)
+        for (const glm::vec2 direction : edge_directions)
+            least = std::min(least, opacity_at(position + choke * direction));
+    return least;
+}
+
+/// The mean of the choked opacity here and `feather` pixels away in eight directions.
+template <typename OpacityAt>
+float edged(const OpacityAt& opacity_at, glm::vec2 position, float choke, float feather) {
+    const float here = choked(opacity_at, position, choke);
+    if (!(feather > 0.0f)) return here;
+    float sum = here;
+    for (const glm::vec2 direction : edge_directions) sum += choked(opacity_at, position + feather * direction, choke);
+    return sum / 9.0f;
 }
 
 }  // namespace lapfx::smoke

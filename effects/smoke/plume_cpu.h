@@ -1,6 +1,8 @@
 // Where and how dense the source smoke of one contact is at a time. Closed form; pure function, any thread.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <glm/glm.hpp>
 
 #include "lapfx/preset.h"
@@ -17,5 +19,29 @@ struct PlumeState {
 /// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows
 /// and fades.
 PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept;
+
+/// How a clip is laid out: the same for every frame of one chance.
+struct ClipTurn {
+    bool mirrored = false;  ///< left and right exchanged
+    float angle = 0.0f;     ///< radians, counter-clockwise
+};
+ClipTurn clip_turn(const SmokeClip& clip, std::uint32_t chance) noexcept;
+
+/// The quad that shows a plume's clip; lengths mm.
+struct PlumeQuad {
+    glm::vec3 anchor{0.0f};        ///< camera space, where the smoke starts
+    glm::vec2 extent{1.0f};        ///< width and height of the whole clip
+    glm::vec2 source{0.5f, 1.0f};  ///< where in the clip as filmed the smoke starts, 0..1, origin top left
+    glm::vec2 up{0.0f, 1.0f};      ///< unit, camera plane: where smoke rises to
+    float lean = 0.0f;             ///< mm towards the camera per mm of rise
+    ClipTurn turn;
+};
+
+/// Camera space: top left, top right, bottom left, bottom right of the clip as drawn.
+std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept;
+
+/// What of the view (0..1, origin bottom left) a quad covers: lower left, upper right corner. The whole view when some of it
+/// lies beside or behind the camera; nothing (upper right below lower left) when all of it does or it is out of sight.
+glm::vec4 view_bounds(const std::array<glm::vec3, 4>& corners, const glm::mat4& projection) noexcept;
 
 }  // namespace lapfx::smoke

@@ -1,16 +1,17 @@
 #include "smoke/smoke.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gl/noise.h"
+#include "smoke/playhead.h"
 
 namespace lapfx::smoke {
 
 namespace {
 
-/// Decoded frames held in main memory over all streams (paper, table 1: MAX_TEXTURES).
-constexpr int max_textures = 64;
-constexpr int most_buffers = 8;  // more than a few frames ahead buys nothing and costs memory
+/// Haze beyond this lets nothing through; what the shaders add up must stay within half floats.
+constexpr double thickest = 500.0;
 
 /// A repeatable number for the n-th thing that wants chance.
 std::uint32_t chance(std::uint32_t seed, std::size_t n) {
@@ -24,28 +25,47 @@ glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
     return length > 1e-3f ? on_screen / length : glm::vec2(0.0f, 1.0f);
 }
 
-}  // namespace
-
-Smoke::Smoke(std::uint32_t seed) : seed_(seed), no_frame_({.format = GL_RGB8}) {
-    const std::uint8_t black[3] = {};
-    no_frame_.upload(GL_BGR, black);
+/// What frames of this clip look like under a scheme (streaming.h).
+Layout layout_of(Scheme scheme) {
+    return scheme == Scheme::pipeline || scheme == Scheme::buffered ? Layout::rgb : Layout::planar;
 }
 
+Medium medium_of(const auto& role) {
+    return {.color = role.color, .extinction = role.extinction};
+}
+
+const KeyingParameters& keying_for(const SmokeClip& clip, const SmokeParameters& parameters) {
+    return clip.own_keying ? clip.keying : parameters.keying;
+}
+
+/// A clip that fades from one of its frames to another is two layers, for thickness adds up.
+template <typename Add>
+void add_shown(const auto& shown, Layer layer, double density, const Add& add) {
+    layer.frame = shown.frame;
+    layer.density = density * (1.0 - shown.fade);
+    add(layer);
+    if (!shown.fading) return;
+    layer.frame = *shown.fading;
+    layer.density = density * shown.fade;
+    add(layer);
+}
+
+}  // namespace
+
+Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options)
+    : seed_(seed), options_(options), clips_(options), gpu_(options.resolution, options.gpu_timings) {}
+
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
-    const auto& wanted = preset.smoke.clips;
-    const int buffers = std::clamp(max_textures / std::max(1, static_cast<int>(wanted.size())), 2, most_buffers);
-    std::vector<Clip> clips;
-    for (const SmokeClip& clip : wanted) {
-        const auto path = find_clip(clip.file, preset.folder, search_path);
-        // A clip that is named twice plays at two places of its own: one stream goes to one entry.
-        const auto same = std::find_if(clips_.begin(), clips_.end(), [&](const Clip& known) {
-            return known.path == path && std::none_of(clips.begin(), clips.end(), [&](const Clip& used) {
-                       return used.textures == known.textures;
-                   });
-        });
-        clips.push_back({path, same != clips_.end() ? same->textures : std::make_shared<ClipTextures>(path, buffers)});
+    const std::vector<SmokeClip>& wanted = preset.smoke.clips;
+    clips_.set(wanted, preset.folder, search_path);
+    int pixels[2] = {0, 0};
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const ClipInfo& info = clips_.info(i);
+        gpu_.prepare(wanted[i].role, layout_of(options_.scheme), info.alpha, keying_for(wanted[i], preset.smoke));
+        int& most = pixels[static_cast<int>(wanted[i].role)];
+        most = std::max(most, info.size.x * info.size.y);
     }
-    clips_ = std::move(clips);
+    gpu_.set_clip_pixels(pixels[static_cast<int>(ClipRole::plume)], pixels[static_cast<int>(ClipRole::haze)]);
     parameters_ = preset.smoke;
 }
 
@@ -56,70 +76,74 @@ void Smoke::set_contacts(std::span<const ToolContact> contacts) {
         if (contact.hot()) emissions_.push_back({contact.time, contact.end(), contact.power});
 }
 
-const gl::Texture& Smoke::frame_at(std::size_t clip, double time, Policy policy) noexcept {
-    ClipTextures& textures = *clips_[clip].textures;
-    const int count = textures.info().frame_count;
-    const double start = chance(seed_, clip) % static_cast<std::uint32_t>(count);
-    const double played = std::floor(start + time * textures.info().fps * parameters_.clips[clip].speed);
-    const double looped = std::fmod(std::fmod(played, count) + count, count);
-    return textures.frame(std::clamp(static_cast<int>(looped), 0, count - 1), policy);
+Smoke::Shown Smoke::show(std::size_t clip, double time, Policy policy) noexcept {
+    const Playhead head = playhead(clips_.info(clip), parameters_.clips[clip], chance(seed_, clip), time);
+    Shown shown{.frame = clips_.frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
+    if (head.fading >= 0) shown.fading = clips_.frame(clip, 1, head.fading, policy);
+    return shown;
 }
 
-void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept {
-    gpu_.begin(scene_depth);
+void Smoke::draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept {
+    gpu_.begin(medium_of(parameters_.plume), medium_of(parameters_.haze), parameters_.plume.softness);
     double haze_weight = 0.0;
     for (const SmokeClip& clip : parameters_.clips)
         if (clip.role == ClipRole::haze) haze_weight += clip.weight;
-    for (std::size_t i = 0; i < clips_.size(); ++i)
-        if (parameters_.clips[i].role == ClipRole::plume) draw_plume(i, view, up, time, policy);
-    // Haze lies between the camera and everything, so it comes last; several clips share its density. Without one it is even.
-    if (haze_weight <= 0.0) draw_even_haze(time);
-    for (std::size_t i = 0; i < clips_.size(); ++i)
-        if (parameters_.clips[i].role == ClipRole::haze && haze_weight > 0.0)
-            draw_haze(i, time, parameters_.clips[i].weight / haze_weight, policy);
+    // Several haze clips share its density. Without one it is even.
+    const double density = std::min(haze(time), thickest);
+    if (haze_weight <= 0.0) gpu_.even_haze(density);
+    for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
+        const SmokeClip& clip = parameters_.clips[i];
+        if (clip.role == ClipRole::plume)
+            add_plumes(i, view, up, time, policy);
+        else if (haze_weight > 0.0)
+            add_haze(i, time, density * clip.weight / haze_weight, policy);
+    }
+    gpu_.draw(scene_depth);
+    clips_.end_cycle();
 }
 
-void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept {
+Layer Smoke::layer(std::size_t clip, double time) const noexcept {
+    return {.frame = {},
+            .keying = &keying_for(parameters_.clips[clip], parameters_),
+            .polarity = parameters_.clips[clip].polarity,
+            .time = time};
+}
+
+void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
+    const PlumeParameters& plume = parameters_.plume;
+    std::optional<Shown> shown;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const PlumeState state = plume_state(contacts_[i], parameters_.plume, up, time);
+        const PlumeState state = plume_state(contacts_[i], plume, up, time);
         if (state.density * settings.weight <= 0.0) continue;
-        const Layer layer{.frame = &frame_at(clip, time, policy),
-                          .clip = &settings,
-                          .color = parameters_.plume.color,
-                          .extinction = parameters_.plume.extinction,
-                          .density = state.density * settings.weight,
-                          .time = time,
-                          .seed = chance(seed_ + 1, clip * 4099 + i)};
-        gpu_.plume(layer, parameters_.keying, glm::vec3(state.anchor), static_cast<float>(state.height),
-                   screen_up(view, up));
+        if (!shown) shown = show(clip, time, policy);
+        const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + i);
+        const glm::vec2 size(shown->frame.format.size);
+        const auto height = static_cast<float>(state.height);
+        const auto corners = plume_corners({.anchor = glm::vec3(view.view * glm::vec4(glm::vec3(state.anchor), 1.0f)),
+                                            .extent = glm::vec2(height * size.x / size.y, height),
+                                            .source = glm::vec2(glm::dvec2(settings.source_x, settings.source_y)),
+                                            .up = screen_up(view.view, up),
+                                            .lean = static_cast<float>(plume.lean),
+                                            .turn = clip_turn(settings, seed)});
+        Layer drawn = layer(clip, time);
+        drawn.mirrored = clip_turn(settings, seed).mirrored;
+        drawn.seed = seed;
+        const glm::vec4 bounds = view_bounds(corners, view.projection);
+        add_shown(*shown, drawn, state.density * settings.weight,
+                  [&](const Layer& one) { gpu_.plume(one, corners, bounds); });
     }
 }
 
-void Smoke::draw_even_haze(double time) noexcept {
-    static const SmokeClip no_clip;
-    const double density = haze(time);
+void Smoke::add_haze(std::size_t clip, double time, double density, Policy policy) noexcept {
     if (density <= 0.0) return;
-    const Layer layer{.frame = &no_frame_,
-                      .clip = &no_clip,
-                      .color = parameters_.haze.color,
-                      .extinction = parameters_.haze.extinction,
-                      .density = density,
-                      .time = time};
-    gpu_.haze(layer, parameters_.keying, 0.0f);
-}
-
-void Smoke::draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept {
-    const double density = haze(time) * share;
-    if (density <= 0.0) return;
-    const Layer layer{.frame = &frame_at(clip, time, policy),
-                      .clip = &parameters_.clips[clip],
-                      .color = parameters_.haze.color,
-                      .extinction = parameters_.haze.extinction,
-                      .density = density,
-                      .time = time,
-                      .seed = chance(seed_ + 2, clip)};
-    gpu_.haze(layer, parameters_.keying, static_cast<float>(parameters_.haze.unevenness));
+    Layer drawn = layer(clip, time);
+    drawn.seed = chance(seed_ + 2, clip);
+    const ClipTurn turn = clip_turn(parameters_.clips[clip], drawn.seed);
+    drawn.mirrored = turn.mirrored;
+    drawn.angle = turn.angle;
+    add_shown(show(clip, time, policy), drawn, density,
+              [&](const Layer& one) { gpu_.haze(one, parameters_.haze.unevenness); });
 }
 
 }  // namespace lapfx::smoke

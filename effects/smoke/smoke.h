@@ -4,14 +4,14 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
+#include <optional>
 #include <span>
-#include <string>
 #include <vector>
 
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
-#include "smoke/clip_textures.h"
+#include "lapfx/view.h"
+#include "smoke/clip_set.h"
 #include "smoke/haze_cpu.h"
 #include "smoke/plume_cpu.h"
 #include "smoke/smoke_gpu.h"
@@ -20,36 +20,43 @@ namespace lapfx::smoke {
 
 class Smoke {
   public:
-    explicit Smoke(std::uint32_t seed);
+    Smoke(std::uint32_t seed, const StreamingOptions& options);
 
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
-    /// Throws Error (bad_input) for a clip that cannot be used, and keeps what it had.
+    /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
     void set_contacts(std::span<const ToolContact> contacts);
 
-    /// `view`: organ space to camera space; `up`: unit, where smoke rises to.
-    void draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
+    /// `up`: unit, organ space, where smoke rises to. Into the bound framebuffer and viewport.
+    void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
 
     /// E(t) of the haze.
     double haze(double time) const noexcept { return haze_density(emissions_, parameters_.haze, time); }
 
+    const ClipSet& clips() const { return clips_; }
+    /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
+    double shading_seconds() const { return gpu_.timer().seconds(); }
+    std::uint64_t shaded() const { return gpu_.timer().spans(); }
+
   private:
-    struct Clip {
-        std::filesystem::path path;
-        std::shared_ptr<ClipTextures> textures;
+    /// What a clip shows in this frame: once, and again for each place that it is drawn at.
+    struct Shown {
+        ClipFrame frame;
+        std::optional<ClipFrame> fading;
+        double fade = 0.0;
     };
-    const gl::Texture& frame_at(std::size_t clip, double time, Policy policy) noexcept;
-    void draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept;
-    void draw_even_haze(double time) noexcept;
-    void draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept;
+    Shown show(std::size_t clip, double time, Policy policy) noexcept;
+    Layer layer(std::size_t clip, double time) const noexcept;
+    void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept;
+    void add_haze(std::size_t clip, double time, double density, Policy policy) noexcept;
 
     std::uint32_t seed_;
+    StreamingOptions options_;
     SmokeParameters parameters_;
-    std::vector<Clip> clips_;  // parallel to parameters_.clips
+    ClipSet clips_;  // parallel to parameters_.clips
     std::vector<ToolContact> contacts_;
     std::vector<Emission> emissions_;
     SmokeGpu gpu_;
-    gl::Texture no_frame_;  // black, for haze without a clip
 };
 
 }  // namespace lapfx::smoke

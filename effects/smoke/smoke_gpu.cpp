@@ -1,81 +1,254 @@
 #include "smoke/smoke_gpu.h"
 
+#include <algorithm>
+#include <cmath>
+#include <string>
+
 #include "gl/srgb.h"
+#include "lapfx/error.h"
 
 namespace lapfx::smoke {
 
 namespace {
 
-/// The uniform block LapfxSmoke of shaders/smoke.glsl, std140.
-struct Block {
-    glm::vec4 luma_chroma, key_color, vary, color, extinction, clip;
-};
+constexpr GLuint layer_binding = 2;
+constexpr GLuint frames_unit = 0, chroma_unit = 1, opacity_unit = 2, noise_unit = 3, depth_unit = 4;
+constexpr GLuint sum_unit = 0, sum_depth_unit = 1;  // of resolve.frag
 
-constexpr GLuint block_binding = 2;
+void blend(GLenum source, GLenum destination) {
+    glEnable(GL_BLEND);
+    glBlendEquation(GL_FUNC_ADD);
+    glBlendFunc(source, destination);
+}
 
-/// Smoke that rises along tissue is turned away from it, into the room where the camera is.
-constexpr float lean = 0.7f;
-
-Block fill(const Layer& layer, const KeyingParameters& k) {
-    const glm::ivec2 size = layer.frame->size();
-    const bool mirrored = (layer.seed & 1u) != 0u;
-    Block block;
-    block.luma_chroma = glm::vec4(glm::dvec4(k.luma_low, k.luma_high, k.chroma_low, k.chroma_high));
-    block.key_color = glm::vec4(glm::vec3(k.key_color) * 255.0f, static_cast<float>(k.spill));
-    // The shader's seed is a float that must hold it exactly: 16 bits are plenty.
-    block.vary = glm::vec4(glm::vec3(glm::dvec3(k.noise_scale, k.noise_strength, k.noise_drift)),
-                           static_cast<float>(layer.seed & 0xffffu));
-    block.color =
-        glm::vec4(gl::to_linear(glm::vec3(layer.color)), layer.clip->polarity == ClipPolarity::dark ? 1.0f : 0.0f);
-    block.extinction = glm::vec4(glm::vec3(layer.extinction), static_cast<float>(layer.density));
-    block.clip = glm::vec4(static_cast<float>(size.x) / static_cast<float>(size.y), mirrored ? -1.0f : 1.0f,
-                           static_cast<float>(layer.time), static_cast<float>(layer.soft_distance));
-    return block;
+void over_the_frame() {
+    blend(GL_ONE, GL_SRC1_COLOR);  // destination * transmission + light
 }
 
 }  // namespace
 
-SmokeGpu::SmokeGpu()
-    : plume_("plume.vert", "plume.frag"), haze_("fullscreen.vert", "haze.frag"), block_(sizeof(Block)) {}
+/// Where the host wants the smoke; off-screen passes go elsewhere in between.
+struct SmokeGpu::HostTarget {
+    HostTarget() {
+        glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+        glGetFloati_v(GL_VIEWPORT, 0, &viewport.x);
+        scissor = glIsEnabledi(GL_SCISSOR_TEST, 0);
+    }
+    void leave() const { glDisablei(GL_SCISSOR_TEST, 0); }
+    void come_back() const {
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+        glViewportIndexedfv(0, &viewport.x);
+        if (scissor == GL_TRUE) glEnablei(GL_SCISSOR_TEST, 0);
+    }
+    glm::ivec2 size() const { return {std::lround(viewport.z), std::lround(viewport.w)}; }
 
-void SmokeGpu::begin(GLuint scene_depth) const noexcept {
-    glDisable(GL_DEPTH_TEST);  // the shaders read the scene's depth instead: soft, and it hides what lies behind
-    glDisable(GL_CULL_FACE);
-    glEnable(GL_BLEND);
-    glBlendEquation(GL_FUNC_ADD);
-    glBlendFunc(GL_ONE, GL_SRC1_COLOR);
-    glBindTextureUnit(1, scene_depth);
-    glBindVertexArray(no_attributes_.name());
-    glBindBufferBase(GL_UNIFORM_BUFFER, block_binding, block_.name());
+    GLint framebuffer = 0;
+    glm::vec4 viewport{0.0f};
+    GLboolean scissor = GL_FALSE;
+};
+
+SmokeGpu::SmokeGpu(SmokeResolution resolution, bool timings)
+    : resolution_(resolution),
+      resolve_even_("resolve.vert", "resolve.frag", "#define LAPFX_EVEN\n"),
+      view_depth_("fullscreen.vert", "view_depth.frag"),
+      timer_(timings) {
+    role(ClipRole::plume).resolve = gl::Program("resolve.vert", "resolve.frag", "#define LAPFX_PLUME\n");
+    role(ClipRole::haze).resolve = gl::Program("resolve.vert", "resolve.frag");
 }
 
-void SmokeGpu::bind(const Layer& layer, const KeyingParameters& keying) const noexcept {
-    const Block block = fill(layer, keying);
-    block_.update(0, sizeof block, &block);
-    glBindTextureUnit(0, layer.frame->name());
+unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, const KeyingParameters& k) {
+    return (layout == Layout::planar ? planar : 0u) | (has_alpha ? alpha : 0u) |
+           (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) | (k.noise_strength > 0.0 ? noise : 0u);
 }
 
-void SmokeGpu::plume(const Layer& layer, const KeyingParameters& keying, glm::vec3 anchor, float height,
-                     glm::vec2 up) const noexcept {
-    bind(layer, keying);
-    const glm::ivec2 size = layer.frame->size();
-    const float aspect = static_cast<float>(size.x) / static_cast<float>(size.y);
-    const bool mirrored = (layer.seed & 1u) != 0u;
-    const float source_x = static_cast<float>(layer.clip->source_x);
-    plume_.set("u_anchor", anchor);
-    plume_.set("u_extent", glm::vec2(height * aspect, height));
-    plume_.set("u_source", glm::vec2(mirrored ? 1.0f - source_x : source_x, static_cast<float>(layer.clip->source_y)));
-    plume_.set("u_up", up);
-    plume_.set("u_lean", lean);
-    plume_.use();
+void SmokeGpu::compile(ClipRole which, unsigned variant) {
+    std::string defines = resolution_ == SmokeResolution::screen ? "#define LAPFX_DIRECT\n" : "";
+    if ((variant & planar) != 0u) defines += "#define LAPFX_PLANAR\n";
+    if ((variant & alpha) != 0u) defines += "#define LAPFX_ALPHA\n";
+    if ((variant & edges) != 0u) defines += "#define LAPFX_EDGES\n";
+    if ((variant & noise) != 0u) defines += "#define LAPFX_NOISE\n";
+    role(which).programs[variant] = which == ClipRole::plume ? gl::Program("plume.vert", "plume.frag", defines)
+                                                             : gl::Program("fullscreen.vert", "haze.frag", defines);
+}
+
+void SmokeGpu::prepare(ClipRole which, Layout layout, bool has_alpha, const KeyingParameters& keying) {
+    const unsigned variant = variant_of(layout, has_alpha, keying);
+    if (!role(which).programs[variant]) compile(which, variant);
+}
+
+const gl::Program* SmokeGpu::program(ClipRole which, unsigned variant) noexcept {
+    std::optional<gl::Program>& found = role(which).programs[variant];
+    try {
+        if (!found) compile(which, variant);
+    } catch (const Error&) {
+        return nullptr;  // prepare() has told why
+    }
+    return &*found;
+}
+
+void SmokeGpu::set_clip_pixels(int plume, int haze) noexcept {
+    role(ClipRole::plume).clip_pixels = plume;
+    role(ClipRole::haze).clip_pixels = haze;
+}
+
+void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) noexcept {
+    role(ClipRole::plume).medium = plume;
+    role(ClipRole::haze).medium = haze;
+    for (Role& r : roles_) {
+        r.layers.clear();
+        r.blocks.clear();
+    }
+    role(ClipRole::plume).bounds = {1.0f, 1.0f, 0.0f, 0.0f};
+    role(ClipRole::haze).bounds = {0.0f, 0.0f, 1.0f, 1.0f};
+    even_ = 0.0f;
+    softness_ = static_cast<float>(softness);
+    tiles_.clear();
+    glGetFloati_v(GL_VIEWPORT, 0, &viewport_.x);
+}
+
+void SmokeGpu::add(ClipRole which, const Layer& layer, LayerBlock block) noexcept {
+    const PictureFormat& format = layer.frame.format;
+    const unsigned variant = variant_of(format.layout, format.alpha, *layer.keying);
+    const float aspect = static_cast<float>(format.size.x) / static_cast<float>(format.size.y);
+    const std::size_t tile =
+        (variant & noise) != 0u ? tiles_.add(*layer.keying, aspect, layer.time, layer.seed) : std::size_t{0};
+    role(which).layers.push_back({variant, layer.frame.color, layer.frame.chroma, layer.frame.alpha, tile});
+    role(which).blocks.push_back(block);
+}
+
+void SmokeGpu::plume(const Layer& layer, const std::array<glm::vec3, 4>& corners, glm::vec4 bounds) noexcept {
+    if (!(bounds.z > bounds.x && bounds.w > bounds.y)) return;  // out of sight
+    Role& r = role(ClipRole::plume);
+    LayerBlock block = layer_block(layer, r.medium, softness_);
+    for (std::size_t i = 0; i < corners.size(); ++i) block.corners[i] = glm::vec4(corners[i], 1.0f);
+    add(ClipRole::plume, layer, block);
+    r.bounds = {glm::min(glm::vec2(r.bounds), glm::vec2(bounds)),
+                glm::max(glm::vec2(r.bounds.z, r.bounds.w), glm::vec2(bounds.z, bounds.w))};
+}
+
+void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
+    LayerBlock block = layer_block(layer, role(ClipRole::haze).medium, unevenness);
+    turn_block(block, layer, viewport_.z / std::max(viewport_.w, 1.0f));
+    add(ClipRole::haze, layer, block);
+}
+
+/// All blocks of a role at once; more memory only for more layers than ever before.
+void SmokeGpu::upload(Role& r) noexcept {
+    for (std::size_t i = 0; i < r.layers.size(); ++i)
+        if ((r.layers[i].variant & noise) != 0u) r.blocks[i].tile = tiles_.place(r.layers[i].tile);
+    const std::size_t bytes = r.blocks.size() * sizeof(LayerBlock);
+    if (bytes == 0) return;
+    if (r.buffer.size() < bytes) r.buffer = gl::Buffer(bytes);
+    r.buffer.update(0, bytes, r.blocks.data());
+}
+
+void SmokeGpu::draw_layers(ClipRole which) noexcept {
+    const Role& r = role(which);
+    for (std::size_t i = 0; i < r.layers.size(); ++i) {
+        const Drawn& layer = r.layers[i];
+        const gl::Program* shader = program(which, layer.variant);
+        if (shader == nullptr) continue;
+        glBindBufferRange(GL_UNIFORM_BUFFER, layer_binding, r.buffer.name(),
+                          static_cast<GLintptr>(i * sizeof(LayerBlock)), sizeof(LayerBlock));
+        glBindTextureUnit(frames_unit, layer.frames);
+        if ((layer.variant & planar) != 0u) glBindTextureUnit(chroma_unit, layer.chroma);
+        if ((layer.variant & alpha) != 0u) glBindTextureUnit(opacity_unit, layer.opacity);
+        shader->use();
+        if (which == ClipRole::plume)
+            glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
+        else
+            glDrawArrays(GL_TRIANGLES, 0, 3);
+    }
+}
+
+glm::ivec2 SmokeGpu::sum_size(const Role& r, glm::ivec2 view) const noexcept {
+    const double pixels = std::max(1.0, static_cast<double>(view.x) * view.y);
+    const double scale = std::min(1.0, std::sqrt(std::max(r.clip_pixels, 1) / pixels));
+    const glm::ivec2 size(std::lround(view.x * scale), std::lround(view.y * scale));
+    return glm::max(resolution_ == SmokeResolution::half ? (size + 1) / 2 : size, glm::ivec2(1));
+}
+
+/// Adds up the thickness of a role's layers, off-screen.
+void SmokeGpu::sum_up(ClipRole which, const HostTarget& host, GLuint scene_depth) noexcept {
+    Role& r = role(which);
+    if (r.layers.empty()) return;
+    const glm::ivec2 size = sum_size(r, host.size());
+    if (r.sum.size() != size) {
+        r.sum = gl::Texture({.size = size, .format = GL_RGBA16F});
+        r.target = gl::Framebuffer(r.sum, nullptr);
+    }
+    glViewportIndexedf(0, 0.0f, 0.0f, static_cast<float>(size.x), static_cast<float>(size.y));
+    if (which == ClipRole::plume) {
+        if (sum_depth_.size() != size) {
+            sum_depth_ = gl::Texture({.size = size, .format = GL_R32F, .filter = GL_NEAREST});
+            depth_target_ = gl::Framebuffer(sum_depth_, nullptr);
+        }
+        glDisable(GL_BLEND);
+        glBindFramebuffer(GL_DRAW_FRAMEBUFFER, depth_target_.name());
+        glBindTextureUnit(depth_unit, scene_depth);
+        view_depth_.set("u_viewport", host.viewport);
+        view_depth_.use();
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+        glBindTextureUnit(depth_unit, sum_depth_.name());
+    }
+    constexpr float nothing[4] = {};
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, r.target.name());
+    glClearBufferfv(GL_COLOR, 0, nothing);
+    blend(GL_ONE, GL_ONE);
+    draw_layers(which);
+}
+
+/// Lays what has been summed up over the frame.
+void SmokeGpu::resolve(const gl::Program& shader, const Role& r, glm::vec4 bounds) const noexcept {
+    shader.set("u_extinction", glm::vec3(r.medium.extinction));
+    shader.set("u_bounds", bounds);
+    shader.use();
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
 }
 
-void SmokeGpu::haze(const Layer& layer, const KeyingParameters& keying, float unevenness) const noexcept {
-    bind(layer, keying);
-    haze_.set("u_unevenness", unevenness);
-    haze_.use();
-    glDrawArrays(GL_TRIANGLES, 0, 3);
+void SmokeGpu::draw(GLuint scene_depth) noexcept {
+    Role &plume = role(ClipRole::plume), &haze = role(ClipRole::haze);
+    if (plume.layers.empty() && haze.layers.empty() && even_ <= 0.0f) return;
+    timer_.begin();
+    const HostTarget host;
+    const bool direct = resolution_ == SmokeResolution::screen;
+    glDisable(GL_DEPTH_TEST);  // the shaders read the scene's depth instead: soft, and it hides what lies behind
+    glDisable(GL_CULL_FACE);
+    glDisable(GL_BLEND);
+    glBindVertexArray(no_attributes_.name());
+    host.leave();
+    tiles_.draw();
+    glBindTextureUnit(noise_unit, tiles_.texture());
+    upload(plume);
+    upload(haze);
+    if (!direct) {
+        sum_up(ClipRole::plume, host, scene_depth);
+        sum_up(ClipRole::haze, host, scene_depth);
+    }
+    host.come_back();
+    over_the_frame();
+    glBindTextureUnit(depth_unit, scene_depth);
+    if (direct) {
+        draw_layers(ClipRole::plume);
+    } else if (!plume.layers.empty()) {
+        glBindTextureUnit(sum_unit, plume.sum.name());
+        glBindTextureUnit(sum_depth_unit, sum_depth_.name());
+        plume.resolve.set("u_softness", softness_);
+        resolve(plume.resolve, plume, plume.bounds);
+    }
+    // Haze lies between the camera and everything, so it comes last.
+    if (direct) {
+        draw_layers(ClipRole::haze);
+    } else if (!haze.layers.empty()) {
+        glBindTextureUnit(sum_unit, haze.sum.name());
+        resolve(haze.resolve, haze, haze.bounds);
+    }
+    if (even_ > 0.0f) {
+        const glm::vec3 color = gl::to_linear(glm::vec3(haze.medium.color));
+        resolve_even_.set("u_even", glm::vec4(color, even_));
+        resolve(resolve_even_, haze, haze.bounds);
+    }
+    timer_.end();
 }
 
 }  // namespace lapfx::smoke

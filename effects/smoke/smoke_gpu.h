@@ -1,45 +1,93 @@
-// Draws plume and haze over a frame with dual-source blending. Render thread, context current, the view block
+// Draws plume and haze over a frame. Layers are collected, then drawn at once. Render thread, context current, the view block
 // bound at 0.
+//
+//     gpu.begin(projection, plume_look, haze_look);
+//     gpu.plume(layer, corners, bounds);   // any number, drawn in this order
+//     gpu.haze(layer, unevenness);         // comes over all plumes
+//     gpu.draw(scene_depth);
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <optional>
+#include <vector>
 
 #include "gl/objects.h"
 #include "gl/program.h"
-#include "lapfx/preset.h"
+#include "gl/timer.h"
+#include "lapfx/streaming.h"
+#include "smoke/layer_gpu.h"
+#include "smoke/noise_tiles_gpu.h"
 
 namespace lapfx::smoke {
 
-/// One clip drawn once.
-struct Layer {
-    const gl::Texture* frame = nullptr;
-    const SmokeClip* clip = nullptr;
-    glm::dvec3 color{1.0};  ///< sRGB
-    glm::dvec3 extinction{1.0};
-    double density = 1.0;        ///< plume: multiplies the optical thickness; haze: E
-    double time = 0.0;           ///< s, for the noise drift
-    std::uint32_t seed = 0;      ///< noise and mirroring
-    double soft_distance = 6.0;  ///< mm over which the smoke fades where it meets tissue
-};
-
 class SmokeGpu {
   public:
-    /// Compiles shaders: throws Error (runtime).
-    SmokeGpu();
+    /// Compiles shaders: throws Error (runtime). `timings`: measure draw() with timer queries.
+    SmokeGpu(SmokeResolution resolution, bool timings);
 
-    /// Sets blending for all layers that follow; `scene_depth` is the depth texture of what has been drawn.
-    void begin(GLuint scene_depth) const noexcept;
-    void plume(const Layer& layer, const KeyingParameters& keying, glm::vec3 anchor, float height,
-               glm::vec2 up) const noexcept;
-    void haze(const Layer& layer, const KeyingParameters& keying, float unevenness) const noexcept;
+    /// Compiles what layers of this kind need, so that drawing the first one does not have to. Throws Error (runtime).
+    void prepare(ClipRole role, Layout layout, bool alpha, const KeyingParameters& keying);
+    /// Pixels of the largest clip of each role: how many an off-screen target has.
+    void set_clip_pixels(int plume, int haze) noexcept;
+
+    /// Forgets the layers of the last frame. `softness`: mm over which a plume fades where it meets the scene.
+    void begin(const Medium& plume, const Medium& haze, double softness) noexcept;
+    /// `corners`: camera space; `bounds`: of them in the view (view_bounds()).
+    void plume(const Layer& layer, const std::array<glm::vec3, 4>& corners, glm::vec4 bounds) noexcept;
+    void haze(const Layer& layer, double unevenness) noexcept;
+    /// Without a clip: the same thickness, at the focus distance, everywhere.
+    void even_haze(double thickness) noexcept { even_ = static_cast<float>(thickness); }
+
+    /// Into the bound framebuffer and viewport, which it leaves bound. `scene_depth`: the depth texture of what has been drawn.
+    void draw(GLuint scene_depth) noexcept;
+
+    const gl::Timer& timer() const { return timer_; }
 
   private:
-    void bind(const Layer& layer, const KeyingParameters& keying) const noexcept;
+    enum Variant : unsigned { planar = 1, alpha = 2, edges = 4, noise = 8, variants = 16 };
+    struct Drawn {
+        unsigned variant;
+        GLuint frames, chroma, opacity;
+        std::size_t tile;
+    };
+    /// All that belongs to one role.
+    struct Role {
+        Medium medium;
+        std::array<std::optional<gl::Program>, variants> programs;  ///< by Variant
+        std::vector<Drawn> layers;
+        std::vector<LayerBlock> blocks;  ///< parallel to layers
+        gl::Buffer buffer;
+        glm::vec4 bounds{0.0f};  ///< of what the layers cover, 0..1 of the view
+        int clip_pixels = 0;
+        gl::Texture sum;  ///< thickness of all layers, at their clips' resolution
+        gl::Framebuffer target;
+        gl::Program resolve;
+    };
+    struct HostTarget;
 
-    gl::Program plume_;
-    gl::Program haze_;
-    gl::Buffer block_;
+    static unsigned variant_of(Layout layout, bool alpha, const KeyingParameters& keying);
+    void compile(ClipRole role, unsigned variant);
+    const gl::Program* program(ClipRole role, unsigned variant) noexcept;
+    void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;
+    void upload(Role& role) noexcept;
+    void draw_layers(ClipRole role) noexcept;
+    void sum_up(ClipRole role, const HostTarget& host, GLuint scene_depth) noexcept;
+    void resolve(const gl::Program& program, const Role& role, glm::vec4 bounds) const noexcept;
+    glm::ivec2 sum_size(const Role& role, glm::ivec2 view) const noexcept;
+    Role& role(ClipRole which) { return roles_[static_cast<std::size_t>(which)]; }
+
+    SmokeResolution resolution_;
+    std::array<Role, 2> roles_;  // by ClipRole
+    float even_ = 0.0f;
+    float softness_ = 1.0f;
+    glm::vec4 viewport_{0.0f};
+    NoiseTiles tiles_;
+    gl::Program resolve_even_, view_depth_;
+    gl::Texture sum_depth_;  // of the scene, for the plume's layers, as large as their sum
+    gl::Framebuffer depth_target_;
     gl::VertexArray no_attributes_;
+    gl::Timer timer_;
 };
 
 }  // namespace lapfx::smoke

@@ -20,8 +20,8 @@ namespace lapfx {
 struct PreviewOptions {
     std::vector<std::filesystem::path> clip_folders;
     bool wait_for_clips = false;
-    StreamingOptions streaming = {};
     Overlay overlay = Overlay::none;
+    StreamingOptions streaming = {};
 };
 
 class Preview {

@@ -1,0 +1,42 @@
+// One clip drawn once, and what the shaders need to know about it. Render thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "lapfx/preset.h"
+#include "smoke/clip_frame.h"
+
+namespace lapfx::smoke {
+
+/// What all smoke of a role is made of.
+struct Medium {
+    glm::dvec3 color{1.0};  ///< sRGB
+    glm::dvec3 extinction{1.0};
+};
+
+struct Layer {
+    ClipFrame frame;
+    const KeyingParameters* keying = nullptr;
+    ClipPolarity polarity = ClipPolarity::light;
+    bool mirrored = false;  ///< left and right exchanged
+    float angle = 0.0f;     ///< radians, haze only: a plume is turned by its corners
+    double density = 1.0;   ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
+    double time = 0.0;      ///< s, for the noise drift
+    std::uint32_t seed = 0;
+};
+
+/// The uniform block LapfxSmokeLayer of shaders/smoke.glsl, std140; padded to what a bound range may have to be aligned to.
+struct alignas(256) LayerBlock {
+    glm::vec4 luma_chroma, key, vary, color, extinction, size, turn, tile;
+    glm::vec4 code_rows[3];
+    glm::vec4 corners[4];
+};
+static_assert(sizeof(LayerBlock) == 256);
+
+/// `extra`: unevenness of haze, softness of a plume, mm.
+LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra);
+/// Turns a haze layer by its angle in a view of this aspect (width / height), so that nothing is sheared.
+void turn_block(LayerBlock& block, const Layer& layer, float view_aspect);
+
+}  // namespace lapfx::smoke

@@ -1,0 +1,48 @@
+// The noise on each layer's opacity, drawn into a tile of one small texture before the layers read it: evaluating it at every
+// pixel of every layer would cost more than all the rest of the smoke. A tile covers its clip once and is filtered linearly,
+// so there is neither seam nor repeat. Render thread, context current.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "gl/objects.h"
+#include "gl/program.h"
+#include "lapfx/preset.h"
+
+namespace lapfx::smoke {
+
+class NoiseTiles {
+  public:
+    /// Compiles its shader: throws Error (runtime).
+    NoiseTiles();
+
+    void clear() noexcept { tiles_.clear(); }
+    /// Asks for a tile; its number. The same as the last one when nothing of it differs. `aspect`: of the clip.
+    std::size_t add(const KeyingParameters& keying, float aspect, double time, std::uint32_t seed);
+    /// Draws all tiles. Leaves its framebuffer and viewport bound; blending must be off.
+    void draw() noexcept;
+
+    /// After draw(): where tile `index` starts (xy) and how far it reaches (zw), coordinates of texture().
+    glm::vec4 place(std::size_t index) const noexcept;
+    GLuint texture() const { return atlas_.name(); }
+
+  private:
+    struct Tile {
+        glm::ivec2 texels;
+        glm::vec2 lobes;  ///< across the clip and down
+        double drift;     ///< lobes that the noise has moved by
+        int seed;
+        bool operator==(const Tile&) const = default;
+    };
+    void lay_out() noexcept;
+
+    gl::Program program_;
+    gl::Texture atlas_;
+    gl::Framebuffer target_;
+    std::vector<Tile> tiles_;
+    glm::ivec2 cell_{0};  ///< texels; tiles lie in a grid of these
+    int columns_ = 1;
+};
+
+}  // namespace lapfx::smoke

@@ -1,0 +1,65 @@
+#version 450 core
+// Lays smoke over the frame once: the sum of all layers of a role, at the resolution of their clips, becomes light and
+// transmission per channel (effects/smoke/resolve_cpu.h is the same on the CPU).
+//
+// Why a sum is enough: light that crosses layers of thickness t1, t2, .. keeps exp(-t1) * exp(-t2) .. of itself, which is
+// exp(-(t1 + t2 + ..)), whatever their order. What the layers scatter towards the eye is, for a mixture of media that share
+// one extinction, the mean of their colours weighted by thickness, times what does not pass; that equals layer over layer
+// wherever the colours agree, and has no order where they do not, as smoke that mingles has none.
+//   LAPFX_PLUME  its thickness changes suddenly where the scene's depth does: upsampling looks at that
+//   LAPFX_EVEN   no layers, an even veil
+//   else haze: more of it lies before what is farther away; that is done here, at full resolution
+#include "view.glsl"
+
+layout(location = 0) in vec2 v_uv;
+
+layout(binding = 0) uniform sampler2D u_sum;          // rgb: colour * thickness; a: thickness
+layout(binding = 1) uniform sampler2D u_sum_depth;    // mm, what the plume's layers have seen of the scene
+layout(binding = 4) uniform sampler2D u_scene_depth;  // window depth, the size of the frame
+uniform vec3 u_extinction;
+uniform vec4 u_even;       // rgb: colour; a: thickness
+uniform float u_softness;  // mm
+
+layout(location = 0, index = 0) out vec4 o_light;
+layout(location = 0, index = 1) out vec4 o_transmission;
+
+#ifdef LAPFX_PLUME
+// Bilinear, but neighbours that lie at another depth count little: smoke behind an instrument does not bleed over its edge.
+vec4 smoke_sum(float scene) {
+    ivec2 last = textureSize(u_sum, 0) - 1;
+    vec2 position = v_uv * vec2(last + 1) - 0.5;
+    ivec2 first = ivec2(floor(position));
+    vec2 f = position - vec2(first);
+    // Tissue that is seen at an angle changes by a few hundredths of its distance between neighbours.
+    float near = max(u_softness, 0.03 * scene);
+    vec4 sum = vec4(0.0);
+    float total = 0.0;
+    for (int i = 0; i < 4; ++i) {
+        ivec2 corner = ivec2(i & 1, i >> 1);
+        ivec2 at = clamp(first + corner, ivec2(0), last);
+        vec2 share = mix(1.0 - f, f, vec2(corner));
+        float apart = abs(texelFetch(u_sum_depth, at, 0).r - scene);
+        float weight = share.x * share.y * (max(1.0 - apart / near, 0.0) + 1e-4);
+        sum += weight * texelFetch(u_sum, at, 0);
+        total += weight;
+    }
+    return sum / max(total, 1e-8);
+}
+#endif
+
+void main() {
+    float scene = lapfx_view_depth(texelFetch(u_scene_depth, ivec2(gl_FragCoord.xy), 0).r);
+#if defined LAPFX_PLUME
+    vec4 sum = smoke_sum(scene);
+    float reach = 1.0;
+#elif defined LAPFX_EVEN
+    vec4 sum = vec4(u_even.rgb * u_light.rgb, 1.0) * u_even.a;
+    float reach = lapfx_haze_reach(scene);
+#else
+    vec4 sum = textureLod(u_sum, v_uv, 0.0);
+    float reach = lapfx_haze_reach(scene);
+#endif
+    vec3 transmission = exp(-sum.a * reach * u_extinction);
+    o_light = vec4(sum.rgb / max(sum.a, 1e-6) * (1.0 - transmission), 0.0);
+    o_transmission = vec4(transmission, 1.0);
+}
