@@ -60,9 +60,11 @@ Kind kind_of(const fs::path& file) {
     return kind_by_content(file);
 }
 
-void inspect_file(const fs::path& file) {
+void inspect_file(const fs::path& file, bool keying) {
     require_plain_file(file);
-    switch (kind_of(file)) {
+    const Kind kind = kind_of(file);
+    if (keying && kind != Kind::video) refuse(file, "is no video, so there is no keying to suggest");
+    switch (kind) {
         case Kind::organ:
             inspect_organ(file);
             break;
@@ -71,6 +73,7 @@ void inspect_file(const fs::path& file) {
             break;
         case Kind::video:
             inspect_video(file);
+            if (keying) inspect_keying(file);
             break;
         case Kind::document:
             inspect_document(file);
@@ -79,12 +82,12 @@ void inspect_file(const fs::path& file) {
 }
 
 /// Goes on after a bad file, and fails at the end with the faults of all.
-void inspect_files(const std::vector<std::string>& files) {
+void inspect_files(const std::vector<std::string>& files, bool keying) {
     std::vector<Fault> faults;
     Failure failure = Failure::runtime;
     for (const std::string& file : files) {
         try {
-            inspect_file(file);
+            inspect_file(file, keying);
         } catch (const Error& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
             if (error.failure() == Failure::bad_input) failure = Failure::bad_input;
@@ -102,7 +105,10 @@ void add_inspect(CLI::App& app) {
                      "Mesh (.glb .gltf .obj .ply .stl .off), video (.mp4 .mov .webm .mkv .avi ...), preset or scene "
                      "(.json), image (.png .jpg .webp .bmp)")
         ->required();
-    verb->callback([files] { inspect_files(*files); });
+    auto keying = std::make_shared<bool>(false);
+    verb->add_flag("--keying", *keying,
+                   "Suggest how the smoke of a video is told from its background, for a clip's entry in a preset");
+    verb->callback([files, keying] { inspect_files(*files, *keying); });
 }
 
 }  // namespace lapfx::commands

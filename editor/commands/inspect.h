@@ -8,6 +8,8 @@ namespace lapfx::commands {
 void inspect_organ(const std::filesystem::path& file);
 void inspect_image(const std::filesystem::path& file);
 void inspect_video(const std::filesystem::path& file);
+/// What suggest_keying() finds, and as the lines of a clip in a preset.
+void inspect_keying(const std::filesystem::path& file);
 void inspect_document(const std::filesystem::path& file);
 
 }  // namespace lapfx::commands

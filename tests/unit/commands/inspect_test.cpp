@@ -4,6 +4,7 @@
 #include <opencv2/videoio.hpp>
 #include <sstream>
 
+#include "lapfx/preset.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -115,6 +116,39 @@ TEST_F(InspectCommand, TruncatedVideo) {
     const std::string whole = read_text(folder.path() / "clip.avi");
     folder.write("short.avi", whole.substr(0, 300));
     EXPECT_EQ(run("short.avi").code, 2);
+}
+
+TEST_F(InspectCommand, SuggestedKeyingIsReadyForAPreset) {
+    cv::VideoWriter writer((folder.path() / "smoke.avi").string(), cv::CAP_FFMPEG,
+                           cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, cv::Size(128, 96));
+    for (int i = 0; i < 8; ++i) {
+        cv::Mat frame(96, 128, CV_8UC3, cv::Scalar(64, 177, 0));
+        frame(cv::Rect(40 + i, 40, 30, 30)) = cv::Scalar(200, 200, 200);
+        writer.write(frame);
+    }
+    writer.release();
+    const Result result = run("--keying smoke.avi");
+    ASSERT_EQ(result.code, 0) << result.err;
+    ASSERT_TRUE(result.out.starts_with("smoke.avi: video\n  size                128x96\n"));
+    EXPECT_NE(result.out.find("\n  keying              background 0, 17"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\n  confidence          "), std::string::npos);
+    const std::string clip = result.out.substr(std::min(result.out.find("\"polarity\""), result.out.size()));
+    const Preset preset = parse_preset(R"({"format": "lapfx.preset", "version": 1, "name": "x", "smoke": {"clips": [
+        {"file": "smoke.avi", )" + clip + "}]}}",
+                                       "test");
+    const KeyingParameters& keying = preset.smoke.clips.at(0).keying;
+    EXPECT_TRUE(preset.smoke.clips[0].own_keying);
+    EXPECT_NEAR(keying.key_color.g, 177.0 / 255.0, 0.02);
+    EXPECT_NEAR(keying.chroma_high, 84.0, 5.0);
+    EXPECT_EQ(keying.spill, 1.0);
+}
+
+TEST_F(InspectCommand, KeyingIsSuggestedForVideosOnly) {
+    folder.write("cube.obj", cube_obj);
+    const Result result = run("--keying cube.obj");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "");
+    EXPECT_EQ(result.err, "lapfx: cube.obj: is no video, so there is no keying to suggest\n");
 }
 
 TEST_F(InspectCommand, WrongUsage) {

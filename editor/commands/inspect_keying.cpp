@@ -1,0 +1,37 @@
+// Suggested keying of a clip, for people and as JSON.
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "commands/inspect.h"
+#include "lapfx/suggest.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+/// The lines that go into the clip's entry of a preset, as write_preset() would write them; the keys that are not suggested
+/// are left to their defaults.
+std::string preset_lines(const KeyingSuggestion& found) {
+    Preset preset;
+    preset.smoke.clips = {{.file = "clip", .polarity = found.polarity, .own_keying = true, .keying = found.keying}};
+    const auto written = nlohmann::ordered_json::parse(write_preset(preset));
+    const auto& clip = written.at("smoke").at("clips").at(0);
+    nlohmann::ordered_json keying;
+    for (const char* key : {"luma_low", "luma_high", "key_color", "chroma_low", "chroma_high", "spill"})
+        keying[key] = clip.at("keying").at(key);
+    return "\"polarity\": " + clip.at("polarity").dump() + ",\n\"keying\": " + keying.dump(2) + "\n";
+}
+
+}  // namespace
+
+void inspect_keying(const std::filesystem::path& file) {
+    const KeyingSuggestion found = suggest_keying(file);
+    char text[32];
+    std::snprintf(text, sizeof text, "%.2f", found.confidence);
+    std::cout << "  keying              " << found.reason << '\n'
+              << "  confidence          " << text << (found.confidence < 0.5 ? ", look at it first\n" : "\n")
+              << preset_lines(found);
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,443 @@
+#include "smoke/suggest_cpu.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <cstdio>
+#include <numeric>
+
+#include "smoke/keying_cpu.h"
+
+namespace lapfx::smoke {
+
+namespace {
+
+constexpr int block_edge = 8;              // pixels: a macroblock's quarter, so that mosquito noise is averaged
+constexpr glm::ivec2 most_blocks{64, 48};  // looked at in a picture
+constexpr float border = 0.125f;           // of the picture, on each side
+constexpr float border_weight = 3.0f;      // smoke is rarely there
+constexpr float same = 4.0f;               // code values within which a block's mean is the background's
+constexpr float around = 16.0f;        // code values: beyond `same` and within this, a plain background leaves a gap
+constexpr float least_chroma = 24.0f;  // code values from grey, from which on a background is keyed by chroma
+constexpr float still = 3.0f;          // code values within which a block's mean does not change
+constexpr std::size_t enough_pictures = 6;  // to tell what stands still
+constexpr double noise_share = 0.99;        // of the background's pixels, that the lower threshold takes off
+constexpr float off_tint = 28.0f;           // code values of chroma that neither smoke nor spill has
+constexpr double haze_range = 128.0;        // code values that lumas of haze which fills the view lie within
+constexpr double faint = 24.0;              // code values
+constexpr float hard_step = 48.0f;          // code values from pixel to pixel that smoke does not have
+
+glm::vec3 to_vec(glm::u8vec3 code) {
+    return glm::vec3(code);
+}
+
+/// Luma and chroma apart: as far as a keyer sees it.
+float difference(glm::vec3 a, glm::vec3 b) {
+    return std::max(std::abs(luma(a) - luma(b)), glm::distance(chroma(a), chroma(b)));
+}
+
+std::string percent(double share) {
+    char text[32];
+    std::snprintf(text, sizeof text, share < 0.0995 ? "%.1f %%" : "%.0f %%", 100.0 * share);
+    return text;
+}
+
+/// Numbers of code values, counted in steps of one.
+class Histogram {
+  public:
+    void add(float value) {
+        ++bins_[static_cast<std::size_t>(std::clamp(value, 0.0f, 359.0f))];
+        ++count_;
+    }
+    std::size_t count() const { return count_; }
+    /// The value that `share` of all do not exceed.
+    double quantile(double share) const {
+        const double wanted = share * static_cast<double>(count_);
+        double seen = 0.0;
+        for (std::size_t i = 0; i < bins_.size(); ++i) {
+            if (seen + static_cast<double>(bins_[i]) >= wanted && bins_[i] > 0)
+                return static_cast<double>(i) + (wanted - seen) / static_cast<double>(bins_[i]);
+            seen += static_cast<double>(bins_[i]);
+        }
+        return 0.0;
+    }
+    /// How many lie within [from, to).
+    double within(double from, double to) const {
+        double sum = 0.0;
+        for (std::size_t i = 0; i < bins_.size(); ++i) {
+            const double low = std::max(from, static_cast<double>(i)),
+                         high = std::min(to, static_cast<double>(i) + 1.0);
+            if (high > low) sum += (high - low) * static_cast<double>(bins_[i]);
+        }
+        return sum;
+    }
+    /// Where they crowd most from `from` up, over `width`.
+    double peak(double from, double to, double width) const {
+        double best = -1.0, at = from;
+        for (double low = from; low + width <= to; low += 1.0)
+            if (const double here = within(low, low + width); here > best) best = here, at = low + 0.5 * width;
+        return at;
+    }
+
+  private:
+    std::array<std::size_t, 360> bins_{};  // 360: chroma distances reach 361
+    std::size_t count_ = 0;
+};
+
+/// One block in one picture.
+struct Block {
+    glm::vec3 mean{0.0f};  ///< R'G'B'
+    float weight = 1.0f;
+    bool background = false;
+};
+
+enum class Place { changing, quiet, mark };
+
+/// What the survey is worked out from, step by step.
+struct Study {
+    std::size_t blocks = 0;     ///< a picture
+    int edge = 0;               ///< of a block, pixels
+    std::size_t pixels = 0;     ///< a block
+    std::vector<Block> all;     ///< picture after picture
+    std::vector<Place> places;  ///< a block's, over time
+    glm::vec3 background{0.0f};
+    bool plain = true;           ///< there is one; otherwise black is assumed
+    double share = 0.0;          ///< that is background
+    double concentration = 0.0;  ///< of what is like the background, what is just like it
+    double marks = 0.0;          ///< share of the picture
+
+    std::size_t pictures() const { return blocks > 0 ? all.size() / blocks : 0; }
+    const Block& at(std::size_t picture, std::size_t block) const { return all[picture * blocks + block]; }
+};
+
+/// The colour in whose neighbourhood most blocks lie: a coarse histogram, then the mean of ever closer ones.
+glm::vec3 crowded_colour(std::span<const Block> blocks) {
+    constexpr int cells = 32;  // a side: 8 code values each
+    std::vector<float> histogram(cells * cells * cells);
+    const auto at = [&](int r, int g, int b) -> float& {
+        return histogram[static_cast<std::size_t>((r * cells + g) * cells + b)];
+    };
+    for (const Block& block : blocks) {
+        const glm::ivec3 c = glm::min(glm::ivec3(block.mean / 8.0f), cells - 1);
+        at(c.r, c.g, c.b) += block.weight;
+    }
+    float best = -1.0f;
+    glm::vec3 colour(0.0f);
+    for (int r = 0; r < cells; ++r)
+        for (int g = 0; g < cells; ++g)
+            for (int b = 0; b < cells; ++b) {
+                float sum = 0.0f;  // of 2 x 2 x 2 cells, so that a border between them splits nothing
+                for (int n = 0; n < 8; ++n)
+                    sum += at(std::min(r + (n & 1), cells - 1), std::min(g + (n >> 1 & 1), cells - 1),
+                              std::min(b + (n >> 2), cells - 1));
+                if (sum > best) best = sum, colour = 8.0f * glm::vec3(r + 1, g + 1, b + 1);
+            }
+    for (const float radius : {16.0f, 12.0f, 8.0f, 6.0f, 4.0f, 3.0f, 3.0f}) {
+        glm::vec3 sum(0.0f);
+        float weight = 0.0f;
+        for (const Block& block : blocks)
+            if (difference(block.mean, colour) <= radius) sum += block.weight * block.mean, weight += block.weight;
+        if (weight > 0.0f) colour = sum / weight;
+    }
+    return colour;
+}
+
+/// Which blocks are like the colour that is taken for the background, and how plain that is.
+void mark_background(Study& s) {
+    double total = 0.0, just = 0.0, like = 0.0;
+    for (Block& block : s.all) {
+        const float apart = difference(block.mean, s.background);
+        block.background = apart <= same;
+        total += 1.0;
+        if (block.background) just += 1.0;
+        if (apart <= around) like += 1.0;
+    }
+    s.share = just / std::max(total, 1.0);
+    s.concentration = just / std::max(like, 1.0);
+}
+
+void find_background(Study& s) {
+    s.background = crowded_colour(s.all);
+    mark_background(s);
+    s.plain = s.concentration >= 0.5 && s.share >= 0.05;
+    if (s.plain) return;
+    // Haze that fills the view, most likely filmed before black; or no clip for keying at all.
+    s.background = glm::vec3(0.0f);
+    mark_background(s);
+}
+
+/// What a block shows over time: background always, always the same other thing, or what changes.
+void find_places(Study& s) {
+    s.places.assign(s.blocks, Place::changing);
+    for (std::size_t b = 0; b < s.blocks; ++b) {
+        bool quiet = true, never = true;
+        glm::vec3 low(255.0f), high(0.0f);
+        for (std::size_t p = 0; p < s.pictures(); ++p) {
+            const Block& block = s.at(p, b);
+            (block.background ? never : quiet) = false;
+            low = glm::min(low, block.mean), high = glm::max(high, block.mean);
+        }
+        const glm::vec3 range = high - low;
+        if (quiet)
+            s.places[b] = Place::quiet;
+        else if (never && s.pictures() >= enough_pictures && std::max({range.r, range.g, range.b}) <= still)
+            s.places[b] = Place::mark;
+    }
+    s.marks = static_cast<double>(std::count(s.places.begin(), s.places.end(), Place::mark)) /
+              static_cast<double>(std::max<std::size_t>(s.blocks, 1));
+    // What fills much of the picture and hardly moves is smoke at rest, or no mark at any rate.
+    if (s.marks > 0.1) {
+        std::replace(s.places.begin(), s.places.end(), Place::mark, Place::changing);
+        s.marks = 0.0;
+    }
+}
+
+/// Calls body(pixels, block) for the blocks of all pictures.
+template <class Body>
+void for_blocks(const Study& s, const std::vector<std::vector<glm::u8vec3>>& pictures, const Body& body) {
+    for (std::size_t p = 0; p < s.pictures(); ++p)
+        for (std::size_t b = 0; b < s.blocks; ++b) body(std::span(pictures[p]).subspan(b * s.pixels, s.pixels), p, b);
+}
+
+/// How far pixels lie from the background.
+struct Spread {
+    Histogram up, down, chroma;  ///< of luma above, below; distance of chroma
+};
+
+void add(Spread& spread, glm::vec3 code, glm::vec3 background) {
+    const float up = luma(code) - luma(background);
+    spread.up.add(std::max(up, 0.0f));
+    spread.down.add(std::max(-up, 0.0f));
+    spread.chroma.add(glm::distance(chroma(code), chroma(background)));
+}
+
+/// What is smoke, or is at least neither background nor a mark.
+struct Foreground {
+    Histogram amount;                    ///< of luma beyond the background on the smoke's side, or distance of chroma
+    double odd_colour = 0.0;             ///< share that smoke over this background cannot have
+    double hard_edges = 0.0;             ///< share of neighbours that differ too much
+    double lighter = 0.0, darker = 0.0;  ///< sums of code values
+};
+
+/// Distance of a colour from those that grey smoke mixes to over the background, in Cb and Cr.
+float off_the_mix(glm::vec2 colour, glm::vec2 key) {
+    const float length = glm::dot(key, key);
+    const float along = length > 1.0f ? glm::clamp(glm::dot(colour, key) / length, 0.0f, 1.0f) : 0.0f;
+    return glm::distance(colour, along * key);
+}
+
+class Suggester {
+  public:
+    Suggester(const Study& study, const std::vector<std::vector<glm::u8vec3>>& pictures)
+        : s_(study),
+          pictures_(pictures),
+          key_(chroma(study.background)),
+          coloured_(glm::length(key_) >= least_chroma) {}
+
+    KeyingSuggestion work_out() {
+        measure_noise();
+        measure_sides();
+        measure_foreground();
+        KeyingSuggestion found;
+        found.background_share = s_.share;
+        found.background_noise = noise_;
+        found.keying.key_color = glm::dvec3(glm::round(s_.background)) / 255.0;
+        if (coloured_)
+            by_chroma(found);
+        else
+            by_luma(found);
+        judge(found);
+        for (double* threshold :
+             {&found.keying.luma_low, &found.keying.luma_high, &found.keying.chroma_low, &found.keying.chroma_high})
+            *threshold = std::round(10.0 * *threshold) / 10.0;  // finer is not known, and people read them
+        return found;
+    }
+
+  private:
+    float beyond(glm::vec3 code) const {
+        if (coloured_) return glm::distance(chroma(code), key_);
+        const float up = luma(code) - luma(s_.background);
+        return dark_ ? -up : up;
+    }
+
+    void measure_noise() {
+        const bool some_quiet = std::count(s_.places.begin(), s_.places.end(), Place::quiet) * 100 >=
+                                static_cast<std::ptrdiff_t>(s_.blocks);
+        for_blocks(s_, pictures_, [&](std::span<const glm::u8vec3> pixels, std::size_t p, std::size_t b) {
+            if (some_quiet ? s_.places[b] == Place::quiet : s_.at(p, b).background)
+                for (const glm::u8vec3 pixel : pixels) add(quiet_, to_vec(pixel), s_.background);
+        });
+    }
+
+    /// Which side of the background the smoke lies on.
+    void measure_sides() {
+        const double up = quiet_.up.quantile(noise_share), down = quiet_.down.quantile(noise_share);
+        for_blocks(s_, pictures_, [&](std::span<const glm::u8vec3> pixels, std::size_t p, std::size_t b) {
+            if (s_.at(p, b).background || s_.places[b] == Place::mark) return;
+            for (const glm::u8vec3 pixel : pixels) {
+                const double apart = static_cast<double>(luma(to_vec(pixel)) - luma(s_.background));
+                smoke_.lighter += std::max(apart - up, 0.0);
+                smoke_.darker += std::max(-apart - down, 0.0);
+            }
+        });
+        dark_ = !coloured_ && smoke_.darker > smoke_.lighter;
+        noise_ = coloured_ ? quiet_.chroma.quantile(noise_share) : dark_ ? down : up;
+    }
+
+    void measure_foreground() {
+        std::size_t odd = 0, hard = 0, pairs = 0;
+        const auto row = static_cast<std::size_t>(s_.edge);
+        for_blocks(s_, pictures_, [&](std::span<const glm::u8vec3> pixels, std::size_t, std::size_t b) {
+            if (s_.places[b] == Place::mark) return;
+            for (std::size_t i = 0; i < pixels.size(); ++i) {
+                const glm::vec3 code = to_vec(pixels[i]);
+                const float amount = beyond(code);
+                if (static_cast<double>(amount) <= noise_ + 1.0) continue;
+                smoke_.amount.add(amount);
+                if (off_the_mix(chroma(code), key_) > off_tint) ++odd;
+                if (i % row == 0) continue;  // the row before ends elsewhere
+                ++pairs;
+                if (std::abs(luma(code) - luma(to_vec(pixels[i - 1]))) > hard_step) ++hard;
+            }
+        });
+        const auto share = [](std::size_t n, std::size_t of) {
+            return static_cast<double>(n) / static_cast<double>(std::max<std::size_t>(of, 1));
+        };
+        smoke_.odd_colour = share(odd, smoke_.amount.count());
+        smoke_.hard_edges = share(hard, pairs);
+    }
+
+    /// Luma beyond the background at which smoke is whole. Whole smoke piles up at one luma; of thin smoke there is the less
+    /// the brighter it is.
+    double whole(double assumed, bool& seen) const {
+        const double brightest = smoke_.amount.quantile(0.995);
+        const double top = smoke_.amount.within(0.85 * brightest, 1.02 * brightest);
+        const double below = smoke_.amount.within(0.68 * brightest, 0.85 * brightest);
+        seen = brightest > 32.0 && smoke_.amount.count() > 1000 && top > 1.2 * below;
+        return seen ? smoke_.amount.peak(0.8 * brightest, brightest + 4.0, 5.0) : std::max(assumed, brightest);
+    }
+
+    void by_luma(KeyingSuggestion& found) {
+        const double base = static_cast<double>(dark_ ? 255.0f - luma(s_.background) : luma(s_.background));
+        const double end = dark_ ? 255.0 - assumed_black : assumed_white;
+        found.polarity = dark_ ? ClipPolarity::dark : ClipPolarity::light;
+        const double reach = whole(std::max(end - base, 16.0), found.whole_smoke_seen);
+        found.keying.luma_low = std::min(base + noise_, 253.0);
+        found.keying.luma_high = std::clamp(base + reach - noise_, found.keying.luma_low + 2.0, 255.0);
+        found.keying.chroma_low = found.keying.chroma_high = found.keying.spill = 0.0;
+    }
+
+    void by_chroma(KeyingSuggestion& found) {
+        const double whole = static_cast<double>(glm::length(key_));
+        found.whole_smoke_seen = smoke_.amount.quantile(0.995) > 0.9 * whole;
+        found.keying.luma_low = 0.0;
+        found.keying.luma_high = 1.0;
+        found.keying.chroma_low = std::min(noise_, 0.4 * whole);
+        found.keying.chroma_high = whole - found.keying.chroma_low;
+        found.keying.spill = 1.0;
+    }
+
+    /// Confidence, and what a person should know, the worst first.
+    void judge(KeyingSuggestion& found) {
+        const auto doubt = [&](bool is, double factor, const std::string& text) {
+            if (!is) return;
+            found.confidence *= factor;
+            found.reason += (found.reason.empty() ? "" : "; ") + text;
+        };
+        const double weaker = std::min(smoke_.lighter, smoke_.darker),
+                     stronger = std::max(smoke_.lighter, smoke_.darker);
+        found.confidence = 1.0;
+        const bool like_haze = smoke_.odd_colour <= 0.1 && smoke_.hard_edges <= 0.02 &&
+                               smoke_.amount.quantile(0.95) - smoke_.amount.quantile(0.05) < haze_range;
+        doubt(!s_.plain && like_haze, 0.45,
+              "no plain background shows: black is assumed, as behind haze that fills the view");
+        doubt(!s_.plain && !like_haze, 0.2,
+              "no plain background: this is not smoke alone, and keying cannot tell it apart");
+        doubt(smoke_.odd_colour > 0.1, 0.4,
+              percent(smoke_.odd_colour) + " of what is before the background has colours that smoke has not");
+        doubt(smoke_.hard_edges > 0.02, 0.4, "hard edges before the background: not smoke alone");
+        doubt(!coloured_ && weaker > 0.2 * stronger, 0.4,
+              "smoke both lighter and darker than the background: luma tells only the " +
+                  std::string(dark_ ? "darker" : "lighter"));
+        const double reach = smoke_.amount.count() > 0 ? smoke_.amount.quantile(0.995) : 0.0;
+        doubt(reach < faint, 0.4, "what is before the background hardly differs from it");
+        doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8, "thick smoke is not seen, its luma is assumed");
+        doubt(s_.marks > 0.0, 0.9, "a mark that never moves covers " + percent(s_.marks) + " and is keyed as smoke");
+        found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
+    }
+
+    std::string description() const {
+        char text[200];
+        const glm::ivec3 c(glm::round(s_.background));
+        if (!s_.plain) return "keyed by luma";
+        std::snprintf(text, sizeof text, "background %d, %d, %d, straying by %.0f code values, keyed by %s", c.r, c.g,
+                      c.b, noise_, coloured_ ? "chroma" : "luma");
+        return text;
+    }
+
+    const Study& s_;
+    const std::vector<std::vector<glm::u8vec3>>& pictures_;
+    const glm::vec2 key_;
+    const bool coloured_;
+    bool dark_ = false;
+    double noise_ = 0.0;
+    Spread quiet_;
+    Foreground smoke_;
+};
+
+/// Where blocks of `edge` start along a side: at most `most`, evenly.
+std::vector<int> starts(int side, int edge, int most) {
+    const int count = std::clamp(side / edge, 1, most);
+    std::vector<int> found;
+    for (int i = 0; i < count; ++i)
+        found.push_back(count > 1 ? static_cast<int>(static_cast<long>(side - edge) * i / (count - 1))
+                                  : (side - edge) / 2);
+    return found;
+}
+
+}  // namespace
+
+void KeyingSurvey::add(glm::ivec2 size, std::span<const std::uint8_t> rgb) {
+    assert(size.x > 0 && size.y > 0 && (size_ == size || pictures_.empty()));
+    const auto width = static_cast<std::size_t>(size.x);
+    assert(rgb.size() >= 3 * width * static_cast<std::size_t>(size.y));
+    if (pictures_.empty()) {
+        size_ = size;
+        edge_ = std::min({block_edge, size.x, size.y});
+        for (const int y : starts(size.y, edge_, most_blocks.y))
+            for (const int x : starts(size.x, edge_, most_blocks.x)) corners_.emplace_back(x, y);
+    }
+    std::vector<glm::u8vec3>& kept = pictures_.emplace_back();
+    kept.reserve(corners_.size() * static_cast<std::size_t>(edge_ * edge_));
+    for (const glm::ivec2 corner : corners_)
+        for (int y = corner.y; y < corner.y + edge_; ++y)
+            for (int x = corner.x; x < corner.x + edge_; ++x) {
+                const std::size_t at = 3 * (static_cast<std::size_t>(y) * width + static_cast<std::size_t>(x));
+                kept.emplace_back(rgb[at], rgb[at + 1], rgb[at + 2]);
+            }
+}
+
+KeyingSuggestion KeyingSurvey::suggest() const {
+    if (pictures_.empty()) return {.reason = "no picture to look at"};
+    Study study;
+    study.blocks = corners_.size();
+    study.edge = edge_;
+    study.pixels = static_cast<std::size_t>(edge_ * edge_);
+    const glm::vec2 margin = border * glm::vec2(size_);
+    for (const auto& picture : pictures_)
+        for (std::size_t b = 0; b < study.blocks; ++b) {
+            glm::vec3 sum(0.0f);
+            for (std::size_t i = 0; i < study.pixels; ++i) sum += to_vec(picture[b * study.pixels + i]);
+            const glm::vec2 middle = glm::vec2(corners_[b]) + 0.5f * static_cast<float>(edge_);
+            const bool inside = middle.x > margin.x && middle.y > margin.y &&
+                                middle.x < static_cast<float>(size_.x) - margin.x &&
+                                middle.y < static_cast<float>(size_.y) - margin.y;
+            study.all.push_back({sum / static_cast<float>(study.pixels), inside ? 1.0f : border_weight});
+        }
+    find_background(study);
+    find_places(study);
+    return Suggester(study, pictures_).work_out();
+}
+
+}  // namespace lapfx::smoke

@@ -1,0 +1,272 @@
+// Suggested keying against smoke whose opacity is known, and against clips that are not what keying is for.
+#include "lapfx/suggest.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <functional>
+
+#include "smoke/keying_cpu.h"
+#include "smoke/suggest_cpu.h"
+#include "support/known_smoke.h"
+#include "unit/organ/fixtures.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::smoke {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr glm::vec3 black(0.0f), green(0.0f, 177.0f, 64.0f), blue(20.0f, 60.0f, 200.0f), grey(96.0f);
+
+Keying keying_of(const KeyingSuggestion& s) {
+    return {.luma_low = static_cast<float>(s.keying.luma_low),
+            .luma_high = static_cast<float>(s.keying.luma_high),
+            .key_chroma = chroma(glm::vec3(s.keying.key_color) * 255.0f),
+            .chroma_low = static_cast<float>(s.keying.chroma_low),
+            .chroma_high = static_cast<float>(s.keying.chroma_high),
+            .spill = static_cast<float>(s.keying.spill),
+            .dark = s.polarity == ClipPolarity::dark ? 1.0f : 0.0f};
+}
+
+std::vector<cv::Mat> keyed(const std::vector<cv::Mat>& frames, const KeyingSuggestion& s) {
+    const Keying key = keying_of(s);
+    std::vector<cv::Mat> alphas;
+    for (const cv::Mat& frame : frames) {
+        cv::Mat& alpha = alphas.emplace_back(frame.size(), CV_32F);
+        frame.forEach<cv::Vec3b>([&](const cv::Vec3b& c, const int* at) {
+            alpha.at<float>(at[0], at[1]) = key_alpha({c[0], c[1], c[2]}, key);
+        });
+    }
+    return alphas;
+}
+
+using Smoke = std::vector<clips::Picture>;
+
+/// Solved once for all tests of a run: it takes seconds.
+const Smoke& shaded_plume() {
+    static const Smoke smoke = test::solve_smoke({});
+    return smoke;
+}
+Smoke plume() {
+    return test::evenly_lit(shaded_plume(), 1.0f);
+}
+Smoke thick_plume() {
+    return test::evenly_lit(shaded_plume(), 0.7f, 6.0f);
+}
+/// How bright it would be if it were thick nobody can tell.
+Smoke dim_plume() {
+    return test::evenly_lit(shaded_plume(), 0.7f);
+}
+Smoke wisps() {
+    return test::evenly_lit(shaded_plume(), 0.9f, 0.2f);
+}
+
+class SuggestFromFile : public testing::Test {
+  protected:
+    test::Folder folder;
+
+    struct Result {
+        KeyingSuggestion found;
+        test::AlphaError error;
+    };
+    Result suggest(const std::vector<clips::Picture>& smoke, const test::Recording& how) {
+        test::record_smoke(folder / "clip.mp4", smoke, how);
+        const auto frames = test::read_frames(folder / "clip.mp4");
+        EXPECT_EQ(frames.size(), smoke.size());
+        Result result{suggest_keying(folder / "clip.mp4"), {}};
+        result.error = test::alpha_error(keyed(frames, result.found), smoke);
+        std::printf("    error %.4f over the frame, %.4f where there is smoke; %s\n", result.error.frame,
+                    result.error.smoke, result.found.reason.c_str());
+        return result;
+    }
+};
+
+TEST_F(SuggestFromFile, EvenlyLitSmokeOnBlackIsKeyedTo3Percent) {
+    const Smoke dim = dim_plume();
+    for (const Smoke& smoke : {plume(), thick_plume(), wisps(), dim})
+        for (const float noise : {0.0f, 3.0f}) {
+            const Result r = suggest(smoke, {.background = black, .sensor_noise = noise});
+            EXPECT_LE(r.error.frame, 0.03);
+            EXPECT_LE(r.error.smoke, smoke[0].value == dim[0].value ? 0.12 : 0.04);
+            EXPECT_EQ(r.found.polarity, ClipPolarity::light);
+            EXPECT_EQ(r.found.keying.chroma_high, 0.0) << "black has no chroma to key by";
+            EXPECT_GT(r.found.confidence, 0.5);
+        }
+}
+
+TEST_F(SuggestFromFile, EvenlyLitSmokeOnGreenIsKeyedTo3Percent) {
+    for (const Smoke& smoke : {plume(), thick_plume(), wisps(), dim_plume()})
+        for (const float noise : {0.0f, 5.0f}) {
+            const Result r = suggest(smoke, {.background = green, .sensor_noise = noise});
+            EXPECT_LE(r.error.frame, 0.03);
+            EXPECT_LE(r.error.smoke, 0.06);
+            EXPECT_EQ(r.found.keying.spill, 1.0);
+            EXPECT_LT(glm::distance(r.found.keying.key_color * 255.0, glm::dvec3(green)), 6.0);
+            EXPECT_GT(r.found.confidence, 0.5);
+        }
+}
+
+TEST_F(SuggestFromFile, ColouredAndGreyBackgroundsKeyLikeBlackAndGreen) {
+    const Result on_blue = suggest(plume(), {.background = blue, .sensor_noise = 2.0f});
+    EXPECT_LE(on_blue.error.smoke, 0.06);
+    EXPECT_GT(on_blue.found.keying.chroma_high, 60.0);
+    const Result on_grey = suggest(thick_plume(), {.background = grey, .sensor_noise = 2.0f});
+    EXPECT_LE(on_grey.error.smoke, 0.04);
+    EXPECT_EQ(on_grey.found.polarity, ClipPolarity::light);
+    EXPECT_GT(on_grey.found.keying.luma_low, luma(grey));
+    // The same smoke is darker than white.
+    const Result on_white = suggest(thick_plume(), {.background = glm::vec3(255.0f), .sensor_noise = 2.0f});
+    EXPECT_LE(on_white.error.smoke, 0.04);
+    EXPECT_EQ(on_white.found.polarity, ClipPolarity::dark);
+}
+
+TEST_F(SuggestFromFile, ShadedSmokeOnGreenIsKeyedAsWellAsLitSmoke) {
+    const Result r = suggest(shaded_plume(), {.background = green, .sensor_noise = 3.0f});
+    EXPECT_LE(r.error.smoke, 0.06) << "chroma does not mind shadows";
+    // On black a shadow looks like thin smoke, whatever the thresholds: measured, not bounded.
+    suggest(shaded_plume(), {.background = black, .sensor_noise = 3.0f});
+}
+
+TEST_F(SuggestFromFile, WhatIsNoClipIsAFault) {
+    EXPECT_THAT(test::faults_of([&] { suggest_keying(folder / "none.mp4"); }),
+                testing::ElementsAre((folder / "none.mp4").string() + ": no such file"));
+    EXPECT_THAT(test::faults_of([&] { suggest_keying(folder.write("text.mp4", "words, and no video at all")); }),
+                testing::SizeIs(1));
+}
+
+/// Pictures made in memory: colour of a pixel from its place and the picture's number.
+KeyingSuggestion suggest_for(const std::function<glm::vec3(glm::ivec2, int)>& colour, int pictures = 8,
+                             glm::ivec2 size = {96, 64}) {
+    KeyingSurvey survey;
+    for (int n = 0; n < pictures; ++n) {
+        std::vector<std::uint8_t> rgb;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                for (int c = 0; c < 3; ++c) rgb.push_back(static_cast<std::uint8_t>(std::lround(colour({x, y}, n)[c])));
+        survey.add(size, rgb);
+    }
+    return survey.suggest();
+}
+
+/// Opacity of a soft ball that wanders; `peak` may be over 1, then its middle is whole.
+float ball(glm::ivec2 at, int picture, float peak) {
+    const glm::vec2 middle(32.0f + 4.0f * static_cast<float>(picture), 32.0f);
+    const float r = glm::distance(glm::vec2(at), middle) / 24.0f;
+    return std::min(peak * std::max(1.0f - r * r, 0.0f), 1.0f);
+}
+
+TEST(SuggestKeying, ThickSmokeGivesItsOwnLumaAndThinSmokeTheAssumedOne) {
+    const auto smoke = [](float peak) {
+        return suggest_for([=](glm::ivec2 at, int n) { return glm::vec3(170.0f * ball(at, n, peak)); });
+    };
+    const KeyingSuggestion thick = smoke(3.0f), thin = smoke(0.6f);
+    EXPECT_TRUE(thick.whole_smoke_seen);
+    EXPECT_NEAR(thick.keying.luma_high, 170.0, 4.0);
+    EXPECT_FALSE(thin.whole_smoke_seen);
+    EXPECT_NEAR(thin.keying.luma_high, assumed_white, 4.0);
+    EXPECT_GT(thick.confidence, thin.confidence);
+    EXPECT_THAT(thin.reason, HasSubstr("assumed"));
+}
+
+TEST(SuggestKeying, TheLowerThresholdFollowsTheNoise) {
+    const auto with_noise = [](int spread) {
+        return suggest_for([=](glm::ivec2 at, int n) {
+            const float noise = static_cast<float>((at.x * 7 + at.y * 13 + n * 5) % (2 * spread + 1) - spread);
+            return glm::vec3(60.0f + noise + 150.0f * ball(at, n, 3.0f));
+        });
+    };
+    for (const int spread : {2, 6, 12}) {
+        const KeyingSuggestion s = with_noise(spread);
+        EXPECT_NEAR(s.keying.luma_low, 60.0 + spread, 1.5) << spread;
+        EXPECT_NEAR(s.background_noise, spread, 1.5) << spread;
+    }
+}
+
+TEST(SuggestKeying, AKeyColourIsKeyedByChromaUpToGrey) {
+    const KeyingSuggestion s =
+        suggest_for([](glm::ivec2 at, int n) { return glm::mix(green, glm::vec3(150.0f), ball(at, n, 0.5f)); });
+    EXPECT_NEAR(s.keying.chroma_high, glm::length(chroma(green)), 2.0) << "though no whole smoke is there to be seen";
+    EXPECT_NEAR(key_alpha(glm::mix(green, glm::vec3(80.0f), 0.5f), keying_of(s)), 0.5f, 0.02f);
+    EXPECT_NEAR(key_alpha(glm::mix(green, glm::vec3(230.0f), 0.5f), keying_of(s)), 0.5f, 0.02f);
+}
+
+TEST(SuggestKeying, AMarkThatNeverMovesIsToldAndDoesNotCount) {
+    const auto marked = [](bool mark) {
+        return suggest_for([=](glm::ivec2 at, int n) {
+            const bool in_mark = at.x >= 80 && at.x < 88 && at.y >= 48 && at.y < 56;
+            return glm::vec3(mark && in_mark ? 255.0f : 150.0f * ball(at, n, 3.0f));
+        });
+    };
+    EXPECT_THAT(marked(true).reason, HasSubstr("a mark that never moves"));
+    EXPECT_THAT(marked(false).reason, testing::Not(HasSubstr("mark")));
+    EXPECT_EQ(marked(true).keying.luma_high, marked(false).keying.luma_high);
+}
+
+TEST(SuggestKeying, WhatIsNotSmokeBeforeAPlainBackgroundGivesNoConfidence) {
+    const auto gradient = [](glm::ivec2 at, int) {
+        return glm::vec3(2.6f * static_cast<float>(at.x), 3.9f * static_cast<float>(at.y), 90.0f);
+    };
+    EXPECT_LT(suggest_for(gradient).confidence, 0.3);
+    EXPECT_THAT(suggest_for(gradient).reason, HasSubstr("no plain background"));
+    const auto red_balls = [](glm::ivec2 at, int n) { return glm::vec3(220, 30, 20) * ball(at, n, 3.0f); };
+    EXPECT_THAT(suggest_for(red_balls).reason, HasSubstr("colours that smoke has not"));
+    EXPECT_LT(suggest_for(red_balls).confidence, 0.5);
+    const auto checks = [](glm::ivec2 at, int n) {
+        return glm::vec3((at.x + n) % 4 < 2 && at.y > 40 && at.x > 30 && at.x < 60 ? 220.0f : 0.0f);
+    };
+    EXPECT_THAT(suggest_for(checks).reason, HasSubstr("hard edges"));
+    const auto both = [](glm::ivec2 at, int n) {
+        return glm::vec3(120.0f + (at.x < 48 ? 80.0f : -80.0f) * ball(at, n, 1.0f));
+    };
+    EXPECT_THAT(suggest_for(both).reason, HasSubstr("both lighter and darker"));
+    EXPECT_THAT(suggest_for([](glm::ivec2, int) { return green; }).reason, HasSubstr("hardly differs"));
+}
+
+TEST(SuggestKeying, HazeThatFillsTheViewIsTakenToBeBeforeBlack) {
+    const KeyingSuggestion s = suggest_for([](glm::ivec2 at, int n) {
+        return glm::vec3(80.0f + 20.0f * std::sin(0.1f * static_cast<float>(at.x + 3 * n)) +
+                         20.0f * std::cos(0.08f * static_cast<float>(at.y)));
+    });
+    EXPECT_EQ(s.keying.luma_low, 0.0);
+    EXPECT_EQ(s.keying.key_color, glm::dvec3(0.0));
+    EXPECT_LT(s.confidence, 0.5);
+    EXPECT_THAT(s.reason, HasSubstr("black is assumed"));
+}
+
+TEST(SuggestKeying, AnySizeAndNumberOfPicturesGivesKeyingInRange) {
+    for (const glm::ivec2 size : {glm::ivec2(1, 1), {1, 9}, {9, 1}, {7, 7}, {17, 3}, {700, 8}})
+        for (const int pictures : {0, 1, 2, 24}) {
+            Preset preset;
+            const KeyingSuggestion s =
+                suggest_for([](glm::ivec2 at,
+                               int n) { return glm::vec3(static_cast<float>((at.x * 37 + at.y * 91 + n * 11) % 256)); },
+                            pictures, size);
+            preset.smoke.keying = s.keying;
+            EXPECT_TRUE(check(preset_table(), &preset).empty()) << size.x << "x" << size.y;
+            EXPECT_GE(s.confidence, 0.0);
+            EXPECT_FALSE(s.reason.empty());
+        }
+}
+
+TEST(SuggestKeying, RealClipsAreToldFromWhatKeyingIsNotFor) {
+    const std::filesystem::path data = test::data_folder() / "smoke";
+    if (!std::filesystem::is_directory(data)) GTEST_SKIP() << "no folder of real clips";
+    for (const char* clip :
+         {"three-parallax2/public/assets/smoke.mp4", "smoke-effect/smoke.mp4", "Lordan_Film/smoke.mov"}) {
+        const KeyingSuggestion s = suggest_keying(data / clip);
+        EXPECT_GT(s.confidence, 0.5) << clip << ": " << s.reason;
+        EXPECT_LT(s.keying.luma_low, 6.0) << clip;
+        EXPECT_GT(s.keying.luma_high, 200.0) << clip;
+        EXPECT_GT(s.background_share, 0.8) << clip;
+    }
+    EXPECT_THAT(suggest_keying(data / "Lordan_Film/smoke.mov").reason, HasSubstr("a mark that never moves"));
+    EXPECT_THAT(suggest_keying(data / "forestfire-smoke/smoke.mp4").reason, HasSubstr("no plain background"));
+    for (const char* clip :
+         {"forestfire-smoke/smoke.mp4", "fire-smoke-video-augmentation/prep_real_fire_smoke_vid/smoke-2.webm",
+          "fire-smoke-video-augmentation/prep_fire_vid/fire-1.webm"})
+        EXPECT_LT(suggest_keying(data / clip).confidence, 0.5) << clip;
+}
+
+}  // namespace
+}  // namespace lapfx::smoke
