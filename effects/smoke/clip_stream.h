@@ -24,7 +24,7 @@ class ClipStream {
     ClipStream(const ClipStream&) = delete;
     ClipStream& operator=(const ClipStream&) = delete;
 
-    const ClipInfo& info() const { return info_; }
+    const OldClipInfo& info() const { return info_; }
 
     /// Frame `index` (0 .. frame_count - 1), BGR, valid until the next call; null when it is late (policy
     /// latest). Moving forward by a few frames is what the ring is made for; any other jump starts decoding
@@ -53,7 +53,7 @@ class ClipStream {
     int ahead_of_current(int index) const;
 
     const std::filesystem::path path_;
-    const ClipInfo info_;
+    const OldClipInfo info_;
 
     // worker only
     cv::VideoCapture capture_;

@@ -19,7 +19,7 @@ class ClipTextures {
     /// late.
     const gl::Texture& frame(int index, Policy policy) noexcept;
 
-    const ClipInfo& info() const { return stream_.info(); }
+    const OldClipInfo& info() const { return stream_.info(); }
     /// Frames sent to the GPU so far.
     std::uint64_t uploads() const { return uploads_; }
 
