@@ -4,8 +4,6 @@
 #include <array>
 #include <fstream>
 
-#include "lapfx/error.h"
-
 namespace lapfx::smoke {
 
 namespace fs = std::filesystem;
@@ -14,11 +12,8 @@ namespace {
 
 constexpr int maximum_side = 8192;       // pixels: 8K
 constexpr int maximum_frames = 100'000;  // an hour at 25 frames per second
-constexpr const char* not_decodable = "is not a video that can be decoded";
-
-Error bad_clip(const fs::path& path, const std::string& reason) {
-    return {Failure::bad_input, Fault{.file = path.string(), .place = "", .reason = reason}};
-}
+constexpr int maximum_first = 999;       // number of a sequence's first image
+constexpr int maximum_digits = 9;        // of a number in a sequence
 
 void require_plain_file(const fs::path& path) {
     std::error_code error;
@@ -38,18 +33,69 @@ void refuse_playlist(const fs::path& path) {
     const std::string_view start(head.data(), static_cast<std::size_t>(file.gcount()));
     for (const std::string_view mark : {"#EXTM3U", "ffconcat", "<?xml", "<MPD", "v=0", "[playlist]"})
         if (start.starts_with(mark)) throw bad_clip(path, "is a playlist; a clip is a single video file");
+    if (start.starts_with("YUV4MPEG2 ")) return;  // a line of text, then pixels
     const auto printable = [](char c) { return static_cast<unsigned char>(c) >= 0x20 || (c >= '\t' && c <= '\r'); };
     if (std::all_of(start.begin(), start.end(), printable)) throw bad_clip(path, not_decodable);
 }
 
+/// The sequence that a name stands for, without its images; none when it is no name of a sequence.
+std::optional<ImageSequence> parse_pattern(const fs::path& pattern) {
+    const std::string name = pattern.filename().string();
+    const std::size_t percent = name.find('%');
+    if (percent == std::string::npos || name.find('%', percent + 1) != std::string::npos) return std::nullopt;
+    ImageSequence sequence{
+        .folder = pattern.parent_path(), .before = name.substr(0, percent), .after = "", .digits = 1};
+    std::size_t end = percent + 1;
+    if (end + 1 < name.size() && name[end] == '0') {
+        sequence.digits = name[end + 1] - '0';
+        end += 2;
+    }
+    if (sequence.digits < 1 || sequence.digits > maximum_digits || end >= name.size() || name[end] != 'd')
+        return std::nullopt;
+    sequence.after = name.substr(end + 1);
+    return sequence;
+}
+
+bool is_file(const fs::path& path) {
+    std::error_code error;
+    return fs::is_regular_file(path, error);
+}
+
 }  // namespace
+
+Error bad_clip(const fs::path& path, const std::string& reason) {
+    return {Failure::bad_input, Fault{.file = path.string(), .place = "", .reason = reason}};
+}
+
+void require_clip_file(const fs::path& path) {
+    require_plain_file(path);
+    refuse_playlist(path);
+}
+
+fs::path ImageSequence::file(int index) const {
+    std::string number = std::to_string(first + index);
+    if (number.size() < static_cast<std::size_t>(digits))
+        number.insert(0, static_cast<std::size_t>(digits) - number.size(), '0');
+    return folder / (before + number + after);
+}
+
+std::optional<ImageSequence> find_sequence(const fs::path& pattern, int maximum) {
+    std::error_code error;
+    if (fs::exists(pattern, error)) return std::nullopt;
+    std::optional<ImageSequence> sequence = parse_pattern(pattern);
+    if (!sequence) return std::nullopt;
+    while (sequence->first <= maximum_first && !is_file(sequence->file(0))) ++sequence->first;
+    while (sequence->count < maximum && is_file(sequence->file(sequence->count))) ++sequence->count;
+    if (sequence->count == 0) return std::nullopt;
+    return sequence;
+}
 
 fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::span<const fs::path> search_path) {
     std::string looked_in;
     const auto try_folder = [&](const fs::path& folder) {
         looked_in += (looked_in.empty() ? "" : ", ") + (folder.empty() ? fs::path(".") : folder).string();
         std::error_code error;
-        return fs::exists(folder / file, error);
+        return fs::exists(folder / file, error) || find_sequence(folder / file, 1).has_value();
     };
     if (try_folder(preset_folder)) return preset_folder / file;
     const bool bare = fs::path(file).filename() == fs::path(file);
@@ -60,8 +106,7 @@ fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::
 }
 
 cv::VideoCapture open_clip(const fs::path& path) {
-    require_plain_file(path);
-    refuse_playlist(path);
+    require_clip_file(path);
     // An absolute path cannot be taken for a protocol such as "concat:" or a device number.
     cv::VideoCapture capture;
     bool open = false;
@@ -79,9 +124,9 @@ cv::VideoCapture open_clip(const fs::path& path) {
     return capture;
 }
 
-ClipInfo read_clip_info(const fs::path& path) {
+OldClipInfo read_clip_info(const fs::path& path) {
     cv::VideoCapture capture = open_clip(path);
-    ClipInfo info;
+    OldClipInfo info;
     const double fps = capture.get(cv::CAP_PROP_FPS);
     if (fps > 0.1 && fps <= 1000.0) info.fps = fps;
     cv::Mat first;

@@ -1,29 +1,54 @@
-// Opening a smoke clip: a plain local video file that OpenCV can decode. Anything else is a fault.
+// Finding a smoke clip's file, and telling what is none: a clip is one plain local file, or a sequence of numbered images.
 #pragma once
 
 #include <filesystem>
 #include <opencv2/videoio.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "lapfx/error.h"
+
 namespace lapfx::smoke {
 
-struct ClipInfo {
+/// The clip `file` of a preset: inside the preset's folder, or a bare name on the search path. The name of an image sequence
+/// ("plume_%04d.png") is found where its first image is.
+/// Throws Error (bad_input) that names `file` and where it was looked for.
+std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
+                                std::span<const std::filesystem::path> search_path);
+
+/// Images that are numbered without a gap, all in one folder.
+struct ImageSequence {
+    std::filesystem::path folder;
+    std::string before, after;  ///< the number, in a name
+    int digits = 0;             ///< that a number has at least
+    int first = 0, count = 0;
+
+    std::filesystem::path file(int index) const;
+};
+
+/// What a name with one "%d" or "%04d" stands for: the files from the lowest number in 0..999 on, at most `maximum`. None when
+/// there is a file of just that name, when it is no such pattern, or when no image is there.
+std::optional<ImageSequence> find_sequence(const std::filesystem::path& pattern, int maximum);
+
+constexpr const char* not_decodable = "is not a video that can be decoded";
+
+Error bad_clip(const std::filesystem::path& path, const std::string& reason);
+
+/// Throws Error (bad_input): no file, not a plain one, empty, a playlist or another text.
+void require_clip_file(const std::filesystem::path& path);
+
+struct OldClipInfo {
     cv::Size size;  ///< pixels
     double fps = 25.0;
     int frame_count = 0;  ///< frames that really decode, not what the container claims
 };
-
-/// The clip `file` of a preset: inside the preset's folder, or a bare name on the search path.
-/// Throws Error (bad_input) that names `file` and where it was looked for.
-std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
-                                std::span<const std::filesystem::path> search_path);
 
 /// Throws Error (bad_input): not a plain file, a playlist, not a video, of no or absurd size.
 cv::VideoCapture open_clip(const std::filesystem::path& path);
 
 /// Reads the whole file once, without converting frames. Throws like open_clip, and for a clip without
 /// frames.
-ClipInfo read_clip_info(const std::filesystem::path& path);
+OldClipInfo read_clip_info(const std::filesystem::path& path);
 
 }  // namespace lapfx::smoke

@@ -42,7 +42,7 @@ std::size_t head_memory(const PictureFormat& format, Scheme scheme, int buffers)
 
 std::size_t ClipPlayer::resident_memory(const ClipFile& file, const SmokeClip& settings) {
     const int last = std::max(main_loop(file.info, settings).last, fading_loop(file.info, settings).last);
-    return FrameStore::memory_for(file.format, main_loop(file.info, settings).first, last);
+    return FrameStore::memory_for(file.format, file.info.frame_count(), main_loop(file.info, settings).first, last);
 }
 
 ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder decoder, const SmokeClip& settings,

@@ -160,9 +160,11 @@ void ClipSet::State::evict() {
     };
     std::size_t used = 0;
     for (const Clip& clip : clips)
-        used += clip.player->scheme() == Scheme::resident
-                    ? ClipPlayer::resident_memory(*clip.player->file(), clip.settings)
-                    : head_memory(clip.player->file()->format, clip.player->scheme(), clip.player->buffers());
+        used += (clip.settings.crossfade > 0.0 ? 2 : 1) *
+                    head_memory(clip.player->file()->format, clip.player->scheme(), clip.player->buffers()) +
+                (clip.player->scheme() == Scheme::resident
+                     ? ClipPlayer::resident_memory(*clip.player->file(), clip.settings)
+                     : 0);
     std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a->drawn > b->drawn; });
     std::erase_if(files, [&](const std::shared_ptr<ClipFile>& file) {
         if (plays(file, true)) return false;

@@ -15,6 +15,8 @@
 
 namespace lapfx::smoke {
 
+struct ClipIndex;
+
 /// What a clip is, known from looking through the file's packets without decoding them all.
 struct ClipInfo {
     glm::ivec2 size{0};         ///< pixels, as it is to be shown (a rotation that the file asks for is not applied)
@@ -25,6 +27,7 @@ struct ClipInfo {
     std::vector<double> times;  ///< s, when each frame is shown, from 0, ascending (variable frame rates are kept)
     double duration = 0.0;      ///< s, the last frame's time included
     std::string warning;        ///< what is odd about the file but does not keep it from playing; one line, or empty
+    std::shared_ptr<const ClipIndex> index;  ///< the Decoder's own, for the next one of the same file
 
     int frame_count() const { return static_cast<int>(times.size()); }
     /// The frame that is shown at `time`, s within 0..duration; clamped.
@@ -36,7 +39,8 @@ class Decoder {
     /// Opens and looks through the file. Throws Error (bad_input): not a plain local file, a playlist, not a video, no
     /// picture, no frame, a side over 8192 pixels, over 100000 frames.
     Decoder(const std::filesystem::path& path, Layout layout);
-    /// The same file once more, without looking through it again.
+    /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error (bad_input)
+    /// when the file is gone or no video any more.
     Decoder(const std::filesystem::path& path, Layout layout, const ClipInfo& known);
     Decoder(Decoder&&) noexcept;
     Decoder& operator=(Decoder&&) noexcept;

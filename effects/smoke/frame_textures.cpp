@@ -76,9 +76,9 @@ std::size_t FrameStore::memory() const {
     return frames * format_.bytes();
 }
 
-std::size_t FrameStore::memory_for(const PictureFormat& format, int first, int last) {
-    const int chunks = last / layers - first / layers + 1;
-    return static_cast<std::size_t>(chunks) * layers * format.bytes();
+std::size_t FrameStore::memory_for(const PictureFormat& format, int frame_count, int first, int last) {
+    const int begin = first / layers * layers, end = std::min((last / layers + 1) * layers, frame_count);
+    return static_cast<std::size_t>(end - begin) * format.bytes();
 }
 
 void FrameStore::clear() {

@@ -39,7 +39,7 @@ class FrameStore {
     /// GPU memory, bytes.
     std::size_t memory() const;
     /// What it would take for the frames first..last.
-    static std::size_t memory_for(const PictureFormat& format, int first, int last);
+    static std::size_t memory_for(const PictureFormat& format, int frame_count, int first, int last);
     /// One byte a frame, not 0 where it is there. A worker reads it: mark() and clear() are called under the lock that the
     /// worker holds then.
     const std::vector<std::uint8_t>& present() const { return present_; }

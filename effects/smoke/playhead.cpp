@@ -35,11 +35,11 @@ Loop frames_between(const ClipInfo& clip, double from, double to) {
 Playhead playhead(const ClipInfo& clip, const SmokeClip& settings, std::uint32_t chance, double time) noexcept {
     const Span span = span_of(clip, settings);
     const double start = settings.start == ClipStart::seeded ? chance * 0x1p-32 * span.period : 0.0;
-    double place = span.period > 0.0 ? std::fmod(start + time * settings.speed, span.period) : 0.0;
+    double place = span.period > 0.0 ? std::fmod(start + time * settings.speed + early, span.period) : 0.0;
     if (place < 0.0) place += span.period;
-    Playhead head{.frame = clip.frame_at(span.in + place + early)};
+    Playhead head{.frame = clip.frame_at(span.in + place)};
     if (place < span.fade) {
-        head.fading = clip.frame_at(span.in + span.period + place + early);
+        head.fading = clip.frame_at(span.in + span.period + place);
         head.fade = 1.0 - place / span.fade;
     }
     return head;

@@ -25,7 +25,7 @@ class ClipFile : public testing::Test {
 };
 
 TEST_F(ClipFile, InfoTellsSizeSpeedAndFramesThatDecode) {
-    const ClipInfo info = read_clip_info(test::write_clip(folder / "c.avi", 7, {80, 32}, 12.5));
+    const OldClipInfo info = read_clip_info(test::write_clip(folder / "c.avi", 7, {80, 32}, 12.5));
     EXPECT_EQ(info.size, cv::Size(80, 32));
     EXPECT_NEAR(info.fps, 12.5, 1e-6);
     EXPECT_EQ(info.frame_count, 7);
@@ -68,7 +68,7 @@ TEST_F(ClipFile, APlaylistBehindACommentOrSpaceIsNotFollowedEither) {
 TEST_F(ClipFile, OfATruncatedFileTheFramesThatAreThereCount) {
     const std::string whole = test::read_text(test::write_clip(folder / "whole.avi", 20, {320, 240}));
     const fs::path half = folder.write("half.avi", whole.substr(0, whole.size() / 2));
-    const ClipInfo info = read_clip_info(half);
+    const OldClipInfo info = read_clip_info(half);
     EXPECT_EQ(info.size, cv::Size(320, 240));
     EXPECT_GE(info.frame_count, 3);
     EXPECT_LE(info.frame_count, 12);

@@ -150,15 +150,18 @@ TEST_F(ClipStreamOnce, ACorruptFrameIsTheOneBeforeAndIsCountedOnce) {
     std::string broken = whole;
     const std::size_t middle = whole.size() / 2;
     std::fill_n(broken.begin() + static_cast<std::ptrdiff_t>(middle), whole.size() / 16, '\0');
-    ClipStream stream(pool, Decoder(folder.write("broken.avi", broken), Layout::planar), {0, frames - 1}, 3);
-    for (int i = 0; i < 2 * frames; ++i) {
-        const Picture* picture = stream.frame(i % frames, Policy::wait, waited);
+    Decoder decoder(folder.write("broken.avi", broken), Layout::planar);
+    const int count = decoder.info().frame_count();  // the damage may have taken some out of the container's index
+    ASSERT_GE(count, frames - 2);
+    ClipStream stream(pool, std::move(decoder), {0, count - 1}, 3);
+    for (int i = 0; i < 3 * count; ++i) {
+        const Picture* picture = stream.frame(i % count, Policy::wait, waited);
         ASSERT_NE(picture, nullptr);
         ASSERT_EQ(picture->bytes.size(), (PictureFormat{.size = {320, 240}}).bytes());
     }
-    EXPECT_LE(stream.work().broken, frames);
+    EXPECT_LE(stream.work().broken, 2) << "counted once, however often the loop comes by";
     EXPECT_EQ(number_of(stream.frame(0, Policy::wait, waited), {.size = {320, 240}}), 0);
-    EXPECT_EQ(number_of(stream.frame(frames - 1, Policy::wait, waited), {.size = {320, 240}}), frames - 1);
+    EXPECT_EQ(number_of(stream.frame(count - 1, Policy::wait, waited), {.size = {320, 240}}), frames - 1);
 }
 
 TEST_F(ClipStreamOnce, PlaysOnWhenItsFileVanishes) {

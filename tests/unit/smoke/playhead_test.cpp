@@ -7,7 +7,7 @@ namespace {
 
 /// `count` frames, `fps` a second.
 ClipInfo clip(int count, double fps) {
-    ClipInfo info{.size = {16, 16}};
+    ClipInfo info;
     for (int i = 0; i < count; ++i) info.times.push_back(i / fps);
     info.duration = count / fps;
     return info;
@@ -46,11 +46,11 @@ TEST(Playhead, CrossFadeLaysTheEndOverTheBeginning) {
     const Playhead start = playhead(info, settings, 0, 0.0);
     EXPECT_EQ(start.frame, 0);
     EXPECT_EQ(start.fading, 75);
-    EXPECT_DOUBLE_EQ(start.fade, 1.0);
+    EXPECT_NEAR(start.fade, 1.0, 1e-5);
     const Playhead half = playhead(info, settings, 0, 0.52);
     EXPECT_EQ(half.frame, 13);
     EXPECT_EQ(half.fading, 88);
-    EXPECT_NEAR(half.fade, 0.48, 1e-12);
+    EXPECT_NEAR(half.fade, 0.48, 1e-5);
     EXPECT_EQ(playhead(info, settings, 0, 1.0).fading, -1);
     // The frame before the loop starts over is the one before the frame that is then fading, at full strength: no jump.
     EXPECT_EQ(playhead(info, settings, 0, 2.96).frame, 74);
@@ -86,7 +86,8 @@ TEST(Playhead, ChanceSetsWhereASeededClipStarts) {
 }
 
 TEST(Playhead, OneFrameAndNoLength) {
-    ClipInfo still{.size = {4, 4}, .times = {0.0}};
+    ClipInfo still;
+    still.times = {0.0};
     EXPECT_EQ(playhead(still, {.file = "a.png", .crossfade = 1.0}, 77, 12.3).frame, 0);
     EXPECT_EQ(main_loop(still, {.file = "a.png"}), (Loop{0, 0}));
 }

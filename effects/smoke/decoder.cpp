@@ -1,0 +1,271 @@
+#include "smoke/decoder.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+
+#include "smoke/clip_index.h"
+#include "smoke/frame_converter.h"
+#include "smoke/frame_reader.h"
+
+extern "C" {
+#include <libavutil/pixdesc.h>
+}
+
+namespace lapfx::smoke {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int maximum_frames = 100'000;  // an hour at 25 frames per second
+constexpr int maximum_side = 8192;       // pixels: 8K
+constexpr int a_few = 4;                 // frames that are rather decoded than jumped over
+
+/// A frame that was decoded, and its number; -1 when there is none.
+struct Decoded {
+    libav::Frame frame{libav::made(av_frame_alloc())};
+    int number = -1;
+
+    void clear() {
+        av_frame_unref(frame.get());
+        number = -1;
+    }
+    void take(Decoded& other) {
+        av_frame_unref(frame.get());
+        av_frame_move_ref(frame.get(), other.frame.get());
+        number = std::exchange(other.number, -1);
+    }
+};
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+int ClipInfo::frame_at(double time) const {
+    const auto after = std::upper_bound(times.begin(), times.end(), time);
+    return std::max(0, static_cast<int>(after - times.begin()) - 1);
+}
+
+struct Decoder::State {
+    State(const fs::path& clip, Layout wanted) : path(clip), layout(wanted) {}
+
+    void look_through();
+    void open_known(const ClipInfo& known);
+    void describe(const AVFrame& frame, const ClipIndex& found);
+    bool brings_opacity();
+    Step decode_to(int index, const std::atomic<bool>* stop);
+    Step decode_image(int index, const std::atomic<bool>* stop);
+    Step advance(int index, const std::atomic<bool>* stop);
+    Step step(Decoded& into, const std::atomic<bool>* stop);
+    Step jump(int index, const std::atomic<bool>* stop);
+    const SeekPoint* point_before(int frame) const;
+    bool read(int index, Picture& into, const std::atomic<bool>* stop);
+
+    const fs::path path;
+    const Layout layout;
+    ClipInfo info;
+    std::shared_ptr<const ClipIndex> index;
+    std::unique_ptr<FrameReader> reader;  ///< none for a sequence of images
+    std::unique_ptr<FrameConverter> converter;
+    Decoded shown;       ///< the last good frame up to the one that was read last
+    Decoded ahead;       ///< the good frame after it, if that is decoded already
+    Decoded next;        ///< scratch
+    bool placed = true;  ///< the reader stands right behind `shown` and `ahead`
+    bool ended = false;
+    double decode_seconds = 0.0;
+};
+
+/// The next good frame of the file. Its number is unchanged unless there is one.
+Step Decoder::State::step(Decoded& into, const std::atomic<bool>* stop) {
+    return reader->next(*index, *into.frame, into.number, stop);
+}
+
+void Decoder::State::look_through() {
+    const std::optional<ImageSequence> sequence = find_sequence(path, maximum_frames);
+    auto found = std::make_shared<ClipIndex>();
+    if (sequence) {
+        *found = index_sequence(*sequence);
+        reader = std::make_unique<FrameReader>(sequence->file(0));
+    } else {
+        reader = std::make_unique<FrameReader>(path);
+        *found = index_clip(reader->file(), path, maximum_frames);
+        reader->restart();
+    }
+    index = found;
+    ClipIndex one_image;
+    one_image.times = {0.0};
+    if (reader->next(sequence ? one_image : *index, *shown.frame, shown.number, nullptr) != Step::frame)
+        throw bad_clip(path, "holds no frame that can be decoded");
+    found->color = color_of(*shown.frame);
+    describe(*shown.frame, *found);
+    if (sequence) reader.reset();
+    info.alpha = has_alpha(shown.frame->format) && brings_opacity();
+}
+
+void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
+    info.size = {frame.width, frame.height};
+    if (frame.width < 1 || frame.height < 1) throw bad_clip(path, "holds no picture");
+    if (frame.width > maximum_side || frame.height > maximum_side)
+        throw bad_clip(path, "is " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
+                                 " pixels; at most " + std::to_string(maximum_side) + " a side are allowed");
+    info.codec = avcodec_get_name(reader->file().video().codecpar->codec_id);
+    const char* format = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame.format));
+    info.pixel_format = format == nullptr ? "unknown" : format;
+    info.color = matrix_of(found.color);
+    info.times = found.times;
+    info.duration = found.duration;
+    info.warning = found.warning.empty() ? reader->warning() : found.warning;
+    info.index = index;
+}
+
+/// Whether the clip uses the opacity that its pixel format has: GIFs and PNGs have one whether or not they do. Four frames
+/// tell.
+bool Decoder::State::brings_opacity() {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const int at = info.frame_count() * quarter / 4;
+        if (decode_to(at, nullptr) == Step::frame && shown.number == at && !is_opaque(*shown.frame)) return true;
+    }
+    return false;
+}
+
+void Decoder::State::open_known(const ClipInfo& known) {
+    info = known;
+    index = known.index;
+    if (!index->sequence) reader = std::make_unique<FrameReader>(path);
+}
+
+const SeekPoint* Decoder::State::point_before(int frame) const {
+    const auto after = std::upper_bound(index->points.begin(), index->points.end(), frame,
+                                        [](int f, const SeekPoint& point) { return f < point.frame; });
+    return after == index->points.begin() ? nullptr : &*(after - 1);
+}
+
+/// To the last frame up to `frame` where decoding can start and does; else to the first one.
+Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
+    shown.clear();
+    ahead.clear();
+    placed = ended = false;
+    for (const SeekPoint* point = point_before(frame); point != nullptr; point = point_before(point->frame - 1)) {
+        if (!reader->seek(*point)) continue;
+        const Step result = step(next, stop);
+        if (result == Step::stopped) return result;
+        // Where that very frame is broken, those after it depend on what was before.
+        if (result == Step::frame && next.number == point->frame) {
+            shown.take(next);
+            placed = true;
+            return Step::frame;
+        }
+    }
+    next.clear();
+    reader->restart();
+    placed = true;
+    return Step::frame;
+}
+
+/// On to the last good frame up to `frame`, from where the file stands.
+Step Decoder::State::advance(int frame, const std::atomic<bool>* stop) {
+    while (shown.number < frame && !ended) {
+        if (ahead.number >= 0) {
+            if (ahead.number > frame) break;
+            shown.take(ahead);
+            continue;
+        }
+        const Step result = step(next, stop);
+        if (result == Step::stopped) return result;
+        if (result == Step::end)
+            ended = true;
+        else
+            ahead.take(next);
+    }
+    return Step::frame;
+}
+
+/// Makes `shown` the frame `frame`, or the last good one before it, if there is any.
+Step Decoder::State::decode_to(int frame, const std::atomic<bool>* stop) {
+    if (index->sequence) return decode_image(frame, stop);
+    const int reached = std::max(shown.number, ahead.number);
+    const bool here = shown.number <= frame && (ended || ahead.number > frame);
+    const SeekPoint* point = point_before(frame);
+    if (!placed || (!here && (shown.number > frame || (point != nullptr && point->frame > reached + a_few))))
+        if (jump(frame, stop) == Step::stopped) return Step::stopped;
+    return advance(frame, stop);
+}
+
+/// The same of a sequence, each of whose images is opened on its own.
+Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
+    ClipIndex one_image;
+    one_image.times = {0.0};
+    if (shown.number > frame) shown.clear();
+    for (int at = frame; at > shown.number; --at) {
+        if (stop != nullptr && stop->load(std::memory_order_relaxed)) return Step::stopped;
+        try {
+            FrameReader image(index->sequence->file(at));
+            if (image.next(one_image, *next.frame, next.number, nullptr) != Step::frame) continue;
+        } catch (const Error&) {  // gone or broken: the one before is shown
+            continue;
+        }
+        shown.take(next);
+        shown.number = at;
+        break;
+    }
+    return Step::frame;
+}
+
+bool Decoder::State::read(int frame, Picture& into, const std::atomic<bool>* stop) {
+    assert(frame >= 0 && frame < info.frame_count());
+    const double start = seconds();
+    const Step result = decode_to(frame, stop);
+    decode_seconds += seconds() - start;
+    if (result == Step::stopped) return false;
+    if (shown.number < 0) {
+        converter->make_black(into);
+        return false;
+    }
+    converter->convert(*shown.frame, into);
+    return shown.number == frame;
+}
+
+Decoder::Decoder(const fs::path& path, Layout layout) : state_(std::make_unique<State>(path, layout)) {
+    state_->look_through();
+    state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
+}
+
+Decoder::Decoder(const fs::path& path, Layout layout, const ClipInfo& known)
+    : state_(std::make_unique<State>(path, layout)) {
+    assert(known.index != nullptr);
+    state_->open_known(known);
+    state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
+}
+
+Decoder::Decoder(Decoder&&) noexcept = default;
+Decoder& Decoder::operator=(Decoder&&) noexcept = default;
+Decoder::~Decoder() = default;
+
+const ClipInfo& Decoder::info() const {
+    return state_->info;
+}
+
+PictureFormat Decoder::format() const {
+    return {.size = state_->info.size, .layout = state_->layout, .alpha = state_->info.alpha};
+}
+
+bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noexcept {
+    try {
+        return state_->read(index, into, stop);
+    } catch (const std::exception&) {  // no memory, or the file is no video any more: `into` keeps what it had
+        return false;
+    }
+}
+
+double Decoder::decode_seconds() const {
+    return state_->decode_seconds + state_->converter->convert_seconds();
+}
+
+double Decoder::copy_seconds() const {
+    return state_->converter->copy_seconds();
+}
+
+}  // namespace lapfx::smoke

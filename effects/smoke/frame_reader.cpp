@@ -1,0 +1,107 @@
+#include "smoke/frame_reader.h"
+
+namespace lapfx::smoke {
+
+namespace {
+
+constexpr std::int64_t maximum_pixels = std::int64_t{8192} * 8192;
+constexpr int silent = 100;  // above every level of FFmpeg's messages
+
+/// FFmpeg's own VP8 and VP9 decoders leave the opacity out; the ones of the libvpx project, if FFmpeg was built with them, do
+/// not.
+const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
+    const AVCodecID id = video.codecpar->codec_id;
+    const AVDictionaryEntry* alpha = av_dict_get(video.metadata, "alpha_mode", nullptr, 0);
+    if (alpha != nullptr && std::string_view(alpha->value) == "1" && (id == AV_CODEC_ID_VP8 || id == AV_CODEC_ID_VP9)) {
+        if (const AVCodec* codec = avcodec_find_decoder_by_name(id == AV_CODEC_ID_VP8 ? "libvpx" : "libvpx-vp9"))
+            return codec;
+        warning = "its opacity is left out: this FFmpeg has no libvpx";
+    }
+    return avcodec_find_decoder(id);
+}
+
+/// Frames that were patched up. A missing reference alone counts as sound: some encoders leave gaps on purpose.
+bool is_broken(const AVFrame& frame) {
+    constexpr int faults =
+        FF_DECODE_ERROR_INVALID_BITSTREAM | FF_DECODE_ERROR_CONCEALMENT_ACTIVE | FF_DECODE_ERROR_DECODE_SLICES;
+    return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || (frame.decode_error_flags & faults) != 0;
+}
+
+}  // namespace
+
+FrameReader::FrameReader(const std::filesystem::path& path)
+    : path_(path), file_(path), packet_(libav::made(av_packet_alloc())) {
+    open_codec();
+}
+
+void FrameReader::open_codec() {
+    const AVStream& video = file_.video();
+    const AVCodec* decoder = find_decoder(video, warning_);
+    if (decoder == nullptr) throw bad_clip(path_, not_decodable);
+    codec_.reset(libav::made(avcodec_alloc_context3(decoder)));
+    if (avcodec_parameters_to_context(codec_.get(), video.codecpar) < 0) throw bad_clip(path_, not_decodable);
+    codec_->thread_count = 1;  // each clip has a thread of its own
+    codec_->pkt_timebase = video.time_base;
+    codec_->max_pixels = maximum_pixels;
+    codec_->log_level_offset = silent;
+    if (avcodec_open2(codec_.get(), decoder, nullptr) < 0) throw bad_clip(path_, not_decodable);
+}
+
+void FrameReader::restart() {
+    held_ = drained_ = false;
+    last_ = -1;
+    least_ = count_ = 0;
+    file_.restart();
+    open_codec();
+}
+
+bool FrameReader::reach(const SeekPoint& point, std::int64_t stamp) noexcept {
+    if (!file_.seek(stamp)) return false;
+    while (file_.next(*packet_)) {
+        if (packet_->pts == point.pts && packet_->dts == point.dts) return true;
+        if (packet_->dts != AV_NOPTS_VALUE && packet_->dts > point.dts) return false;
+    }
+    return false;
+}
+
+bool FrameReader::seek(const SeekPoint& point) noexcept {
+    avcodec_flush_buffers(codec_.get());
+    drained_ = false;
+    // Some containers look for the time of showing, others for that of decoding.
+    held_ = reach(point, point.pts) || (point.dts != point.pts && reach(point, point.dts));
+    last_ = point.frame - 1;
+    least_ = point.frame;
+    return held_;
+}
+
+/// The next packet to the decoder; false when there is nothing more to give it.
+bool FrameReader::feed() noexcept {
+    if (drained_) return false;
+    if (!held_ && !file_.next(*packet_)) {
+        drained_ = true;
+        avcodec_send_packet(codec_.get(), nullptr);
+        return true;
+    }
+    // A packet that the decoder refuses is lost; the next one may do.
+    held_ = avcodec_send_packet(codec_.get(), packet_.get()) == AVERROR(EAGAIN);
+    return true;
+}
+
+Step FrameReader::next(const ClipIndex& index, AVFrame& frame, int& number, const std::atomic<bool>* stop) noexcept {
+    const int frames = static_cast<int>(index.times.size());
+    while (true) {
+        if (stop != nullptr && stop->load(std::memory_order_relaxed)) return Step::stopped;
+        const int result = avcodec_receive_frame(codec_.get(), &frame);
+        if (result != 0) {
+            if (result != AVERROR_EOF && feed()) continue;
+            return Step::end;
+        }
+        int place = count_++;
+        if (!index.stamps.empty() && frame.pts != AV_NOPTS_VALUE) place = index.frame_at(frame.pts);
+        if (place < least_ || place <= last_ || place >= frames || is_broken(frame)) continue;
+        number = last_ = place;
+        return Step::frame;
+    }
+}
+
+}  // namespace lapfx::smoke

@@ -1,0 +1,45 @@
+// The pictures' packets of one plain local file, by FFmpeg's libavformat. Not thread safe.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "smoke/libav.h"
+
+namespace lapfx::smoke {
+
+class MediaFile {
+  public:
+    /// Throws Error (bad_input): not a plain local file, a playlist, of no known format, without pictures or with too large ones.
+    explicit MediaFile(const std::filesystem::path& path);
+    ~MediaFile();
+    MediaFile(const MediaFile&) = delete;
+    MediaFile& operator=(const MediaFile&) = delete;
+
+    /// To the first packet. The file is the one that was opened, even when its name is gone. Throws as the constructor.
+    void restart();
+
+    /// The next packet that holds something of the video; false at the end.
+    bool next(AVPacket& packet) noexcept;
+    /// To the last place before `stamp` where decoding can start, as far as the container tells; false when it cannot.
+    bool seek(std::int64_t stamp) noexcept;
+
+    const AVStream& video() const { return *format_->streams[video_]; }
+    /// FFmpeg's name of the container.
+    const char* container() const { return format_->iformat->name; }
+    bool single_image() const;
+
+  private:
+    static int read(void* self, std::uint8_t* into, int size);
+    static std::int64_t move(void* self, std::int64_t offset, int whence);
+    void choose_video();
+
+    const std::filesystem::path path_;
+    int descriptor_ = -1;
+    std::int64_t size_ = 0, offset_ = 0;
+    libav::Io io_;
+    libav::Format format_;
+    int video_ = 0;
+};
+
+}  // namespace lapfx::smoke
