@@ -1,15 +1,21 @@
 #version 450 core
-// Environmental smoke over the whole view: an even veil of optical thickness E, made uneven by a clip and by noise.
+// Environmental smoke over the whole view: an even veil of optical thickness E, made uneven by clips and by noise.
 #include "smoke.glsl"
 
 layout(location = 0) in vec2 v_uv;
 
 void main() {
-    vec3 code;
-    float shape = smoke_opacity(vec2(v_uv.x, 1.0 - v_uv.y), code);
-    float thickness = u_color.a * max(1.0 + u_extinction.a * (2.0 * shape - 1.0), 0.0);
+    vec2 uv = vec2(v_uv.x, 1.0 - v_uv.y);
+    vec4 noise = smoke_noise(uv), sum = vec4(0.0);
+    for (int i = 0; i < LAPFX_LAYERS; ++i) {
+        vec3 code;
+        float shape = smoke_opacity(i, uv, noise[i], code);
+        vec4 amount = u_layers[i].amount;
+        float thickness = bounded(amount.x * max(1.0 + amount.y * (2.0 * shape - 1.0), 0.0));
+        sum += vec4(tint(i, code), 1.0) * thickness;
+    }
 #ifdef LAPFX_DIRECT
-    thickness *= lapfx_haze_reach(scene_depth());
+    sum *= vec4(u_light.rgb, 1.0) * lapfx_haze_reach(scene_depth());
 #endif
-    put(thickness, tinted(code) * u_light.rgb);
+    put(sum);
 }

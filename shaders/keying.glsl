@@ -22,15 +22,18 @@ float lapfx_unit(float x) { return x > 0.0 ? min(x, 1.0) : 0.0; }
 
 float lapfx_ramp(float value, float low, float high) { return lapfx_unit((value - low) / max(high - low, 1e-3)); }
 
-// Opacity 0..1 of the smoke in one pixel. The ramps are linear, for smoke of one colour over a flat background is mixed
-// linearly: luma and chroma distance both grow in proportion to its opacity.
+// Opacity 0..1 of the smoke in one pixel is the product of these two. The ramps are linear, for smoke of one colour over a flat
+// background is mixed linearly: luma and chroma distance both grow in proportion to its opacity.
+float lapfx_key_luma(float luma, LapfxKeying key) {
+    return lapfx_ramp(key.dark > 0.5 ? 255.0 - luma : luma, key.luma_low, key.luma_high);
+}
+
+float lapfx_key_chroma(vec2 chroma, LapfxKeying key) {
+    return key.chroma_high > 0.0 ? lapfx_ramp(distance(chroma, key.key_chroma), key.chroma_low, key.chroma_high) : 1.0;
+}
+
 float lapfx_key_alpha(vec3 code, LapfxKeying key) {
-    float luma = lapfx_luma(code);
-    float luma_alpha = lapfx_ramp(key.dark > 0.5 ? 255.0 - luma : luma, key.luma_low, key.luma_high);
-    float chroma_alpha = key.chroma_high > 0.0
-                             ? lapfx_ramp(distance(lapfx_chroma(code), key.key_chroma), key.chroma_low, key.chroma_high)
-                             : 1.0;
-    return luma_alpha * chroma_alpha;
+    return lapfx_key_luma(lapfx_luma(code), key) * lapfx_key_chroma(lapfx_chroma(code), key);
 }
 
 // The smoke's own chroma, code values: with `spill` the part that leans towards the background's colour is removed.

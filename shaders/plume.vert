@@ -9,6 +9,6 @@ layout(location = 1) out vec3 v_camera;  // camera space, mm
 
 void main() {
     v_uv = vec2(gl_VertexID & 1, gl_VertexID >> 1);
-    v_camera = u_corners[gl_VertexID].xyz;
+    v_camera = u_layers[0].corners[gl_VertexID].xyz;
     gl_Position = u_projection * vec4(v_camera, 1.0);
 }

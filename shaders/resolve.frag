@@ -13,11 +13,12 @@
 
 layout(location = 0) in vec2 v_uv;
 
-layout(binding = 0) uniform sampler2D u_sum;          // rgb: colour * thickness; a: thickness
+layout(binding = 0) uniform sampler2D u_sum;          // rgb: light and tint * thickness; a: thickness
 layout(binding = 1) uniform sampler2D u_sum_depth;    // mm, what the plume's layers have seen of the scene
-layout(binding = 4) uniform sampler2D u_scene_depth;  // window depth, the size of the frame
+layout(binding = 13) uniform sampler2D u_scene_depth;  // window depth, the size of the frame
+uniform vec3 u_color;  // linear
 uniform vec3 u_extinction;
-uniform vec4 u_even;       // rgb: colour; a: thickness
+uniform float u_even;      // thickness
 uniform float u_softness;  // mm
 
 layout(location = 0, index = 0) out vec4 o_light;
@@ -52,14 +53,17 @@ void main() {
 #if defined LAPFX_PLUME
     vec4 sum = smoke_sum(scene);
     float reach = 1.0;
+    vec3 color = u_color;
 #elif defined LAPFX_EVEN
-    vec4 sum = vec4(u_even.rgb * u_light.rgb, 1.0) * u_even.a;
+    vec4 sum = vec4(u_even);
     float reach = lapfx_haze_reach(scene);
+    vec3 color = u_color * u_light.rgb;
 #else
     vec4 sum = textureLod(u_sum, v_uv, 0.0);
     float reach = lapfx_haze_reach(scene);
+    vec3 color = u_color * u_light.rgb;
 #endif
     vec3 transmission = exp(-sum.a * reach * u_extinction);
-    o_light = vec4(sum.rgb / max(sum.a, 1e-6) * (1.0 - transmission), 0.0);
+    o_light = vec4(color * sum.rgb / max(sum.a, 1e-6) * (1.0 - transmission), 0.0);
     o_transmission = vec4(transmission, 1.0);
 }

@@ -1,90 +1,114 @@
 // What plume and haze share: a clip's frame, its keying, and smoke as optical thickness. Variants of
 // one shader are made by #define (effects/smoke/smoke_gpu.cpp):
+//   LAPFX_LAYERS  how many clips are drawn at once, 1 to 4; haze only
 //   LAPFX_PLANAR  frames are planes of luma and chroma, else RGB
 //   LAPFX_ALPHA   frames bring their own opacity
+//   LAPFX_CHROMA  keyed by chroma, or spill is taken out
 //   LAPFX_EDGES   choke or feather is on
 //   LAPFX_NOISE   noise varies the opacity
-//   LAPFX_DIRECT  each layer goes straight over the frame, else into the sum that resolve.frag lays over it
+//   LAPFX_DIRECT  the layer goes straight over the frame, else into the sum that resolve.frag lays over it
 #include "view.glsl"
 #include "smoke_layer.glsl"
 #include "keying.glsl"
 #include "edges.glsl"
 
-layout(binding = 0) uniform sampler2DArray u_frames;  // RGB, or luma; code values / 255, row 0 = top
+layout(binding = 0) uniform sampler2DArray u_frames[LAPFX_LAYERS];  // RGB, or luma; row 0 = top
 #ifdef LAPFX_PLANAR
-layout(binding = 1) uniform sampler2DArray u_chroma;  // Cb, Cr at half of the rows and columns
+layout(binding = 4) uniform sampler2DArray u_chroma[LAPFX_LAYERS];  // Cb, Cr at half of the rows and columns
 #endif
 #ifdef LAPFX_ALPHA
-layout(binding = 2) uniform sampler2DArray u_opacity;
+layout(binding = 8) uniform sampler2DArray u_opacity[LAPFX_LAYERS];
 #endif
 #ifdef LAPFX_NOISE
-layout(binding = 3) uniform sampler2D u_noise;  // tiles, a layer's each
+layout(binding = 12) uniform sampler2D u_noise;  // tiles; a channel for each layer drawn at once; 0..1 is -1..1
 #endif
-layout(binding = 4) uniform sampler2D u_scene_depth;  // direct: window depth of the scene; else view depth, at this target's size
+layout(binding = 13) uniform sampler2D u_scene_depth;  // direct: window depth; else view depth, mm, at this target's size
 
 #ifdef LAPFX_DIRECT
 // Dual-source blending: destination * o_transmission + o_light.
 layout(location = 0, index = 0) out vec4 o_light;
 layout(location = 0, index = 1) out vec4 o_transmission;
 #else
-layout(location = 0) out vec4 o_sum;  // rgb: colour * thickness; a: thickness
+layout(location = 0) out vec4 o_sum;  // rgb: light and tint of the smoke * thickness; a: thickness
 #endif
 
-LapfxKeying keying() {
-    return LapfxKeying(u_luma_chroma.x, u_luma_chroma.y, u_key.xy, u_luma_chroma.z, u_luma_chroma.w, u_key.z, u_key.w);
+LapfxKeying keying(int i) {
+    vec4 ramps = u_layers[i].luma_chroma, key = u_layers[i].key;
+    return LapfxKeying(ramps.x, ramps.y, key.xy, ramps.z, ramps.w, key.z, key.w);
 }
 
-// R'G'B' code values of the frame. Chroma is sampled as lying in the middle of its four pixels, which is how RGB frames are
-// made of it too: there each chroma sample serves just those four.
-vec3 clip_code(vec2 place) {
+// Luma, Cb and Cr (around 0) of layer i, code values. Chroma is sampled as lying in the middle of its four pixels, which is how
+// RGB frames are made of it too: there each chroma sample serves just those four.
+vec3 clip_code(int i, vec2 place) {
+    float array_layer = u_layers[i].vary.w;
 #ifdef LAPFX_PLANAR
-    vec4 code = vec4(textureLod(u_frames, vec3(place, u_vary.w), 0.0).r,
-                     textureLod(u_chroma, vec3(place * u_size.zw, u_vary.w), 0.0).rg, 0.0) * 255.0;
-    code.w = 1.0;
-    return clamp(vec3(dot(u_code_rows[0], code), dot(u_code_rows[1], code), dot(u_code_rows[2], code)), 0.0, 255.0);
+    vec3 sampled = vec3(textureLod(u_frames[i], vec3(place, array_layer), 0.0).r,
+                        textureLod(u_chroma[i], vec3(place * u_layers[i].chroma_scale.xy, array_layer), 0.0).rg);
 #else
-    return textureLod(u_frames, vec3(place, u_vary.w), 0.0).rgb * 255.0;
+    vec3 sampled = textureLod(u_frames[i], vec3(place, array_layer), 0.0).rgb;
 #endif
+    vec4 y = u_layers[i].code_rows[0], cb = u_layers[i].code_rows[1], cr = u_layers[i].code_rows[2];
+    return vec3(dot(y.xyz, sampled) + y.w, dot(cb.xyz, sampled) + cb.w, dot(cr.xyz, sampled) + cr.w);
 }
 
 // Opacity before edges and noise: the clip's own where it brings one, else keyed.
-float clip_opacity(vec2 place, vec3 code) {
-#ifdef LAPFX_ALPHA
-    return textureLod(u_opacity, vec3(place, u_vary.w), 0.0).r;
+float clip_opacity(int i, vec2 place, vec3 code) {
+#if defined LAPFX_ALPHA
+    return textureLod(u_opacity[i], vec3(place, u_layers[i].vary.w), 0.0).r;
+#elif defined LAPFX_CHROMA
+    return lapfx_key_luma(code.x, keying(i)) * lapfx_key_chroma(code.yz, keying(i));
 #else
-    return lapfx_key_alpha(code, keying());
+    return lapfx_key_luma(code.x, keying(i));
 #endif
 }
+
+int edged_layer = 0;
 
 float lapfx_opacity_at(vec2 position) {
-    vec2 place = position / u_size.xy;
-    return clip_opacity(place, clip_code(place));
+    vec2 place = position / u_layers[edged_layer].amount.zw;
+    return clip_opacity(edged_layer, place, clip_code(edged_layer, place));
 }
 
-// Keyed and varied opacity at drawn coordinates (0..1, origin top left), and the frame's code values there.
-float smoke_opacity(vec2 uv, out vec3 code) {
-    vec2 place = 0.5 + mat2(u_turn.xy, u_turn.zw) * (uv - 0.5);
+// Keyed and varied opacity of layer i at drawn coordinates (0..1, origin top left), and the frame's code values there.
+float smoke_opacity(int i, vec2 uv, float noise, out vec3 code) {
+    vec4 turn = u_layers[i].turn;
+    vec2 place = 0.5 + turn.xy * (uv.x - 0.5) + turn.zw * (uv.y - 0.5);
     place = abs(place - 2.0 * floor(0.5 * place + 0.5));  // turned beyond its border, the clip goes on as its mirror image
-    code = clip_code(place);
+    code = clip_code(i, place);
 #ifdef LAPFX_EDGES
-    float alpha = lapfx_edged(place * u_size.xy, u_vary.y, u_vary.z);
+    edged_layer = i;
+    float alpha = lapfx_edged(place * u_layers[i].amount.zw, u_layers[i].vary.y, u_layers[i].vary.z);
 #else
-    float alpha = clip_opacity(place, code);
+    float alpha = clip_opacity(i, place, code);
 #endif
 #ifdef LAPFX_NOISE
-    // In drawn coordinates: where the clip is mirrored, its noise is not.
-    alpha = lapfx_vary_alpha(alpha, textureLod(u_noise, u_tile.xy + uv * u_tile.zw, 0.0).r, u_vary.x);
+    alpha = lapfx_vary_alpha(alpha, noise, u_layers[i].vary.x);
 #endif
     return alpha;
 }
 
-// The smoke's colour with the clip's own tint, which real smoke has a little of; brightness is in alpha already.
-vec3 tinted(vec3 code) {
-    vec2 chroma = lapfx_despill(lapfx_chroma(code), keying()) / max(lapfx_luma(code), 64.0);
-    bool keyed_by_chroma = u_luma_chroma.w > 0.0;
+// The noise of all layers, each -1..1. In drawn coordinates: where a clip is mirrored, its noise is not.
+vec4 smoke_noise(vec2 uv) {
+#ifdef LAPFX_NOISE
+    return textureLod(u_noise, u_layers[0].tile.xy + uv * u_layers[0].tile.zw, 0.0) * 2.0 - 1.0;
+#else
+    return vec4(0.0);
+#endif
+}
+
+// The clip's own tint, which real smoke has a little of; brightness is in alpha already.
+vec3 tint(int i, vec3 code) {
+    vec2 chroma = code.yz;
+#ifdef LAPFX_CHROMA
+    chroma = lapfx_despill(chroma, keying(i));
+#endif
+    chroma /= max(code.x, 64.0);
     vec3 tint = 1.0 + vec3(1.402 * chroma.y, -0.344 * chroma.x - 0.714 * chroma.y, 1.772 * chroma.x);
+#ifdef LAPFX_CHROMA
     // Over a coloured background the mixture's tint is the background's, unless spill suppression takes it out.
-    return u_color.rgb * clamp(keyed_by_chroma ? mix(tint, vec3(1.0), u_key.z) : tint, 0.0, 2.0);
+    if (u_layers[i].luma_chroma.w > 0.0) tint = mix(tint, vec3(1.0), u_layers[i].key.z);
+#endif
+    return clamp(tint, 0.0, 2.0);
 }
 
 // Distance of the scene from the camera plane, mm.
@@ -97,15 +121,16 @@ float scene_depth() {
 #endif
 }
 
-// Smoke of an optical thickness that scatters `color`.
-void put(float thickness, vec3 color) {
-    // Half floats end at 65504: this times the most layers stays below, and lets no light through.
-    thickness = min(thickness, 500.0);
+// Half floats end at 65504: this times the most layers stays below, and lets no light through.
+float bounded(float thickness) { return min(thickness, 500.0); }
+
+// `sum`: rgb, light and tint * thickness; a, thickness.
+void put(vec4 sum) {
 #ifdef LAPFX_DIRECT
-    vec3 transmission = exp(-thickness * u_extinction.rgb);
-    o_light = vec4(color * (1.0 - transmission), 0.0);
+    vec3 transmission = exp(-sum.a * u_layers[0].extinction.rgb);
+    o_light = vec4(u_layers[0].color.rgb * sum.rgb / max(sum.a, 1e-6) * (1.0 - transmission), 0.0);
     o_transmission = vec4(transmission, 1.0);
 #else
-    o_sum = vec4(color, 1.0) * thickness;
+    o_sum = sum;
 #endif
 }

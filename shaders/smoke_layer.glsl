@@ -1,13 +1,22 @@
-// One clip drawn once; filled from effects/smoke/layer_gpu.cpp.
-layout(std140, binding = 2) uniform LapfxSmokeLayer {
-    vec4 u_luma_chroma;  // luma low, luma high, chroma low, chroma high; code values
-    vec4 u_key;          // xy: Cb, Cr of the key colour; z: spill; w: 1 = dark polarity
-    vec4 u_vary;         // x: noise strength; y: choke, z: feather, clip pixels; w: the frame's layer in its textures
-    vec4 u_color;        // rgb: linear colour of the smoke; a: density
-    vec4 u_extinction;   // rgb: of the transmission per channel; a: unevenness of haze, softness of a plume in mm
-    vec4 u_size;         // xy: of the clip, pixels; zw: chroma coordinates per clip coordinate
-    vec4 u_turn;         // columns of the matrix from drawn to clip coordinates, about the middle
-    vec4 u_tile;         // xy: start, zw: extent of this layer's noise, coordinates of u_noise
-    vec4 u_code_rows[3]; // xyz: from YCbCr to a code value; w: is added
-    vec4 u_corners[4];   // of a plume, camera space, mm: top left, top right, bottom left, bottom right
+// Clips that are drawn together, each once; filled from effects/smoke/layer_gpu.cpp.
+#ifndef LAPFX_LAYERS
+#define LAPFX_LAYERS 1
+#endif
+
+struct LapfxSmokeLayer {
+    vec4 code_rows[3];  // luma, Cb and Cr in code values, out of the frame's three values 0..1; w: is added
+    vec4 luma_chroma;   // luma low, luma high, chroma low, chroma high; code values
+    vec4 key;           // xy: Cb, Cr of the key colour; z: spill; w: 1 = dark polarity
+    vec4 vary;          // x: noise strength; y: choke, z: feather, clip pixels; w: the frame's layer in its textures
+    vec4 amount;        // x: density; y: unevenness of haze, softness of a plume in mm; zw: size of the clip, pixels
+    vec4 turn;          // columns of the matrix from drawn to clip coordinates, about the middle
+    vec4 tile;          // xy: start, zw: extent of the noise, coordinates of u_noise
+    vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate
+    vec4 corners[4];    // of a plume, camera space, mm: top left, top right, bottom left, bottom right
+    vec4 color;         // rgb: linear colour, extinction: of the transmission per channel; for layers that go straight over
+    vec4 extinction;    // the frame
+};
+
+layout(std140, binding = 2) uniform LapfxSmokeLayers {
+    LapfxSmokeLayer u_layers[LAPFX_LAYERS];
 };

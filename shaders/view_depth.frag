@@ -4,7 +4,7 @@
 
 layout(location = 0) in vec2 v_uv;
 
-layout(binding = 4) uniform sampler2D u_scene_depth;  // window depth, the size of the frame
+layout(binding = 13) uniform sampler2D u_scene_depth;  // window depth, the size of the frame
 uniform vec4 u_viewport;                              // xy: lower left corner, zw: size; pixels of the frame
 
 layout(location = 0) out float o_depth;

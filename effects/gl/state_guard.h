@@ -18,7 +18,7 @@ class StateGuard {
     static constexpr std::array<GLenum, 5> switches{GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_MULTISAMPLE,
                                                     GL_SCISSOR_TEST};
     static constexpr int uniform_bindings = 3;
-    static constexpr int texture_units = 5;
+    static constexpr int texture_units = 14;
 
     std::array<GLboolean, switches.size()> enabled_{};
     struct UniformBinding {

@@ -18,14 +18,17 @@ inline float ramp(float value, float low, float high) {
     return unit((value - low) / std::max(high - low, 1e-3f));
 }
 
-/// Opacity of the smoke in one pixel.
+/// Opacity of the smoke in one pixel is the product of these two.
+inline float key_luma(float y, const Keying& key) {
+    return ramp(key.dark > 0.5f ? 255.0f - y : y, key.luma_low, key.luma_high);
+}
+
+inline float key_chroma(glm::vec2 value, const Keying& key) {
+    return key.chroma_high > 0.0f ? ramp(glm::distance(value, key.key_chroma), key.chroma_low, key.chroma_high) : 1.0f;
+}
+
 inline float key_alpha(glm::vec3 code, const Keying& key) {
-    const float y = luma(code);
-    const float luma_alpha = ramp(key.dark > 0.5f ? 255.0f - y : y, key.luma_low, key.luma_high);
-    const float chroma_alpha = key.chroma_high > 0.0f
-                                   ? ramp(glm::distance(chroma(code), key.key_chroma), key.chroma_low, key.chroma_high)
-                                   : 1.0f;
-    return luma_alpha * chroma_alpha;
+    return key_luma(luma(code), key) * key_chroma(chroma(code), key);
 }
 
 /// Chroma without the part that leans towards the background's.

@@ -7,27 +7,46 @@
 
 namespace lapfx::smoke {
 
+namespace {
+
+/// Rows that give luma, Cb and Cr around 0 (BT.601, as keying.h) out of what textures give, 0..1. Codes that no R'G'B' colour
+/// has are not bounded on the way: beyond black and white the ramps of keying are flat anyway.
+void set_code_rows(LayerBlock& block, const ColorMatrix* matrix) {
+    glm::mat3 to_rgb(1.0f);
+    glm::vec3 offset(0.0f);
+    if (matrix != nullptr) {
+        to_rgb = matrix->matrix;
+        offset = matrix->offset;
+    }
+    for (glm::length_t column = 0; column < 3; ++column) {
+        const glm::vec3 code = to_rgb[column] * 255.0f;
+        const glm::vec3 row_values(luma(code), chroma(code));
+        for (glm::length_t row = 0; row < 3; ++row) block.code_rows[row][column] = row_values[row];
+    }
+    const glm::vec3 start = -(to_rgb * offset);
+    const glm::vec3 added(luma(start), chroma(start));
+    for (glm::length_t row = 0; row < 3; ++row) block.code_rows[row].w = added[row];
+}
+
+}  // namespace
+
 LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
     const KeyingParameters& k = *layer.keying;
     const PictureFormat& format = layer.frame.format;
-    LayerBlock block{};
     const Keying key = keying_of(k, layer.polarity);
+    const glm::vec2 size(format.size);
+    LayerBlock block{};
+    set_code_rows(block, format.layout == Layout::planar ? layer.frame.matrix : nullptr);
     block.luma_chroma = glm::vec4(key.luma_low, key.luma_high, key.chroma_low, key.chroma_high);
     block.key = glm::vec4(key.key_chroma, key.spill, key.dark);
     block.vary =
         glm::vec4(glm::vec3(glm::dvec3(k.noise_strength, k.choke, k.feather)), static_cast<float>(layer.frame.layer));
-    block.color = glm::vec4(gl::to_linear(glm::vec3(medium.color)), static_cast<float>(layer.density));
-    block.extinction = glm::vec4(glm::vec3(medium.extinction), static_cast<float>(extra));
-    const glm::vec2 size(format.size);
-    // An odd size has half a chroma sample too many at its end.
-    block.size = glm::vec4(size, 0.5f * size / glm::vec2(format.chroma_size()));
+    block.amount = glm::vec4(static_cast<float>(layer.density), static_cast<float>(extra), size);
     block.turn = glm::vec4(layer.mirrored ? -1.0f : 1.0f, 0.0f, 0.0f, 1.0f);
-    if (layer.frame.matrix != nullptr) {
-        const ColorMatrix& m = *layer.frame.matrix;
-        const glm::mat3 rows = glm::transpose(m.matrix);
-        const glm::vec3 added = -(m.matrix * m.offset);
-        for (int i = 0; i < 3; ++i) block.code_rows[i] = glm::vec4(rows[i], added[i]);
-    }
+    // An odd size has half a chroma sample too many at its end.
+    block.chroma_scale = glm::vec4(0.5f * size / glm::vec2(format.chroma_size()), 0.0f, 0.0f);
+    block.color = glm::vec4(gl::to_linear(glm::vec3(medium.color)), 0.0f);
+    block.extinction = glm::vec4(glm::vec3(medium.extinction), 0.0f);
     return block;
 }
 

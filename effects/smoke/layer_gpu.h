@@ -26,11 +26,13 @@ struct Layer {
     std::uint32_t seed = 0;
 };
 
-/// The uniform block LapfxSmokeLayer of shaders/smoke.glsl, std140; padded to what a bound range may have to be aligned to.
+/// One element of the uniform block LapfxSmokeLayers of shaders/smoke_layer.glsl, std140; as large as what the start of a bound
+/// range may have to be aligned to.
 struct alignas(256) LayerBlock {
-    glm::vec4 luma_chroma, key, vary, color, extinction, size, turn, tile;
     glm::vec4 code_rows[3];
+    glm::vec4 luma_chroma, key, vary, amount, turn, tile, chroma_scale;
     glm::vec4 corners[4];
+    glm::vec4 color, extinction;
 };
 static_assert(sizeof(LayerBlock) == 256);
 

@@ -27,16 +27,18 @@ float rest(double lobes) {
 
 NoiseTiles::NoiseTiles() : program_("fullscreen.vert", "noise_tile.frag") {}
 
-std::size_t NoiseTiles::add(const KeyingParameters& keying, float aspect, double time, std::uint32_t seed) {
+NoiseTiles::Grid NoiseTiles::grid(const KeyingParameters& keying, float aspect, double time) {
     const double rows = std::clamp(texels_per_lobe / keying.noise_scale, least_texels, most_texels);
     const double columns = std::clamp(rows * static_cast<double>(aspect), least_texels, 2.0 * most_texels);
     const float down = static_cast<float>(1.0 / keying.noise_scale);
-    const Tile tile{.texels = glm::ivec2(std::lround(columns), std::lround(rows)),
-                    .lobes = glm::vec2(aspect * down, down),
-                    // Beyond this a double has no fractions left.
-                    .drift = std::clamp(keying.noise_drift * time / keying.noise_scale, -1e15, 1e15),
-                    .seed = static_cast<int>(seed & 0xffffu)};
-    if (tiles_.empty() || tiles_.back() != tile) tiles_.push_back(tile);
+    return {.texels = glm::ivec2(std::lround(columns), std::lround(rows)),
+            .lobes = glm::vec2(aspect * down, down),
+            // Beyond this a double has no fractions left.
+            .drift = std::clamp(keying.noise_drift * time / keying.noise_scale, -1e15, 1e15)};
+}
+
+std::size_t NoiseTiles::add(const Grid& grid, glm::ivec4 seeds, int count) {
+    tiles_.push_back({grid, seeds, count});
     return tiles_.size() - 1;
 }
 
@@ -46,15 +48,15 @@ void NoiseTiles::lay_out() noexcept {
     glm::ivec2 rows_and_columns(1);
     while (true) {
         cell_ = glm::ivec2(0);
-        for (const Tile& tile : tiles_) cell_ = glm::max(cell_, tile.texels);
+        for (const Tile& tile : tiles_) cell_ = glm::max(cell_, tile.grid.texels);
         columns_ = std::clamp(most_side / cell_.x, 1, count);
         rows_and_columns = {columns_, (count + columns_ - 1) / columns_};
         if (rows_and_columns.y * cell_.y <= most_side || cell_.y <= 2) break;
-        for (Tile& tile : tiles_) tile.texels = glm::max(tile.texels / 2, glm::ivec2(2));
+        for (Tile& tile : tiles_) tile.grid.texels = glm::max(tile.grid.texels / 2, glm::ivec2(2));
     }
     const glm::ivec2 needed = glm::min(rows_and_columns * cell_, glm::ivec2(most_side));
     if (needed.x <= atlas_.size().x && needed.y <= atlas_.size().y) return;
-    atlas_ = gl::Texture({.size = glm::max(needed, atlas_.size()), .format = GL_R16F});
+    atlas_ = gl::Texture({.size = glm::max(needed, atlas_.size()), .format = GL_RGBA8});
     target_ = gl::Framebuffer(atlas_, nullptr);
 }
 
@@ -65,15 +67,17 @@ void NoiseTiles::draw() noexcept {
     program_.use();
     for (std::size_t i = 0; i < tiles_.size(); ++i) {
         const Tile& tile = tiles_[i];
-        const double y = tile.drift, z = drift_into_depth * tile.drift;
+        const double y = tile.grid.drift, z = drift_into_depth * tile.grid.drift;
         const int index = static_cast<int>(i);
         const glm::vec2 corner(glm::ivec2(index % columns_, index / columns_) * cell_);
-        program_.set("u_texels", glm::vec2(tile.texels));
-        program_.set("u_lobes", tile.lobes);
+        program_.set("u_texels", glm::vec2(tile.grid.texels));
+        program_.set("u_lobes", tile.grid.lobes);
         program_.set("u_drift", glm::vec4(rest(y), rest(z), rest(2.0 * y), rest(2.0 * z)));
         program_.set("u_from", glm::ivec4(whole(y), whole(z), whole(2.0 * y), whole(2.0 * z)));
-        program_.set("u_seed", tile.seed);
-        glViewportIndexedf(0, corner.x, corner.y, static_cast<float>(tile.texels.x), static_cast<float>(tile.texels.y));
+        program_.set("u_seeds", tile.seeds);
+        program_.set("u_count", tile.count);
+        glViewportIndexedf(0, corner.x, corner.y, static_cast<float>(tile.grid.texels.x),
+                           static_cast<float>(tile.grid.texels.y));
         glDrawArrays(GL_TRIANGLES, 0, 3);
     }
 }
@@ -82,7 +86,7 @@ glm::vec4 NoiseTiles::place(std::size_t index) const noexcept {
     const int i = static_cast<int>(index);
     const glm::vec2 corner(glm::ivec2(i % columns_, i / columns_) * cell_);
     const glm::vec2 size(atlas_.size());
-    return {(corner + 0.5f) / size, (glm::vec2(tiles_[index].texels) - 1.0f) / size};
+    return {(corner + 0.5f) / size, (glm::vec2(tiles_[index].grid.texels) - 1.0f) / size};
 }
 
 }  // namespace lapfx::smoke

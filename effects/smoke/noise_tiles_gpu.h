@@ -18,8 +18,17 @@ class NoiseTiles {
     NoiseTiles();
 
     void clear() noexcept { tiles_.clear(); }
-    /// Asks for a tile; its number. The same as the last one when nothing of it differs. `aspect`: of the clip.
-    std::size_t add(const KeyingParameters& keying, float aspect, double time, std::uint32_t seed);
+    /// How finely a layer's noise is drawn and how it moves; layers that agree in this can share a tile.
+    struct Grid {
+        glm::ivec2 texels{0};
+        glm::vec2 lobes{0.0f};  ///< across the clip and down
+        double drift = 0.0;     ///< lobes that the noise has moved by
+        bool operator==(const Grid&) const = default;
+    };
+    /// `aspect`: of the clip; `time`: s.
+    static Grid grid(const KeyingParameters& keying, float aspect, double time);
+    /// Asks for a tile with the noise of `count` (1..4) layers, a channel each; its number.
+    std::size_t add(const Grid& grid, glm::ivec4 seeds, int count);
     /// Draws all tiles. Leaves its framebuffer and viewport bound; blending must be off.
     void draw() noexcept;
 
@@ -29,11 +38,9 @@ class NoiseTiles {
 
   private:
     struct Tile {
-        glm::ivec2 texels;
-        glm::vec2 lobes;  ///< across the clip and down
-        double drift;     ///< lobes that the noise has moved by
-        int seed;
-        bool operator==(const Tile&) const = default;
+        Grid grid;
+        glm::ivec4 seeds;
+        int count;
     };
     void lay_out() noexcept;
 

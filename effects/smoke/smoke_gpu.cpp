@@ -12,7 +12,7 @@ namespace lapfx::smoke {
 namespace {
 
 constexpr GLuint layer_binding = 2;
-constexpr GLuint frames_unit = 0, chroma_unit = 1, opacity_unit = 2, noise_unit = 3, depth_unit = 4;
+constexpr GLuint frames_unit = 0, chroma_unit = 4, opacity_unit = 8, noise_unit = 12, depth_unit = 13;
 constexpr GLuint sum_unit = 0, sum_depth_unit = 1;  // of resolve.frag
 
 void blend(GLenum source, GLenum destination) {
@@ -58,28 +58,36 @@ SmokeGpu::SmokeGpu(SmokeResolution resolution, bool timings)
 
 unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, const KeyingParameters& k) {
     return (layout == Layout::planar ? planar : 0u) | (has_alpha ? alpha : 0u) |
-           (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) | (k.noise_strength > 0.0 ? noise : 0u);
+           (k.chroma_high > 0.0 || k.spill > 0.0 ? chroma : 0u) | (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) |
+           (k.noise_strength > 0.0 ? noise : 0u);
 }
 
-void SmokeGpu::compile(ClipRole which, unsigned variant) {
-    std::string defines = resolution_ == SmokeResolution::screen ? "#define LAPFX_DIRECT\n" : "";
-    if ((variant & planar) != 0u) defines += "#define LAPFX_PLANAR\n";
-    if ((variant & alpha) != 0u) defines += "#define LAPFX_ALPHA\n";
-    if ((variant & edges) != 0u) defines += "#define LAPFX_EDGES\n";
-    if ((variant & noise) != 0u) defines += "#define LAPFX_NOISE\n";
-    role(which).programs[variant] = which == ClipRole::plume ? gl::Program("plume.vert", "plume.frag", defines)
-                                                             : gl::Program("fullscreen.vert", "haze.frag", defines);
+/// Which of Role::programs draws so many layers at once.
+static std::size_t program_index(int count) {
+    return count == 4 ? 2u : count == 2 ? 1u : 0u;
+}
+
+void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
+    std::string defines = "#define LAPFX_LAYERS " + std::to_string(count) + "\n";
+    constexpr std::pair<unsigned, const char*> names[] = {
+        {planar, "PLANAR"}, {alpha, "ALPHA"}, {chroma, "CHROMA"}, {edges, "EDGES"}, {noise, "NOISE"}};
+    for (const auto& [bit, name] : names)
+        if ((variant & bit) != 0u) defines += std::string("#define LAPFX_") + name + "\n";
+    if (resolution_ == SmokeResolution::screen) defines += "#define LAPFX_DIRECT\n";
+    role(which).programs[program_index(count)][variant] = which == ClipRole::plume
+                                                              ? gl::Program("plume.vert", "plume.frag", defines)
+                                                              : gl::Program("fullscreen.vert", "haze.frag", defines);
 }
 
 void SmokeGpu::prepare(ClipRole which, Layout layout, bool has_alpha, const KeyingParameters& keying) {
     const unsigned variant = variant_of(layout, has_alpha, keying);
-    if (!role(which).programs[variant]) compile(which, variant);
+    if (!role(which).programs[0][variant]) compile(which, 1, variant);
 }
 
-const gl::Program* SmokeGpu::program(ClipRole which, unsigned variant) noexcept {
-    std::optional<gl::Program>& found = role(which).programs[variant];
+const gl::Program* SmokeGpu::program(ClipRole which, int count, unsigned variant) noexcept {
+    std::optional<gl::Program>& found = role(which).programs[program_index(count)][variant];
     try {
-        if (!found) compile(which, variant);
+        if (!found) compile(which, count, variant);
     } catch (const Error&) {
         return nullptr;  // prepare() has told why
     }
@@ -97,6 +105,7 @@ void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) n
     for (Role& r : roles_) {
         r.layers.clear();
         r.blocks.clear();
+        r.batches.clear();
     }
     role(ClipRole::plume).bounds = {1.0f, 1.0f, 0.0f, 0.0f};
     role(ClipRole::haze).bounds = {0.0f, 0.0f, 1.0f, 1.0f};
@@ -110,9 +119,10 @@ void SmokeGpu::add(ClipRole which, const Layer& layer, LayerBlock block) noexcep
     const PictureFormat& format = layer.frame.format;
     const unsigned variant = variant_of(format.layout, format.alpha, *layer.keying);
     const float aspect = static_cast<float>(format.size.x) / static_cast<float>(format.size.y);
-    const std::size_t tile =
-        (variant & noise) != 0u ? tiles_.add(*layer.keying, aspect, layer.time, layer.seed) : std::size_t{0};
-    role(which).layers.push_back({variant, layer.frame.color, layer.frame.chroma, layer.frame.alpha, tile});
+    const NoiseTiles::Grid grid =
+        (variant & noise) != 0u ? NoiseTiles::grid(*layer.keying, aspect, layer.time) : NoiseTiles::Grid{};
+    role(which).layers.push_back(
+        {variant, layer.frame.color, layer.frame.chroma, layer.frame.alpha, layer.seed & 0xffffu, grid});
     role(which).blocks.push_back(block);
 }
 
@@ -132,27 +142,58 @@ void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
     add(ClipRole::haze, layer, block);
 }
 
+/// Layers of haze that follow each other and are alike are summed up in the shader, which saves reading and writing the target
+/// in between. Plumes lie at places of their own, and straight over the frame goes one after the other.
+void SmokeGpu::make_batches(ClipRole which) noexcept {
+    Role& r = role(which);
+    const bool together = which == ClipRole::haze && resolution_ != SmokeResolution::screen;
+    for (std::size_t first = 0; first < r.layers.size();) {
+        const Drawn& like = r.layers[first];
+        int count = 1;
+        while (together && count < most_together && first + static_cast<std::size_t>(count) < r.layers.size()) {
+            const Drawn& next = r.layers[first + static_cast<std::size_t>(count)];
+            if (next.variant != like.variant || next.noise != like.noise) break;
+            ++count;
+        }
+        if (count == 3) count = 2;
+        std::size_t tile = 0;
+        if ((like.variant & noise) != 0u) {
+            glm::ivec4 seeds(0);
+            for (int i = 0; i < count; ++i)
+                seeds[i] = static_cast<int>(r.layers[first + static_cast<std::size_t>(i)].seed);
+            tile = tiles_.add(like.noise, seeds, count);
+        }
+        r.batches.push_back({first, count, tile});
+        first += static_cast<std::size_t>(count);
+    }
+}
+
 /// All blocks of a role at once; more memory only for more layers than ever before.
 void SmokeGpu::upload(Role& r) noexcept {
-    for (std::size_t i = 0; i < r.layers.size(); ++i)
-        if ((r.layers[i].variant & noise) != 0u) r.blocks[i].tile = tiles_.place(r.layers[i].tile);
+    for (const Batch& batch : r.batches)
+        if ((r.layers[batch.first].variant & noise) != 0u) r.blocks[batch.first].tile = tiles_.place(batch.tile);
     const std::size_t bytes = r.blocks.size() * sizeof(LayerBlock);
     if (bytes == 0) return;
     if (r.buffer.size() < bytes) r.buffer = gl::Buffer(bytes);
     r.buffer.update(0, bytes, r.blocks.data());
 }
 
+void SmokeGpu::bind(const Drawn& layer, GLuint index) const noexcept {
+    glBindTextureUnit(frames_unit + index, layer.frames);
+    if ((layer.variant & planar) != 0u) glBindTextureUnit(chroma_unit + index, layer.chroma);
+    if ((layer.variant & alpha) != 0u) glBindTextureUnit(opacity_unit + index, layer.opacity);
+}
+
 void SmokeGpu::draw_layers(ClipRole which) noexcept {
     const Role& r = role(which);
-    for (std::size_t i = 0; i < r.layers.size(); ++i) {
-        const Drawn& layer = r.layers[i];
-        const gl::Program* shader = program(which, layer.variant);
+    for (const Batch& batch : r.batches) {
+        const gl::Program* shader = program(which, batch.count, r.layers[batch.first].variant);
         if (shader == nullptr) continue;
         glBindBufferRange(GL_UNIFORM_BUFFER, layer_binding, r.buffer.name(),
-                          static_cast<GLintptr>(i * sizeof(LayerBlock)), sizeof(LayerBlock));
-        glBindTextureUnit(frames_unit, layer.frames);
-        if ((layer.variant & planar) != 0u) glBindTextureUnit(chroma_unit, layer.chroma);
-        if ((layer.variant & alpha) != 0u) glBindTextureUnit(opacity_unit, layer.opacity);
+                          static_cast<GLintptr>(batch.first * sizeof(LayerBlock)),
+                          static_cast<GLsizeiptr>(static_cast<std::size_t>(batch.count) * sizeof(LayerBlock)));
+        for (int i = 0; i < batch.count; ++i)
+            bind(r.layers[batch.first + static_cast<std::size_t>(i)], static_cast<GLuint>(i));
         shader->use();
         if (which == ClipRole::plume)
             glDrawArrays(GL_TRIANGLE_STRIP, 0, 4);
@@ -200,6 +241,7 @@ void SmokeGpu::sum_up(ClipRole which, const HostTarget& host, GLuint scene_depth
 
 /// Lays what has been summed up over the frame.
 void SmokeGpu::resolve(const gl::Program& shader, const Role& r, glm::vec4 bounds) const noexcept {
+    shader.set("u_color", gl::to_linear(glm::vec3(r.medium.color)));
     shader.set("u_extinction", glm::vec3(r.medium.extinction));
     shader.set("u_bounds", bounds);
     shader.use();
@@ -217,6 +259,8 @@ void SmokeGpu::draw(GLuint scene_depth) noexcept {
     glDisable(GL_BLEND);
     glBindVertexArray(no_attributes_.name());
     host.leave();
+    make_batches(ClipRole::plume);
+    make_batches(ClipRole::haze);
     tiles_.draw();
     glBindTextureUnit(noise_unit, tiles_.texture());
     upload(plume);
@@ -244,8 +288,7 @@ void SmokeGpu::draw(GLuint scene_depth) noexcept {
         resolve(haze.resolve, haze, haze.bounds);
     }
     if (even_ > 0.0f) {
-        const glm::vec3 color = gl::to_linear(glm::vec3(haze.medium.color));
-        resolve_even_.set("u_even", glm::vec4(color, even_));
+        resolve_even_.set("u_even", even_);
         resolve(resolve_even_, haze, haze.bounds);
     }
     timer_.end();

@@ -45,18 +45,28 @@ class SmokeGpu {
     const gl::Timer& timer() const { return timer_; }
 
   private:
-    enum Variant : unsigned { planar = 1, alpha = 2, edges = 4, noise = 8, variants = 16 };
+    enum Variant : unsigned { planar = 1, alpha = 2, chroma = 4, edges = 8, noise = 16, variants = 32 };
+    static constexpr int most_together = 4;  ///< haze layers in one draw call: bounded by 16 texture units
     struct Drawn {
         unsigned variant;
         GLuint frames, chroma, opacity;
+        std::uint32_t seed;
+        NoiseTiles::Grid noise;
+    };
+    /// Layers that are drawn at once: they need the same shader and the same grid of noise.
+    struct Batch {
+        std::size_t first;
+        int count;  ///< 1, 2 or 4
         std::size_t tile;
     };
+    using Programs = std::array<std::optional<gl::Program>, variants>;  ///< by Variant
     /// All that belongs to one role.
     struct Role {
         Medium medium;
-        std::array<std::optional<gl::Program>, variants> programs;  ///< by Variant
+        std::array<Programs, 3> programs;  ///< for 1, 2 and 4 layers at once
         std::vector<Drawn> layers;
         std::vector<LayerBlock> blocks;  ///< parallel to layers
+        std::vector<Batch> batches;
         gl::Buffer buffer;
         glm::vec4 bounds{0.0f};  ///< of what the layers cover, 0..1 of the view
         int clip_pixels = 0;
@@ -67,10 +77,12 @@ class SmokeGpu {
     struct HostTarget;
 
     static unsigned variant_of(Layout layout, bool alpha, const KeyingParameters& keying);
-    void compile(ClipRole role, unsigned variant);
-    const gl::Program* program(ClipRole role, unsigned variant) noexcept;
+    void compile(ClipRole role, int count, unsigned variant);
+    const gl::Program* program(ClipRole role, int count, unsigned variant) noexcept;
     void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;
+    void make_batches(ClipRole role) noexcept;
     void upload(Role& role) noexcept;
+    void bind(const Drawn& layer, GLuint index) const noexcept;
     void draw_layers(ClipRole role) noexcept;
     void sum_up(ClipRole role, const HostTarget& host, GLuint scene_depth) noexcept;
     void resolve(const gl::Program& program, const Role& role, glm::vec4 bounds) const noexcept;
