@@ -1,13 +1,11 @@
-// Images and videos, through OpenCV.
+// Images, through OpenCV, and videos, through the core's decoder.
 #include <cstdio>
-#include <cstdlib>
-#include <fstream>
 #include <iostream>
 #include <opencv2/core/utils/logger.hpp>
 #include <opencv2/imgcodecs.hpp>
-#include <opencv2/videoio.hpp>
 
 #include "commands/inspect.h"
+#include "lapfx/clip.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {
@@ -18,49 +16,15 @@ namespace {
     throw Error(Failure::bad_input, Fault{file.string(), "", reason});
 }
 
-/// What FFmpeg may do with a file that only claims to be a video: read that file, as one of the formats in
-/// which videos are kept. No network, no playlist that leads to other files, no word on stderr: the fault
-/// says it.
-void confine_decoders() {
+/// No word of OpenCV's on stderr: the fault says it.
+void silence_opencv() {
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 1);
-    setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS",
-           "protocol_whitelist;file|format_whitelist;mov,mp4,m4a,3gp,3g2,mj2,matroska,webm,avi,mpeg,mpegts,"
-           "ogg,asf,flv,"
-           "yuv4mpegpipe,m4v,h264,hevc,gif",
-           1);
-}
-
-std::string fourcc_text(double value) {
-    const auto code = static_cast<unsigned>(value);
-    std::string text;
-    for (int i = 0; i < 4; ++i) {
-        const char c = static_cast<char>(code >> (8 * i) & 0xff);
-        if (c > ' ' && c < 0x7f) text += c;
-    }
-    return text.empty() ? "unknown" : text;
-}
-
-/// Matroska and WebM name their codec by a word instead of four letters, and OpenCV does not pass it on.
-std::string matroska_codec(const std::filesystem::path& file) {
-    std::ifstream in(file, std::ios::binary);
-    std::string head(1 << 16, '\0');
-    in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (!head.starts_with("\x1a\x45\xdf\xa3")) return {};
-    constexpr const char* known[][2] = {{"V_VP9", "VP90"},
-                                        {"V_VP8", "VP80"},
-                                        {"V_AV1", "av01"},
-                                        {"V_MPEG4/ISO/AVC", "avc1"},
-                                        {"V_MPEGH/ISO/HEVC", "hvc1"}};
-    for (const auto& [word, code] : known)
-        if (head.find(word) != std::string::npos) return code;
-    return {};
 }
 
 }  // namespace
 
 void inspect_image(const std::filesystem::path& file) {
-    confine_decoders();
+    silence_opencv();
     cv::Mat pixels;
     try {
         pixels = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
@@ -76,38 +40,21 @@ void inspect_image(const std::filesystem::path& file) {
 }
 
 void inspect_video(const std::filesystem::path& file) {
-    confine_decoders();
-    cv::VideoCapture video;
-    cv::Mat frame;
-    bool decoded = false;
-    try {
-        // Absolute, so that no name can be taken for "concat:..." or an URL.
-        video.open(std::filesystem::absolute(file).string(), cv::CAP_FFMPEG);
-        if (!video.isOpened()) refuse(file, "is no video that can be opened");
-        decoded = video.read(frame) && !frame.empty();
-    } catch (const cv::Exception&) {
-        refuse(file, "is a video that cannot be decoded");
-    }
-    if (!decoded) refuse(file, "is a video without a frame that can be decoded");
-
-    const double rate = video.get(cv::CAP_PROP_FPS), frames = video.get(cv::CAP_PROP_FRAME_COUNT);
-    const bool rate_known = std::isfinite(rate) && rate > 0.0, count_known = std::isfinite(frames) && frames >= 1.0;
-    char text[160];
+    const ClipReport report = report_clip(file);
+    const auto number = [](const char* format, double value) {
+        char text[64];
+        std::snprintf(text, sizeof text, format, value);
+        return std::string(text);
+    };
     std::cout << file.string() << ": video\n"
-              << "  size                " << frame.cols << "x" << frame.rows << '\n';
-    std::snprintf(text, sizeof text, rate_known ? "  frames per second   %.6g\n" : "  frames per second   unknown\n",
-                  rate);
-    std::cout << text;
-    std::snprintf(text, sizeof text, count_known ? "  frames              %.0f\n" : "  frames              unknown\n",
-                  frames);
-    std::cout << text;
-    if (rate_known && count_known) {
-        std::snprintf(text, sizeof text, "  duration            %.3f s\n", frames / rate);
-        std::cout << text;
-    }
-    const std::string codec = matroska_codec(file);
-    std::cout << "  codec               " << (codec.empty() ? fourcc_text(video.get(cv::CAP_PROP_FOURCC)) : codec)
-              << '\n';
+              << "  size                " << report.size.x << "x" << report.size.y << '\n'
+              << "  frames per second   " << number("%.6g", report.frames_per_second)
+              << (report.variable_frame_rate ? ", the mean of a variable rate\n" : "\n")  //
+              << "  frames              " << report.frames << '\n'
+              << "  duration            " << number("%.3f s", report.duration) << '\n'
+              << "  codec               " << report.codec << '\n'
+              << "  pixel format        " << report.pixel_format << (report.alpha ? ", with opacity\n" : "\n");
+    if (!report.warning.empty()) std::cout << "  warning             " << report.warning << '\n';
 }
 
 }  // namespace lapfx::commands

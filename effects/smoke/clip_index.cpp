@@ -12,7 +12,7 @@ constexpr double maximum_rate = 1000.0;  // what claims more has no usable times
 constexpr double maximum_time = 1e7;     // s, likewise: 115 days
 
 struct Entry {
-    std::int64_t pts, dts, duration;
+    std::int64_t pts, dts, position, duration;
     bool start;  ///< decoding can start here
 };
 
@@ -80,6 +80,13 @@ bool can_start(const AVCodecParameters& codec, const AVPacket& packet) {
         case AV_CODEC_ID_MPEG2VIDEO:
         case AV_CODEC_ID_MPEG4:
         case AV_CODEC_ID_THEORA:
+        case AV_CODEC_ID_FFV1:
+        case AV_CODEC_ID_H263:
+        case AV_CODEC_ID_FLV1:
+        case AV_CODEC_ID_MSMPEG4V2:
+        case AV_CODEC_ID_MSMPEG4V3:
+        case AV_CODEC_ID_WMV1:
+        case AV_CODEC_ID_WMV2:
             return true;
         default: {  // GIF paints on what was there; of others it is not known
             const AVCodecDescriptor* known = avcodec_descriptor_get(codec.codec_id);
@@ -95,25 +102,37 @@ bool is_hidden(const AVCodecParameters& codec, const AVPacket& packet) {
            !vpx_header(codec.codec_id, packet.data, static_cast<std::size_t>(packet.size)).shown;
 }
 
-std::vector<Entry> read_packets(MediaFile& file, const std::filesystem::path& path, std::size_t maximum) {
-    std::vector<Entry> entries;
+bool is_avi(const MediaFile& file) {
+    return std::string_view(file.container()) == "avi";
+}
+
+struct Packets {
+    std::vector<Entry> shown;
+    std::size_t count = 0;  ///< with those that are not shown
+    bool cut = false;       ///< one lacks a part
+};
+
+Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::size_t maximum) {
+    Packets packets;
+    std::vector<Entry>& entries = packets.shown;
     const libav::Packet packet(libav::made(av_packet_alloc()));
     const AVCodecParameters& codec = *file.video().codecpar;
     while (file.next(*packet)) {
+        ++packets.count;
+        packets.cut = packets.cut || (packet->flags & AV_PKT_FLAG_CORRUPT) != 0;
         if (is_hidden(codec, *packet)) continue;
         if (entries.size() == maximum)
             throw bad_clip(path, "holds more than " + std::to_string(maximum) + " frames, the most that are allowed");
-        entries.push_back({packet->pts, packet->dts, packet->duration, can_start(codec, *packet)});
+        entries.push_back({packet->pts, packet->dts, packet->pos, packet->duration, can_start(codec, *packet)});
         if (file.single_image()) break;  // what follows is a preview or the like
     }
-    return entries;
+    return packets;
 }
 
 /// Whether the packets tell when each frame is shown. AVI does not: what FFmpeg gives is the order of decoding, unless that is
 /// the same. Streams that were strung together start anew.
 bool has_stamps(const MediaFile& file, const std::vector<Entry>& entries) {
-    const bool avi = std::string_view(file.container()) == "avi";
-    if (avi && file.video().codecpar->video_delay > 0) return false;
+    if (is_avi(file) && file.video().codecpar->video_delay > 0) return false;
     std::int64_t last = AV_NOPTS_VALUE;
     for (const Entry& entry : entries) {
         if (entry.pts == AV_NOPTS_VALUE) return false;
@@ -163,18 +182,16 @@ bool set_times_by_stamps(ClipIndex& index, const Entry& last, AVRational unit) {
 void set_points(ClipIndex& index, const std::vector<Entry>& entries) {
     for (const Entry& entry : entries)
         if (entry.start && entry.dts != AV_NOPTS_VALUE)
-            index.points.push_back({index.frame_at(entry.pts), entry.pts, entry.dts});
+            index.points.push_back({index.frame_at(entry.pts), entry.pts, entry.dts, entry.position});
     std::sort(index.points.begin(), index.points.end(),
               [](const SeekPoint& a, const SeekPoint& b) { return a.frame < b.frame; });
 }
 
-/// Files that end early, where the container counts its packets.
-std::string missing(const MediaFile& file, std::size_t found) {
-    const AVStream& video = file.video();
-    if (video.nb_frames <= 0 || file.single_image()) return "";
-    const auto claimed = static_cast<std::size_t>(video.nb_frames);
-    // Counts that are off by a little are common, and nothing is missing then.
-    if (static_cast<double>(claimed) > maximum_time || found + 1 + claimed / 100 >= claimed) return "";
+/// Files that end early, where the container counts its packets. AVI's count alone proves nothing: it includes empty ones.
+std::string missing(const MediaFile& file, const Packets& packets) {
+    const std::int64_t claimed = file.video().nb_frames, found = static_cast<std::int64_t>(packets.count);
+    const bool early = is_avi(file) ? packets.cut : file.ran_out();
+    if (!early || claimed <= found || file.single_image()) return "";
     return "frames " + std::to_string(found + 1) + " to " + std::to_string(claimed) +
            " could not be decoded: the file ends early";
 }
@@ -194,7 +211,8 @@ int ClipIndex::frame_at(std::int64_t pts) const {
 }
 
 ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum) {
-    const std::vector<Entry> entries = read_packets(file, path, static_cast<std::size_t>(maximum));
+    const Packets packets = read_packets(file, path, static_cast<std::size_t>(maximum));
+    const std::vector<Entry>& entries = packets.shown;
     if (entries.empty()) throw bad_clip(path, "holds no frame that can be decoded");
     ClipIndex index;
     if (has_stamps(file, entries)) {
@@ -206,7 +224,7 @@ ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int max
         else
             index.stamps.clear();
     }
-    index.warning = missing(file, entries.size());
+    index.warning = missing(file, packets);
     if (index.stamps.empty()) {
         const double rate = claimed_rate(file.video());
         set_times_by_rate(index, entries.size(), rate > 0.0 ? rate : default_rate);

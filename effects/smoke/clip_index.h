@@ -21,6 +21,7 @@ struct ClipColor {
 struct SeekPoint {
     int frame = 0;
     std::int64_t pts = 0, dts = 0;
+    std::int64_t position = 0;  ///< in the file; times alone may be counted anew after a jump
 };
 
 /// What else Decoder knows about a clip that it has looked through. Never changes once it is made.

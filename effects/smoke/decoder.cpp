@@ -18,9 +18,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int maximum_frames = 100'000;  // an hour at 25 frames per second
-constexpr int maximum_side = 8192;       // pixels: 8K
-constexpr int a_few = 4;                 // frames that are rather decoded than jumped over
+constexpr int maximum_side = 8192;  // pixels: 8K
+constexpr int a_few = 4;            // frames that are rather decoded than jumped over
 
 /// A frame that was decoded, and its number; -1 when there is none.
 struct Decoded {
@@ -52,7 +51,7 @@ int ClipInfo::frame_at(double time) const {
 struct Decoder::State {
     State(const fs::path& clip, Layout wanted) : path(clip), layout(wanted) {}
 
-    void look_through();
+    void look_through(int maximum_frames);
     void open_known(const ClipInfo& known);
     void describe(const AVFrame& frame, const ClipIndex& found);
     bool brings_opacity();
@@ -83,7 +82,7 @@ Step Decoder::State::step(Decoded& into, const std::atomic<bool>* stop) {
     return reader->next(*index, *into.frame, into.number, stop);
 }
 
-void Decoder::State::look_through() {
+void Decoder::State::look_through(int maximum_frames) {
     const std::optional<ImageSequence> sequence = find_sequence(path, maximum_frames);
     auto found = std::make_shared<ClipIndex>();
     if (sequence) {
@@ -228,8 +227,9 @@ bool Decoder::State::read(int frame, Picture& into, const std::atomic<bool>* sto
     return shown.number == frame;
 }
 
-Decoder::Decoder(const fs::path& path, Layout layout) : state_(std::make_unique<State>(path, layout)) {
-    state_->look_through();
+Decoder::Decoder(const fs::path& path, Layout layout, int maximum_frames)
+    : state_(std::make_unique<State>(path, layout)) {
+    state_->look_through(maximum_frames);
     state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
 }
 

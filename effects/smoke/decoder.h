@@ -37,8 +37,8 @@ struct ClipInfo {
 class Decoder {
   public:
     /// Opens and looks through the file. Throws Error (bad_input): not a plain local file, a playlist, not a video, no
-    /// picture, no frame, a side over 8192 pixels, over 100000 frames.
-    Decoder(const std::filesystem::path& path, Layout layout);
+    /// picture, no frame, a side over 8192 pixels, over `maximum_frames`.
+    Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = 100'000);
     /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error (bad_input)
     /// when the file is gone or no video any more.
     Decoder(const std::filesystem::path& path, Layout layout, const ClipInfo& known);

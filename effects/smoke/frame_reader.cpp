@@ -1,5 +1,11 @@
 #include "smoke/frame_reader.h"
 
+#include <cstring>
+
+extern "C" {
+#include <libavutil/imgutils.h>
+}
+
 namespace lapfx::smoke {
 
 namespace {
@@ -27,6 +33,35 @@ bool is_broken(const AVFrame& frame) {
     return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || (frame.decode_error_flags & faults) != 0;
 }
 
+/// Decoders that leave what they cannot decode of a frame as it is. The others repair it, and tell.
+bool leaves_gaps(AVCodecID codec) {
+    switch (codec) {
+        case AV_CODEC_ID_H264:
+        case AV_CODEC_ID_HEVC:
+        case AV_CODEC_ID_AV1:
+        case AV_CODEC_ID_VP8:
+        case AV_CODEC_ID_VP9:
+        case AV_CODEC_ID_MPEG1VIDEO:
+        case AV_CODEC_ID_MPEG2VIDEO:
+        case AV_CODEC_ID_MPEG4:
+            return false;
+        default:
+            return true;
+    }
+}
+
+/// Memory for a frame that is black, rather than what some frame before has left in it: the same bytes each time.
+int black_buffer(AVCodecContext* codec, AVFrame* frame, int flags) {
+    const int result = avcodec_default_get_buffer2(codec, frame, flags);
+    if (result < 0) return result;
+    for (const AVBufferRef* buffer : frame->buf)
+        if (buffer != nullptr) std::memset(buffer->data, 0, buffer->size);
+    const ptrdiff_t strides[4] = {frame->linesize[0], frame->linesize[1], frame->linesize[2], frame->linesize[3]};
+    av_image_fill_black(frame->data, strides, static_cast<AVPixelFormat>(frame->format), frame->color_range,
+                        frame->width, frame->height);
+    return result;
+}
+
 }  // namespace
 
 FrameReader::FrameReader(const std::filesystem::path& path)
@@ -44,6 +79,8 @@ void FrameReader::open_codec() {
     codec_->pkt_timebase = video.time_base;
     codec_->max_pixels = maximum_pixels;
     codec_->log_level_offset = silent;
+    if (leaves_gaps(video.codecpar->codec_id)) codec_->get_buffer2 = black_buffer;
+    if (video.codecpar->codec_id == AV_CODEC_ID_MJPEG) codec_->err_recognition |= AV_EF_EXPLODE;  // faults fail
     if (avcodec_open2(codec_.get(), decoder, nullptr) < 0) throw bad_clip(path_, not_decodable);
 }
 
@@ -58,7 +95,7 @@ void FrameReader::restart() {
 bool FrameReader::reach(const SeekPoint& point, std::int64_t stamp) noexcept {
     if (!file_.seek(stamp)) return false;
     while (file_.next(*packet_)) {
-        if (packet_->pts == point.pts && packet_->dts == point.dts) return true;
+        if (packet_->pts == point.pts && packet_->dts == point.dts && packet_->pos == point.position) return true;
         if (packet_->dts != AV_NOPTS_VALUE && packet_->dts > point.dts) return false;
     }
     return false;
@@ -80,6 +117,12 @@ bool FrameReader::feed() noexcept {
     if (!held_ && !file_.next(*packet_)) {
         drained_ = true;
         avcodec_send_packet(codec_.get(), nullptr);
+        return true;
+    }
+    const AVCodecDescriptor* known = codec_->codec_descriptor;
+    const bool alone = known != nullptr && (known->props & AV_CODEC_PROP_INTRA_ONLY) != 0;
+    if (alone && (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0) {  // half a picture, which no other one needs
+        held_ = false;
         return true;
     }
     // A packet that the decoder refuses is lost; the next one may do.

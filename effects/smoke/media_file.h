@@ -28,6 +28,8 @@ class MediaFile {
     /// FFmpeg's name of the container.
     const char* container() const { return format_->iformat->name; }
     bool single_image() const;
+    /// Whether more was wanted than the file holds.
+    bool ran_out() const { return avio_feof(io_.get()) != 0; }
 
   private:
     static int read(void* self, std::uint8_t* into, int size);

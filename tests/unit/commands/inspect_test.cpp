@@ -74,7 +74,8 @@ TEST_F(InspectCommand, VideoAndImage) {
     EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_EQ(result.out,
               "clip.avi: video\n  size                64x48\n  frames per second   10\n  frames              5\n"
-              "  duration            0.500 s\n  codec               MJPG\n"
+              "  duration            0.500 s\n  codec               mjpeg\n"
+              "  pixel format        yuvj420p\n"
               "grey.png: image\n  size                5x3\n  channels            grey, 16 bit\n");
 }
 
@@ -91,7 +92,7 @@ TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {
     EXPECT_EQ(result.err,
               "lapfx: gone.glb: no such file\n"
               "lapfx: empty.glb: is empty\n"
-              "lapfx: text.mp4: is no video that can be opened\n"
+              "lapfx: text.mp4: is not a video that can be decoded\n"
               "lapfx: video.obj: is no OBJ: it is not a text file\n"
               "lapfx: pipe.mp4: is a pipe or device, expected a plain file\n"
               "lapfx: .: is a folder, expected a file\n");
@@ -105,8 +106,8 @@ TEST_F(InspectCommand, NoProtocolAndNoPlaylist) {
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
     EXPECT_EQ(result.err,
-              "lapfx: list.mp4: is no video that can be opened\n"
-              "lapfx: hls.mp4: is no video that can be opened\n"
+              "lapfx: list.mp4: is a playlist; a clip is a single video file\n"
+              "lapfx: hls.mp4: is a playlist; a clip is a single video file\n"
               "lapfx: concat:clip.avi: no such file\n"
               "lapfx: file:clip.avi: no such file\n");
 }

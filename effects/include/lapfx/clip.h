@@ -1,0 +1,31 @@
+// What a video, an image or a sequence of numbered images holds.
+//
+//     const lapfx::ClipReport report = lapfx::report_clip("plume.webm");
+//     if (!report.warning.empty()) log("plume.webm: " + report.warning);
+//
+// Any thread.
+#pragma once
+
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <string>
+
+namespace lapfx {
+
+struct ClipReport {
+    glm::ivec2 size{0};  ///< pixels; a rotation that the file asks for is not applied
+    int frames = 0;
+    double duration = 0.0;             ///< s, the last frame's time included
+    double frames_per_second = 0.0;    ///< mean
+    bool variable_frame_rate = false;  ///< some frames are shown for longer than others
+    bool alpha = false;                ///< brings its own opacity
+    std::string codec;                 ///< FFmpeg's name: "h264", "vp8", "png"
+    std::string pixel_format;          ///< FFmpeg's name: "yuv420p"
+    std::string warning;               ///< what is odd about it but does not keep it from playing; one line, or empty
+};
+
+/// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local file, a
+/// playlist, not a video that can be decoded, a side over 8192 pixels.
+ClipReport report_clip(const std::filesystem::path& path);
+
+}  // namespace lapfx

@@ -1,0 +1,44 @@
+#include <algorithm>
+#include <cmath>
+
+#include "lapfx/clip.h"
+#include "smoke/decoder.h"
+
+namespace lapfx {
+
+namespace {
+
+constexpr int maximum_frames = 10'000'000;  // more than a day: surgery videos are reported, too
+
+/// Containers round times, to 1 ms as a rule; what differs by more than that is meant.
+constexpr double rounding = 2e-3;  // s
+
+bool varies(const std::vector<double>& times) {
+    if (times.size() < 3) return false;
+    double shortest = times[1] - times[0], longest = shortest;
+    for (std::size_t i = 2; i < times.size(); ++i) {
+        shortest = std::min(shortest, times[i] - times[i - 1]);
+        longest = std::max(longest, times[i] - times[i - 1]);
+    }
+    return longest - shortest > rounding;
+}
+
+}  // namespace
+
+ClipReport report_clip(const std::filesystem::path& path) {
+    const smoke::Decoder decoder(path, smoke::Layout::planar, maximum_frames);
+    const smoke::ClipInfo& info = decoder.info();
+    ClipReport report;
+    report.size = info.size;
+    report.frames = info.frame_count();
+    report.duration = info.duration;
+    report.frames_per_second = report.frames / info.duration;
+    report.variable_frame_rate = varies(info.times);
+    report.alpha = info.alpha;
+    report.codec = info.codec;
+    report.pixel_format = info.pixel_format;
+    report.warning = info.warning;
+    return report;
+}
+
+}  // namespace lapfx
