@@ -1,5 +1,6 @@
 #include "smoke/smoke.h"
 
+#include <cassert>
 #include <cmath>
 
 #include "gl/noise.h"
@@ -47,13 +48,27 @@ void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::pa
     }
     clips_ = std::move(clips);
     parameters_ = preset.smoke;
+    set_haze();
 }
 
-void Smoke::set_contacts(std::span<const ToolContact> contacts) {
+void Smoke::set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat) {
+    assert(fat.size() == contacts.size());
     contacts_.assign(contacts.begin(), contacts.end());
+    fat_.assign(fat.begin(), fat.end());
+    set_haze();
+}
+
+void Smoke::set_haze() {
     emissions_.clear();
-    for (const ToolContact& contact : contacts_)
-        if (contact.hot()) emissions_.push_back({contact.time, contact.end(), contact.power});
+    suctions_.clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const ToolContact& contact = contacts_[i];
+        if (contact.hot())
+            emissions_.push_back({contact.time, contact.end(), emission(contact, fat_[i], parameters_.plume)});
+        else if (contact.action == ToolAction::suction)
+            suctions_.push_back({contact.time, contact.end()});
+    }
+    haze_.set(emissions_, suctions_, parameters_.haze);
 }
 
 const gl::Texture& Smoke::frame_at(std::size_t clip, double time, Policy policy) noexcept {
@@ -82,7 +97,7 @@ void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene
 void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const PlumeState state = plume_state(contacts_[i], parameters_.plume, up, time);
+        const PlumeState state = plume_state(contacts_[i], parameters_.plume, up, time, fat_[i]);
         if (state.density * settings.weight <= 0.0) continue;
         const Layer layer{.frame = &frame_at(clip, time, policy),
                           .clip = &settings,

@@ -25,19 +25,21 @@ class Smoke {
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
     /// Throws Error (bad_input) for a clip that cannot be used, and keeps what it had.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
-    void set_contacts(std::span<const ToolContact> contacts);
+    /// `fat`: 0..1 for each contact, of the tissue there; it smokes more (PlumeParameters::fat_gain).
+    void set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat);
 
     /// `view`: organ space to camera space; `up`: unit, where smoke rises to.
     void draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
 
     /// E(t) of the haze.
-    double haze(double time) const noexcept { return haze_density(emissions_, parameters_.haze, time); }
+    double haze(double time) const noexcept { return haze_.density(time); }
 
   private:
     struct Clip {
         std::filesystem::path path;
         std::shared_ptr<ClipTextures> textures;
     };
+    void set_haze();
     const gl::Texture& frame_at(std::size_t clip, double time, Policy policy) noexcept;
     void draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept;
     void draw_even_haze(double time) noexcept;
@@ -47,7 +49,10 @@ class Smoke {
     SmokeParameters parameters_;
     std::vector<Clip> clips_;  // parallel to parameters_.clips
     std::vector<ToolContact> contacts_;
+    std::vector<double> fat_;  // parallel to contacts_
+    HazeCurve haze_;
     std::vector<Emission> emissions_;
+    std::vector<Suction> suctions_;
     SmokeGpu gpu_;
     gl::Texture no_frame_;  // black, for haze without a clip
 };
