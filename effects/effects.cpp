@@ -9,6 +9,7 @@
 #include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "render/view_block.h"
+#include "smoke/contact_fat_cpu.h"
 #include "smoke/smoke.h"
 
 namespace lapfx {
@@ -52,13 +53,20 @@ struct Effects::State {
     render::ViewBlock view_block;
     smoke::Smoke smoke;
 
+    smoke::ContactFat fat;
+    VesselParameters fat_of;  // what `fat` was asked for
+    const smoke::ContactFat::Sample fat_at = [this](const glm::dvec3& place) { return body->tissue().fat(place); };
+
+    void take_smoke() { smoke.set_contacts(recorder.contacts(), fat.update(recorder.contacts(), fat_at)); }
     void refresh() {
         body->set(recorder.contacts(), preset);
-        smoke.set_contacts(recorder.contacts());
+        if (!(fat_of == preset.vessels)) fat.clear();
+        fat_of = preset.vessels;
+        take_smoke();
     }
     void take_contacts() {
         body->set_contacts(recorder.contacts(), preset);
-        smoke.set_contacts(recorder.contacts());
+        take_smoke();
     }
     /// The tool touches the organ as it is now; contacts are of the shape at rest.
     void drain_queue() {
@@ -118,6 +126,8 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     body->set_overlay(s.overlay);
     body->inherit(*s.body, origin, s.time);
     s.body = std::move(body);
+    s.fat.clear();
+    s.take_smoke();
 }
 
 void Effects::set_overlay(Overlay overlay) {

@@ -1,22 +1,69 @@
-// Density of the environmental smoke over time, in closed form, so that any time can be asked for in any
-// order. Pure functions, any thread.
+// Density of the environmental smoke over time, in closed form, so that any time can be asked for in any order. Any thread, one
+// at a time for set().
+//
+//   dE/dt = accumulation * emission(t) - (ventilation + suction while any runs) * E,   E = 0 before the first emission
+//
+// Between two moments at which something starts or ends, both rates are constant and the solution is an exponential; set()
+// works out the value at each of these moments, density() goes on from the last one.
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "lapfx/preset.h"
 
 namespace lapfx::smoke {
 
-/// A span of cautery: smoke of `power` (0..1) comes from `start` to `end`, s.
+/// Smoke of `power` (0 and more) comes from `start` to `end`, s. Emissions at the same time add up.
 struct Emission {
     double start;
     double end;
     double power;
+
+    friend bool operator==(const Emission&, const Emission&) = default;
 };
 
-/// E(t), optical thickness at the focus distance: the solution of dE/dt = accumulation * power(t) -
-/// ventilation * E with E = 0 before the first emission; emissions add up.
-double haze_density(std::span<const Emission> emissions, const HazeParameters& haze, double time) noexcept;
+/// A suction tool runs from `start` to `end`, s. Several at the same time count once.
+struct Suction {
+    double start;
+    double end;
+
+    friend bool operator==(const Suction&, const Suction&) = default;
+};
+
+class HazeCurve {
+  public:
+    /// In any order. Spans that end before they start, or are not finite, count as nothing. Works out anew only what lies behind
+    /// the first change since the call before: a growing contact costs a comparison of the lists.
+    void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze);
+
+    /// E(t), optical thickness at the focus distance. O(log contacts).
+    double density(double time) const noexcept;
+
+  private:
+    /// Something starts or ends.
+    struct Event {
+        double time;
+        double power;             ///< added to that of emissions; 0 for suction
+        int emissions, suctions;  ///< added to how many there are: -1, 0 or 1
+
+        friend auto operator<=>(const Event&, const Event&) = default;
+    };
+    /// From `start` to the next piece's.
+    struct Piece {
+        double start;
+        double density;  ///< at `start`
+        double power;    ///< of all emissions together
+        int emissions, suctions;
+    };
+    double changed_from(std::span<const Emission> emissions, std::span<const Suction> suctions) const;
+    double at(const Piece& piece, double time) const noexcept;
+
+    std::vector<Emission> emissions_;
+    std::vector<Suction> suctions_;
+    double accumulation_ = 0.0, ventilation_ = 0.0, suction_ = 0.0;
+    std::vector<Piece> pieces_;
+    std::vector<Event> events_;  // kept for its memory
+};
 
 }  // namespace lapfx::smoke

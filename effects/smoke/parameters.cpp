@@ -10,7 +10,8 @@
 // The ramps are linear: mixing smoke of one colour over a flat background is. A plume is a quad at the tool tip; when the
 // tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical thickness E:
 //
-//   dE/dt = accumulation * power - ventilation * E
+//   emission = power * (1 + fat_gain * fat density under the tool), for the plume too
+//   dE/dt = accumulation * emission - (ventilation + suction while one runs) * E
 //   transmission per channel = (1 - alpha) ^ extinction;  picture = picture * transmission + color * (1 - transmission)
 //
 // Why these defaults:

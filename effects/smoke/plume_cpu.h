@@ -16,9 +16,15 @@ struct PlumeState {
     double height = 0.0;     ///< mm, of the whole clip
 };
 
+/// How much smoke a hot contact gives, plume and haze: its power, and more where the tissue is fat (0..1).
+inline double emission(const ToolContact& contact, double fat, const PlumeParameters& plume) {
+    return contact.power * (1.0 + plume.fat_gain * fat);
+}
+
 /// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows
-/// and fades.
-PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept;
+/// and fades. `fat`: of the tissue under the contact, 0..1.
+PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time,
+                       double fat = 0.0) noexcept;
 
 /// How a clip is laid out: the same for every frame of one chance.
 struct ClipTurn {

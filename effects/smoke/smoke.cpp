@@ -1,6 +1,7 @@
 #include "smoke/smoke.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
 #include "gl/noise.h"
@@ -58,6 +59,8 @@ Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options)
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
     const std::vector<SmokeClip>& wanted = preset.smoke.clips;
     clips_.set(wanted, preset.folder, search_path);
+    parameters_ = preset.smoke;
+    set_haze();
     int pixels[2] = {0, 0};
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const ClipInfo& info = clips_.info(i);
@@ -66,14 +69,26 @@ void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::pa
         most = std::max(most, info.size.x * info.size.y);
     }
     gpu_.set_clip_pixels(pixels[static_cast<int>(ClipRole::plume)], pixels[static_cast<int>(ClipRole::haze)]);
-    parameters_ = preset.smoke;
 }
 
-void Smoke::set_contacts(std::span<const ToolContact> contacts) {
+void Smoke::set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat) {
+    assert(fat.size() == contacts.size());
     contacts_.assign(contacts.begin(), contacts.end());
+    fat_.assign(fat.begin(), fat.end());
+    set_haze();
+}
+
+void Smoke::set_haze() {
     emissions_.clear();
-    for (const ToolContact& contact : contacts_)
-        if (contact.hot()) emissions_.push_back({contact.time, contact.end(), contact.power});
+    suctions_.clear();
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const ToolContact& contact = contacts_[i];
+        if (contact.hot())
+            emissions_.push_back({contact.time, contact.end(), emission(contact, fat_[i], parameters_.plume)});
+        else if (contact.action == ToolAction::suction)
+            suctions_.push_back({contact.time, contact.end()});
+    }
+    haze_.set(emissions_, suctions_, parameters_.haze);
 }
 
 Smoke::Shown Smoke::show(std::size_t clip, double time, Policy policy) noexcept {
@@ -114,7 +129,7 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
     const PlumeParameters& plume = parameters_.plume;
     std::optional<Shown> shown;
     for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const PlumeState state = plume_state(contacts_[i], plume, up, time);
+        const PlumeState state = plume_state(contacts_[i], plume, up, time, fat_[i]);
         if (state.density * settings.weight <= 0.0) continue;
         if (!shown) shown = show(clip, time, policy);
         const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + i);

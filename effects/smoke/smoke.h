@@ -25,13 +25,14 @@ class Smoke {
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
     /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
-    void set_contacts(std::span<const ToolContact> contacts);
+    /// `fat`: 0..1 for each contact, of the tissue there; it smokes more (PlumeParameters::fat_gain).
+    void set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat);
 
     /// `up`: unit, organ space, where smoke rises to. Into the bound framebuffer and viewport.
     void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
 
     /// E(t) of the haze.
-    double haze(double time) const noexcept { return haze_density(emissions_, parameters_.haze, time); }
+    double haze(double time) const noexcept { return haze_.density(time); }
 
     const ClipSet& clips() const { return clips_; }
     /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
@@ -45,6 +46,7 @@ class Smoke {
         std::optional<ClipFrame> fading;
         double fade = 0.0;
     };
+    void set_haze();
     Shown show(std::size_t clip, double time, Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept;
@@ -55,7 +57,10 @@ class Smoke {
     SmokeParameters parameters_;
     ClipSet clips_;  // parallel to parameters_.clips
     std::vector<ToolContact> contacts_;
+    std::vector<double> fat_;  // parallel to contacts_
+    HazeCurve haze_;
     std::vector<Emission> emissions_;
+    std::vector<Suction> suctions_;
     SmokeGpu gpu_;
 };
 

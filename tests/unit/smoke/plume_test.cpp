@@ -75,5 +75,15 @@ TEST(Plume, IsSmallWhenYoungAndGrowsWhenTheToolStops) {
     EXPECT_NEAR(height(5.0), 60.0, 1e-9);
 }
 
+TEST(Plume, FatSmokesMore) {
+    PlumeParameters p = parameters();
+    p.fat_gain = 1.5;
+    EXPECT_NEAR(plume_state(contact(), p, up, 2.0, 0.4).density, 1.6 * plume_state(contact(), p, up, 2.0).density,
+                1e-12);
+    EXPECT_NEAR(emission(contact(), 1.0, p), 0.5 * 2.5, 1e-12);
+    p.fat_gain = 0.0;
+    EXPECT_EQ(plume_state(contact(), p, up, 2.0, 0.4).density, plume_state(contact(), p, up, 2.0).density);
+}
+
 }  // namespace
 }  // namespace lapfx::smoke
