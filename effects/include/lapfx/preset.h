@@ -123,8 +123,8 @@ struct SmokeClip {
 
 /// Source smoke at the tool tip.
 struct PlumeParameters {
-    double size = 45.0;
-    double density = 1.0;
+    double size = 110.0;
+    double density = 0.35;
     double rise = 6.0;
     double growth = 0.25;
     double fade_in = 0.3;
@@ -132,7 +132,7 @@ struct PlumeParameters {
     double lean = 0.7;
     double softness = 6.0;
     double fat_gain = 0.5;
-    glm::dvec3 color{0.80, 0.82, 0.86};
+    glm::dvec3 color{0.62, 0.62, 0.68};
     glm::dvec3 extinction{0.85, 1.0, 1.1};
 };
 
