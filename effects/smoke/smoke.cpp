@@ -87,6 +87,7 @@ void Smoke::draw(const glm::mat4& view, glm::dvec3 up, double time, GLuint scene
         if (clip.role == ClipRole::haze) haze_weight += clip.weight;
     for (std::size_t i = 0; i < clips_.size(); ++i)
         if (parameters_.clips[i].role == ClipRole::plume) draw_plume(i, view, up, time, policy);
+    draw_particles(up, time, scene_depth);
     // Haze lies between the camera and everything, so it comes last; several clips share its density. Without one it is even.
     if (haze_weight <= 0.0) draw_even_haze(time);
     for (std::size_t i = 0; i < clips_.size(); ++i)
@@ -109,6 +110,20 @@ void Smoke::draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, d
         gpu_.plume(layer, parameters_.keying, glm::vec3(state.anchor), static_cast<float>(state.height),
                    screen_up(view, up));
     }
+}
+
+void Smoke::draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept {
+    static_assert(most_particles <= most_specks);
+    const ParticleParameters& parameters = parameters_.particles;
+    const std::size_t count = particles_at(contacts_, fat_, parameters, up, chance(seed_ + 3, 0), time, particles_);
+    if (count == 0) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Particle& p = particles_[i];
+        const float shape = static_cast<float>(p.shape & 0xffffu) / 65536.0f;
+        particles_gpu_.specks().specks[i] = {glm::vec4(p.position, p.diameter), {p.opacity, p.glow, shape, 0.0f}};
+    }
+    particles_gpu_.draw(count, glm::vec3(parameters.color), scene_depth);
+    gpu_.begin(scene_depth);  // haze follows, and blends in its own way
 }
 
 void Smoke::draw_even_haze(double time) noexcept {

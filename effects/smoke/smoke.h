@@ -3,6 +3,7 @@
 // are loaded.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <span>
@@ -13,6 +14,8 @@
 #include "lapfx/tool.h"
 #include "smoke/clip_textures.h"
 #include "smoke/haze_cpu.h"
+#include "smoke/particles_cpu.h"
+#include "smoke/particles_gpu.h"
 #include "smoke/plume_cpu.h"
 #include "smoke/smoke_gpu.h"
 
@@ -42,6 +45,7 @@ class Smoke {
     void set_haze();
     const gl::Texture& frame_at(std::size_t clip, double time, Policy policy) noexcept;
     void draw_plume(std::size_t clip, const glm::mat4& view, glm::dvec3 up, double time, Policy policy) noexcept;
+    void draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept;
     void draw_even_haze(double time) noexcept;
     void draw_haze(std::size_t clip, double time, double share, Policy policy) noexcept;
 
@@ -53,7 +57,9 @@ class Smoke {
     HazeCurve haze_;
     std::vector<Emission> emissions_;
     std::vector<Suction> suctions_;
+    std::array<Particle, most_particles> particles_;
     SmokeGpu gpu_;
+    ParticlesGpu particles_gpu_;
     gl::Texture no_frame_;  // black, for haze without a clip
 };
 
