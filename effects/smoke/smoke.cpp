@@ -113,6 +113,7 @@ void Smoke::draw(const View& view, glm::dvec3 up, double time, GLuint scene_dept
         else if (haze_weight > 0.0)
             add_haze(i, time, density * clip.weight / haze_weight, policy);
     }
+    draw_particles(up, time, scene_depth);  // smoke lies over them
     gpu_.draw(scene_depth);
     clips_.end_cycle();
 }
@@ -148,6 +149,19 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
         add_shown(*shown, drawn, state.density * settings.weight,
                   [&](const Layer& one) { gpu_.plume(one, corners, bounds); });
     }
+}
+
+void Smoke::draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept {
+    static_assert(most_particles <= most_specks);
+    const ParticleParameters& parameters = parameters_.particles;
+    const std::size_t count = particles_at(contacts_, fat_, parameters, up, chance(seed_ + 3, 0), time, particles_);
+    if (count == 0) return;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Particle& p = particles_[i];
+        const float shape = static_cast<float>(p.shape & 0xffffu) / 65536.0f;
+        particles_gpu_.specks().specks[i] = {glm::vec4(p.position, p.diameter), {p.opacity, p.glow, shape, 0.0f}};
+    }
+    particles_gpu_.draw(count, glm::vec3(parameters.color), scene_depth);
 }
 
 void Smoke::add_haze(std::size_t clip, double time, double density, Policy policy) noexcept {

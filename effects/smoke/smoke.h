@@ -3,6 +3,7 @@
 // are loaded.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <optional>
 #include <span>
@@ -13,6 +14,8 @@
 #include "lapfx/view.h"
 #include "smoke/clip_set.h"
 #include "smoke/haze_cpu.h"
+#include "smoke/particles_cpu.h"
+#include "smoke/particles_gpu.h"
 #include "smoke/plume_cpu.h"
 #include "smoke/smoke_gpu.h"
 
@@ -51,6 +54,7 @@ class Smoke {
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept;
     void add_haze(std::size_t clip, double time, double density, Policy policy) noexcept;
+    void draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept;
 
     std::uint32_t seed_;
     StreamingOptions options_;
@@ -61,7 +65,9 @@ class Smoke {
     HazeCurve haze_;
     std::vector<Emission> emissions_;
     std::vector<Suction> suctions_;
+    std::array<Particle, most_particles> particles_;
     SmokeGpu gpu_;
+    ParticlesGpu particles_gpu_;
 };
 
 }  // namespace lapfx::smoke

@@ -5,8 +5,9 @@
 //
 // Solved smoke over black, green, blue and grey, with sensor noise, through x264 and back. Each keyer is told the background's
 // colour. The others run with their defaults, and with the best of a search over their two thresholds that is given the truth:
-// the least error that anybody could set them to. Ours gets neither: it sees the clip alone. (Ours with the best thresholds
-// is shown as well; and keying of RGB frames, as in the paper's schemes, beside that of planes, as in `resident`.) Error: mean absolute difference of opacity over all pixels, and over those with smoke.
+// the least error that anybody could set them to. Ours gets neither: it sees the clip alone. (Ours with the best thresholds is
+// shown as well; and keying of RGB frames, as in the paper's schemes, beside that of planes, as in `resident`.) Error: mean
+// absolute difference of opacity over all pixels, and over those with smoke.
 //
 // FFmpeg's lumakey and chromakey are run by the `ffmpeg` program. OBS Studio's two are written after its effect files: luma of
 // BT.709 through smoothstep; distance in the chroma plane of BT.709, over 3 x 3 pixels, to the power of 1.5; code values.

@@ -1,0 +1,45 @@
+// Draws specks of fat (particles_cpu.h gives where they are): quads that face the camera, made into specks by the fragment
+// shader, hidden by what is in front of them. Render thread, context current.
+#pragma once
+
+#include <array>
+#include <glm/glm.hpp>
+
+#include "gl/gl.h"
+#include "gl/objects.h"
+#include "gl/program.h"
+
+namespace lapfx::smoke {
+
+constexpr std::size_t most_specks = 256;  ///< in one draw
+
+/// The uniform block LapfxSpecks of shaders/particles.vert, std140.
+struct SpeckBlock {
+    struct Speck {
+        glm::vec4 place;  ///< xyz mm, organ space; diameter, mm
+        glm::vec4 look;   ///< opacity, glow, shape by chance (0..1), unused
+    };
+    std::array<Speck, most_specks> specks;
+};
+
+class ParticlesGpu {
+  public:
+    /// Compiles shaders: throws Error (runtime).
+    ParticlesGpu();
+
+    /// To be filled before draw(); memory of this object.
+    SpeckBlock& specks() { return specks_; }
+
+    /// Over the bound framebuffer, the first `count` of specks(). `color`: sRGB. `scene_depth`: depth texture of the frame, the
+    /// size of the viewport. The view block is bound at 0. Leaves blending on and set for itself, its block at 2, the depth
+    /// texture at unit 1.
+    void draw(std::size_t count, glm::vec3 color, GLuint scene_depth) const noexcept;
+
+  private:
+    SpeckBlock specks_{};
+    gl::Program program_;
+    gl::Buffer block_;
+    gl::VertexArray no_attributes_;
+};
+
+}  // namespace lapfx::smoke
