@@ -26,11 +26,9 @@ const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
     return avcodec_find_decoder(id);
 }
 
-/// Frames that were patched up. A missing reference alone counts as sound: some encoders leave gaps on purpose.
+/// Frames that were patched up.
 bool is_broken(const AVFrame& frame) {
-    constexpr int faults =
-        FF_DECODE_ERROR_INVALID_BITSTREAM | FF_DECODE_ERROR_CONCEALMENT_ACTIVE | FF_DECODE_ERROR_DECODE_SLICES;
-    return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || (frame.decode_error_flags & faults) != 0;
+    return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || frame.decode_error_flags != 0;
 }
 
 /// Decoders that leave what they cannot decode of a frame as it is. The others repair it, and tell.
