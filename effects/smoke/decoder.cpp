@@ -255,9 +255,13 @@ PictureFormat Decoder::format() const {
 bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noexcept {
     try {
         return state_->read(index, into, stop);
-    } catch (const std::exception&) {  // no memory, or the file is no video any more: `into` keeps what it had
-        return false;
+    } catch (const std::exception&) {  // no memory, or the file is no video any more
     }
+    try {
+        if (into.bytes.size() != format().bytes()) state_->converter->make_black(into);
+    } catch (const std::bad_alloc&) {  // it keeps what it had
+    }
+    return false;
 }
 
 double Decoder::decode_seconds() const {

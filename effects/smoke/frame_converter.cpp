@@ -68,7 +68,8 @@ void copy_rows(const std::uint8_t* from, std::ptrdiff_t stride, std::uint8_t* in
         std::memcpy(into, from, static_cast<std::size_t>(width));
 }
 
-void interleave(const std::uint8_t* first, const std::uint8_t* second, std::uint8_t* into, int count) {
+void interleave(const std::uint8_t* __restrict first, const std::uint8_t* __restrict second,
+                std::uint8_t* __restrict into, int count) {
     constexpr int block = 32;  // a fixed number of steps, which the compiler turns into vector instructions
     int i = 0;
     for (; i + block <= count; i += block)
@@ -79,6 +80,15 @@ void interleave(const std::uint8_t* first, const std::uint8_t* second, std::uint
     for (; i < count; ++i) {
         into[2 * i] = first[i];
         into[2 * i + 1] = second[i];
+    }
+}
+
+void interleave(const std::uint8_t* __restrict first, const std::uint8_t* __restrict second,
+                const std::uint8_t* __restrict third, std::uint8_t* __restrict into, int count) {
+    for (int i = 0; i < count; ++i, into += 3) {
+        into[0] = first[i];
+        into[1] = second[i];
+        into[2] = third[i];
     }
 }
 
@@ -129,7 +139,7 @@ bool FrameConverter::fits(const AVFrame& frame) const {
 }
 
 AVPixelFormat FrameConverter::target() const {
-    if (format_.layout == Layout::rgb) return format_.alpha ? AV_PIX_FMT_RGBA : AV_PIX_FMT_RGB24;
+    if (format_.layout == Layout::rgb) return format_.alpha ? AV_PIX_FMT_GBRAP : AV_PIX_FMT_GBRP;
     return format_.alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
 }
 
@@ -177,15 +187,11 @@ void FrameConverter::copy_planar(const AVFrame& frame, std::uint8_t* into) const
 
 void FrameConverter::copy_rgb(const AVFrame& frame, std::uint8_t* into) const {
     const glm::ivec2 size = format_.size;
-    if (!format_.alpha) return copy_rows(frame.data[0], frame.linesize[0], into, 3 * size.x, size.y);
-    std::uint8_t* alpha = into + format_.color_bytes();
-    for (int y = 0; y < size.y; ++y) {
-        const std::uint8_t* from = frame.data[0] + std::ptrdiff_t{y} * frame.linesize[0];
-        for (int x = 0; x < size.x; ++x, from += 4, into += 3, ++alpha) {
-            std::memcpy(into, from, 3);
-            *alpha = from[3];
-        }
+    for (int y = 0; y < size.y; ++y, into += 3 * size.x) {
+        const auto row = [&](int plane) { return frame.data[plane] + std::ptrdiff_t{y} * frame.linesize[plane]; };
+        interleave(row(2), row(0), row(1), into, size.x);  // FFmpeg's order of planes is G, B, R
     }
+    if (format_.alpha) copy_rows(frame.data[3], frame.linesize[3], into, size.x, size.y);
 }
 
 void FrameConverter::convert(const AVFrame& frame, Picture& into) {

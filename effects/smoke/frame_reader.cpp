@@ -1,5 +1,6 @@
 #include "smoke/frame_reader.h"
 
+#include <algorithm>
 #include <cstring>
 
 extern "C" {
@@ -26,11 +27,9 @@ const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
     return avcodec_find_decoder(id);
 }
 
-/// Frames that were patched up. A missing reference alone counts as sound: some encoders leave gaps on purpose.
+/// Frames that were patched up.
 bool is_broken(const AVFrame& frame) {
-    constexpr int faults =
-        FF_DECODE_ERROR_INVALID_BITSTREAM | FF_DECODE_ERROR_CONCEALMENT_ACTIVE | FF_DECODE_ERROR_DECODE_SLICES;
-    return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || (frame.decode_error_flags & faults) != 0;
+    return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || frame.decode_error_flags != 0;
 }
 
 /// Decoders that leave what they cannot decode of a frame as it is. The others repair it, and tell.
@@ -85,7 +84,8 @@ void FrameReader::open_codec() {
 }
 
 void FrameReader::restart() {
-    held_ = drained_ = false;
+    held_ = resets_ = drained_ = false;
+    fresh_ = true;
     last_ = -1;
     least_ = count_ = 0;
     file_.restart();
@@ -103,7 +103,8 @@ bool FrameReader::reach(const SeekPoint& point, std::int64_t stamp) noexcept {
 
 bool FrameReader::seek(const SeekPoint& point) noexcept {
     avcodec_flush_buffers(codec_.get());
-    drained_ = false;
+    resets_ = drained_ = false;
+    fresh_ = true;
     // Some containers look for the time of showing, others for that of decoding.
     held_ = reach(point, point.pts) || (point.dts != point.pts && reach(point, point.dts));
     last_ = point.frame - 1;
@@ -111,14 +112,29 @@ bool FrameReader::seek(const SeekPoint& point) noexcept {
     return held_;
 }
 
+/// Whether the decoder is emptied before packet_. The repairs of FFmpeg's H.264 decoder borrow from whatever came before,
+/// across IDR pictures; a damaged clip shall show the same bytes, wherever decoding has started.
+bool FrameReader::starts_anew(const ClipIndex& index) const noexcept {
+    if (fresh_ || codec_->codec_id != AV_CODEC_ID_H264) return false;
+    const auto point = std::lower_bound(index.points.begin(), index.points.end(), packet_->pts,
+                                        [](const SeekPoint& p, std::int64_t pts) { return p.pts < pts; });
+    return point != index.points.end() && point->pts == packet_->pts;
+}
+
 /// The next packet to the decoder; false when there is nothing more to give it.
-bool FrameReader::feed() noexcept {
+bool FrameReader::feed(const ClipIndex& index) noexcept {
     if (drained_) return false;
     if (!held_ && !file_.next(*packet_)) {
         drained_ = true;
         avcodec_send_packet(codec_.get(), nullptr);
         return true;
     }
+    if (starts_anew(index)) {
+        held_ = resets_ = true;
+        avcodec_send_packet(codec_.get(), nullptr);
+        return true;
+    }
+    fresh_ = false;
     const AVCodecDescriptor* known = codec_->codec_descriptor;
     const bool alone = known != nullptr && (known->props & AV_CODEC_PROP_INTRA_ONLY) != 0;
     if (alone && (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0) {  // half a picture, which no other one needs
@@ -136,7 +152,12 @@ Step FrameReader::next(const ClipIndex& index, AVFrame& frame, int& number, cons
         if (stop != nullptr && stop->load(std::memory_order_relaxed)) return Step::stopped;
         const int result = avcodec_receive_frame(codec_.get(), &frame);
         if (result != 0) {
-            if (result != AVERROR_EOF && feed()) continue;
+            if (resets_) {
+                avcodec_flush_buffers(codec_.get());
+                resets_ = false;
+                fresh_ = true;
+            }
+            if ((result != AVERROR_EOF || !drained_) && feed(index)) continue;
             return Step::end;
         }
         int place = count_++;

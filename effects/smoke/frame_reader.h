@@ -30,7 +30,8 @@ class FrameReader {
 
   private:
     void open_codec();
-    bool feed() noexcept;
+    bool feed(const ClipIndex& index) noexcept;
+    bool starts_anew(const ClipIndex& index) const noexcept;
     bool reach(const SeekPoint& point, std::int64_t stamp) noexcept;
 
     const std::filesystem::path path_;
@@ -38,6 +39,8 @@ class FrameReader {
     libav::Codec codec_;
     libav::Packet packet_;
     bool held_ = false;     ///< packet_ is still to be decoded
+    bool fresh_ = true;     ///< the decoder has had no packet since it was made or emptied
+    bool resets_ = false;   ///< it is giving out what it still has, and will be emptied then
     bool drained_ = false;  ///< the decoder knows that no packet follows
     int last_ = -1;         ///< number of the frame that was given last
     int least_ = 0;         ///< frames before this one are left out: after a seek they lack what they refer to

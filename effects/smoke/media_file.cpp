@@ -23,9 +23,11 @@ constexpr const char* formats =
     "bmp_pipe,tiff_pipe,qoi_pipe,sgi_pipe,psd_pipe,dpx_pipe,exr_pipe";
 
 /// FFmpeg prints a line for each fault of a file. A library keeps out of its host's stderr, but the level is one for the whole
-/// process: a host that has set its own, or a callback (which is not asked for the level), keeps what it has.
+/// process: a host that has set one of its own, or a callback (which is not asked for the level), keeps it. INFO is FFmpeg's
+/// default, ERROR the one that OpenCV sets.
 void quieten() {
-    if (av_log_get_level() == AV_LOG_INFO) av_log_set_level(AV_LOG_QUIET);
+    const int level = av_log_get_level();
+    if (level == AV_LOG_INFO || level == AV_LOG_ERROR) av_log_set_level(AV_LOG_QUIET);
 }
 
 /// A clip is one file: what the file names besides is never opened.
@@ -111,7 +113,7 @@ void MediaFile::choose_video() {
 }
 
 bool MediaFile::next(AVPacket& packet) noexcept {
-    for (int faults = 0; faults < patience;) {
+    for (int faults = 0; format_ != nullptr && faults < patience;) {
         av_packet_unref(&packet);
         const int result = av_read_frame(format_.get(), &packet);
         if (result == AVERROR_EOF) return false;
@@ -127,7 +129,7 @@ bool MediaFile::next(AVPacket& packet) noexcept {
 }
 
 bool MediaFile::seek(std::int64_t stamp) noexcept {
-    return av_seek_frame(format_.get(), video_, stamp, AVSEEK_FLAG_BACKWARD) >= 0;
+    return format_ != nullptr && av_seek_frame(format_.get(), video_, stamp, AVSEEK_FLAG_BACKWARD) >= 0;
 }
 
 bool MediaFile::single_image() const {

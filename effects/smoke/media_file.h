@@ -16,7 +16,8 @@ class MediaFile {
     MediaFile(const MediaFile&) = delete;
     MediaFile& operator=(const MediaFile&) = delete;
 
-    /// To the first packet. The file is the one that was opened, even when its name is gone. Throws as the constructor.
+    /// To the first packet. The file is the one that was opened, even when its name is gone. Throws as the constructor; then
+    /// there are no more packets.
     void restart();
 
     /// The next packet that holds something of the video; false at the end.
