@@ -102,7 +102,8 @@ ClipFrame ClipSet::frame(std::size_t clip, int head, int index, Policy) noexcept
             h.texture.upload(GL_RED, m.data, 1);
             const auto area = static_cast<std::size_t>(f.size.x) * static_cast<std::size_t>(f.size.y);
             const std::size_t quarter = area / 4;
-            std::vector<std::uint8_t> both(quarter * 2);
+            static std::vector<std::uint8_t> both;
+            both.resize(quarter * 2);
             for (std::size_t i = 0; i < quarter; ++i) {
                 both[2 * i] = m.data[area + i];
                 both[2 * i + 1] = m.data[area + quarter + i];
