@@ -43,6 +43,12 @@ vec2 lapfx_despill(vec2 chroma, LapfxKeying key) {
     return chroma - key.spill * lean * key.key_chroma;
 }
 
+// The smoke's own tint, 1 where it is grey; brightness is in alpha already. `chroma` without spill.
+vec3 lapfx_tint(float luma, vec2 chroma) {
+    vec2 share = chroma / max(luma, 64.0);
+    return clamp(1.0 + vec3(1.402 * share.y, -0.344 * share.x - 0.714 * share.y, 1.772 * share.x), 0.0, 2.0);
+}
+
 // Alpha varied by noise in -1..1: mean kept, never outside 0..1.
 float lapfx_vary_alpha(float alpha, float noise, float strength) {
     return lapfx_unit(alpha * (1.0 + strength * noise));

@@ -96,19 +96,15 @@ vec4 smoke_noise(vec2 uv) {
 #endif
 }
 
-// The clip's own tint, which real smoke has a little of; brightness is in alpha already.
+// The clip's own tint, which real smoke has a little of.
 vec3 tint(int i, vec3 code) {
-    vec2 chroma = code.yz;
 #ifdef LAPFX_CHROMA
-    chroma = lapfx_despill(chroma, keying(i));
-#endif
-    chroma /= max(code.x, 64.0);
-    vec3 tint = 1.0 + vec3(1.402 * chroma.y, -0.344 * chroma.x - 0.714 * chroma.y, 1.772 * chroma.x);
-#ifdef LAPFX_CHROMA
+    vec3 own = lapfx_tint(code.x, lapfx_despill(code.yz, keying(i)));
     // Over a coloured background the mixture's tint is the background's, unless spill suppression takes it out.
-    if (u_layers[i].luma_chroma.w > 0.0) tint = mix(tint, vec3(1.0), u_layers[i].key.z);
+    return u_layers[i].luma_chroma.w > 0.0 ? mix(own, vec3(1.0), u_layers[i].key.z) : own;
+#else
+    return lapfx_tint(code.x, code.yz);
 #endif
-    return clamp(tint, 0.0, 2.0);
 }
 
 // Distance of the scene from the camera plane, mm.

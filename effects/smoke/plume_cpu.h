@@ -40,7 +40,7 @@ struct PlumeQuad {
     glm::vec2 source{0.5f, 1.0f};  ///< where in the clip as filmed the smoke starts, 0..1, origin top left
     glm::vec2 up{0.0f, 1.0f};      ///< unit, camera plane: where smoke rises to
     float lean = 0.0f;             ///< mm towards the camera per mm of rise
-    ClipTurn turn;
+    ClipTurn turn{};
 };
 
 /// Camera space: top left, top right, bottom left, bottom right of the clip as drawn.

@@ -25,6 +25,11 @@ void over_the_frame() {
     blend(GL_ONE, GL_SRC1_COLOR);  // destination * transmission + light
 }
 
+/// Which of Role::programs draws so many layers at once.
+std::size_t program_index(int count) {
+    return count == 4 ? 2u : count == 2 ? 1u : 0u;
+}
+
 }  // namespace
 
 /// Where the host wants the smoke; off-screen passes go elsewhere in between.
@@ -62,11 +67,6 @@ unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, const KeyingParamet
            (k.noise_strength > 0.0 ? noise : 0u);
 }
 
-/// Which of Role::programs draws so many layers at once.
-static std::size_t program_index(int count) {
-    return count == 4 ? 2u : count == 2 ? 1u : 0u;
-}
-
 void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
     std::string defines = "#define LAPFX_LAYERS " + std::to_string(count) + "\n";
     constexpr std::pair<unsigned, const char*> names[] = {
@@ -79,9 +79,10 @@ void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
                                                               : gl::Program("fullscreen.vert", "haze.frag", defines);
 }
 
-void SmokeGpu::prepare(ClipRole which, Layout layout, bool has_alpha, const KeyingParameters& keying) {
+void SmokeGpu::prepare(ClipRole which, Layout layout, bool has_alpha, const KeyingParameters& keying, int count) {
     const unsigned variant = variant_of(layout, has_alpha, keying);
-    if (!role(which).programs[0][variant]) compile(which, 1, variant);
+    for (int together = 1; together <= (draws_together(which) ? std::min(count, most_together) : 1); together *= 2)
+        if (!role(which).programs[program_index(together)][variant]) compile(which, together, variant);
 }
 
 const gl::Program* SmokeGpu::program(ClipRole which, int count, unsigned variant) noexcept {
@@ -142,11 +143,16 @@ void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
     add(ClipRole::haze, layer, block);
 }
 
-/// Layers of haze that follow each other and are alike are summed up in the shader, which saves reading and writing the target
-/// in between. Plumes lie at places of their own, and straight over the frame goes one after the other.
+/// Layers of haze are summed up in the shader, which saves reading and writing the target in between. Plumes lie at places of
+/// their own, and straight over the frame goes one after the other.
+bool SmokeGpu::draws_together(ClipRole which) const noexcept {
+    return which == ClipRole::haze && resolution_ != SmokeResolution::screen;
+}
+
+/// Takes layers that follow each other and are alike together.
 void SmokeGpu::make_batches(ClipRole which) noexcept {
     Role& r = role(which);
-    const bool together = which == ClipRole::haze && resolution_ != SmokeResolution::screen;
+    const bool together = draws_together(which);
     for (std::size_t first = 0; first < r.layers.size();) {
         const Drawn& like = r.layers[first];
         int count = 1;

@@ -26,8 +26,9 @@ class SmokeGpu {
     /// Compiles shaders: throws Error (runtime). `timings`: measure draw() with timer queries.
     SmokeGpu(SmokeResolution resolution, bool timings);
 
-    /// Compiles what layers of this kind need, so that drawing the first one does not have to. Throws Error (runtime).
-    void prepare(ClipRole role, Layout layout, bool alpha, const KeyingParameters& keying);
+    /// Compiles what up to `count` layers of this kind need, so that drawing the first ones does not have to. Throws Error
+    /// (runtime).
+    void prepare(ClipRole role, Layout layout, bool alpha, const KeyingParameters& keying, int count);
     /// Pixels of the largest clip of each role: how many an off-screen target has.
     void set_clip_pixels(int plume, int haze) noexcept;
 
@@ -80,6 +81,7 @@ class SmokeGpu {
     void compile(ClipRole role, int count, unsigned variant);
     const gl::Program* program(ClipRole role, int count, unsigned variant) noexcept;
     void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;
+    bool draws_together(ClipRole role) const noexcept;
     void make_batches(ClipRole role) noexcept;
     void upload(Role& role) noexcept;
     void bind(const Drawn& layer, GLuint index) const noexcept;

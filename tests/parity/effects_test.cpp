@@ -129,6 +129,38 @@ TEST_F(EffectsTest, OnlyWhatChangesIsSentAndASettledSceneSendsAndAllocatesNothin
     EXPECT_EQ(allocations, 0u);
 }
 
+TEST_F(EffectsTest, SmokeAllocatesNothingOnceItHasBeenDrawn) {
+    preset.smoke.clips[0].crossfade = preset.smoke.clips[1].crossfade = 0.2;
+    const gl::Texture color({.size = extent, .format = GL_RGBA16F});
+    const gl::Texture depth({.size = extent, .format = GL_DEPTH_COMPONENT32F, .filter = GL_NEAREST});
+    const gl::Framebuffer framebuffer(color, nullptr);
+    constexpr float far = 1.0f;
+    const gl::Framebuffer cleared(color, &depth);
+    glClearNamedFramebufferfv(cleared.name(), GL_DEPTH, 0, &far);
+    for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip}) {
+        Effects effects(test::plane(80.0, 40), preset,
+                        {.clip_folders = {}, .wait_for_clips = true, .streaming = {.resolution = resolution}});
+        effects.set_contacts(scene.events);
+        glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
+        glViewport(0, 0, extent.x, extent.y);
+        const View view = render::view_of(scene.camera, scene.light, extent);
+        std::size_t most = 0;
+        const auto play = [&] {
+            for (double time = 1.0; time < 3.4; time += 0.04) {
+                effects.seek(time);
+                allocations = 0;
+                effects.draw_smoke(view, depth.name());
+                most = std::max(most, allocations);
+            }
+        };
+        play();
+        most = 0;
+        play();
+        EXPECT_EQ(most, 0u);
+    }
+    glBindFramebuffer(GL_FRAMEBUFFER, 0);
+}
+
 TEST_F(EffectsTest, GravityWithoutADirectionIsRefused) {
     for (const glm::dvec3 gravity :
          {glm::dvec3(0.0), glm::dvec3(1e-200, 0.0, 0.0), glm::dvec3(0.0, std::nan(""), 0.0)}) {

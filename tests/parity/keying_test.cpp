@@ -1,4 +1,5 @@
 // shaders/keying.glsl and its CPU reference effects/smoke/keying_cpu.h key alike, to 1e-5 of alpha and 1e-3 of a code value.
+#include <cmath>
 #include <limits>
 
 #include "smoke/keying_cpu.h"
@@ -105,6 +106,38 @@ TEST_F(KeyingParity, VaryAlpha) {
                 inputs.emplace_back(alpha, noise, strength, 0.0f);
     for (const glm::vec4& i : inputs) cpu.emplace_back(vary_alpha(i.x, i.y, i.z));
     test::expect_near(inputs, cpu, gpu(inputs), 0, 1e-6, "varied alpha");
+}
+
+TEST_F(KeyingParity, Tint) {
+    const test::GpuFunction gpu({"keying.glsl"}, "vec4(lapfx_tint(a.x, a.yz), 0.0)");
+    std::vector<glm::vec4> inputs, cpu;
+    for (float y = -20.0f; y <= 280.0f; y += 15.0f)
+        for (float cb = -130.0f; cb <= 130.0f; cb += 20.0f)
+            for (float cr = -130.0f; cr <= 130.0f; cr += 20.0f) inputs.emplace_back(y, cb, cr, 0.0f);
+    for (const glm::vec4& i : inputs) cpu.emplace_back(tint(i.x, glm::vec2(i.y, i.z)), 0.0f);
+    const auto results = gpu(inputs);
+    for (int i = 0; i < 3; ++i) test::expect_near(inputs, cpu, results, i, 1e-5, "tint");
+}
+
+/// Opacity of a made-up clip, as a function of the place: steep and round.
+float blobs(glm::vec2 p) {
+    return unit(0.5f + 0.7f * std::sin(0.31f * p.x) * std::cos(0.23f * p.y));
+}
+
+TEST_F(KeyingParity, ChokeAndFeather) {
+    const test::GpuFunction gpu(
+        {"keying.glsl", "edges.glsl"}, "vec4(lapfx_edged(a.xy, u_0.x, u_0.y))",
+        "float lapfx_opacity_at(vec2 p) { return lapfx_unit(0.5 + 0.7 * sin(0.31 * p.x) * cos(0.23 * p.y)); }");
+    std::vector<glm::vec4> inputs;
+    for (float x = 0.0f; x < 40.0f; x += 0.75f)
+        for (float y = 0.0f; y < 40.0f; y += 0.75f) inputs.emplace_back(x, y, 0.0f, 0.0f);
+    for (const auto& [choke, feather] :
+         {std::pair{0.0f, 0.0f}, {3.0f, 0.0f}, {0.0f, 2.5f}, {1.5f, 6.0f}, {16.0f, 16.0f}}) {
+        std::vector<glm::vec4> cpu;
+        for (const glm::vec4& i : inputs) cpu.emplace_back(edged(blobs, glm::vec2(i), choke, feather));
+        test::expect_near(inputs, cpu, gpu(inputs, {glm::vec4(choke, feather, 0.0f, 0.0f)}), 0, 1e-5,
+                          "choke " + std::to_string(choke) + " feather " + std::to_string(feather));
+    }
 }
 
 }  // namespace

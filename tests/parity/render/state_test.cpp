@@ -33,6 +33,8 @@ constexpr GLenum integers[] = {GL_CURRENT_PROGRAM,
 constexpr GLenum switches[] = {GL_BLEND,        GL_DEPTH_TEST,   GL_CULL_FACE,       GL_MULTISAMPLE,
                                GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB};
 
+constexpr int units = 16;
+
 /// All that a draw call may touch, by name.
 std::map<std::string, GLint64> state() {
     std::map<std::string, GLint64> all;
@@ -54,9 +56,10 @@ std::map<std::string, GLint64> state() {
             glGetInteger64i_v(query, static_cast<GLuint>(i), &all[name("uniform binding", query, i)]);
     GLint active = 0;
     glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
-    for (int i = 0; i < 4; ++i) {
+    for (int i = 0; i < units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        glGetInteger64v(GL_TEXTURE_BINDING_2D, &all[name("texture unit", GL_TEXTURE_BINDING_2D, i)]);
+        for (const GLenum query : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY})
+            glGetInteger64v(query, &all[name("texture unit", query, i)]);
     }
     glActiveTexture(static_cast<GLenum>(active));
     return all;
@@ -122,7 +125,7 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
     Effects e = effects();
     e.seek(2.5);
     const gl::Buffer buffer(4096);
-    const gl::Texture texture({.size = {2, 2}});
+    const gl::Texture texture({.size = {2, 2}}), texture_array({.size = {2, 2}, .layers = 3});
     const gl::VertexArray vertex_array;
     const gl::Program program("fullscreen.vert", "post.frag");
     for (const bool on : {true, false}) {
@@ -135,7 +138,11 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         glDepthMask(on ? GL_FALSE : GL_TRUE);
         glBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_SRC_ALPHA);
         glBlendEquationSeparate(GL_FUNC_SUBTRACT, GL_MAX);
-        for (GLuint i = 0; i < 4; ++i) glBindTextureUnit(i, texture.name());
+        for (GLuint i = 0; i < units; ++i) {
+            glBindTextureUnit(i, texture.name());
+            glBindTextureUnit(i, texture_array.name());  // beside it: another target
+        }
+        glViewport(3, 5, 50, 40);
         for (GLuint i = 0; i < 4; ++i)  // whole buffers, parts of buffers, and nothing
             if (on)
                 glBindBufferRange(GL_UNIFORM_BUFFER, i, buffer.name(), 256 * i, 512);

@@ -89,6 +89,56 @@ TEST(Keying, WhateverAPixelHoldsAlphaIsWithinZeroAndOne) {
                 }
 }
 
+/// Smoke at the left of x = 10, pixels.
+float half_plane(glm::vec2 position) {
+    return position.x < 10.0f ? 1.0f : 0.0f;
+}
+
+TEST(Keying, ChokeDrawsTheEdgeInByItsPixels) {
+    for (const float choke : {0.0f, 0.5f, 3.0f, 16.0f}) {
+        EXPECT_EQ(choked(half_plane, {9.9f - choke, 5.0f}, choke), 1.0f) << choke;
+        EXPECT_EQ(choked(half_plane, {10.1f - choke, 5.0f}, choke), 0.0f) << choke;
+    }
+}
+
+TEST(Keying, FeatherIsAMeanOverItsPixels) {
+    EXPECT_EQ(edged(half_plane, {9.9f, 5.0f}, 0.0f, 0.0f), 1.0f);
+    EXPECT_EQ(edged(half_plane, {5.9f, 5.0f}, 0.0f, 4.0f), 1.0f) << "beyond its reach nothing changes";
+    EXPECT_EQ(edged(half_plane, {14.1f, 5.0f}, 0.0f, 4.0f), 0.0f);
+    EXPECT_NEAR(edged(half_plane, {9.9f, 5.0f}, 0.0f, 4.0f), 6.0f / 9.0f, 1e-6f)
+        << "itself and all but three to the right";
+    EXPECT_NEAR(edged(half_plane, {10.1f, 5.0f}, 0.0f, 4.0f), 3.0f / 9.0f, 1e-6f);
+    EXPECT_NEAR(edged(half_plane, {7.9f, 5.0f}, 2.0f, 4.0f), 6.0f / 9.0f, 1e-6f) << "choked first";
+}
+
+TEST(Keying, TheTintIsThatOfBrightSmokeAndBoundedForDarkOne) {
+    EXPECT_EQ(tint(200.0f, {0.0f, 0.0f}), glm::vec3(1.0f));
+    const glm::vec3 warm(180.0f, 160.0f, 150.0f);
+    const glm::vec3 found = tint(luma(warm), chroma(warm)) * luma(warm);
+    EXPECT_NEAR(glm::distance(found, warm), 0.0f, 0.1f);
+    EXPECT_EQ(tint(0.0f, {0.0f, 127.0f}).r, 2.0f);
+    EXPECT_EQ(tint(0.0f, {127.0f, 127.0f}).g, 0.0f);
+}
+
+TEST(Keying, ConstantsComeFromThePreset) {
+    KeyingParameters k;
+    k.luma_low = 20.0;
+    k.luma_high = 90.0;
+    k.key_color = {0.0, 1.0, 0.0};
+    k.chroma_low = 30.0;
+    k.chroma_high = 70.0;
+    k.spill = 0.25;
+    const Keying key = keying_of(k, ClipPolarity::dark);
+    EXPECT_EQ(key.luma_low, 20.0f);
+    EXPECT_EQ(key.luma_high, 90.0f);
+    EXPECT_EQ(key.key_chroma, chroma({0, 255, 0}));
+    EXPECT_EQ(key.chroma_low, 30.0f);
+    EXPECT_EQ(key.chroma_high, 70.0f);
+    EXPECT_EQ(key.spill, 0.25f);
+    EXPECT_EQ(key.dark, 1.0f);
+    EXPECT_EQ(keying_of(k, ClipPolarity::light).dark, 0.0f);
+}
+
 TEST(Keying, EqualThresholdsAreAStep) {
     Keying key = by_luma;
     key.luma_low = key.luma_high = 100.0f;

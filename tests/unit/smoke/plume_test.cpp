@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <glm/gtc/matrix_transform.hpp>
+
 namespace lapfx::smoke {
 namespace {
 
@@ -83,6 +85,89 @@ TEST(Plume, FatSmokesMore) {
     EXPECT_NEAR(emission(contact(), 1.0, p), 0.5 * 2.5, 1e-12);
     p.fat_gain = 0.0;
     EXPECT_EQ(plume_state(contact(), p, up, 2.0, 0.4).density, plume_state(contact(), p, up, 2.0).density);
+}
+
+PlumeQuad quad() {
+    return {.anchor = {0.0f, 0.0f, -100.0f}, .extent = {60.0f, 40.0f}, .source = {0.25f, 0.9f}};
+}
+
+TEST(PlumeQuad, TheSourceLiesOnTheAnchorHoweverItIsTurned) {
+    PlumeQuad q = quad();
+    for (const bool mirrored : {false, true})
+        for (const float angle : {0.0f, 0.7f, -2.0f}) {
+            q.turn = {mirrored, angle};
+            const auto c = plume_corners(q);
+            const glm::vec2 at(mirrored ? 0.75f : 0.25f, 0.9f);
+            const glm::vec3 source = glm::mix(glm::mix(c[0], c[1], at.x), glm::mix(c[2], c[3], at.x), at.y);
+            EXPECT_NEAR(glm::distance(source, q.anchor), 0.0f, 1e-4f) << mirrored << ' ' << angle;
+            EXPECT_NEAR(glm::distance(c[0], c[1]), 60.0f, 1e-3f);
+            EXPECT_NEAR(glm::distance(c[0], c[2]), 40.0f, 1e-3f);
+        }
+}
+
+TEST(PlumeQuad, StandsUprightAndTurnsCounterClockwise) {
+    PlumeQuad q = quad();
+    auto c = plume_corners(q);
+    EXPECT_NEAR(glm::distance(c[0], glm::vec3(-15.0f, 36.0f, -100.0f)), 0.0f, 1e-4f) << "top left";
+    EXPECT_NEAR(glm::distance(c[3], glm::vec3(45.0f, -4.0f, -100.0f)), 0.0f, 1e-4f) << "bottom right";
+    q.turn.angle = glm::radians(90.0f);
+    c = plume_corners(q);
+    EXPECT_NEAR(glm::distance(c[0], glm::vec3(-36.0f, -15.0f, -100.0f)), 0.0f, 1e-4f);
+    q.turn.angle = 0.0f;
+    q.up = {1.0f, 0.0f};
+    c = plume_corners(q);
+    EXPECT_NEAR(glm::distance(c[0], glm::vec3(36.0f, 15.0f, -100.0f)), 0.0f, 1e-4f) << "up is to the right";
+}
+
+TEST(PlumeQuad, LeansTowardsTheCameraAsFarAsItRisesButNotToTheLens) {
+    PlumeQuad q = quad();
+    q.lean = 0.5f;
+    auto c = plume_corners(q);
+    EXPECT_NEAR(c[0].z, -100.0f + 0.5f * 36.0f, 1e-4f);
+    EXPECT_NEAR(c[2].z, -100.0f, 1e-4f) << "below the source it stays";
+    q.turn.angle = glm::radians(180.0f);
+    c = plume_corners(q);
+    EXPECT_NEAR(c[0].z, -100.0f, 1e-4f) << "the clip's top hangs down";
+    EXPECT_NEAR(c[2].z, -100.0f + 0.5f * 4.0f, 1e-4f);
+    q.turn.angle = 0.0f;
+    q.lean = 1.5f;
+    q.extent = {600.0f, 400.0f};
+    EXPECT_NEAR(plume_corners(q)[0].z, -45.0f, 1e-4f);
+}
+
+TEST(PlumeQuad, BoundsAreThoseOfItsPicture) {
+    const glm::mat4 projection = glm::perspective(glm::radians(90.0f), 1.0f, 1.0f, 1000.0f);
+    const glm::vec4 b = view_bounds(plume_corners(quad()), projection);  // 100 mm away the view is 200 mm wide and high
+    EXPECT_NEAR(b.x, 0.5f - 15.0f / 200.0f, 1e-5f);
+    EXPECT_NEAR(b.y, 0.5f - 4.0f / 200.0f, 1e-5f);
+    EXPECT_NEAR(b.z, 0.5f + 45.0f / 200.0f, 1e-5f);
+    EXPECT_NEAR(b.w, 0.5f + 36.0f / 200.0f, 1e-5f);
+    PlumeQuad beside = quad();
+    beside.anchor.x = 500.0f;
+    const glm::vec4 out = view_bounds(plume_corners(beside), projection);
+    EXPECT_FALSE(out.z > out.x && out.w > out.y);
+    PlumeQuad behind = quad();
+    behind.anchor.z = 100.0f;
+    const glm::vec4 none = view_bounds(plume_corners(behind), projection);
+    EXPECT_FALSE(none.z > none.x && none.w > none.y);
+    std::array<glm::vec3, 4> through = plume_corners(quad());
+    through[0].z = 50.0f;
+    EXPECT_EQ(view_bounds(through, projection), glm::vec4(0.0f, 0.0f, 1.0f, 1.0f));
+}
+
+TEST(ClipTurn, IsSeededUnlessThePresetSaysHow) {
+    SmokeClip clip;
+    EXPECT_TRUE(clip_turn(clip, 1).mirrored);
+    EXPECT_FALSE(clip_turn(clip, 2).mirrored);
+    EXPECT_EQ(clip_turn(clip, 0xffff0000u).angle, 0.0f);
+    clip.mirror = ClipMirror::on;
+    EXPECT_TRUE(clip_turn(clip, 2).mirrored);
+    clip.mirror = ClipMirror::off;
+    EXPECT_FALSE(clip_turn(clip, 1).mirrored);
+    clip.rotation = 30.0;
+    EXPECT_NEAR(clip_turn(clip, 0xffff0000u).angle, glm::radians(30.0f), 1e-6f);
+    EXPECT_NEAR(clip_turn(clip, 0u).angle, -glm::radians(30.0f), 1e-6f);
+    EXPECT_NEAR(clip_turn(clip, 0x80000000u).angle, 0.0f, 1e-4f);
 }
 
 }  // namespace

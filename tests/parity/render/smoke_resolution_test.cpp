@@ -1,0 +1,66 @@
+// The sample scene with its smoke composited off-screen is, but for 2/255 on average, what shading each layer at the frame's
+// resolution gives.
+#include "lapfx/preview.h"
+#include "support/gpu_test.h"
+
+namespace lapfx {
+namespace {
+
+struct Difference {
+    double mean = 0.0;
+    int far = 0;  ///< pixels that differ by more than 24 in some channel
+};
+
+Difference difference(const Image& a, const Image& b) {
+    Difference d;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
+        int most = 0;
+        for (std::size_t c = 0; c < 3; ++c) {
+            const int apart = std::abs(a.pixels[i + c] - b.pixels[i + c]);
+            d.mean += apart;
+            most = std::max(most, apart);
+        }
+        d.far += most > 24 ? 1 : 0;
+    }
+    d.mean /= static_cast<double>(a.pixels.size()) * 0.75;
+    return d;
+}
+
+class SmokeResolutionTest : public test::GpuTest, public testing::WithParamInterface<const char*> {};
+
+TEST_P(SmokeResolutionTest, DiffersLittleFromShadingAtTheFramesResolution) {
+    const std::filesystem::path root = LAPFX_SOURCE_DIR;
+    const Scene scene = load_scene(root / "samples/lagb.scene.json");
+    const Preset preset = load_preset(root / "presets" / (std::string(GetParam()) + ".json"));
+    const auto picture = [&](SmokeResolution resolution, double time, const Preset& of) {
+        Preview preview(scene, of,
+                        {.clip_folders = {root / "samples/clips"},
+                         .wait_for_clips = true,
+                         .streaming = {.resolution = resolution}});
+        return preview.image(time, {1280, 1024});
+    };
+    Preset clear = preset;
+    clear.smoke.clips.clear();
+    clear.smoke.haze.accumulation = 0.0;
+    constexpr double time = 6.0;
+    const Image direct = picture(SmokeResolution::screen, time, preset);
+    const Difference smoke = difference(direct, picture(SmokeResolution::screen, time, clear));
+    EXPECT_GT(smoke.mean, 0.3) << "there is smoke";
+    for (const SmokeResolution resolution : {SmokeResolution::clip, SmokeResolution::half}) {
+        const Difference d = difference(direct, picture(resolution, time, preset));
+        const char* name = resolution == SmokeResolution::clip ? "clip" : "half";
+        EXPECT_LE(d.mean, 2.0) << name;
+        EXPECT_LE(d.mean, 0.25 * smoke.mean) << name;
+        EXPECT_LE(d.far, 1280 * 1024 / 500) << name << ": pixels that are far off";
+        RecordProperty(std::string("mean_") + name, std::to_string(d.mean));
+        std::printf("%s at %s resolution: mean difference %.3f, %d pixels beyond 24; smoke itself %.2f\n", GetParam(),
+                    name, d.mean, d.far, smoke.mean);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(Presets, SmokeResolutionTest,
+                         testing::Values("heavy_haze", "hook_cautery_plume", "gastric_banding"),
+                         [](const auto& tested) { return std::string(tested.param); });
+
+}  // namespace
+}  // namespace lapfx

@@ -1,0 +1,283 @@
+// Smoke as SmokeGpu draws it against the CPU references of keying and of thickness, and off-screen against straight over.
+#include "smoke/smoke_gpu.h"
+
+#include "gl/srgb.h"
+#include "parity/smoke/smoke_fixture.h"
+#include "smoke/plume_cpu.h"
+
+namespace lapfx::smoke {
+namespace {
+
+constexpr glm::vec4 everywhere{0.0f, 0.0f, 1.0f, 1.0f};
+
+struct Case {
+    const char* name;
+    Layout layout;
+    bool alpha;
+    KeyingParameters keying;
+    ClipPolarity polarity = ClipPolarity::light;
+    bool mirrored = false;
+};
+
+KeyingParameters by_luma() {
+    return {.luma_low = 16.0, .luma_high = 220.0, .noise_strength = 0.0};
+}
+KeyingParameters by_chroma() {
+    KeyingParameters k = by_luma();
+    k.key_color = {0.2, 0.5, 0.3};
+    k.chroma_low = 5.0;
+    k.chroma_high = 60.0;
+    k.spill = 0.6;
+    return k;
+}
+KeyingParameters with_edges() {
+    KeyingParameters k = by_luma();
+    k.choke = 1.5;
+    k.feather = 2.5;
+    return k;
+}
+
+const std::vector<Case>& cases() {
+    static const std::vector<Case> all{
+        {"rgb", Layout::rgb, false, by_luma()},
+        {"planar", Layout::planar, false, by_luma()},
+        {"planar_dark_mirrored", Layout::planar, false, by_luma(), ClipPolarity::dark, true},
+        {"rgb_by_chroma", Layout::rgb, false, by_chroma()},
+        {"planar_by_chroma", Layout::planar, false, by_chroma()},
+        {"rgb_alpha", Layout::rgb, true, by_luma()},
+        {"planar_alpha_edges", Layout::planar, true, with_edges()},
+        {"planar_edges", Layout::planar, false, with_edges()},
+    };
+    return all;
+}
+
+glm::vec3 own_tint(const HandMade& clip, glm::vec2 place, const Keying& key) {
+    const glm::vec3 code = clip.rgb(place);
+    const glm::vec3 own = tint(luma(code), despill(chroma(code), key));
+    return key.chroma_high > 0.0f ? glm::mix(own, glm::vec3(1.0f), key.spill) : own;
+}
+
+class SmokeLayers : public SmokeGpuTest, public testing::WithParamInterface<std::tuple<Case, SmokeResolution, int>> {};
+
+// The clip has the size of the frame, so that texels meet pixels. Several layers are more than are drawn at once.
+TEST_P(SmokeLayers, HazeIsThatOfTheReferences) {
+    const auto& [tested, resolution, count] = GetParam();
+    const Keying key = keying_of(tested.keying, tested.polarity);
+    std::vector<HandMade> clips;
+    for (int i = 0; i < count; ++i)
+        clips.emplace_back(size, tested.layout, tested.alpha, static_cast<std::uint32_t>(i), bt601());
+    const auto distance = [](glm::ivec2 pixel) { return pixel.x < 20 ? 60.0f : 130.0f; };
+    set_depth(distance);
+    SmokeGpu gpu(resolution, false);
+    gpu.set_clip_pixels(0, size.x * size.y);
+    const double unevenness = 0.7, density = 1.3 / count;
+    const auto pixels = draw(gpu, [&] {
+        for (const HandMade& clip : clips)
+            gpu.haze({.frame = clip.frame(),
+                      .keying = &tested.keying,
+                      .polarity = tested.polarity,
+                      .mirrored = tested.mirrored,
+                      .density = density},
+                     unevenness);
+    });
+    double worst = 0.0;
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            SmokeSum sum;
+            glm::vec3 over(background);
+            const float reach = distance({x, y}) / focus;
+            for (const HandMade& clip : clips) {
+                const float column = static_cast<float>(x) + 0.5f;
+                const glm::vec2 place(tested.mirrored ? static_cast<float>(size.x) - column : column,
+                                      static_cast<float>(size.y - 1 - y) + 0.5f);
+                const float shape =
+                    edged([&](glm::vec2 p) { return clip.opacity(p, key); }, place,
+                          static_cast<float>(tested.keying.choke), static_cast<float>(tested.keying.feather));
+                const auto thickness = static_cast<float>(density * (1.0 + unevenness * (2.0 * shape - 1.0)));
+                SmokeSum alone;
+                alone.add(own_tint(clip, place, key), thickness);
+                sum.add(own_tint(clip, place, key), thickness);
+                over = lay_over(over, alone, gl::to_linear(glm::vec3(haze.color)), glm::vec3(haze.extinction), reach);
+            }
+            const glm::vec3 summed = lay_over(glm::vec3(background), sum, gl::to_linear(glm::vec3(haze.color)),
+                                              glm::vec3(haze.extinction), reach);
+            const glm::vec3 expected = resolution == SmokeResolution::screen ? over : summed;
+            const glm::vec3 error = glm::abs(glm::vec3(pixels[index({x, y})]) - expected);
+            worst = std::max(worst, static_cast<double>(std::max({error.r, error.g, error.b})));
+        }
+    // Texture filtering has 8 bits, the sum half floats. Chroma is filtered everywhere, and the tint of dark pixels enlarges it.
+    const bool filtered = tested.keying.choke > 0.0 || tested.layout == Layout::planar;
+    EXPECT_LT(worst, filtered ? 7e-3 : 1.5e-3);
+}
+
+INSTANTIATE_TEST_SUITE_P(Haze, SmokeLayers,
+                         testing::Combine(testing::ValuesIn(cases()),
+                                          testing::Values(SmokeResolution::screen, SmokeResolution::clip),
+                                          testing::Values(1, 7)),
+                         [](const auto& tested) {
+                             return std::string(std::get<0>(tested.param).name) +
+                                    (std::get<1>(tested.param) == SmokeResolution::screen ? "_direct_" : "_summed_") +
+                                    std::to_string(std::get<2>(tested.param));
+                         });
+
+using SmokeGpuHaze = SmokeGpuTest;
+
+TEST_F(SmokeGpuHaze, EvenIsTheSameInAllWays) {
+    set_depth([](glm::ivec2 p) { return 30.0f + 5.0f * static_cast<float>(p.x); });
+    for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip, SmokeResolution::half}) {
+        SmokeGpu gpu(resolution, false);
+        const auto pixels = draw(gpu, [&] { gpu.even_haze(0.8); });
+        for (int x = 0; x < size.x; ++x) {
+            SmokeSum sum;
+            sum.add(glm::vec3(1.0f), 0.8f);
+            const float reach = std::clamp((30.0f + 5.0f * static_cast<float>(x)) / focus, 0.4f, 1.8f);
+            const glm::vec3 expected = lay_over(glm::vec3(background), sum, gl::to_linear(glm::vec3(haze.color)),
+                                                glm::vec3(haze.extinction), reach);
+            for (int c = 0; c < 3; ++c) ASSERT_NEAR(pixels[index({x, 9})][c], expected[c], 2e-4) << x;
+        }
+    }
+}
+
+TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
+    // Its left half is clear, its right half thick: turned by a right angle the halves lie above each other.
+    set_size({40, 40});
+    set_depth([](glm::ivec2) { return 100.0f; });
+    HandMade clip({40, 40}, Layout::rgb, false, 1, {});
+    for (std::size_t i = 0; i < clip.planes[0].size(); ++i) clip.planes[0][i] = (i / 3) % 40 < 20 ? 0 : 255;
+    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const KeyingParameters keying = by_luma();
+    SmokeGpu gpu(SmokeResolution::clip, false);
+    gpu.set_clip_pixels(0, 1600);
+    for (const float quarter : {1.0f, -1.0f}) {
+        const auto pixels = draw(gpu, [&] {
+            gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = quarter * glm::radians(90.0f)}, 1.0);
+        });
+        // Counter-clockwise, the right half comes to lie above.
+        const float above = pixels[index({5, 30})].r, below = pixels[index({33, 9})].r;
+        const float clear = quarter > 0.0f ? below : above, thick = quarter > 0.0f ? above : below;
+        EXPECT_NEAR(clear, background.r, 1e-3f) << quarter;
+        EXPECT_LT(thick, background.r - 0.05f) << quarter;
+    }
+    // Turned by any angle, what lies beyond the clip is its mirror image: never clear, never a line.
+    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{180});
+    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const auto pixels = draw(gpu, [&] { gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = 0.6f}, 1.0); });
+    for (const glm::vec4& pixel : pixels) ASSERT_NEAR(pixel.r, pixels[0].r, 1e-4f);
+}
+
+class SmokeGpuPlume : public SmokeGpuTest {
+  protected:
+    std::array<glm::vec3, 4> corners(float distance) const {
+        return plume_corners(
+            {.anchor = {0.0f, 0.0f, -distance}, .extent = glm::vec2(1.2f, 1.0f) * distance, .source = {0.5f, 0.5f}});
+    }
+};
+
+// An instrument, 60 mm away, before tissue at 200 mm; smoke at 100 mm. At a third of the resolution it is still hidden by the
+// instrument and reaches right to its edge.
+TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
+    set_size({180, 120});
+    set_depth([](glm::ivec2 p) { return p.x + p.y / 3 < 100 ? 60.0f : 200.0f; });
+    HandMade clip({60, 40}, Layout::rgb, false, 1, {});
+    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{150});
+    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const KeyingParameters keying = by_luma();
+    std::vector<glm::vec4> direct;
+    for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip, SmokeResolution::half}) {
+        SmokeGpu gpu(resolution, false);
+        gpu.set_clip_pixels(60 * 40, 0);
+        const auto pixels = draw(gpu, [&] {
+            gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 1.5}, corners(100.0f), everywhere);
+        });
+        if (resolution == SmokeResolution::screen) direct = pixels;
+        for (int y = 30; y < 90; ++y)
+            for (int x = 40; x < 140; ++x) {
+                const glm::vec4 pixel = pixels[index({x, y})], wanted = direct[index({x, y})];
+                if (x + y / 3 < 100) {
+                    ASSERT_NEAR(pixel.g, background.g, 2e-3f) << x << ' ' << y << " on the instrument";
+                }
+                ASSERT_NEAR(pixel.g, wanted.g, 1e-2f) << x << ' ' << y;
+            }
+        EXPECT_GT(std::abs(pixels[index({130, 60})].g - background.g), 0.05f) << "there is smoke";
+    }
+}
+
+TEST_F(SmokeGpuPlume, FadesOverItsSoftnessWhereItMeetsTheScene) {
+    HandMade clip(size, Layout::rgb, false, 1, {});
+    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{150});
+    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const KeyingParameters keying = by_luma();
+    const float alpha = (150.0f - 16.0f) / (220.0f - 16.0f);
+    for (const double wanted : {2.0, 6.0, 20.0})
+        for (const double behind : {-5.0, 0.0, 1.0, 5.0, 30.0}) {
+            softness = wanted;
+            set_depth([&](glm::ivec2) { return static_cast<float>(100.0 + behind); });
+            SmokeGpu gpu(SmokeResolution::clip, false);
+            gpu.set_clip_pixels(size.x * size.y, 0);
+            const auto pixels = draw(gpu, [&] {
+                gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 0.9}, corners(100.0f), everywhere);
+            });
+            const auto soft = static_cast<float>(std::clamp(behind / wanted, 0.0, 1.0));
+            SmokeSum sum;
+            sum.add(glm::vec3(1.0f), -std::log(1.0f - alpha * soft) * 0.9f);  // the lamp gives 1 at the focus distance
+            const glm::vec3 expected = lay_over(glm::vec3(background), sum, gl::to_linear(glm::vec3(plume.color)),
+                                                glm::vec3(plume.extinction), 1.0f);
+            for (int c = 0; c < 3; ++c)
+                EXPECT_NEAR(pixels[index(size / 2)][c], expected[c], 3e-3) << wanted << ' ' << behind;
+        }
+}
+
+TEST_F(SmokeGpuPlume, LeavesTheRestOfTheFrameAlone) {
+    set_depth([](glm::ivec2) { return 300.0f; });
+    HandMade clip(size, Layout::rgb, false, 1, {});
+    const KeyingParameters keying = by_luma();
+    const auto small =
+        plume_corners({.anchor = {0.0f, 0.0f, -100.0f}, .extent = {30.0f, 20.0f}, .source = {0.5f, 0.5f}});
+    const glm::vec4 bounds = view_bounds(small, view.projection);
+    for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip}) {
+        SmokeGpu gpu(resolution, false);
+        gpu.set_clip_pixels(size.x * size.y / 4, 0);
+        const auto pixels =
+            draw(gpu, [&] { gpu.plume({.frame = clip.frame(), .keying = &keying, .density = 3.0}, small, bounds); });
+        int changed = 0;
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const glm::vec2 at = glm::vec2(x, y) + 0.5f;
+                const bool inside = at.x > bounds.x * 48.0f && at.x < bounds.z * 48.0f && at.y > bounds.y * 32.0f &&
+                                    at.y < bounds.w * 32.0f;
+                const bool same = pixels[index({x, y})] == background;
+                if (!inside) {
+                    ASSERT_TRUE(same) << x << ' ' << y;
+                }
+                changed += same ? 0 : 1;
+            }
+        EXPECT_GT(changed, 20);
+    }
+}
+
+using SmokeGpuTimings = SmokeGpuTest;
+
+TEST_F(SmokeGpuTimings, CountFramesWithSmokeAndOnlyIfAskedTo) {
+    set_depth([](glm::ivec2) { return 100.0f; });
+    GLint bits = 0;
+    glGetQueryiv(GL_TIME_ELAPSED, GL_QUERY_COUNTER_BITS, &bits);
+    for (const bool on : {false, true}) {
+        SmokeGpu gpu(SmokeResolution::clip, on);
+        for (int i = 0; i < 40; ++i) {
+            draw(gpu, [&] { gpu.even_haze(i % 2 == 0 ? 0.5 : 0.0); });
+            glFinish();
+        }
+        if (!on || bits == 0) {
+            EXPECT_EQ(gpu.timer().spans(), 0u);
+            EXPECT_EQ(gpu.timer().seconds(), 0.0);
+        } else {
+            EXPECT_GE(gpu.timer().spans(), 12u);  // of 20; the last ones are not known yet
+            EXPECT_LE(gpu.timer().spans(), 20u);
+            EXPECT_GT(gpu.timer().seconds(), 0.0);
+            EXPECT_LT(gpu.timer().seconds(), 60.0);
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::smoke
