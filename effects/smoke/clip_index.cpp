@@ -1,7 +1,7 @@
 #include "smoke/clip_index.h"
 
 #include <algorithm>
-#include <cmath>
+#include <string_view>
 
 namespace lapfx::smoke {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "lapfx/clip.h"
 #include "smoke/decoder.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <utility>
 
 #include "smoke/clip_index.h"
 #include "smoke/frame_converter.h"

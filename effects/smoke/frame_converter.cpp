@@ -1,5 +1,6 @@
 #include "smoke/frame_converter.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstring>
 

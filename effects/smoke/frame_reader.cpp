@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <string_view>
 
 extern "C" {
 #include <libavutil/imgutils.h>

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <new>
 
 extern "C" {
 #include <libavcodec/avcodec.h>
