@@ -10,10 +10,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr int maximum_side = 8192;       // pixels: 8K
-constexpr int maximum_frames = 100'000;  // an hour at 25 frames per second
-constexpr int maximum_first = 999;       // number of a sequence's first image
-constexpr int maximum_digits = 9;        // of a number in a sequence
+constexpr int maximum_first = 999;  // number of a sequence's first image
+constexpr int maximum_digits = 9;   // of a number in a sequence
 
 void require_plain_file(const fs::path& path) {
     std::error_code error;
@@ -103,38 +101,6 @@ fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::
         for (const fs::path& folder : search_path)
             if (try_folder(folder)) return folder / file;
     throw bad_clip(file, "no such clip; looked in " + looked_in);
-}
-
-cv::VideoCapture open_clip(const fs::path& path) {
-    require_clip_file(path);
-    // An absolute path cannot be taken for a protocol such as "concat:" or a device number.
-    cv::VideoCapture capture;
-    bool open = false;
-    try {
-        open = capture.open(fs::absolute(path).string(), cv::CAP_FFMPEG);
-    } catch (const cv::Exception&) {  // told below, like any other file that is no video
-    }
-    if (!open) throw bad_clip(path, not_decodable);
-    const double width = capture.get(cv::CAP_PROP_FRAME_WIDTH), height = capture.get(cv::CAP_PROP_FRAME_HEIGHT);
-    if (!(width >= 1 && height >= 1)) throw bad_clip(path, "holds no picture");
-    if (width > maximum_side || height > maximum_side)
-        throw bad_clip(path, "is " + std::to_string(static_cast<int>(width)) + "x" +
-                                 std::to_string(static_cast<int>(height)) + " pixels; at most " +
-                                 std::to_string(maximum_side) + " a side are allowed");
-    return capture;
-}
-
-OldClipInfo read_clip_info(const fs::path& path) {
-    cv::VideoCapture capture = open_clip(path);
-    OldClipInfo info;
-    const double fps = capture.get(cv::CAP_PROP_FPS);
-    if (fps > 0.1 && fps <= 1000.0) info.fps = fps;
-    cv::Mat first;
-    if (!capture.read(first) || first.empty()) throw bad_clip(path, "holds no frame that can be decoded");
-    info.size = first.size();
-    info.frame_count = 1;
-    while (info.frame_count < maximum_frames && capture.grab()) ++info.frame_count;
-    return info;
 }
 
 }  // namespace lapfx::smoke

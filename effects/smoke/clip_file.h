@@ -2,7 +2,6 @@
 #pragma once
 
 #include <filesystem>
-#include <opencv2/videoio.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -37,18 +36,5 @@ Error bad_clip(const std::filesystem::path& path, const std::string& reason);
 
 /// Throws Error (bad_input): no file, not a plain one, empty, a playlist or another text.
 void require_clip_file(const std::filesystem::path& path);
-
-struct OldClipInfo {
-    cv::Size size;  ///< pixels
-    double fps = 25.0;
-    int frame_count = 0;  ///< frames that really decode, not what the container claims
-};
-
-/// Throws Error (bad_input): not a plain file, a playlist, not a video, of no or absurd size.
-cv::VideoCapture open_clip(const std::filesystem::path& path);
-
-/// Reads the whole file once, without converting frames. Throws like open_clip, and for a clip without
-/// frames.
-OldClipInfo read_clip_info(const std::filesystem::path& path);
 
 }  // namespace lapfx::smoke

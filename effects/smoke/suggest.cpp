@@ -1,8 +1,7 @@
 // Suggesting for a file: what decoding has to do with it.
 #include <algorithm>
-#include <opencv2/imgproc.hpp>
 
-#include "smoke/clip_file.h"
+#include "smoke/decoder.h"
 #include "smoke/suggest_cpu.h"
 
 namespace lapfx {
@@ -14,20 +13,22 @@ constexpr int looked_at = 24;  // pictures: a loop's smoke has gone through its 
 }  // namespace
 
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip) {
-    const int count = smoke::read_clip_info(clip).frame_count;
-    cv::VideoCapture capture = smoke::open_clip(clip);
+    smoke::Decoder decoder(clip, smoke::Layout::rgb);
+    const smoke::ClipInfo& info = decoder.info();
     smoke::KeyingSurvey survey;
-    cv::Mat bgr, rgb;
-    const int wanted = std::min(count, looked_at);
-    for (int i = 0, at = 0; i < wanted; ++i, ++at) {
-        const int index = static_cast<int>((2L * i + 1) * count / (2L * wanted));
-        for (; at < index; ++at)
-            if (!capture.grab()) return survey.suggest();
-        if (!capture.read(bgr) || bgr.empty()) break;
-        cv::cvtColor(bgr, rgb, cv::COLOR_BGR2RGB);
-        survey.add({rgb.cols, rgb.rows}, {rgb.data, rgb.total() * 3});
+    smoke::Picture picture;
+    const int wanted = std::min(info.frame_count(), looked_at);
+    for (int i = 0; i < wanted; ++i) {
+        const auto index = static_cast<int>((2L * i + 1) * info.frame_count() / (2L * wanted));
+        if (!decoder.read(index, picture)) continue;  // broken: the one before has been looked at
+        survey.add(info.size, {picture.bytes.data(), decoder.format().color_bytes()});
     }
-    return survey.suggest();
+    KeyingSuggestion found = survey.suggest();
+    if (info.alpha) {
+        found.confidence = 1.0;
+        found.reason = "the clip brings its own opacity, which takes the place of keying";
+    }
+    return found;
 }
 
 }  // namespace lapfx

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "smoke/decoder.h"
 #include "support/clips.h"
 #include "unit/preset/support.h"
 
@@ -17,7 +18,7 @@ class ClipFile : public testing::Test {
 
     /// The fault of opening a file, without its path, which has to come first.
     std::string fault(const fs::path& path) const {
-        const auto lines = test::faults_of([&] { read_clip_info(path); });
+        const auto lines = test::faults_of([&] { Decoder(path, Layout::planar); });
         if (lines.size() != 1) return std::to_string(lines.size()) + " faults";
         EXPECT_TRUE(lines[0].starts_with(path.string() + ": ")) << lines[0];
         return lines[0].substr(std::min(lines[0].size(), path.string().size() + 2));
@@ -25,10 +26,11 @@ class ClipFile : public testing::Test {
 };
 
 TEST_F(ClipFile, InfoTellsSizeSpeedAndFramesThatDecode) {
-    const OldClipInfo info = read_clip_info(test::write_clip(folder / "c.avi", 7, {80, 32}, 12.5));
-    EXPECT_EQ(info.size, cv::Size(80, 32));
-    EXPECT_NEAR(info.fps, 12.5, 1e-6);
-    EXPECT_EQ(info.frame_count, 7);
+    const Decoder decoder(test::write_clip(folder / "c.avi", 7, {80, 32}, 12.5), Layout::planar);
+    const ClipInfo& info = decoder.info();
+    EXPECT_EQ(info.size, glm::ivec2(80, 32));
+    EXPECT_NEAR(info.duration, 7.0 / 12.5, 1e-6);
+    EXPECT_EQ(info.frame_count(), 7);
 }
 
 TEST_F(ClipFile, WhatIsNoVideoIsNamed) {
@@ -68,10 +70,11 @@ TEST_F(ClipFile, APlaylistBehindACommentOrSpaceIsNotFollowedEither) {
 TEST_F(ClipFile, OfATruncatedFileTheFramesThatAreThereCount) {
     const std::string whole = test::read_text(test::write_clip(folder / "whole.avi", 20, {320, 240}));
     const fs::path half = folder.write("half.avi", whole.substr(0, whole.size() / 2));
-    const OldClipInfo info = read_clip_info(half);
-    EXPECT_EQ(info.size, cv::Size(320, 240));
-    EXPECT_GE(info.frame_count, 3);
-    EXPECT_LE(info.frame_count, 12);
+    const Decoder decoder(half, Layout::planar);
+    const ClipInfo& info = decoder.info();
+    EXPECT_EQ(info.size, glm::ivec2(320, 240));
+    EXPECT_GE(info.frame_count(), 3);
+    EXPECT_LE(info.frame_count(), 12);
     const std::string why = fault(folder.write("head.avi", whole.substr(0, 200)));
     EXPECT_THAT(why, testing::AnyOf("is not a video that can be decoded", "holds no picture",
                                     "holds no frame that can be decoded"));
