@@ -101,6 +101,19 @@ TEST_F(CodecTest, OtherFormatsGiveTheSameInAnyOrder) {
     }
 }
 
+TEST_F(CodecTest, FramesThatAreNeverShownDoNotCount) {
+    // Only its second pass makes libvpx keep frames that others refer to and nobody sees: 64 packets for 60 frames.
+    const std::string encode =
+        "-f lavfi -i testsrc2=size=160x120:rate=10:duration=6 -pix_fmt yuv420p -c:v libvpx -auto-alt-ref 1 "
+        "-lag-in-frames 16 -b:v 300k -quality good -cpu-used 0 -arnr-maxframes 7 -passlogfile log -pass ";
+    make(encode + "1 first.webm");
+    const fs::path clip = make(encode + "2 hidden.webm");
+    Decoder decoder(clip, Layout::planar);
+    EXPECT_EQ(decoder.info().frame_count(), 60);
+    Picture picture;
+    for (int i = 0; i < decoder.info().frame_count(); ++i) EXPECT_TRUE(decoder.read(i, picture)) << i;
+}
+
 TEST_F(CodecTest, VariableFrameRatesAreKept) {
     const fs::path clip =
         make(std::string(moving) + "-vf select='not(mod(n\\,3))+gt(n\\,20)' -fps_mode vfr -c:v libx264 -bf 2 v.mp4");
