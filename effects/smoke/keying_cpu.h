@@ -41,8 +41,8 @@ inline glm::vec2 despill(glm::vec2 value, const Keying& key) {
 /// The smoke's own tint, 1 where it is grey; `value` is its chroma without spill.
 inline glm::vec3 tint(float y, glm::vec2 value) {
     const glm::vec2 share = value / std::max(y, 64.0f);
-    return glm::clamp(
-        1.0f + glm::vec3(1.402f * share.y, -0.344f * share.x - 0.714f * share.y, 1.772f * share.x), 0.0f, 2.0f);
+    return glm::clamp(1.0f + glm::vec3(1.402f * share.y, -0.344f * share.x - 0.714f * share.y, 1.772f * share.x), 0.0f,
+                      2.0f);
 }
 
 inline float vary_alpha(float alpha, float noise, float strength) {
