@@ -6,6 +6,7 @@
 //   LAPFX_CHROMA  keyed by chroma, or spill is taken out
 //   LAPFX_EDGES   choke or feather is on
 //   LAPFX_NOISE   noise varies the opacity
+//   LAPFX_TURNED  the clip is turned by an angle, not only mirrored
 //   LAPFX_DIRECT  the layer goes straight over the frame, else into the sum that resolve.frag lays over it
 #include "view.glsl"
 #include "smoke_layer.glsl"
@@ -72,8 +73,12 @@ float lapfx_opacity_at(vec2 position) {
 // Keyed and varied opacity of layer i at drawn coordinates (0..1, origin top left), and the frame's code values there.
 float smoke_opacity(int i, vec2 uv, float noise, out vec3 code) {
     vec4 turn = u_layers[i].turn;
+#ifdef LAPFX_TURNED
     vec2 place = 0.5 + turn.xy * (uv.x - 0.5) + turn.zw * (uv.y - 0.5);
     place = abs(place - 2.0 * floor(0.5 * place + 0.5));  // turned beyond its border, the clip goes on as its mirror image
+#else
+    vec2 place = vec2(0.5 + turn.x * (uv.x - 0.5), uv.y);
+#endif
     code = clip_code(i, place);
 #ifdef LAPFX_EDGES
     edged_layer = i;

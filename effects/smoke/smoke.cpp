@@ -66,7 +66,7 @@ void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::pa
         std::count_if(wanted.begin(), wanted.end(), [](const SmokeClip& c) { return c.role == ClipRole::haze; }));
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         const ClipInfo& info = clips_.info(i);
-        gpu_.prepare(wanted[i].role, layout_of(options_.scheme), info.alpha, keying_for(wanted[i], preset.smoke),
+        gpu_.prepare(wanted[i], layout_of(options_.scheme), info.alpha, keying_for(wanted[i], preset.smoke),
                      2 * hazes);  // twice: cross-fades
 
         int& most = pixels[static_cast<int>(wanted[i].role)];

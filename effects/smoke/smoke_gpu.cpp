@@ -61,16 +61,16 @@ SmokeGpu::SmokeGpu(SmokeResolution resolution, bool timings)
     role(ClipRole::haze).resolve = gl::Program("resolve.vert", "resolve.frag");
 }
 
-unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, const KeyingParameters& k) {
-    return (layout == Layout::planar ? planar : 0u) | (has_alpha ? alpha : 0u) |
+unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, bool is_turned, const KeyingParameters& k) {
+    return (is_turned ? turned : 0u) | (layout == Layout::planar ? planar : 0u) | (has_alpha ? alpha : 0u) |
            (k.chroma_high > 0.0 || k.spill > 0.0 ? chroma : 0u) | (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) |
            (k.noise_strength > 0.0 ? noise : 0u);
 }
 
 void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
     std::string defines = "#define LAPFX_LAYERS " + std::to_string(count) + "\n";
-    constexpr std::pair<unsigned, const char*> names[] = {
-        {planar, "PLANAR"}, {alpha, "ALPHA"}, {chroma, "CHROMA"}, {edges, "EDGES"}, {noise, "NOISE"}};
+    constexpr std::pair<unsigned, const char*> names[] = {{planar, "PLANAR"}, {alpha, "ALPHA"}, {chroma, "CHROMA"},
+                                                          {edges, "EDGES"},   {noise, "NOISE"}, {turned, "TURNED"}};
     for (const auto& [bit, name] : names)
         if ((variant & bit) != 0u) defines += std::string("#define LAPFX_") + name + "\n";
     if (resolution_ == SmokeResolution::screen) defines += "#define LAPFX_DIRECT\n";
@@ -79,8 +79,11 @@ void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
                                                               : gl::Program("fullscreen.vert", "haze.frag", defines);
 }
 
-void SmokeGpu::prepare(ClipRole which, Layout layout, bool has_alpha, const KeyingParameters& keying, int count) {
-    const unsigned variant = variant_of(layout, has_alpha, keying);
+void SmokeGpu::prepare(const SmokeClip& clip, Layout layout, bool has_alpha, const KeyingParameters& keying,
+                       int count) {
+    const ClipRole which = clip.role;
+    const bool is_turned = which == ClipRole::haze && clip.rotation > 0.0;
+    const unsigned variant = variant_of(layout, has_alpha, is_turned, keying);
     for (int together = 1; together <= (draws_together(which) ? std::min(count, most_together) : 1); together *= 2)
         if (!role(which).programs[program_index(together)][variant]) compile(which, together, variant);
 }
@@ -118,7 +121,7 @@ void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) n
 
 void SmokeGpu::add(ClipRole which, const Layer& layer, LayerBlock block) noexcept {
     const PictureFormat& format = layer.frame.format;
-    const unsigned variant = variant_of(format.layout, format.alpha, *layer.keying);
+    const unsigned variant = variant_of(format.layout, format.alpha, layer.angle != 0.0f, *layer.keying);
     const float aspect = static_cast<float>(format.size.x) / static_cast<float>(format.size.y);
     const NoiseTiles::Grid grid =
         (variant & noise) != 0u ? NoiseTiles::grid(*layer.keying, aspect, layer.time) : NoiseTiles::Grid{};

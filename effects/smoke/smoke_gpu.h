@@ -28,7 +28,7 @@ class SmokeGpu {
 
     /// Compiles what up to `count` layers of this kind need, so that drawing the first ones does not have to. Throws Error
     /// (runtime).
-    void prepare(ClipRole role, Layout layout, bool alpha, const KeyingParameters& keying, int count);
+    void prepare(const SmokeClip& clip, Layout layout, bool alpha, const KeyingParameters& keying, int count);
     /// Pixels of the largest clip of each role: how many an off-screen target has.
     void set_clip_pixels(int plume, int haze) noexcept;
 
@@ -46,7 +46,7 @@ class SmokeGpu {
     const gl::Timer& timer() const { return timer_; }
 
   private:
-    enum Variant : unsigned { planar = 1, alpha = 2, chroma = 4, edges = 8, noise = 16, variants = 32 };
+    enum Variant : unsigned { planar = 1, alpha = 2, chroma = 4, edges = 8, noise = 16, turned = 32, variants = 64 };
     static constexpr int most_together = 4;  ///< haze layers in one draw call: bounded by 16 texture units
     struct Drawn {
         unsigned variant;
@@ -77,7 +77,7 @@ class SmokeGpu {
     };
     struct HostTarget;
 
-    static unsigned variant_of(Layout layout, bool alpha, const KeyingParameters& keying);
+    static unsigned variant_of(Layout layout, bool alpha, bool turned, const KeyingParameters& keying);
     void compile(ClipRole role, int count, unsigned variant);
     const gl::Program* program(ClipRole role, int count, unsigned variant) noexcept;
     void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;
