@@ -19,9 +19,10 @@
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
 // Constructor and set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady
-// state (while blood spreads or samples arrive they may; out of memory then ends the process) and leave the GL state as they found it (program, vertex array, blending, depth, culling, texture units 0-13
-// with their 2D and 2D array textures, uniform bindings 0-2, draw framebuffer, viewport, scissor test). They expect GL's initial front face, colour mask, stencil, polygon mode and clip control, and
-// no sampler objects on units 0 to 13. Output is linear light: draw into a float or an sRGB framebuffer with
+// state (while blood spreads or samples arrive they may; out of memory then ends the process) and leave the GL state as they
+// found it (program, vertex array, blending, depth, culling, scissor test, draw framebuffer, viewport, 2D and 2D array textures
+// of units 0-13, uniform bindings 0-2). They expect GL's initial front face, colour mask, stencil, polygon mode and clip
+// control, and no sampler objects on units 0 to 13. Output is linear light: draw into a float or an sRGB framebuffer with
 // GL_FRAMEBUFFER_SRGB.
 #pragma once
 

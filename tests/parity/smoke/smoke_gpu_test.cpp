@@ -138,6 +138,32 @@ TEST_F(SmokeGpuHaze, EvenIsTheSameInAllWays) {
     }
 }
 
+TEST_F(SmokeGpuHaze, NoiseIsEachLayersOwnHoweverTheyAreDrawn) {
+    set_depth([](glm::ivec2) { return 100.0f; });
+    HandMade clip(size, Layout::planar, false, 4, bt601());
+    std::fill(clip.planes[1].begin(), clip.planes[1].end(), std::uint8_t{128});  // grey: then both ways are the same
+    clip.textures[1].upload(GL_RG, clip.planes[1].data(), 2);
+    KeyingParameters keying = by_luma();
+    keying.noise_strength = 1.0;
+    const auto drawn = [&](SmokeResolution resolution, std::uint32_t last_seed) {
+        SmokeGpu gpu(resolution, false);
+        gpu.set_clip_pixels(0, size.x * size.y);
+        return draw(gpu, [&] {
+            for (const std::uint32_t seed : {5u, 60u, 700u, last_seed})
+                gpu.haze({.frame = clip.frame(), .keying = &keying, .density = 0.5, .time = 2.0, .seed = seed}, 1.0);
+        });
+    };
+    const auto largest = [](const std::vector<glm::vec4>& a, const std::vector<glm::vec4>& b) {
+        float most = 0.0f;
+        for (std::size_t i = 0; i < a.size(); ++i) most = std::max(most, std::abs(a[i].g - b[i].g));
+        return most;
+    };
+    const auto direct = drawn(SmokeResolution::screen, 8000u), summed = drawn(SmokeResolution::clip, 8000u);
+    EXPECT_LT(largest(direct, summed), 1e-3f);
+    EXPECT_GT(largest(direct, drawn(SmokeResolution::screen, 9u)), 5e-3f);
+    EXPECT_GT(largest(summed, drawn(SmokeResolution::clip, 9u)), 5e-3f);
+}
+
 TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
     // Its left half is clear, its right half thick: turned by a right angle the halves lie above each other.
     set_size({40, 40});
