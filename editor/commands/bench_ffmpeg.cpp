@@ -48,13 +48,14 @@ std::optional<double> seconds_a_frame(int few, int many, const Run& run_frames) 
 
 }  // namespace
 
-std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams) {
+std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams, bool scaled) {
+    const std::string key = "format=yuva420p,lumakey=threshold=0.06:tolerance=0.06:softness=0.8" +
+                            std::string(scaled ? ",scale=1280:1024:flags=bilinear" : "");
     std::string filter = "color=c=0x602020:s=1280x1024:r=30[b0]";
     for (int i = 0; i < streams; ++i) {
         const std::string n = std::to_string(i);
-        filter += ";[" + n + ":v]format=yuva420p,lumakey=threshold=0.06:tolerance=0.06:softness=0.8[k" + n + "];[b" +
-                  n + "][k" + n + "]overlay=x=" + std::to_string(37 * i % 560) + ":y=" + std::to_string(53 * i % 544) +
-                  "[b" + std::to_string(i + 1) + "]";
+        filter +=
+            ";[" + n + ":v]" + key + "[k" + n + "];[b" + n + "][k" + n + "]overlay[b" + std::to_string(i + 1) + "]";
     }
     const auto seconds = seconds_a_frame(20, 80, [&](int frames) {
         std::vector<std::string> all = begin(clips, streams);

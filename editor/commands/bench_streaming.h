@@ -52,9 +52,9 @@ class BenchClips {
     std::filesystem::path folder_;
 };
 
-/// ms that FFmpeg's lumakey and overlay take for a 1280x1024 frame with the first `streams` clips over it; nothing where there is
-/// no ffmpeg.
-std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams);
+/// ms that FFmpeg's lumakey and overlay take for a 1280x1024 frame with the first `streams` clips over it, scaled to cover it or as
+/// large as they are; nothing where there is no ffmpeg.
+std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams, bool scaled);
 /// Frames per second of `ffmpeg -f null` over the first `streams` clips.
 std::optional<double> ffmpeg_decode_fps(const BenchClips& clips, int streams);
 

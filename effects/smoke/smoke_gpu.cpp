@@ -211,18 +211,21 @@ void SmokeGpu::draw_layers(ClipRole which) noexcept {
     }
 }
 
-glm::ivec2 SmokeGpu::sum_size(const Role& r, glm::ivec2 view) const noexcept {
+glm::ivec2 SmokeGpu::sum_size(ClipRole which, glm::ivec2 view) const noexcept {
+    const Role& r = roles_[static_cast<std::size_t>(which)];
     const double pixels = std::max(1.0, static_cast<double>(view.x) * view.y);
     const double scale = std::min(1.0, std::sqrt(std::max(r.clip_pixels, 1) / pixels));
     const glm::ivec2 size(std::lround(view.x * scale), std::lround(view.y * scale));
-    return glm::max(resolution_ == SmokeResolution::half ? (size + 1) / 2 : size, glm::ivec2(1));
+    const bool halved =
+        resolution_ == SmokeResolution::half || (resolution_ == SmokeResolution::balanced && which == ClipRole::haze);
+    return glm::max(halved ? (size + 1) / 2 : size, glm::ivec2(1));
 }
 
 /// Adds up the thickness of a role's layers, off-screen.
 void SmokeGpu::sum_up(ClipRole which, const HostTarget& host, GLuint scene_depth) noexcept {
     Role& r = role(which);
     if (r.layers.empty()) return;
-    const glm::ivec2 size = sum_size(r, host.size());
+    const glm::ivec2 size = sum_size(which, host.size());
     if (r.sum.size() != size) {
         r.sum = gl::Texture({.size = size, .format = GL_RGBA16F});
         r.target = gl::Framebuffer(r.sum, nullptr);

@@ -88,7 +88,7 @@ class SmokeGpu {
     void draw_layers(ClipRole role) noexcept;
     void sum_up(ClipRole role, const HostTarget& host, GLuint scene_depth) noexcept;
     void resolve(const gl::Program& program, const Role& role, glm::vec4 bounds) const noexcept;
-    glm::ivec2 sum_size(const Role& role, glm::ivec2 view) const noexcept;
+    glm::ivec2 sum_size(ClipRole which, glm::ivec2 view) const noexcept;
     Role& role(ClipRole which) { return roles_[static_cast<std::size_t>(which)]; }
 
     SmokeResolution resolution_;

@@ -23,14 +23,15 @@ enum class Scheme {
 
 /// Where smoke is shaded.
 enum class SmokeResolution {
-    screen,  ///< each layer at the frame's resolution, straight over it: the paper's way
-    clip,    ///< all layers off-screen, with as many pixels as the largest clip has, then laid over the frame once
-    half,    ///< the same with half of the rows and columns
+    screen,    ///< each layer at the frame's resolution, straight over it: the paper's way
+    clip,      ///< all layers off-screen, with as many pixels as the largest clip has, then laid over the frame once
+    half,      ///< the same with half of the rows and columns
+    balanced,  ///< plumes as `clip`, haze as `half`: wisps have edges, a veil has none
 };
 
 struct StreamingOptions {
     Scheme scheme = Scheme::resident;
-    SmokeResolution resolution = SmokeResolution::clip;
+    SmokeResolution resolution = SmokeResolution::balanced;
     /// Bytes for frames, on the GPU and decoded ahead in main memory together. Clips that are being decoded have their
     /// buffers first (at least two frames each, whatever the budget). What is left goes to resident clips, whole clips in the
     /// order of the preset. Clips that are no longer in the preset are kept for when they come back, and evicted first, the one

@@ -46,9 +46,11 @@ TEST_P(SmokeResolutionTest, DiffersLittleFromShadingAtTheFramesResolution) {
     const Image direct = picture(SmokeResolution::screen, time, preset);
     const Difference smoke = difference(direct, picture(SmokeResolution::screen, time, clear));
     EXPECT_GT(smoke.mean, 0.3) << "there is smoke";
-    for (const SmokeResolution resolution : {SmokeResolution::clip, SmokeResolution::half}) {
+    for (const SmokeResolution resolution : {SmokeResolution::clip, SmokeResolution::half, SmokeResolution::balanced}) {
         const Difference d = difference(direct, picture(resolution, time, preset));
-        const char* name = resolution == SmokeResolution::clip ? "clip" : "half";
+        const char* name = resolution == SmokeResolution::clip   ? "clip"
+                           : resolution == SmokeResolution::half ? "half"
+                                                                 : "balanced";
         EXPECT_LE(d.mean, 2.0) << name;
         EXPECT_LE(d.mean, 0.25 * smoke.mean) << name;
         EXPECT_LE(d.far, 1280 * 1024 / 500) << name << ": pixels that are far off";

@@ -67,7 +67,7 @@ TEST_F(SchemesTest, ALoopLaterResidentClipsShowTheSame) {
 
 TEST_F(SchemesTest, OffScreenIsWithinTwoCodeValuesOfLayerOverLayer) {
     const auto direct = pictures({.resolution = SmokeResolution::screen});
-    for (const SmokeResolution resolution : {SmokeResolution::clip, SmokeResolution::half}) {
+    for (const SmokeResolution resolution : {SmokeResolution::clip, SmokeResolution::half, SmokeResolution::balanced}) {
         const auto summed = pictures({.resolution = resolution});
         for (std::size_t i = 0; i < direct.size(); ++i) EXPECT_LE(mean_difference(direct[i], summed[i]), 2.0) << i;
     }
