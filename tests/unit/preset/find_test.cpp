@@ -111,11 +111,11 @@ TEST(CheckDocumentValues, FindsRangesAndRulesThatSetLeftBroken) {
     set_parameter(preset_table(), &preset, "smoke.keying.luma_low", "220");
     set_parameter(preset_table(), &preset, "smoke.keying.chroma_low", "10");
     preset.bleeding.speed = -3.0;
-    preset.smoke.clips.resize(40, {.file = "a.mp4"});
+    preset.smoke.clips.resize(70, {.file = "a.mp4"});
     std::vector<std::string> lines;
     for (const Fault& fault : check(preset_table(), &preset)) lines.push_back(fault.text());
     EXPECT_THAT(lines, ElementsAre("/bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)",
-                                   "/smoke/clips: 40 elements; at most 32 are allowed",
+                                   "/smoke/clips: 70 elements; at most 64 are allowed",
                                    "/smoke/keying/luma_low: 220 is not below luma_high (200)",
                                    "/smoke/keying/chroma_low: 10 is above chroma_high (0)"));
     set_parameter(preset_table(), &preset, "smoke.keying.luma_high", "230");
