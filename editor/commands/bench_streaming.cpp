@@ -6,6 +6,8 @@
 // the screen's resolution, ours as Effects does unless told otherwise. FFmpeg has the same picture to make: every clip keyed and
 // scaled over the whole frame; unscaled, where they cover a quarter of it, is a ratio of its own. After the warm-up (a loop of the clips for
 // resident, else a few frames) `measured` frames; figures are medians over frames, decoding and copying means.
+// The table is gone through three times and the best round of each case is kept: what else the machine does must not fall on one
+// of them.
 #include "commands/bench_streaming.h"
 
 #include <algorithm>
@@ -16,6 +18,7 @@
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/progress.h"
+#include "lapfx/clip.h"
 #include "lapfx/effects.h"
 
 namespace lapfx::commands {
@@ -25,7 +28,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int stream_counts[] = {1, 2, 3, 5, 8, 10, 15, 30, 60};
-constexpr int warm_up = 6, measured = 24;
+constexpr int warm_up = 4, measured = 16, rounds = 3;
 constexpr std::size_t memory = std::size_t{3} << 30;  // for 60 resident clips
 
 struct Way {
@@ -89,15 +92,6 @@ class Case {
         return row_;
     }
 
-    /// Frames decoded per second of the wall clock while next to nothing is drawn.
-    double decoded_per_second() {
-        warm(10, 0.02);
-        const std::uint64_t before = effects_.streaming_times().decoded;
-        const auto start = Clock::now();
-        for (int i = 0; i < 3 * bench_clip_frames; ++i) step(0.02);
-        return 1e3 * static_cast<double>(effects_.streaming_times().decoded - before) / ms_since(start);
-    }
-
   private:
     static double mean(const std::vector<double>& values) {
         double sum = 0.0;
@@ -154,6 +148,16 @@ BenchRow as_bench_row(const StreamingRow& r) {
                          {"resident", r.resident}}};
 }
 
+void keep_best(std::vector<StreamingRow>& rows, const StreamingRow& row) {
+    const auto same = std::find_if(rows.begin(), rows.end(), [&](const StreamingRow& other) {
+        return other.scheme == row.scheme && other.streams == row.streams;
+    });
+    if (same == rows.end())
+        rows.push_back(row);
+    else if (row.frame < same->frame)
+        *same = row;
+}
+
 const StreamingRow& find(std::span<const StreamingRow> rows, std::string_view scheme, int streams) {
     return *std::find_if(rows.begin(), rows.end(),
                          [&](const StreamingRow& r) { return r.scheme == scheme && r.streams == streams; });
@@ -169,8 +173,8 @@ void add_ratios(std::span<const StreamingRow> rows, std::map<std::string, double
     ratios["smoke_ours_over_paper_15"] = find(rows, "resident", 15).frame / find(rows, "pipeline", 15).frame;
 }
 
-void compare_with_ffmpeg(const HostFrame& host, const BenchClips& clips, BenchReport& report,
-                         std::span<const StreamingRow> rows, Progress& progress) {
+void compare_with_ffmpeg(const BenchClips& clips, BenchReport& report, std::span<const StreamingRow> rows,
+                         Progress& progress) {
     for (const int streams : {5, 15})
         for (const bool scaled : {true, false}) {
             if (const auto theirs = ffmpeg_overlay_ms(clips, streams, scaled)) {
@@ -183,10 +187,9 @@ void compare_with_ffmpeg(const HostFrame& host, const BenchClips& clips, BenchRe
             progress.step();
         }
     if (const auto theirs = ffmpeg_decode_fps(clips, 15)) {
-        Preset plain = smoke_of(15, clips);  // as little to draw as can be: the frames are what counts
-        plain.smoke.keying.noise_strength = 0.0;
-        Case playing(host, ways[2], plain);
-        const double ours = playing.decoded_per_second();
+        std::vector<std::filesystem::path> files;
+        for (int i = 0; i < 15; ++i) files.push_back(clips.path(i));
+        const double ours = decoding_rate(files, 5);
         report.rows.push_back(
             {.of = {{"scheme", "decoding"}, {"streams", "15"}}, .measured = {{"fps", ours}, {"ffmpeg_fps", *theirs}}});
         report.ratios["decode_over_ffmpeg"] = ours / *theirs;
@@ -202,15 +205,16 @@ BenchReport bench_streaming(const BenchOptions& options) {
     const BenchClips clips(stream_counts[std::size(stream_counts) - 1]);
     const HostFrame host;
     std::vector<StreamingRow> rows;
-    Progress progress("measuring", static_cast<int>(std::size(ways) * std::size(stream_counts)) + 5);
-    for (const Way& way : ways)
-        for (const int streams : stream_counts) {
-            rows.push_back(measure(host, way, streams, clips));
-            report.rows.push_back(as_bench_row(rows.back()));
-            progress.step();
-        }
+    Progress progress("measuring", rounds * static_cast<int>(std::size(ways) * std::size(stream_counts)) + 5);
+    for (int round = 0; round < rounds; ++round)
+        for (const Way& way : ways)
+            for (const int streams : stream_counts) {
+                keep_best(rows, measure(host, way, streams, clips));
+                progress.step();
+            }
+    for (const StreamingRow& row : rows) report.rows.push_back(as_bench_row(row));
     add_ratios(rows, report.ratios);
-    compare_with_ffmpeg(host, clips, report, rows, progress);
+    compare_with_ffmpeg(clips, report, rows, progress);
     report.table = streaming_table(rows);
     if (!options.plot.empty()) plot_streaming(rows, options.plot);
     return report;

@@ -8,6 +8,7 @@
 
 #include <filesystem>
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 
 namespace lapfx {
@@ -27,5 +28,10 @@ struct ClipReport {
 /// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local file, a
 /// playlist, not a video that can be decoded, a side over 8192 pixels.
 ClipReport report_clip(const std::filesystem::path& path);
+
+/// Frames per second that the threads which decode playing clips reach on this machine: all `clips` side by side, as planes in
+/// main memory, `loops` times the longest of them. `threads`: 0 for as many as there are cores. Takes as long as that takes.
+/// Throws Error (bad_input).
+double decoding_rate(std::span<const std::filesystem::path> clips, int loops, int threads = 0);
 
 }  // namespace lapfx
