@@ -6,7 +6,7 @@ namespace lapfx::commands {
 
 HostFrame::HostFrame() {
     glCreateTextures(GL_TEXTURE_2D, 2, textures_);
-    glTextureStorage2D(textures_[0], 1, GL_RGBA8, screen_width, screen_height);
+    glTextureStorage2D(textures_[0], 1, GL_RGBA16F, screen_width, screen_height);
     glTextureStorage2D(textures_[1], 1, GL_DEPTH_COMPONENT32F, screen_width, screen_height);
     const float depth = 0.95f, color[4] = {0.3f, 0.05f, 0.05f, 1.0f};
     glClearTexImage(textures_[1], 0, GL_DEPTH_COMPONENT, GL_FLOAT, &depth);

@@ -22,6 +22,7 @@ struct StreamingRow {
     double wait = 0.0;      ///< the render thread waiting for frames; the paper has it in its frames per second alone
     double upload = 0.0;    ///< "video streaming to GPU"
     double shading = 0.0;   ///< from the last draw call until all is drawn
+    double gpu = 0.0;       ///< shading by timer queries, ms; 0 where the driver has none
     double total = 0.0;     ///< "total video processing": waiting, sending and issuing draw calls
     double frame = 0.0;     ///< total and shading
     double spread = 0.0;    ///< of `frame`: half of the distance between the quartiles

@@ -29,25 +29,32 @@ int sent_layers(Scheme scheme) {
 
 }  // namespace
 
-ClipFile::ClipFile(const std::filesystem::path& where, const Decoder& decoder)
-    : path(where), info(decoder.info()), format(decoder.format()), store(format, info.frame_count()) {
+FileStamp stamp_of(const std::filesystem::path& path) {
     std::error_code error;
-    bytes = std::filesystem::file_size(where, error);
-    written = std::filesystem::last_write_time(where, error);
+    const auto bytes = std::filesystem::file_size(path, error);
+    if (error) return {0, std::filesystem::last_write_time(path.parent_path(), error)};
+    return {bytes, std::filesystem::last_write_time(path, error)};
 }
+
+ClipFile::ClipFile(const std::filesystem::path& where, const Decoder& decoder)
+    : path(where),
+      stamp(stamp_of(where)),
+      info(decoder.info()),
+      format(decoder.format()),
+      store(format, info.frame_count()) {}
 
 std::size_t head_memory(const PictureFormat& format, Scheme scheme, int buffers) {
-    return static_cast<std::size_t>(buffers + sent_layers(scheme)) * format.bytes();
+    return static_cast<std::size_t>(buffers + ClipStream::spare_slots + sent_layers(scheme)) * format.bytes();
 }
 
-std::size_t ClipPlayer::resident_memory(const ClipFile& file, const SmokeClip& settings) {
-    const int last = std::max(main_loop(file.info, settings).last, fading_loop(file.info, settings).last);
-    return FrameStore::memory_for(file.format, file.info.frame_count(), main_loop(file.info, settings).first, last);
+Loop played_frames(const ClipInfo& clip, const SmokeClip& settings) {
+    const Loop main = main_loop(clip, settings), fading = fading_loop(clip, settings);
+    return {main.first, settings.crossfade > 0.0 ? std::max(main.last, fading.last) : main.last};
 }
 
 ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder decoder, const SmokeClip& settings,
                        Scheme scheme, int buffers)
-    : pool_(pool), file_(std::move(file)), scheme_(scheme), buffers_(buffers) {
+    : pool_(pool), file_(std::move(file)), scheme_(scheme) {
     const int layers = sent_layers(scheme);
     heads_[0].loop = main_loop(file_->info, settings);
     heads_[1].loop = fading_loop(file_->info, settings);
@@ -63,6 +70,11 @@ ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder
     }
 }
 
+void ClipPlayer::set_buffers(int buffers) noexcept {
+    for (Head& head : heads_)
+        if (head.stream) head.stream->set_buffers(buffers);
+}
+
 void ClipPlayer::set_loops(const SmokeClip& settings) noexcept {
     heads_[0].loop = main_loop(file_->info, settings);
     heads_[1].loop = fading_loop(file_->info, settings);
@@ -74,22 +86,26 @@ void ClipPlayer::set_loops(const SmokeClip& settings) noexcept {
 
 ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& times) noexcept {
     Head& place = heads_[static_cast<std::size_t>(head)];
+    place.asked = index;
     return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
                                        : streamed_frame(place, index, policy, times);
 }
 
 ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept {
     FrameStore& store = file_->store;
+    int shown = index;
     if (!store.has(index)) {
         head.rests = false;
-        if (const Picture* picture = head.stream->frame(index, policy, times.wait))
-            keep(index, *picture, times);
-        else
-            ++misses_;
+        const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
+        shown = decoded.index;
+        if (decoded.picture != nullptr) keep(shown, *decoded.picture, times);
+        if (shown != index) ++misses_;
     } else if (!head.rests) {
         head.stream->aim(index);
     }
-    if (store.has(index) || head.shown < 0) head.shown = index;
+    if (shown >= 0) head.shown = shown;
+    // What was shown last may have been given back since.
+    if (head.shown < 0 || !store.has(head.shown)) return {};
     return store.frame(head.shown, file_->info.color);
 }
 
@@ -107,21 +123,25 @@ void ClipPlayer::keep(int index, const Picture& picture, StreamingTimes& times) 
 }
 
 ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept {
-    const auto found = std::find(head.holds.begin(), head.holds.end(), index);
-    if (found != head.holds.end()) {
-        head.shown = static_cast<int>(found - head.holds.begin());
+    const auto layer_of = [&](int frame) {
+        const auto found = std::find(head.holds.begin(), head.holds.end(), frame);
+        return found == head.holds.end() ? -1 : static_cast<int>(found - head.holds.begin());
+    };
+    if (layer_of(index) >= 0) {
+        head.shown = layer_of(index);
         head.stream->aim(index);  // lets the worker go on; the picture is here already
-    } else if (const Picture* picture = head.stream->frame(index, policy, times.wait)) {
-        send(head, 0, index, *picture, times);
-        head.shown = 0;
+    } else {
+        const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
+        if (decoded.index != index) ++misses_;
+        if (decoded.picture != nullptr && layer_of(decoded.index) < 0)
+            send(head, 0, decoded.index, *decoded.picture, times);
+        if (decoded.picture != nullptr) head.shown = layer_of(decoded.index);
         // Table 1's FrameCoalescing: two frames go in one cycle and none in the next. Not waited for.
         const int next = head.loop.after(index);
-        if (scheme_ != Scheme::pipeline && next != index)
+        if (scheme_ != Scheme::pipeline && decoded.index == index && next != index)
             if (const Picture* following = head.stream->peek(next)) send(head, 1, next, *following, times);
-    } else {
-        ++misses_;
     }
-    return head.sent.frame(std::max(head.shown, 0), file_->info.color);
+    return head.shown < 0 ? ClipFrame{} : head.sent.frame(head.shown, file_->info.color);
 }
 
 void ClipPlayer::send(Head& head, int layer, int index, const Picture& picture, StreamingTimes& times) noexcept {
@@ -136,12 +156,12 @@ void ClipPlayer::end_cycle(StreamingTimes& times) noexcept {
         if (!head.stream || head.rests) continue;
         if (scheme_ == Scheme::pipeline) {
             // Figure 3: once a frame has been sent, the signal to retrieve the next one is given.
-            if (head.holds[0] >= 0) head.stream->aim(head.loop.after(head.holds[0]));
+            if (head.holds[0] >= 0 && head.holds[0] == head.asked) head.stream->aim(head.loop.after(head.asked));
         } else if (scheme_ == Scheme::resident) {
             // What has been decoded ahead goes to the GPU before it is due: a clip that plays fast or is jumped about in
             // becomes whole too. One frame a cycle, so that no frame takes long.
-            int index = 0;
-            if (const Picture* picture = head.stream->peek_any(index)) keep(index, *picture, times);
+            if (const ClipStream::Shown decoded = head.stream->peek_any(); decoded.picture != nullptr)
+                keep(decoded.index, *decoded.picture, times);
             head.rests = head.stream->rest();
         }
     }

@@ -11,14 +11,22 @@
 
 namespace lapfx::smoke {
 
+/// What tells a file from another one under the same name; of numbered pictures, their folder's.
+struct FileStamp {
+    std::uintmax_t bytes = 0;
+    std::filesystem::file_time_type written{};
+
+    friend bool operator==(const FileStamp&, const FileStamp&) = default;
+};
+FileStamp stamp_of(const std::filesystem::path& path);
+
 /// A file that clips play: what is known of it, and those of its frames that are on the GPU to stay, shared by all clips of a
 /// preset that name it.
 struct ClipFile {
     ClipFile(const std::filesystem::path& where, const Decoder& decoder);
 
     std::filesystem::path path;
-    std::uintmax_t bytes = 0;  // of the file, and when it was written: another file under the same name
-    std::filesystem::file_time_type written{};  // is another file
+    FileStamp stamp;
     ClipInfo info;
     PictureFormat format;
     FrameStore store;
@@ -33,7 +41,8 @@ class ClipPlayer {
 
     const std::shared_ptr<ClipFile>& file() const { return file_; }
     Scheme scheme() const { return scheme_; }
-    int buffers() const { return buffers_; }
+    /// Decoding ahead from now on; never more than it was made with.
+    void set_buffers(int buffers) noexcept;
     bool same_heads(const SmokeClip& settings) const {
         return (settings.crossfade > 0.0) == (heads_[1].stream != nullptr);
     }
@@ -47,15 +56,14 @@ class ClipPlayer {
     std::size_t memory() const noexcept;  ///< bytes, without the file's store
     std::uint64_t misses() const { return misses_; }
     ClipStream::Work work() const noexcept;
-    /// Frames that its loops take, as the store counts memory.
-    static std::size_t resident_memory(const ClipFile& file, const SmokeClip& settings);
 
   private:
     struct Head {
         std::unique_ptr<ClipStream> stream;
         FrameTextures sent;                // streaming schemes: what was sent last, and the one after it
         std::array<int, 2> holds{-1, -1};  // frame numbers
-        int shown = -1;                    // frame number (resident) or layer of `sent`
+        int shown = -1;                    // frame number (resident) or layer of `sent`; -1: nothing yet
+        int asked = -1;                    // frame number
         Loop loop;
         bool rests = false;  // all of the loop is in the store
     };
@@ -68,10 +76,12 @@ class ClipPlayer {
     DecodePool& pool_;
     std::shared_ptr<ClipFile> file_;
     Scheme scheme_;
-    int buffers_;
     std::array<Head, 2> heads_;
     std::uint64_t misses_ = 0;
 };
+
+/// The frames of a clip that its settings play: from the first of its loops to the last.
+Loop played_frames(const ClipInfo& clip, const SmokeClip& settings);
 
 /// The bytes of main and GPU memory that a head of a clip takes besides the store.
 std::size_t head_memory(const PictureFormat& format, Scheme scheme, int buffers);

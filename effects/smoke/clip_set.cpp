@@ -41,6 +41,10 @@ std::string mebibytes(std::size_t bytes) {
     return std::to_string((bytes + (std::size_t{1} << 20) - 1) >> 20) + " MiB";
 }
 
+std::size_t store_memory(const ClipFile& file, Loop played) {
+    return FrameStore::memory_for(file.format, file.info.frame_count(), played.first, played.last);
+}
+
 /// A clip of the preset on its way to being played.
 struct Plan {
     std::shared_ptr<ClipFile> file;
@@ -49,6 +53,18 @@ struct Plan {
     int buffers = fewest_buffers;
     std::unique_ptr<ClipPlayer> player;
 };
+
+/// From the first to the last frame of a file that any clip plays.
+Loop played_by_all(const std::shared_ptr<ClipFile>& file, std::span<const SmokeClip> wanted,
+                   std::span<const Plan> plans) {
+    Loop all{file->info.frame_count() - 1, 0};
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+        if (plans[i].file != file) continue;
+        const Loop one = played_frames(file->info, wanted[i]);
+        all = {std::min(all.first, one.first), std::max(all.last, one.last)};
+    }
+    return all;
+}
 
 }  // namespace
 
@@ -70,19 +86,16 @@ struct ClipSet::State {
 
     std::shared_ptr<ClipFile> known(const std::filesystem::path& path) const;
     Plan plan(const std::filesystem::path& path, std::span<const Plan> before);
-    void share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const;
+    std::size_t share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const;
     void cast(std::span<const SmokeClip> wanted, std::span<Plan> plans);
-    void evict();
+    void evict(std::span<const Loop> played, std::size_t buffers);
 };
 
 /// The file of that name if it is still the one that was opened.
 std::shared_ptr<ClipFile> ClipSet::State::known(const std::filesystem::path& path) const {
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(path, error);
-    const auto written = std::filesystem::last_write_time(path, error);
-    const auto found = std::find_if(files.begin(), files.end(), [&](const auto& file) {
-        return file->path == path && file->bytes == bytes && file->written == written;
-    });
+    const FileStamp stamp = stamp_of(path);
+    const auto found = std::find_if(files.begin(), files.end(),
+                                    [&](const auto& file) { return file->path == path && file->stamp == stamp; });
     return found == files.end() ? nullptr : *found;
 }
 
@@ -98,13 +111,13 @@ Plan ClipSet::State::plan(const std::filesystem::path& path, std::span<const Pla
     return made;
 }
 
-/// As StreamingOptions::memory says.
-void ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const {
+/// As StreamingOptions::memory says. Gives what the buffers take.
+std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const {
     std::size_t heads = 0;
     for (const SmokeClip& clip : wanted) heads += clip.crossfade > 0.0 ? 2 : 1;
     const int by_count =
         std::clamp(max_textures / static_cast<int>(std::max<std::size_t>(heads, 1)), fewest_buffers, most_buffers);
-    std::size_t left = options.memory;
+    std::size_t taken = 0;
     for (std::size_t i = 0; i < plans.size(); ++i) {
         // A quarter of the memory is enough for what is on its way.
         const std::size_t fitting = options.memory / 4 / heads / plans[i].file->format.bytes();
@@ -112,21 +125,26 @@ void ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std::span<P
             std::clamp(static_cast<int>(std::min<std::size_t>(fitting, most_buffers)), fewest_buffers, by_count);
         plans[i].scheme = options.scheme;
         if (options.scheme == Scheme::pipeline) plans[i].buffers = 1;
-        const std::size_t taken =
+        taken +=
             (wanted[i].crossfade > 0.0 ? 2 : 1) * head_memory(plans[i].file->format, options.scheme, plans[i].buffers);
-        left -= std::min(left, taken);
     }
-    if (options.scheme != Scheme::resident) return;
+    std::size_t left = options.memory - std::min(options.memory, taken);
+    if (options.scheme != Scheme::resident) return taken;
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        const bool shared = std::any_of(
-            plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i),
-            [&](const Plan& other) { return other.file == plans[i].file && other.scheme == Scheme::resident; });
-        const std::size_t needed = shared ? 0 : ClipPlayer::resident_memory(*plans[i].file, wanted[i]);
+        Plan& plan = plans[i];
+        const auto same = std::find_if(plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i),
+                                       [&](const Plan& other) { return other.file == plan.file; });
+        if (&*same != &plan) {  // that clip has decided for all of its file
+            plan.scheme = same->scheme;
+            continue;
+        }
+        const std::size_t needed = store_memory(*plan.file, played_by_all(plan.file, wanted, plans));
         if (needed <= left)
             left -= needed;
         else
-            plans[i].scheme = Scheme::buffered_planar;
+            plan.scheme = Scheme::buffered_planar;
     }
+    return taken;
 }
 
 /// Gives each plan its player: one that plays the same already, or a new one.
@@ -134,8 +152,8 @@ void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> pla
     std::vector<Clip*> taken(plans.size(), nullptr);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         for (Clip& clip : clips) {
-            const bool fits = clip.player->file() == plans[i].file && clip.player->scheme() == plans[i].scheme &&
-                              clip.player->buffers() == plans[i].buffers && clip.player->same_heads(wanted[i]);
+            const bool fits = clip.player && clip.player->file() == plans[i].file &&
+                              clip.player->scheme() == plans[i].scheme && clip.player->same_heads(wanted[i]);
             if (taken[i] == nullptr && fits && std::find(taken.begin(), taken.end(), &clip) == taken.end())
                 taken[i] = &clip;
         }
@@ -152,26 +170,32 @@ void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> pla
         if (taken[i] != nullptr) plans[i].player = std::move(taken[i]->player);
 }
 
-void ClipSet::State::evict() {
-    const auto plays = [&](const std::shared_ptr<ClipFile>& file, bool resident) {
-        return std::any_of(clips.begin(), clips.end(), [&](const Clip& clip) {
-            return clip.player->file() == file && (!resident || clip.player->scheme() == Scheme::resident);
-        });
-    };
-    std::size_t used = 0;
-    for (const Clip& clip : clips)
-        used += (clip.settings.crossfade > 0.0 ? 2 : 1) *
-                    head_memory(clip.player->file()->format, clip.player->scheme(), clip.player->buffers()) +
-                (clip.player->scheme() == Scheme::resident
-                     ? ClipPlayer::resident_memory(*clip.player->file(), clip.settings)
-                     : 0);
+/// Gives back what is not played any more: frames outside of all loops, then files that are kept for later.
+/// `buffers`: bytes that these take.
+void ClipSet::State::evict(std::span<const Loop> played, std::size_t buffers) {
+    std::size_t used = buffers;
+    for (std::size_t i = 0; i < clips.size(); ++i) {
+        ClipFile& file = *clips[i].player->file();
+        const std::lock_guard lock(pool.mutex());  // workers read which frames there are
+        if (clips[i].player->scheme() == Scheme::resident)
+            file.store.trim(played[i].first, played[i].last);
+        else
+            file.store.clear();  // it may have been resident once
+    }
     std::stable_sort(files.begin(), files.end(), [](const auto& a, const auto& b) { return a->drawn > b->drawn; });
+    const auto plays = [&](const std::shared_ptr<ClipFile>& file, std::size_t i) {
+        return clips[i].player->file() == file;
+    };
+    const auto clip_of = [&](const std::shared_ptr<ClipFile>& file) {
+        std::size_t i = 0;
+        while (i < clips.size() && !plays(file, i)) ++i;
+        return i;
+    };
+    for (const std::shared_ptr<ClipFile>& file : files)
+        if (const std::size_t i = clip_of(file); i < clips.size() && clips[i].player->scheme() == Scheme::resident)
+            used += store_memory(*file, played[i]);
     std::erase_if(files, [&](const std::shared_ptr<ClipFile>& file) {
-        if (plays(file, true)) return false;
-        if (plays(file, false)) {
-            file->store.clear();  // it was resident once; now it streams
-            return false;
-        }
+        if (clip_of(file) < clips.size()) return false;
         if (file->store.count() == 0) return true;
         used += file->store.memory();
         return used > options.memory;
@@ -191,15 +215,18 @@ void ClipSet::set(std::span<const SmokeClip> wanted, const std::filesystem::path
             std::filesystem::absolute(find_clip(clip.file, preset_folder, search_path)).lexically_normal();
         plans.push_back(s.plan(path, plans));
     }
-    s.share_memory(wanted, plans);
+    const std::size_t buffers = s.share_memory(wanted, plans);
     std::vector<State::Clip> clips(wanted.size());
     for (std::size_t i = 0; i < wanted.size(); ++i) clips[i].settings = wanted[i];
     std::vector<std::shared_ptr<ClipFile>> files = s.files;
     for (const Plan& plan : plans)
         if (std::find(files.begin(), files.end(), plan.file) == files.end()) files.push_back(plan.file);
+    std::vector<Loop> played;
+    for (const Plan& plan : plans) played.push_back(played_by_all(plan.file, wanted, plans));
     s.cast(wanted, plans);
     for (std::size_t i = 0; i < wanted.size(); ++i) {
         clips[i].player = std::move(plans[i].player);
+        clips[i].player->set_buffers(plans[i].buffers);
         clips[i].player->set_loops(wanted[i]);
     }
     for (const State::Clip& clip : s.clips) {
@@ -211,7 +238,7 @@ void ClipSet::set(std::span<const SmokeClip> wanted, const std::filesystem::path
     }
     s.clips = std::move(clips);
     s.files = std::move(files);
-    s.evict();
+    s.evict(played, buffers);
     s.sums.open += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -239,13 +266,15 @@ std::vector<ClipStatus> ClipSet::status() const {
     for (const State::Clip& clip : state_->clips) {
         const ClipFile& file = *clip.player->file();
         const bool resident = clip.player->scheme() == Scheme::resident;
+        const bool counted =
+            std::any_of(all.begin(), all.end(), [&](const ClipStatus& s) { return s.file == file.path; });
         ClipStatus status{.file = file.path.string(),
                           .size = file.info.size,
                           .frames = file.info.frame_count(),
                           .duration = file.info.duration,
                           .alpha = file.info.alpha,
                           .resident = resident ? file.store.count() : 0,
-                          .memory = clip.player->memory() + (resident ? file.store.memory() : 0),
+                          .memory = clip.player->memory() + (resident && !counted ? file.store.memory() : 0),
                           .broken = clip.player->work().broken,
                           .misses = clip.player->misses(),
                           .warning = file.info.warning};
@@ -254,7 +283,7 @@ std::vector<ClipStatus> ClipSet::status() const {
                              " frames cannot be decoded; the one before is shown in their place";
         if (status.warning.empty() && state_->options.scheme == Scheme::resident && !resident)
             status.warning = "does not fit the memory for clips beside those before it (it takes " +
-                             mebibytes(ClipPlayer::resident_memory(file, clip.settings)) + " of " +
+                             mebibytes(store_memory(file, played_frames(file.info, clip.settings))) + " of " +
                              mebibytes(state_->options.memory) + "); it is decoded while it plays";
         all.push_back(std::move(status));
     }

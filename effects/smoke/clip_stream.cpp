@@ -6,15 +6,23 @@
 
 namespace lapfx::smoke {
 
+namespace {
+
+/// Frames that a clip moves on by in one cycle when it plays, however fast; more is a jump.
+constexpr int most_played_steps = 16;
+
+}  // namespace
+
 ClipStream::ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers, const std::vector<std::uint8_t>* kept)
     : pool_(pool),
       kept_(kept),
       decoder_(std::move(decoder)),
-      slots_(static_cast<std::size_t>(buffers)),
+      slots_(static_cast<std::size_t>(buffers + spare_slots)),
+      buffers_(static_cast<std::size_t>(buffers)),
       loop_(loop),
       current_(loop.first),
       broken_(static_cast<std::size_t>(decoder_.info().frame_count())) {
-    window_.reserve(slots_.size());
+    window_.reserve(buffers_);
     find_window();
     pool_.join(*this);
 }
@@ -24,12 +32,16 @@ ClipStream::~ClipStream() {
     pool_.leave(*this);
 }
 
+bool ClipStream::is_kept(int index) const {
+    return kept_ != nullptr && (*kept_)[static_cast<std::size_t>(index)] != 0;
+}
+
 /// The nearest frames at or after the current one, round the loop, that are not kept. Frames outside the loop come once.
 void ClipStream::find_window() {
     window_.clear();
+    if (resting_) return;
     int index = current_;
-    for (int steps = 0; steps <= loop_.length() && window_.size() < slots_.size();
-         ++steps, index = loop_.after(index)) {
+    for (int steps = 0; steps <= loop_.length() && window_.size() < buffers_; ++steps, index = loop_.after(index)) {
         if (is_kept(index)) continue;
         if (in_window(index)) return;
         window_.push_back(index);
@@ -40,30 +52,52 @@ bool ClipStream::in_window(int index) const {
     return std::find(window_.begin(), window_.end(), index) != window_.end();
 }
 
-bool ClipStream::is_kept(int index) const {
-    return kept_ != nullptr && (*kept_)[static_cast<std::size_t>(index)] != 0;
-}
-
 ClipStream::Slot* ClipStream::find(int index) {
     const auto found = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index == index; });
     return found == slots_.end() ? nullptr : &*found;
 }
 
+/// One that nobody needs: neither the render thread nor the next frames, and not the newest, which is shown while decoding is
+/// behind. Rather one that has memory than one that has none.
+ClipStream::Slot* ClipStream::free_slot() {
+    Slot* best = nullptr;
+    for (Slot& slot : slots_) {
+        const bool needed = slot.index >= 0 && (in_window(slot.index) || slot.index == newest_);
+        if (&slot == lent_ || needed) continue;
+        if (best == nullptr || slot.picture.bytes.size() > best->picture.bytes.size()) best = &slot;
+    }
+    return best;
+}
+
+/// The frame after the newest one that is neither kept nor there; -1: none.
+int ClipStream::next_behind() const {
+    int index = newest_;
+    for (int steps = 0; steps < loop_.length(); ++steps) {
+        index = loop_.after(index);
+        const bool there =
+            std::any_of(slots_.begin(), slots_.end(), [&](const Slot& slot) { return slot.index == index; });
+        if (!there && !is_kept(index)) return index;
+    }
+    return -1;
+}
+
 int ClipStream::urgency() {
-    if (stop_) return -1;
+    if (stop_ || resting_) return -1;
     find_window();
-    const auto missing =
-        std::find_if(window_.begin(), window_.end(), [&](int index) { return find(index) == nullptr; });
-    if (missing == window_.end()) return -1;
-    wanted_ = *missing;
-    return static_cast<int>(missing - window_.begin());
+    int soon = 0;
+    if (behind_ && newest_ >= 0) {
+        wanted_ = next_behind();
+    } else {
+        const auto missing =
+            std::find_if(window_.begin(), window_.end(), [&](int index) { return find(index) == nullptr; });
+        wanted_ = missing == window_.end() ? -1 : *missing;
+        soon = static_cast<int>(missing - window_.begin());
+    }
+    into_ = wanted_ < 0 ? nullptr : free_slot();
+    return into_ == nullptr ? -1 : soon;
 }
 
 void ClipStream::begin() {
-    // There are as many slots as frames in the window, and one of these is missing.
-    const auto free = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return !in_window(s.index); });
-    assert(free != slots_.end());
-    into_ = &*free;
     into_->index = -1;  // nobody finds it while it is written without the lock
 }
 
@@ -72,7 +106,8 @@ void ClipStream::run() noexcept {
 }
 
 void ClipStream::end() {
-    into_->index = wanted_;
+    into_->index = newest_ = wanted_;
+    if (resting_) *into_ = Slot();
     work_.decode = decoder_.decode_seconds();
     work_.copy = decoder_.copy_seconds();
     ++work_.decoded;
@@ -82,57 +117,70 @@ void ClipStream::end() {
     ++work_.broken;
 }
 
-void ClipStream::aim(int index) noexcept {
-    {
-        const std::lock_guard lock(pool_.mutex());
-        current_ = index;
-    }
+void ClipStream::move_to(int index) {
+    current_ = index;
+    resting_ = false;
+    find_window();
     pool_.wake();
 }
 
-const Picture* ClipStream::frame(int index, Policy policy, double& waited) noexcept {
+void ClipStream::aim(int index) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    lent_ = nullptr;
+    behind_ = false;
+    move_to(index);
+}
+
+ClipStream::Shown ClipStream::frame(int index, Policy policy, double& waited) noexcept {
     std::unique_lock lock(pool_.mutex());
     assert(index >= 0 && static_cast<std::size_t>(index) < broken_.size() && !is_kept(index));
-    if (current_ != index) {
-        current_ = index;
-        find_window();
-        pool_.wake();
-    }
+    lent_ = nullptr;
+    int steps = 0;
+    for (int at = current_; at != index && steps <= most_played_steps; ++steps) at = loop_.after(at);
+    move_to(index);
     Slot* slot = find(index);
+    behind_ = slot == nullptr && policy == Policy::latest && steps <= most_played_steps;
     if (slot == nullptr && policy == Policy::wait) {
         const auto start = std::chrono::steady_clock::now();
-        pool_.wake();
         while ((slot = find(index)) == nullptr) pool_.wait_for_piece(lock);
         waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    // The current frame is in the window: no worker writes over it until the render thread moves on.
-    return slot == nullptr ? nullptr : &slot->picture;
+    if (behind_ && newest_ >= 0) slot = find(newest_);
+    if (slot == nullptr) return {};
+    lent_ = slot;  // no worker writes over it until the next call
+    return {&slot->picture, slot->index};
 }
 
 const Picture* ClipStream::peek(int index) noexcept {
     const std::lock_guard lock(pool_.mutex());
     const Slot* slot = in_window(index) ? find(index) : nullptr;
+    lent_ = slot;
     return slot == nullptr ? nullptr : &slot->picture;
 }
 
-const Picture* ClipStream::peek_any(int& index) noexcept {
+ClipStream::Shown ClipStream::peek_any() noexcept {
     const std::lock_guard lock(pool_.mutex());
-    find_window();
-    for (const int next : window_)
-        if (const Slot* slot = find(next)) {
-            index = next;
-            return &slot->picture;
-        }
-    return nullptr;
+    const auto found =
+        std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index >= 0 && !is_kept(s.index); });
+    lent_ = found == slots_.end() ? nullptr : &*found;
+    return lent_ == nullptr ? Shown{} : Shown{&lent_->picture, lent_->index};
 }
 
 void ClipStream::set_loop(Loop loop) noexcept {
-    {
-        const std::lock_guard lock(pool_.mutex());
-        if (loop_ == loop) return;
-        loop_ = loop;
-        find_window();
-    }
+    const std::lock_guard lock(pool_.mutex());
+    if (loop_ == loop && !resting_) return;
+    loop_ = loop;
+    resting_ = false;
+    find_window();
+    pool_.wake();
+}
+
+void ClipStream::set_buffers(int buffers) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    buffers_ = std::clamp(static_cast<std::size_t>(buffers), std::size_t{1}, slots_.size() - spare_slots);
+    find_window();
+    for (Slot& slot : slots_)
+        if (slot.index >= 0 && !in_window(slot.index) && &slot != lent_) slot = Slot();
     pool_.wake();
 }
 
@@ -140,6 +188,9 @@ bool ClipStream::rest() noexcept {
     const std::lock_guard lock(pool_.mutex());
     find_window();
     if (!window_.empty()) return false;
+    resting_ = true;
+    lent_ = nullptr;
+    newest_ = -1;
     for (Slot& slot : slots_)
         if (slot.index >= 0) slot = Slot();
     return true;

@@ -30,21 +30,30 @@ class ClipStream : private DecodePool::Job {
     /// Waits for the frame that is being decoded; a long way to a frame is cut short.
     ~ClipStream() override;
 
-    /// Frame `index`, valid until the next call; null when it is late (Policy::latest). `waited` grows by the s of waiting.
-    const Picture* frame(int index, Policy policy, double& waited) noexcept;
+    /// A decoded frame and its number.
+    struct Shown {
+        const Picture* picture = nullptr;  ///< valid until the next call
+        int index = -1;
+    };
+    /// Frame `index`. Under Policy::latest, when it is late: the newest one that there is of a clip that plays on (one that takes
+    /// longer to decode than to play is shown in slow motion), none after a jump. `waited` grows by the s of waiting.
+    Shown frame(int index, Policy policy, double& waited) noexcept;
     /// A frame among the next ones that is decoded already, or null; it does not move the stream.
     const Picture* peek(int index) noexcept;
-    /// Any frame of those decoded ahead; null when there is none. `index` is its number.
-    const Picture* peek_any(int& index) noexcept;
+    /// Any decoded frame that is not kept yet.
+    Shown peek_any() noexcept;
     /// Decode from `index` on.
     void aim(int index) noexcept;
     void set_loop(Loop loop) noexcept;
+    /// From now on `buffers` of those it was made with, at least 1.
+    void set_buffers(int buffers) noexcept;
     /// Gives its buffers' memory back if all frames of its loop are kept: true. Until then: false.
     bool rest() noexcept;
 
     Work work() const noexcept;
     std::size_t memory() const noexcept;
-    int buffers() const { return static_cast<int>(slots_.size()); }
+    /// One that the render thread reads, or the newest: besides the buffers, so that decoding ahead never waits for them.
+    static constexpr int spare_slots = 1;
 
   private:
     struct Slot {
@@ -58,6 +67,9 @@ class ClipStream : private DecodePool::Job {
     void end() override;
 
     Slot* find(int index);
+    Slot* free_slot();
+    void move_to(int index);
+    int next_behind() const;
     void find_window();
     bool in_window(int index) const;
     bool is_kept(int index) const;
@@ -68,10 +80,15 @@ class ClipStream : private DecodePool::Job {
 
     // under the pool's mutex
     std::vector<Slot> slots_;
-    std::vector<int> window_;  // the next frames that are not kept, as many as there are slots
+    std::size_t buffers_;      // of them in use
+    std::vector<int> window_;  // the next frames that are not kept, as many as there are buffers
     Loop loop_;
     int current_;
-    int wanted_ = -1;  // found by urgency(): the frame to decode next, and where to
+    int newest_ = -1;       // the frame that was decoded last
+    bool behind_ = false;   // decoding does not keep up: it goes on from the newest frame, not from the current one
+    bool resting_ = false;  // all of the loop is kept
+    const Slot* lent_ = nullptr;  // the render thread reads it
+    int wanted_ = -1;             // found by urgency(): the frame to decode next, and where to
     Slot* into_ = nullptr;
     bool whole_ = true;                 // what is being decoded came out whole
     std::vector<std::uint8_t> broken_;  // a byte for each frame of the clip

@@ -16,11 +16,11 @@ DecodePool::~DecodePool() {
 }
 
 void DecodePool::join(Job& job) {
+    while (threads_.size() < static_cast<std::size_t>(threads_wanted_)) threads_.emplace_back([this] { work(); });
     {
         const std::lock_guard lock(mutex_);
         jobs_.push_back(&job);
     }
-    while (threads_.size() < static_cast<std::size_t>(threads_wanted_)) threads_.emplace_back([this] { work(); });
     wake();
 }
 

@@ -82,9 +82,18 @@ std::size_t FrameStore::memory_for(const PictureFormat& format, int frame_count,
 }
 
 void FrameStore::clear() {
-    std::fill(present_.begin(), present_.end(), std::uint8_t{0});
-    for (FrameTextures& chunk : chunks_) chunk = FrameTextures();
-    count_ = 0;
+    trim(0, -1);
+}
+
+void FrameStore::trim(int first, int last) {
+    for (std::size_t i = 0; i < chunks_.size(); ++i) {
+        const int begin = static_cast<int>(i) * layers,
+                  end = std::min(begin + layers, static_cast<int>(present_.size()));
+        if (last >= begin && first < end) continue;
+        chunks_[i] = FrameTextures();
+        std::fill(present_.begin() + begin, present_.begin() + end, std::uint8_t{0});
+    }
+    count_ = static_cast<int>(std::count_if(present_.begin(), present_.end(), [](std::uint8_t p) { return p != 0; }));
 }
 
 }  // namespace lapfx::smoke

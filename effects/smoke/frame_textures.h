@@ -40,10 +40,12 @@ class FrameStore {
     std::size_t memory() const;
     /// What it would take for the frames first..last.
     static std::size_t memory_for(const PictureFormat& format, int frame_count, int first, int last);
-    /// One byte a frame, not 0 where it is there. A worker reads it: mark() and clear() are called under the lock that the
+    /// One byte a frame, not 0 where it is there. A worker reads it: mark(), clear() and trim() are called under the lock that the
     /// worker holds then.
     const std::vector<std::uint8_t>& present() const { return present_; }
     void clear();
+    /// Gives back the memory of what lies outside frames first..last.
+    void trim(int first, int last);
 
   private:
     static constexpr int layers = 32;  // of one array texture: memory comes in steps as a clip plays in

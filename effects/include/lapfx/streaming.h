@@ -49,7 +49,7 @@ struct ClipStatus {
     double duration = 0.0;     ///< s
     bool alpha = false;        ///< it brings its own opacity
     int resident = 0;          ///< frames that are in GPU memory to stay
-    std::size_t memory = 0;    ///< bytes, GPU and main memory
+    std::size_t memory = 0;    ///< bytes, GPU and main memory; frames that clips of one file share count for the first
     int broken = 0;            ///< frames met so far that could not be decoded; the one before is shown in their place
     std::uint64_t misses = 0;  ///< frames that were late, so that the last one was shown again
     std::string warning;       ///< one line for people, empty when all is well
