@@ -49,6 +49,15 @@ vec3 lapfx_tint(float luma, vec2 chroma) {
     return clamp(1.0 + vec3(1.402 * share.y, -0.344 * share.x - 0.714 * share.y, 1.772 * share.x), 0.0, 2.0);
 }
 
+// How brightly smoke is lit, 1 at middle grey, where its opacity comes from the clip itself: keyed by luma, brighter is denser,
+// and that is all that luma says; here it is free to tell light from shadow. The clip's colour is taken as premultiplied, as it is
+// in clips that lie over black. Where hardly anything is there, colour over opacity is but rounding: 0.05 on both draws it to 1.
+// Squared, code values are nearly linear light. Bounded, so that dark smoke does not turn black nor a straight clip's edge glow.
+float lapfx_shade(float luma, float alpha) {
+    float own = (max(luma, 0.0) / 128.0 + 0.05) / (lapfx_unit(alpha) + 0.05);
+    return clamp(own * own, 0.1, 2.0);
+}
+
 // Alpha varied by noise in -1..1: mean kept, never outside 0..1.
 float lapfx_vary_alpha(float alpha, float noise, float strength) {
     return lapfx_unit(alpha * (1.0 + strength * noise));

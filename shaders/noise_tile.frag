@@ -19,11 +19,16 @@ void main() {
     vec2 place = (v_uv * u_texels - 0.5) / (u_texels - 1.0);
     vec3 p = vec3(place * u_lobes, 0.0);
     vec4 noise = vec4(0.0);
+    float value = 0.0;
     for (int i = 0; i < u_count; ++i) {
         uint seed = uint(u_seeds[i]);
-        float large = lapfx_perlin_from(ivec3(0, u_from.xy), p + vec3(0.0, u_drift.xy), seed).x;
-        float small = lapfx_perlin_from(ivec3(0, u_from.zw), 2.0 * p + vec3(0.0, u_drift.zw), seed + 1u).x;
-        noise += (large + 0.5 * small) / 1.5 * vec4(equal(ivec4(0, 1, 2, 3), ivec4(i)));
+        // Both halves of a cross-fade follow each other and share their noise.
+        if (i == 0 || u_seeds[i] != u_seeds[i - 1]) {
+            float large = lapfx_perlin_from(ivec3(0, u_from.xy), p + vec3(0.0, u_drift.xy), seed).x;
+            float small = lapfx_perlin_from(ivec3(0, u_from.zw), 2.0 * p + vec3(0.0, u_drift.zw), seed + 1u).x;
+            value = (large + 0.5 * small) / 1.5;
+        }
+        noise += value * vec4(equal(ivec4(0, 1, 2, 3), ivec4(i)));
     }
     o_noise = 0.5 + 0.5 * noise;
 }

@@ -6,14 +6,15 @@ layout(location = 0) in vec2 v_uv;
 layout(location = 1) in vec3 v_camera;
 
 void main() {
-    vec3 code;
-    float alpha = smoke_opacity(0, v_uv, smoke_noise(v_uv).x, code);
-    // Clips are rarely empty at their border; the quad's must not show.
-    vec2 border = smoothstep(vec2(0.0), vec2(0.08), v_uv) * smoothstep(vec2(0.0), vec2(0.08), 1.0 - v_uv);
+    vec3 light;
+    float alpha = smoke_opacity(0, v_uv, smoke_noise(v_uv).x, light);
     float soft = clamp((scene_depth() + v_camera.z) / u_layers[0].amount.y, 0.0, 1.0);
     // Whole opacity would be endless thickness; half a code value is left.
-    float left = max(1.0 - alpha * border.x * border.y * soft, 0.002);
-    float thickness = bounded(-log(left) * u_layers[0].amount.x);
+    float thickness = -log(max(1.0 - alpha * soft, 0.002));
+    // Clips are rarely empty at their border; the quad's must not show. Thickness is what fades: fading opacity would leave thick
+    // smoke nearly whole up to the end of the ramp. Below, where the smoke starts near the border, the ramp is shorter.
+    vec2 near = smoothstep(vec2(0.0), vec2(0.15), v_uv), far = smoothstep(vec2(0.0), vec2(0.15, 0.08), 1.0 - v_uv);
+    thickness = bounded(thickness * near.x * near.y * far.x * far.y * u_layers[0].amount.x);
     vec3 position = u_eye.xyz + transpose(mat3(u_view)) * v_camera;
-    put(vec4(tint(0, code) * min(lapfx_lamp(position), 1.6), 1.0) * thickness);
+    put(vec4(light * min(lapfx_lamp(position), 1.6), 1.0) * thickness);
 }

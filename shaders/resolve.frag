@@ -1,6 +1,6 @@
 #version 450 core
 // Lays smoke over the frame once: the sum of all layers of a role, at the resolution of their clips, becomes light and
-// transmission per channel (effects/smoke/thickness_cpu.h is the same on the CPU).
+// transmission per channel (tests/support/thickness.h is the same on the CPU).
 //
 // Why a sum is enough: light that crosses layers of thickness t1, t2, .. keeps exp(-t1) * exp(-t2) .. of itself, which is
 // exp(-(t1 + t2 + ..)), whatever their order. What the layers scatter towards the eye is, for a mixture of media that share

@@ -70,8 +70,24 @@ float lapfx_opacity_at(vec2 position) {
     return clip_opacity(edged_layer, place, clip_code(edged_layer, place));
 }
 
-// Keyed and varied opacity of layer i at drawn coordinates (0..1, origin top left), and the frame's code values there.
-float smoke_opacity(int i, vec2 uv, float noise, out vec3 code) {
+// The clip's own tint, which real smoke has a little of; and its shading where its opacity does not say how bright it is.
+vec3 own_light(int i, vec2 place, vec3 code) {
+#ifdef LAPFX_ALPHA
+    float shade = lapfx_shade(code.x, textureLod(u_opacity[i], vec3(place, u_layers[i].vary.w), 0.0).r);
+#else
+    const float shade = 1.0;
+#endif
+#ifdef LAPFX_CHROMA
+    vec3 own = lapfx_tint(code.x, lapfx_despill(code.yz, keying(i)));
+    // Over a coloured background the mixture's tint is the background's, unless spill suppression takes it out.
+    return shade * (u_layers[i].luma_chroma.w > 0.0 ? mix(own, vec3(1.0), u_layers[i].key.z) : own);
+#else
+    return shade * lapfx_tint(code.x, code.yz);
+#endif
+}
+
+// Keyed and varied opacity of layer i at drawn coordinates (0..1, origin top left), and the smoke's own light there.
+float smoke_opacity(int i, vec2 uv, float noise, out vec3 light) {
     vec4 turn = u_layers[i].turn;
 #ifdef LAPFX_TURNED
     vec2 place = 0.5 + turn.xy * (uv.x - 0.5) + turn.zw * (uv.y - 0.5);
@@ -79,7 +95,8 @@ float smoke_opacity(int i, vec2 uv, float noise, out vec3 code) {
 #else
     vec2 place = vec2(0.5 + turn.x * (uv.x - 0.5), uv.y);
 #endif
-    code = clip_code(i, place);
+    vec3 code = clip_code(i, place);
+    light = own_light(i, place, code);
 #ifdef LAPFX_EDGES
     edged_layer = i;
     float alpha = lapfx_edged(place * u_layers[i].amount.zw, u_layers[i].vary.y, u_layers[i].vary.z);
@@ -98,17 +115,6 @@ vec4 smoke_noise(vec2 uv) {
     return textureLod(u_noise, u_layers[0].tile.xy + uv * u_layers[0].tile.zw, 0.0) * 2.0 - 1.0;
 #else
     return vec4(0.0);
-#endif
-}
-
-// The clip's own tint, which real smoke has a little of.
-vec3 tint(int i, vec3 code) {
-#ifdef LAPFX_CHROMA
-    vec3 own = lapfx_tint(code.x, lapfx_despill(code.yz, keying(i)));
-    // Over a coloured background the mixture's tint is the background's, unless spill suppression takes it out.
-    return u_layers[i].luma_chroma.w > 0.0 ? mix(own, vec3(1.0), u_layers[i].key.z) : own;
-#else
-    return lapfx_tint(code.x, code.yz);
 #endif
 }
 

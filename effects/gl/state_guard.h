@@ -1,4 +1,6 @@
-// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's.
+// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's. What GL
+// keeps for each draw buffer (blending) or viewport (scissor test) is taken from the first and put back for all: effects.h says that
+// hosts have it the same for all, for asking each of them in every frame would cost every host more than it helps a rare one.
 #pragma once
 
 #include <array>

@@ -38,7 +38,10 @@ NoiseTiles::Grid NoiseTiles::grid(const KeyingParameters& keying, float aspect, 
 }
 
 std::size_t NoiseTiles::add(const Grid& grid, glm::ivec4 seeds, int count) {
-    tiles_.push_back({grid, seeds, count});
+    const Tile wanted{grid, seeds, count};
+    const auto found = std::find(tiles_.begin(), tiles_.end(), wanted);
+    if (found != tiles_.end()) return static_cast<std::size_t>(found - tiles_.begin());
+    tiles_.push_back(wanted);
     return tiles_.size() - 1;
 }
 

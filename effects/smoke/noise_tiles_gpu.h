@@ -27,7 +27,8 @@ class NoiseTiles {
     };
     /// `aspect`: of the clip; `time`: s.
     static Grid grid(const KeyingParameters& keying, float aspect, double time);
-    /// Asks for a tile with the noise of `count` (1..4) layers, a channel each; its number.
+    /// Asks for a tile with the noise of `count` (1..4) layers, a channel each; its number. Those who ask for the
+    /// same (both halves of a cross-fade) get the same.
     std::size_t add(const Grid& grid, glm::ivec4 seeds, int count);
     /// Draws all tiles. Leaves its framebuffer and viewport bound; blending must be off.
     void draw() noexcept;
@@ -41,6 +42,7 @@ class NoiseTiles {
         Grid grid;
         glm::ivec4 seeds;
         int count;
+        bool operator==(const Tile&) const = default;
     };
     void lay_out() noexcept;
 

@@ -12,19 +12,32 @@ double fade(double from, double to, double time) {
     return to > from ? glm::smoothstep(from, to, time) : (time >= from ? 1.0 : 0.0);
 }
 
+/// The mean of what the burn gives from `from` to `to`, or at `to` where there is nothing between.
+double mean_emission(const Burn& burn, const PlumeParameters& plume, double from, double to) {
+    const BurnPart* part = &burn.at(to);
+    const double now = emission(part->contact, part->fat, plume);
+    double sum = 0.0, last = to;
+    for (; part != nullptr && last > from; part = part->before) {
+        const double first = std::max(std::min(part->contact.time, last), from);
+        sum += (last - first) * emission(part->contact, part->fat, plume);
+        last = first;
+    }
+    return to > last ? sum / (to - last) : now;
+}
+
 }  // namespace
 
-PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time,
-                       double fat) noexcept {
+PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept {
     PlumeState state;
-    if (!contact.hot() || time < contact.time || time > contact.end() + plume.fade_out) return state;
-    const double after = std::max(0.0, time - contact.end());
-    const double envelope = fade(contact.time, contact.time + plume.fade_in, time) *
-                            (1.0 - fade(contact.end(), contact.end() + plume.fade_out, time));
-    state.density = plume.density * emission(contact, fat, plume) * envelope;
-    state.anchor = contact.tip(time) + plume.rise * after * up;
+    if (!(time >= burn.start && time <= burn.end + plume.fade_out)) return state;
+    const double burning = std::min(time, burn.end), after = time - burning;
+    const double envelope =
+        fade(burn.start, burn.start + plume.fade_in, burning) * (1.0 - fade(burn.end, burn.end + plume.fade_out, time));
+    state.density =
+        plume.density * mean_emission(burn, plume, std::max(burn.start, burning - plume.fade_in), burning) * envelope;
+    state.anchor = burn.at(burning).contact.tip(burning) + plume.rise * after * up;
     // A young plume is small: it reaches its size as it fades in.
-    state.height = plume.size * (0.6 + 0.4 * fade(contact.time, contact.time + 2.0 * plume.fade_in, time)) *
+    state.height = plume.size * (0.6 + 0.4 * fade(burn.start, burn.start + 2.0 * plume.fade_in, burning)) *
                    (1.0 + plume.growth * after);
     return state;
 }

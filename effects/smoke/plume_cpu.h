@@ -1,4 +1,4 @@
-// Where and how dense the source smoke of one contact is at a time. Closed form; pure function, any thread.
+// Where and how dense the source smoke of one burn is at a time. Closed form; pure functions, any thread.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
+#include "smoke/burns_cpu.h"
 
 namespace lapfx::smoke {
 
@@ -21,10 +22,10 @@ inline double emission(const ToolContact& contact, double fat, const PlumeParame
     return contact.power * (1.0 + plume.fat_gain * fat);
 }
 
-/// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows
-/// and fades. `fat`: of the tissue under the contact, 0..1.
-PlumeState plume_state(const ToolContact& contact, const PlumeParameters& plume, glm::dvec3 up, double time,
-                       double fat = 0.0) noexcept;
+/// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows and fades. A touch
+/// that is shorter than `fade_in` leaves no more than it has faded in by its end. Power and fat count as their mean over the last
+/// `fade_in`: smoke takes that long to follow them, so it does not flicker where one contact goes on as another.
+PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept;
 
 /// How a clip is laid out: the same for every frame of one chance.
 struct ClipTurn {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <limits>
 
 #include "gl/noise.h"
 #include "smoke/playhead.h"
@@ -39,9 +40,18 @@ const KeyingParameters& keying_for(const SmokeClip& clip, const SmokeParameters&
     return clip.own_keying ? clip.keying : parameters.keying;
 }
 
-/// A clip that fades from one of its frames to another is two layers, for thickness adds up.
+/// Under Policy::latest a clip has nothing at first.
+bool there(const ClipFrame& frame) {
+    return frame.color != 0;
+}
+
+/// A clip that fades from one of its frames to another is two layers, for thickness adds up. Where only one of them is there, it
+/// is all.
 template <typename Add>
-void add_shown(const auto& shown, Layer layer, double density, const Add& add) {
+void add_shown(auto shown, Layer layer, double density, const Add& add) {
+    if (shown.fading && !there(*shown.fading)) shown.fading.reset(), shown.fade = 0.0;
+    if (!there(shown.frame) && shown.fading) shown.frame = *shown.fading, shown.fading.reset(), shown.fade = 0.0;
+    if (!there(shown.frame)) return;
     layer.frame = shown.frame;
     layer.density = density * (1.0 - shown.fade);
     add(layer);
@@ -57,28 +67,38 @@ Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options)
     : seed_(seed), options_(options), clips_(options), gpu_(options.resolution, options.gpu_timings) {}
 
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
-    const std::vector<SmokeClip>& wanted = preset.smoke.clips;
-    clips_.set(wanted, preset.folder, search_path);
-    parameters_ = preset.smoke;
+    SmokeParameters wanted = preset.smoke;
+    prepare(wanted);
+    clips_.set(wanted.clips, preset.folder, search_path);
+    // From here on nothing throws Error.
+    parameters_ = std::move(wanted);
     set_haze();
     int pixels[2] = {0, 0};
-    const auto hazes = static_cast<int>(
-        std::count_if(wanted.begin(), wanted.end(), [](const SmokeClip& c) { return c.role == ClipRole::haze; }));
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
-        const ClipInfo& info = clips_.info(i);
-        gpu_.prepare(wanted[i], layout_of(options_.scheme), info.alpha, keying_for(wanted[i], preset.smoke),
-                     2 * hazes);  // twice: cross-fades
-
-        int& most = pixels[static_cast<int>(wanted[i].role)];
-        most = std::max(most, info.size.x * info.size.y);
+    for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
+        const glm::ivec2 size = clips_.info(i).size;
+        int& most = pixels[static_cast<int>(parameters_.clips[i].role)];
+        most = std::max(most, size.x * size.y);
     }
     gpu_.set_clip_pixels(pixels[static_cast<int>(ClipRole::plume)], pixels[static_cast<int>(ClipRole::haze)]);
+}
+
+void Smoke::prepare(const SmokeParameters& wanted) {
+    const auto hazes = static_cast<int>(std::count_if(wanted.clips.begin(), wanted.clips.end(),
+                                                      [](const SmokeClip& c) { return c.role == ClipRole::haze; }));
+    for (const SmokeClip& clip : wanted.clips)
+        for (const bool has_alpha : {false, true})
+            gpu_.prepare(clip, layout_of(options_.scheme), has_alpha, keying_for(clip, wanted),
+                         2 * hazes);  // twice: cross-fades
 }
 
 void Smoke::set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat) {
     assert(fat.size() == contacts.size());
     contacts_.assign(contacts.begin(), contacts.end());
     fat_.assign(fat.begin(), fat.end());
+    latest_.clear();
+    double latest = -std::numeric_limits<double>::infinity();
+    for (const ToolContact& contact : contacts_) latest_.push_back(latest = std::fmax(latest, contact.end()));
+    burns_.set(contacts_, fat_);
     set_haze();
 }
 
@@ -107,16 +127,17 @@ void Smoke::draw(const View& view, glm::dvec3 up, double time, GLuint scene_dept
     double haze_weight = 0.0;
     for (const SmokeClip& clip : parameters_.clips)
         if (clip.role == ClipRole::haze) haze_weight += clip.weight;
-    // Several haze clips share its density. Without one it is even.
+    // Several haze clips share its density. Without one, or while one has nothing to show, it is even.
     const double density = std::min(haze(time), thickest);
-    if (haze_weight <= 0.0) gpu_.even_haze(density);
+    double even = haze_weight > 0.0 ? 0.0 : density;
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
         const SmokeClip& clip = parameters_.clips[i];
         if (clip.role == ClipRole::plume)
             add_plumes(i, view, up, time, policy);
-        else if (haze_weight > 0.0)
-            add_haze(i, time, density * clip.weight / haze_weight, policy);
+        else if (haze_weight > 0.0 && !add_haze(i, time, density * clip.weight / haze_weight, policy))
+            even += density * clip.weight / haze_weight;
     }
+    gpu_.even_haze(even);
     draw_particles(up, time, scene_depth);  // smoke lies over them
     gpu_.draw(scene_depth);
     clips_.end_cycle();
@@ -132,13 +153,13 @@ Layer Smoke::layer(std::size_t clip, double time) const noexcept {
 void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
     const PlumeParameters& plume = parameters_.plume;
+    const glm::vec2 size(clips_.info(clip).size);
     std::optional<Shown> shown;
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const PlumeState state = plume_state(contacts_[i], plume, up, time, fat_[i]);
+    for (const Burn& burn : burns_.after(time - plume.fade_out)) {
+        const PlumeState state = plume_state(burn, plume, up, time);
         if (state.density * settings.weight <= 0.0) continue;
         if (!shown) shown = show(clip, time, policy);
-        const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + i);
-        const glm::vec2 size(shown->frame.format.size);
+        const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + burn.number);
         const auto height = static_cast<float>(state.height);
         const auto corners = plume_corners({.anchor = glm::vec3(view.view * glm::vec4(glm::vec3(state.anchor), 1.0f)),
                                             .extent = glm::vec2(height * size.x / size.y, height),
@@ -158,7 +179,11 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
 void Smoke::draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept {
     static_assert(most_particles <= most_specks);
     const ParticleParameters& parameters = parameters_.particles;
-    const std::size_t count = particles_at(contacts_, fat_, parameters, up, chance(seed_ + 3, 0), time, particles_);
+    const auto first = static_cast<std::size_t>(
+        std::lower_bound(latest_.begin(), latest_.end(), time - parameters.lifetime) - latest_.begin());
+    const std::size_t count = particles_at(std::span<const ToolContact>(contacts_).subspan(first),
+                                           std::span<const double>(fat_).subspan(first), parameters, up,
+                                           chance(seed_ + 3, 0), time, particles_);
     if (count == 0) return;
     for (std::size_t i = 0; i < count; ++i) {
         const Particle& p = particles_[i];
@@ -168,15 +193,17 @@ void Smoke::draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexc
     particles_gpu_.draw(count, glm::vec3(parameters.color), scene_depth);
 }
 
-void Smoke::add_haze(std::size_t clip, double time, double density, Policy policy) noexcept {
-    if (density <= 0.0) return;
+/// False when the clip has nothing to show.
+bool Smoke::add_haze(std::size_t clip, double time, double density, Policy policy) noexcept {
+    if (density <= 0.0) return true;
     Layer drawn = layer(clip, time);
     drawn.seed = chance(seed_ + 2, clip);
     const ClipTurn turn = clip_turn(parameters_.clips[clip], drawn.seed);
     drawn.mirrored = turn.mirrored;
     drawn.angle = turn.angle;
-    add_shown(show(clip, time, policy), drawn, density,
-              [&](const Layer& one) { gpu_.haze(one, parameters_.haze.unevenness); });
+    const Shown shown = show(clip, time, policy);
+    add_shown(shown, drawn, density, [&](const Layer& one) { gpu_.haze(one, parameters_.haze.unevenness); });
+    return there(shown.frame) || (shown.fading && there(*shown.fading));
 }
 
 }  // namespace lapfx::smoke

@@ -12,6 +12,7 @@
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
 #include "lapfx/view.h"
+#include "smoke/burns_cpu.h"
 #include "smoke/clip_set.h"
 #include "smoke/haze_cpu.h"
 #include "smoke/particles_cpu.h"
@@ -26,7 +27,8 @@ class Smoke {
     Smoke(std::uint32_t seed, const StreamingOptions& options);
 
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
-    /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had.
+    /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had. Shaders come first,
+    /// with and without opacity of the clip's own, for which of the two it needs is known only when it has been opened.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
     /// `fat`: 0..1 for each contact, of the tissue there; it smokes more (PlumeParameters::fat_gain).
     void set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat);
@@ -49,11 +51,12 @@ class Smoke {
         std::optional<ClipFrame> fading;
         double fade = 0.0;
     };
+    void prepare(const SmokeParameters& wanted);
     void set_haze();
     Shown show(std::size_t clip, double time, Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
     void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept;
-    void add_haze(std::size_t clip, double time, double density, Policy policy) noexcept;
+    bool add_haze(std::size_t clip, double time, double density, Policy policy) noexcept;
     void draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept;
 
     std::uint32_t seed_;
@@ -61,7 +64,9 @@ class Smoke {
     SmokeParameters parameters_;
     ClipSet clips_;  // parallel to parameters_.clips
     std::vector<ToolContact> contacts_;
-    std::vector<double> fat_;  // parallel to contacts_
+    std::vector<double> fat_;     // parallel to contacts_
+    std::vector<double> latest_;  // the same: when it and all before it have ended, s
+    BurnList burns_;
     HazeCurve haze_;
     std::vector<Emission> emissions_;
     std::vector<Suction> suctions_;

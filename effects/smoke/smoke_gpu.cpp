@@ -274,7 +274,8 @@ void SmokeGpu::draw(GLuint scene_depth) noexcept {
     make_batches(ClipRole::plume);
     make_batches(ClipRole::haze);
     tiles_.draw();
-    glBindTextureUnit(noise_unit, tiles_.texture());
+    // Binding 0 to a unit would unbind the textures of all targets there, the host's of other kinds too.
+    if (tiles_.texture() != 0) glBindTextureUnit(noise_unit, tiles_.texture());
     upload(plume);
     upload(haze);
     if (!direct) {

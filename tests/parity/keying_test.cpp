@@ -119,6 +119,15 @@ TEST_F(KeyingParity, Tint) {
     for (int i = 0; i < 3; ++i) test::expect_near(inputs, cpu, results, i, 1e-5, "tint");
 }
 
+TEST_F(KeyingParity, Shade) {
+    const test::GpuFunction gpu({"keying.glsl"}, "vec4(lapfx_shade(a.x, a.y))");
+    std::vector<glm::vec4> inputs, cpu;
+    for (float y = -20.0f; y <= 280.0f; y += 7.5f)
+        for (float alpha = -0.25f; alpha <= 1.25f; alpha += 0.0625f) inputs.emplace_back(y, alpha, 0.0f, 0.0f);
+    for (const glm::vec4& i : inputs) cpu.emplace_back(shade(i.x, i.y));
+    test::expect_near(inputs, cpu, gpu(inputs), 0, 1e-5, "shade");
+}
+
 /// Opacity of a made-up clip, as a function of the place: steep and round.
 float blobs(glm::vec2 p) {
     return unit(0.5f + 0.7f * std::sin(0.31f * p.x) * std::cos(0.23f * p.y));

@@ -22,7 +22,8 @@
 // state (while blood spreads or samples arrive they may; out of memory then ends the process) and leave the GL state as they
 // found it (program, vertex array, blending, depth, culling, scissor test, draw framebuffer, viewport, 2D and 2D array textures
 // of units 0-13, uniform bindings 0-2). They expect GL's initial front face, colour mask, stencil, polygon mode and clip
-// control, and no sampler objects on units 0 to 13. Output is linear light: draw into a float or an sRGB framebuffer with
+// control, no sampler objects on units 0 to 13, one draw buffer, and blending and scissor test the same for all draw buffers and
+// viewports: they are saved as those of the first and put back for all. Output is linear light: draw into a float or an sRGB framebuffer with
 // GL_FRAMEBUFFER_SRGB.
 #pragma once
 

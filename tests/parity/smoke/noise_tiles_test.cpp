@@ -106,6 +106,21 @@ TEST_F(NoiseTilesTest, DoNotReachIntoEachOther) {
     }
 }
 
+TEST_F(NoiseTilesTest, AreSharedByThoseThatAskForTheSame) {
+    NoiseTiles tiles;
+    const NoiseTiles::Grid now = NoiseTiles::grid({}, 1.5f, 1.0), later = NoiseTiles::grid({}, 1.5f, 2.0);
+    const std::size_t a = tiles.add(now, glm::ivec4(5, 0, 0, 0), 1);
+    EXPECT_EQ(tiles.add(now, glm::ivec4(5, 0, 0, 0), 1), a);
+    EXPECT_NE(tiles.add(now, glm::ivec4(6, 0, 0, 0), 1), a);
+    EXPECT_NE(tiles.add(later, glm::ivec4(5, 0, 0, 0), 1), a);
+    const std::size_t both = tiles.add(now, glm::ivec4(5, 5, 9, 9), 4);
+    EXPECT_NE(both, a);
+    draw(tiles);
+    const glm::dvec2 middle(24.0 / (now.texels.x - 1), 16.0 / (now.texels.y - 1));
+    for (int c = 0; c < 4; ++c)
+        EXPECT_NEAR(sample(tiles, both, middle)[c], expected({}, 1.5f, 1.0, c < 2 ? 5 : 9, middle), stored + 2e-3) << c;
+}
+
 TEST_F(NoiseTilesTest, AnyNumberFitsByGettingCoarser) {
     NoiseTiles tiles;
     KeyingParameters k;

@@ -10,8 +10,8 @@
 #include "render/view_block.h"
 #include "smoke/keying_cpu.h"
 #include "smoke/smoke_gpu.h"
-#include "smoke/thickness_cpu.h"
 #include "support/gpu_test.h"
+#include "support/thickness.h"
 
 namespace lapfx::smoke {
 
@@ -52,6 +52,11 @@ struct HandMade {
     }
     float opacity(glm::vec2 place, const Keying& key) const {
         return format.alpha ? bilinear(planes[2], format.size, 1, place).x / 255.0f : key_alpha(rgb(place), key);
+    }
+
+    /// The clip's shading where it brings its opacity.
+    float shading(glm::vec2 place) const {
+        return format.alpha ? shade(luma(rgb(place)), bilinear(planes[2], format.size, 1, place).x / 255.0f) : 1.0f;
     }
 
     PictureFormat format;

@@ -54,7 +54,7 @@ const std::vector<Case>& cases() {
 glm::vec3 own_tint(const HandMade& clip, glm::vec2 place, const Keying& key) {
     const glm::vec3 code = clip.rgb(place);
     const glm::vec3 own = tint(luma(code), despill(chroma(code), key));
-    return key.chroma_high > 0.0f ? glm::mix(own, glm::vec3(1.0f), key.spill) : own;
+    return clip.shading(place) * (key.chroma_high > 0.0f ? glm::mix(own, glm::vec3(1.0f), key.spill) : own);
 }
 
 class SmokeLayers : public SmokeGpuTest, public testing::WithParamInterface<std::tuple<Case, SmokeResolution, int>> {};
@@ -136,6 +136,23 @@ TEST_F(SmokeGpuHaze, EvenIsTheSameInAllWays) {
             for (int c = 0; c < 3; ++c) ASSERT_NEAR(pixels[index({x, 9})][c], expected[c], 2e-4) << x;
         }
     }
+}
+
+// glBindTextureUnit with 0 unbinds all targets, and the state guard saves only two of them.
+TEST_F(SmokeGpuHaze, WithoutNoiseTheUnitOfItsTilesIsLeftAlone) {
+    set_depth([](glm::ivec2) { return 100.0f; });
+    constexpr GLuint noise_unit = 12;
+    GLuint cube = 0;
+    glCreateTextures(GL_TEXTURE_CUBE_MAP, 1, &cube);
+    glBindTextureUnit(noise_unit, cube);
+    SmokeGpu gpu(SmokeResolution::clip, false);
+    draw(gpu, [&] { gpu.even_haze(0.8); });
+    GLint bound = 0;
+    glActiveTexture(GL_TEXTURE0 + noise_unit);
+    glGetIntegerv(GL_TEXTURE_BINDING_CUBE_MAP, &bound);
+    glActiveTexture(GL_TEXTURE0);
+    EXPECT_EQ(static_cast<GLuint>(bound), cube);
+    glDeleteTextures(1, &cube);
 }
 
 TEST_F(SmokeGpuHaze, NoiseIsEachLayersOwnHoweverTheyAreDrawn) {
@@ -251,6 +268,34 @@ TEST_F(SmokeGpuPlume, FadesOverItsSoftnessWhereItMeetsTheScene) {
             for (int c = 0; c < 3; ++c)
                 EXPECT_NEAR(pixels[index(size / 2)][c], expected[c], 3e-3) << wanted << ' ' << behind;
         }
+}
+
+// Thick smoke all over the clip: its thickness, not its opacity, fades towards the quad's border.
+TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
+    set_size({120, 100});
+    set_depth([](glm::ivec2) { return 400.0f; });
+    plume.color = glm::dvec3(0.0);  // then only its transmission is seen
+    HandMade clip({120, 100}, Layout::rgb, false, 1, {});
+    std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{255});
+    clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
+    const KeyingParameters keying = by_luma();
+    const float tall = 2.0f * 100.0f * std::tan(glm::radians(30.0f));  // fills the view
+    const auto filling = plume_corners(
+        {.anchor = {0.0f, 0.0f, -100.0f}, .extent = glm::vec2(1.2f, 1.0f) * tall, .source = {0.5f, 0.5f}});
+    SmokeGpu gpu(SmokeResolution::clip, false);
+    gpu.set_clip_pixels(size.x * size.y, 0);
+    const double density = 0.5;
+    const auto pixels = draw(
+        gpu, [&] { gpu.plume({.frame = clip.frame(), .keying = &keying, .density = density}, filling, everywhere); });
+    const auto thickness = [&](glm::ivec2 pixel) {
+        return -std::log(pixels[index(pixel)].r / background.r) / static_cast<float>(plume.extinction.r);
+    };
+    const float whole = static_cast<float>(-std::log(0.002) * density);
+    for (int i = 0; i < 30; ++i) {
+        const float place = (static_cast<float>(i) + 0.5f) / 100.0f;
+        EXPECT_NEAR(thickness({60, 99 - i}), whole * glm::smoothstep(0.0f, 0.15f, place), 0.03f) << i << " from above";
+        EXPECT_NEAR(thickness({60, i}), whole * glm::smoothstep(0.0f, 0.08f, place), 0.03f) << i << " from below";
+    }
 }
 
 TEST_F(SmokeGpuPlume, LeavesTheRestOfTheFrameAlone) {

@@ -25,6 +25,18 @@ ToolContact contact(ToolAction action = ToolAction::cauterise) {
     return {.action = action, .time = 1.0, .duration = 2.0, .position = {0, 0, 0}, .to = {10, 0, 0}, .power = 0.5};
 }
 
+PlumeState plume_state(std::span<const ToolContact> contacts, const PlumeParameters& plume, glm::dvec3 rising,
+                       double time, double fat = 0.0) {
+    BurnList burns;
+    burns.set(contacts, std::vector<double>(contacts.size(), fat));
+    const std::span<const Burn> all = burns.after(-1e9);
+    return all.empty() ? PlumeState() : plume_state(all.front(), plume, rising, time);
+}
+PlumeState plume_state(const ToolContact& one, const PlumeParameters& plume, glm::dvec3 rising, double time,
+                       double fat = 0.0) {
+    return plume_state(std::span(&one, 1), plume, rising, time, fat);
+}
+
 double density(double time, const PlumeParameters& p = parameters()) {
     return plume_state(contact(), p, up, time).density;
 }
@@ -85,6 +97,69 @@ TEST(Plume, FatSmokesMore) {
     EXPECT_NEAR(emission(contact(), 1.0, p), 0.5 * 2.5, 1e-12);
     p.fat_gain = 0.0;
     EXPECT_EQ(plume_state(contact(), p, up, 2.0, 0.4).density, plume_state(contact(), p, up, 2.0).density);
+}
+
+/// The same stay as contacts that meet at these times.
+std::vector<ToolContact> split(const ToolContact& whole, std::span<const double> times) {
+    std::vector<ToolContact> parts;
+    double from = whole.time;
+    const auto add = [&](double to) {
+        ToolContact part = whole;
+        part.time = from;
+        part.duration = to - from;
+        part.position = whole.tip(from);
+        part.to = whole.tip(to);
+        parts.push_back(part);
+        from = to;
+    };
+    for (const double time : times) add(time);
+    add(whole.end());
+    return parts;
+}
+
+void expect_same(const PlumeState& a, const PlumeState& b, double time) {
+    EXPECT_NEAR(a.density, b.density, 1e-12) << time;
+    EXPECT_NEAR(a.height, b.height, 1e-9) << time;
+    EXPECT_LT(glm::distance(a.anchor, b.anchor), 1e-9) << time;
+}
+
+TEST(Plume, IsTheSameHoweverAStayIsSplit) {
+    std::vector<double> many;
+    for (int i = 1; i < 20; ++i) many.push_back(1.0 + 0.1 * i);
+    for (const std::vector<double>& times : {std::vector{1.0001}, {1.3}, {2.9999}, {1.0, 1.1, 1.1, 3.0}, many})
+        for (double time = 0.95; time < 5.1; time += 0.05)
+            expect_same(plume_state(split(contact(), times), parameters(), up, time, 0.3),
+                        plume_state(contact(), parameters(), up, time, 0.3), time);
+}
+
+TEST(Plume, OfAShortTouchIsOnlyAsDenseAsItHadBecome) {
+    const PlumeParameters p = parameters();  // fade_in 0.4
+    const auto peak = [&](double duration) {
+        ToolContact touch = contact();
+        touch.duration = duration;
+        double most = 0.0;
+        for (double time = 1.0; time < 4.0; time += 0.001)
+            most = std::max(most, plume_state(touch, p, up, time).density);
+        return most;
+    };
+    EXPECT_NEAR(peak(0.01), 3.0 * 0.025 * 0.025 - 2.0 * 0.025 * 0.025 * 0.025, 1e-5) << "of 1";
+    EXPECT_NEAR(peak(0.2), 0.5, 1e-5);
+    EXPECT_NEAR(peak(0.4), 1.0, 1e-5);
+    EXPECT_NEAR(peak(2.0), 1.0, 1e-12);
+}
+
+TEST(Plume, FollowsThePowerWithoutAJump) {
+    PlumeParameters p = parameters();
+    std::vector<ToolContact> both = split(contact(), std::vector{2.0});
+    both[1].power = 1.0;
+    const auto at = [&](double time) { return plume_state(both, p, up, time).density; };
+    EXPECT_NEAR(at(2.0), 1.0, 1e-12);
+    EXPECT_NEAR(at(2.2), 1.5, 1e-12) << "half of the last 0.4 s";
+    EXPECT_NEAR(at(2.4), 2.0, 1e-12);
+    EXPECT_NEAR(at(3.0), 2.0, 1e-12);
+    p.fade_in = 0.0;
+    EXPECT_EQ(at(1.999), 1.0);
+    EXPECT_EQ(at(2.0), 2.0) << "at once";
 }
 
 PlumeQuad quad() {
