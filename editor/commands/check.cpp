@@ -1,7 +1,9 @@
-// lapfx check: validates presets and scenes, or prints their schema.
+// lapfx check: validates presets, with their clips, and scenes, or prints their schema.
 #include <iostream>
 
 #include "commands/command.h"
+#include "commands/session.h"
+#include "lapfx/clip.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -20,6 +22,7 @@ void check_files(const std::vector<std::string>& files) {
     for (const std::string& file : files) {
         try {
             const CheckedDocument found = check_document(file);
+            if (found.kind == "preset") check_clips(load_preset(file), file, clip_folders());
             std::cout << file << ": " << found.kind << " \"" << found.name << "\", ok\n";
         } catch (const Error& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());

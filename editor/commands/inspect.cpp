@@ -60,16 +60,25 @@ Kind kind_of(const fs::path& file) {
     return kind_by_content(file);
 }
 
+/// A name such as "plume_%04d.png": numbered images, which report_clip() finds. A file of just that name comes first.
+bool is_sequence(const fs::path& file) {
+    std::error_code code;
+    return !fs::exists(file, code) && file.filename().string().find('%') != std::string::npos;
+}
+
 void inspect_file(const fs::path& file, bool keying) {
-    require_plain_file(file);
-    const Kind kind = kind_of(file);
-    if (keying && kind != Kind::video) refuse(file, "is no video, so there is no keying to suggest");
+    const bool sequence = is_sequence(file);
+    if (!sequence) require_plain_file(file);
+    const Kind kind = sequence ? Kind::video : kind_of(file);
+    if (keying && kind != Kind::video && kind != Kind::image)
+        refuse(file, "is no clip, so there is no keying to suggest");
     switch (kind) {
         case Kind::organ:
             inspect_organ(file);
             break;
         case Kind::image:
             inspect_image(file);
+            if (keying) inspect_keying(file);
             break;
         case Kind::video:
             inspect_video(file);
@@ -103,7 +112,7 @@ void add_inspect(CLI::App& app) {
     auto files = std::make_shared<std::vector<std::string>>();
     verb->add_option("FILE", *files,
                      "Mesh (.glb .gltf .obj .ply .stl .off), video (.mp4 .mov .webm .mkv .avi ...), preset or scene "
-                     "(.json), image (.png .jpg .webp .bmp)")
+                     "(.json), image (.png .jpg .webp .bmp), numbered images (smoke_%04d.png)")
         ->required();
     auto keying = std::make_shared<bool>(false);
     verb->add_flag("--keying", *keying,

@@ -27,11 +27,18 @@ std::string preset_lines(const KeyingSuggestion& found) {
 
 void inspect_keying(const std::filesystem::path& file) {
     const KeyingSuggestion found = suggest_keying(file);
+    if (found.alpha) {  // nothing to paste: it would have no effect
+        std::cout << "  keying              " << found.reason << '\n';
+        return;
+    }
+    const bool doubtful = found.confidence < 0.5;
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", found.confidence);
     std::cout << "  keying              " << found.reason << '\n'
-              << "  confidence          " << text << (found.confidence < 0.5 ? ", look at it first\n" : "\n")
-              << preset_lines(found);
+              << "  confidence          " << text << (doubtful ? ", look at it first\n" : "\n") << preset_lines(found);
+    if (doubtful)
+        std::cerr << "lapfx: warning: " << file.string()
+                  << ": this keying is a guess; look at the clip with it before it goes into a preset\n";
 }
 
 }  // namespace lapfx::commands

@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "lapfx/clip.h"
+#include "smoke/clip_file.h"
 #include "smoke/decoder.h"
 
 namespace lapfx {
@@ -38,6 +39,22 @@ ClipReport report_clip(const std::filesystem::path& path) {
     report.pixel_format = info.pixel_format;
     report.warning = info.warning;
     return report;
+}
+
+void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders) {
+    std::vector<Fault> faults;
+    for (std::size_t i = 0; i < preset.smoke.clips.size(); ++i) {
+        try {
+            const smoke::Decoder opened(smoke::find_clip(preset.smoke.clips[i].file, preset.folder, folders),
+                                        smoke::Layout::planar);
+        } catch (const Error& error) {
+            for (const Fault& fault : error.faults())
+                faults.push_back({.file = name,
+                                  .place = "/smoke/clips/" + std::to_string(i) + "/file",
+                                  .reason = fault.file + ": " + fault.reason});
+        }
+    }
+    if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
 }
 
 }  // namespace lapfx

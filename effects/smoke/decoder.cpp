@@ -75,6 +75,7 @@ struct Decoder::State {
     Decoded next;        ///< scratch
     bool placed = true;  ///< the reader stands right behind `shown` and `ahead`
     bool ended = false;
+    std::vector<bool> failed;  ///< images of a sequence that could not be read once: they are not tried again
     double decode_seconds = 0.0;
 };
 
@@ -198,15 +199,20 @@ Step Decoder::State::decode_to(int frame, const std::atomic<bool>* stop) {
 Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
     ClipIndex one_image;
     one_image.times = {0.0};
+    failed.resize(static_cast<std::size_t>(index->sequence->count), false);
     if (shown.number > frame) shown.clear();
     for (int at = frame; at > shown.number; --at) {
         if (stop != nullptr && stop->load(std::memory_order_relaxed)) return Step::stopped;
+        const auto place = static_cast<std::size_t>(at);
+        if (failed[place]) continue;
+        failed[place] = true;
         try {
             FrameReader image(index->sequence->file(at));
             if (image.next(one_image, *next.frame, next.number, nullptr) != Step::frame) continue;
         } catch (const Error&) {  // gone or broken: the one before is shown
             continue;
         }
+        failed[place] = false;
         shown.take(next);
         shown.number = at;
         break;

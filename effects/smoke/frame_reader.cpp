@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstring>
 #include <string_view>
+#include <utility>
 
 extern "C" {
 #include <libavutil/imgutils.h>
@@ -12,7 +13,6 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr std::int64_t maximum_pixels = std::int64_t{8192} * 8192;
 constexpr int silent = 100;  // above every level of FFmpeg's messages
 
 /// FFmpeg's own VP8 and VP9 decoders leave the opacity out; the ones of the libvpx project, if FFmpeg was built with them, do
@@ -73,22 +73,24 @@ void FrameReader::open_codec() {
     const AVStream& video = file_.video();
     const AVCodec* decoder = find_decoder(video, warning_);
     if (decoder == nullptr) throw bad_clip(path_, not_decodable);
-    codec_.reset(libav::made(avcodec_alloc_context3(decoder)));
-    if (avcodec_parameters_to_context(codec_.get(), video.codecpar) < 0) throw bad_clip(path_, not_decodable);
-    codec_->thread_count = 1;  // each clip has a thread of its own
-    codec_->pkt_timebase = video.time_base;
-    codec_->max_pixels = maximum_pixels;
-    codec_->log_level_offset = silent;
-    if (leaves_gaps(video.codecpar->codec_id)) codec_->get_buffer2 = black_buffer;
-    if (video.codecpar->codec_id == AV_CODEC_ID_MJPEG) codec_->err_recognition |= AV_EF_EXPLODE;  // faults fail
-    if (avcodec_open2(codec_.get(), decoder, nullptr) < 0) throw bad_clip(path_, not_decodable);
+    libav::Codec codec(libav::made(avcodec_alloc_context3(decoder)));
+    if (avcodec_parameters_to_context(codec.get(), video.codecpar) < 0) throw bad_clip(path_, not_decodable);
+    codec->thread_count = 1;  // each clip has a thread of its own
+    codec->pkt_timebase = video.time_base;
+    codec->max_pixels = maximum_pixels;
+    codec->log_level_offset = silent;
+    if (leaves_gaps(video.codecpar->codec_id)) codec->get_buffer2 = black_buffer;
+    if (video.codecpar->codec_id == AV_CODEC_ID_MJPEG) codec->err_recognition |= AV_EF_EXPLODE;  // faults fail
+    if (avcodec_open2(codec.get(), decoder, nullptr) < 0) throw bad_clip(path_, not_decodable);
+    codec_ = std::move(codec);
 }
 
 void FrameReader::restart() {
     held_ = resets_ = drained_ = false;
     fresh_ = true;
     last_ = -1;
-    least_ = count_ = 0;
+    count_ = 0;
+    codec_.reset();  // when the file is no video any more there is no decoder, rather than one of another file
     file_.restart();
     open_codec();
 }
@@ -103,13 +105,13 @@ bool FrameReader::reach(const SeekPoint& point, std::int64_t stamp) noexcept {
 }
 
 bool FrameReader::seek(const SeekPoint& point) noexcept {
+    if (!codec_) return false;
     avcodec_flush_buffers(codec_.get());
     resets_ = drained_ = false;
     fresh_ = true;
     // Some containers look for the time of showing, others for that of decoding.
     held_ = reach(point, point.pts) || (point.dts != point.pts && reach(point, point.dts));
     last_ = point.frame - 1;
-    least_ = point.frame;
     return held_;
 }
 
@@ -148,6 +150,7 @@ bool FrameReader::feed(const ClipIndex& index) noexcept {
 }
 
 Step FrameReader::next(const ClipIndex& index, AVFrame& frame, int& number, const std::atomic<bool>* stop) noexcept {
+    if (!codec_) return Step::end;
     const int frames = static_cast<int>(index.times.size());
     while (true) {
         if (stop != nullptr && stop->load(std::memory_order_relaxed)) return Step::stopped;
@@ -163,7 +166,8 @@ Step FrameReader::next(const ClipIndex& index, AVFrame& frame, int& number, cons
         }
         int place = count_++;
         if (!index.stamps.empty() && frame.pts != AV_NOPTS_VALUE) place = index.frame_at(frame.pts);
-        if (place < least_ || place <= last_ || place >= frames || is_broken(frame)) continue;
+        // Frames from before the place that was sought, and those whose time another one had already.
+        if (place <= last_ || place >= frames || is_broken(frame)) continue;
         number = last_ = place;
         return Step::frame;
     }

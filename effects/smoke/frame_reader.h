@@ -36,14 +36,13 @@ class FrameReader {
 
     const std::filesystem::path path_;
     MediaFile file_;
-    libav::Codec codec_;
+    libav::Codec codec_;  ///< none when the file is no video any more
     libav::Packet packet_;
     bool held_ = false;     ///< packet_ is still to be decoded
     bool fresh_ = true;     ///< the decoder has had no packet since it was made or emptied
     bool resets_ = false;   ///< it is giving out what it still has, and will be emptied then
     bool drained_ = false;  ///< the decoder knows that no packet follows
-    int last_ = -1;         ///< number of the frame that was given last
-    int least_ = 0;         ///< frames before this one are left out: after a seek they lack what they refer to
+    int last_ = -1;         ///< no frame up to this one is given any more
     int count_ = 0;         ///< frames given since the start
     std::string warning_;
 };

@@ -7,7 +7,9 @@
 #include <cerrno>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "organ/image.h"
 #include "smoke/clip_file.h"
 
 namespace lapfx::smoke {
@@ -49,6 +51,7 @@ MediaFile::MediaFile(const std::filesystem::path& path) : path_(path) {
         struct stat status {};
         if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode)) throw bad_clip(path, "is not a plain file");
         size_ = status.st_size;
+        require_image_size();
         restart();
     } catch (...) {
         ::close(descriptor_);
@@ -98,8 +101,34 @@ void MediaFile::restart() {
     // By its content alone: without a name nothing is concluded from that. It is freed when it fails.
     if (avformat_open_input(&format, "", nullptr, nullptr) < 0) throw bad_clip(path_, not_decodable);
     format_.reset(format);
-    if (avformat_find_stream_info(format, nullptr) < 0) throw bad_clip(path_, not_decodable);
+    look_at_streams();
     choose_video();
+}
+
+/// FFmpeg decodes some frames here already, before a decoder of ours is told how large they may be.
+void MediaFile::look_at_streams() {
+    for (unsigned i = 0; i < format_->nb_streams; ++i)
+        require_size(format_->streams[i]->codecpar->width, format_->streams[i]->codecpar->height);
+    std::vector<AVDictionary*> options(format_->nb_streams, nullptr);
+    for (AVDictionary*& one : options) av_dict_set_int(&one, "max_pixels", maximum_pixels, 0);
+    const int result = avformat_find_stream_info(format_.get(), options.data());
+    for (AVDictionary*& one : options) av_dict_free(&one);
+    if (result < 0) throw bad_clip(path_, not_decodable);
+}
+
+/// Single images tell their size in front. FFmpeg forgets it of one that is too large for its decoders.
+void MediaFile::require_image_size() const {
+    std::vector<std::uint8_t> head(io_buffer);
+    const ssize_t count = ::pread(descriptor_, head.data(), head.size(), 0);
+    organ::ImageSize size;
+    if (count > 0 && organ::image_size({head.data(), static_cast<std::size_t>(count)}, size))
+        require_size(size.width, size.height);
+}
+
+void MediaFile::require_size(std::int64_t width, std::int64_t height) const {
+    if (width > maximum_side || height > maximum_side)
+        throw bad_clip(path_, "is " + std::to_string(width) + "x" + std::to_string(height) + " pixels; at most " +
+                                  std::to_string(maximum_side) + " a side are allowed");
 }
 
 void MediaFile::choose_video() {
@@ -108,10 +137,7 @@ void MediaFile::choose_video() {
         throw bad_clip(path_, "holds no picture");
     for (unsigned i = 0; i < format_->nb_streams; ++i)
         if (static_cast<int>(i) != video_) format_->streams[i]->discard = AVDISCARD_ALL;
-    const AVCodecParameters& codec = *video().codecpar;
-    if (codec.width > maximum_side || codec.height > maximum_side)
-        throw bad_clip(path_, "is " + std::to_string(codec.width) + "x" + std::to_string(codec.height) +
-                                  " pixels; at most " + std::to_string(maximum_side) + " a side are allowed");
+    require_size(video().codecpar->width, video().codecpar->height);
 }
 
 bool MediaFile::next(AVPacket& packet) noexcept {

@@ -8,6 +8,9 @@
 
 namespace lapfx::smoke {
 
+/// What FFmpeg's decoders may make of a picture: 8K squared. A file's own word may be anything.
+constexpr std::int64_t maximum_pixels = std::int64_t{8192} * 8192;
+
 class MediaFile {
   public:
     /// Throws Error (bad_input): not a plain local file, a playlist, of no known format, without pictures or with too large ones.
@@ -35,6 +38,9 @@ class MediaFile {
   private:
     static int read(void* self, std::uint8_t* into, int size);
     static std::int64_t move(void* self, std::int64_t offset, int whence);
+    void look_at_streams();
+    void require_image_size() const;
+    void require_size(std::int64_t width, std::int64_t height) const;
     void choose_video();
 
     const std::filesystem::path path_;

@@ -24,6 +24,7 @@ KeyingSuggestion suggest_keying(const std::filesystem::path& clip) {
         survey.add(info.size, {picture.bytes.data(), decoder.format().color_bytes()});
     }
     KeyingSuggestion found = survey.suggest();
+    found.alpha = info.alpha;
     if (info.alpha) found.reason = "the clip brings its own opacity, which takes the place of keying; " + found.reason;
     return found;
 }

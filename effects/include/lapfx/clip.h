@@ -11,6 +11,8 @@
 #include <span>
 #include <string>
 
+#include "lapfx/preset.h"
+
 namespace lapfx {
 
 struct ClipReport {
@@ -28,6 +30,11 @@ struct ClipReport {
 /// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local file, a
 /// playlist, not a video that can be decoded, a side over 8192 pixels.
 ClipReport report_clip(const std::filesystem::path& path);
+
+/// Whether every clip of a preset is there and can be decoded: looked for in its folder, then, bare names, in `folders`.
+/// `name` names the preset in faults. Throws Error (bad_input) with a fault for each clip that cannot be used, whose place is its
+/// "/smoke/clips/N/file".
+void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders);
 
 /// Frames per second that the threads which decode playing clips reach on this machine: all `clips` side by side, as planes in
 /// main memory, `loops` times the longest of them. `threads`: 0 for as many as there are cores. Takes as long as that takes.

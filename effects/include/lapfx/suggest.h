@@ -18,6 +18,7 @@ namespace lapfx {
 struct KeyingSuggestion {
     KeyingParameters keying{};  ///< luma, chroma, key colour and spill as suggested; the rest as by default
     ClipPolarity polarity = ClipPolarity::light;
+    bool alpha = false;             ///< the clip brings its own opacity: keying is not used
     double confidence = 0.0;        ///< 0..1; below 0.5 a person should look first
     double background_noise = 0.0;  ///< code values by which the background strays, 99 % of it
     double background_share = 0.0;  ///< of the clip's area over time, 0..1

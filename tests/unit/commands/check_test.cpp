@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include "support/clips.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {
@@ -49,6 +50,21 @@ TEST_F(CheckCommand, EveryFaultOfEveryFileIsALineOnStderr) {
               "lapfx: bad.json: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)\n"
               "lapfx: missing.json: cannot be read: No such file or directory\n"
               "lapfx: .: not a plain file but a folder\n");
+}
+
+TEST_F(CheckCommand, OpensTheClipsOfAPreset) {
+    test::write_clip(folder / "real.avi", 3);
+    folder.write("empty.mp4", "");
+    folder.write("clips.json", test::preset_text(R"(, "name": "Clips", "smoke": {"clips": [{"file": "real.avi"},
+        {"file": "gone.mp4"}, {"file": "plume_thick.mp4"}, {"file": "empty.mp4"}]})"));
+    folder.write("real.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "real.avi"}]})"));
+    const Result result = run_lapfx(folder, "check clips.json real.json");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out, "real.json: preset \"\", ok\n");
+    EXPECT_TRUE(result.err.starts_with("lapfx: clips.json: /smoke/clips/1/file: gone.mp4: no such clip; looked in ."))
+        << result.err;
+    EXPECT_TRUE(result.err.ends_with("\nlapfx: clips.json: /smoke/clips/3/file: empty.mp4: is empty\n")) << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2) << result.err;
 }
 
 TEST_F(CheckCommand, PrintsTheSchemas) {

@@ -149,7 +149,41 @@ TEST_F(InspectCommand, KeyingIsSuggestedForVideosOnly) {
     const Result result = run("--keying cube.obj");
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, "lapfx: cube.obj: is no video, so there is no keying to suggest\n");
+    EXPECT_EQ(result.err, "lapfx: cube.obj: is no clip, so there is no keying to suggest\n");
+}
+
+TEST_F(InspectCommand, NumberedImagesAreAClip) {
+    for (const char* name : {"s_0003.png", "s_0004.png"})
+        cv::imwrite((folder.path() / name).string(), cv::Mat(48, 64, CV_8UC3, cv::Scalar::all(9)));
+    const Result result = run("s_%04d.png t_%04d.png");
+    EXPECT_EQ(result.code, 2);
+    EXPECT_EQ(result.out,
+              "s_%04d.png: video\n  size                64x48\n  frames per second   25\n  frames              2\n"
+              "  duration            0.080 s\n  codec               png\n  pixel format        rgb24\n");
+    EXPECT_EQ(result.err, "lapfx: t_%04d.png: no such file\n");
+}
+
+TEST_F(InspectCommand, KeyingThatIsAGuessIsWarnedOf) {
+    cv::imwrite((folder.path() / "plain.png").string(), cv::Mat(96, 128, CV_8UC3, cv::Scalar::all(0)));
+    const Result result = run("--keying plain.png");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_TRUE(result.out.starts_with("plain.png: image\n  size                128x96\n")) << result.out;
+    EXPECT_NE(result.out.find("\n\"polarity\""), std::string::npos) << result.out;
+    EXPECT_EQ(result.err,
+              "lapfx: warning: plain.png: this keying is a guess; look at the clip with it before it goes into a "
+              "preset\n");
+}
+
+TEST_F(InspectCommand, AClipWithOpacityOfItsOwnHasNoKeyingToPaste) {
+    cv::Mat smoke(96, 128, CV_8UC4, cv::Scalar(200, 200, 200, 0));
+    smoke(cv::Rect(40, 40, 30, 30)) = cv::Scalar(200, 200, 200, 128);
+    cv::imwrite((folder.path() / "alpha.png").string(), smoke);
+    const Result result = run("--keying alpha.png");
+    EXPECT_EQ(result.code, 0);
+    EXPECT_EQ(result.err, "");
+    EXPECT_NE(result.out.find("\n  keying              the clip brings its own opacity"), std::string::npos);
+    EXPECT_EQ(result.out.find("polarity"), std::string::npos) << result.out;
+    EXPECT_EQ(result.out.find("confidence"), std::string::npos) << result.out;
 }
 
 TEST_F(InspectCommand, WrongUsage) {

@@ -129,6 +129,13 @@ TEST_F(DecoderTest, AFileThatBreaksWhileItPlaysLeavesTheLastGoodFrame) {
     EXPECT_EQ(empty.bytes.size(), decoder.format().bytes());
 }
 
+TEST_F(DecoderTest, AnImagesOwnSizeIsEnoughToRefuseIt) {
+    const std::string png("\x89PNG\r\n\x1a\n\0\0\0\x0dIHDR\0\0\x75\x30\0\0\x2e\xe0\x08\x02\0\0\0", 29);
+    for (const char* name : {"large.png", "large.mp4"})
+        EXPECT_EQ(fault(folder.write(name, png + std::string(200, '\0'))),
+                  "is 30000x12000 pixels; at most 8192 a side are allowed");
+}
+
 class SequenceTest : public DecoderTest {
   protected:
     /// A flat image whose grey level tells its number.
@@ -169,6 +176,20 @@ TEST_F(SequenceTest, ABrokenImageRepeatsTheOneBeforeAndOtherSizesAreScaled) {
         EXPECT_EQ(picture.bytes.size(), 3u * 20 * 10);
         EXPECT_EQ(rgb_at(picture, decoder.format(), {7, 5}), glm::vec3(40.0f));
     }
+}
+
+TEST_F(SequenceTest, AnImageThatIsGoneIsNotLookedForInEveryFrame) {
+    for (int number = 0; number < 6; ++number) write_image(number);
+    Decoder decoder(pattern, Layout::rgb);
+    for (const int number : {2, 3, 4}) fs::remove(folder / ("s_00" + std::to_string(number) + ".png"));
+    Picture picture;
+    EXPECT_FALSE(decoder.read(4, picture));
+    EXPECT_EQ(rgb_at(picture, decoder.format(), {7, 5}), glm::vec3(10.0f));
+    write_image(3);
+    EXPECT_FALSE(decoder.read(3, picture)) << "it was looked for once";
+    EXPECT_EQ(rgb_at(picture, decoder.format(), {7, 5}), glm::vec3(10.0f));
+    EXPECT_TRUE(decoder.read(5, picture));
+    EXPECT_EQ(rgb_at(picture, decoder.format(), {7, 5}), glm::vec3(50.0f));
 }
 
 TEST_F(SequenceTest, OnlyOneNumberInTheNameOfAFile) {
