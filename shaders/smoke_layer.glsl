@@ -11,7 +11,7 @@ struct LapfxSmokeLayer {
     vec4 amount;        // x: density; y: unevenness of haze, softness of a plume in mm; zw: size of the clip, pixels
     vec4 turn;          // columns of the matrix from drawn to clip coordinates, about the middle
     vec4 tile;          // xy: start, zw: extent of the noise, coordinates of u_noise
-    vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate
+    vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate; z: how much of a plume's clip lies below its source
     vec4 corners[4];    // of a plume, camera space, mm: top left, top right, bottom left, bottom right
     vec4 color;         // rgb: linear colour, extinction: of the transmission per channel; for layers that go straight over
     vec4 extinction;    // the frame

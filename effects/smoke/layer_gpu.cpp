@@ -44,7 +44,8 @@ LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
     block.amount = glm::vec4(static_cast<float>(layer.density), static_cast<float>(extra), size);
     block.turn = glm::vec4(layer.mirrored ? -1.0f : 1.0f, 0.0f, 0.0f, 1.0f);
     // An odd size has half a chroma sample too many at its end.
-    block.chroma_scale = glm::vec4(0.5f * size / glm::vec2(format.chroma_size()), 0.0f, 0.0f);
+    block.chroma_scale =
+        glm::vec4(0.5f * size / glm::vec2(format.chroma_size()), static_cast<float>(layer.below), 0.0f);
     block.color = glm::vec4(gl::to_linear(glm::vec3(medium.color)), 0.0f);
     block.extinction = glm::vec4(glm::vec3(medium.extinction), 0.0f);
     return block;

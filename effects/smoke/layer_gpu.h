@@ -23,6 +23,7 @@ struct Layer {
     float angle = 0.0f;     ///< radians, haze only: a plume is turned by its corners
     double density = 1.0;   ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
     double time = 0.0;      ///< s, for the noise drift
+    double below = 1.0;     ///< plume: how much of the clip's height lies below where its smoke starts, 0..1
     std::uint32_t seed = 0;
 };
 

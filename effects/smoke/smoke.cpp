@@ -170,6 +170,7 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
         Layer drawn = layer(clip, time);
         drawn.mirrored = clip_turn(settings, seed).mirrored;
         drawn.seed = seed;
+        drawn.below = 1.0 - settings.source_y;
         const glm::vec4 bounds = view_bounds(corners, view.projection);
         add_shown(*shown, drawn, state.density * settings.weight,
                   [&](const Layer& one) { gpu_.plume(one, corners, bounds); });

@@ -113,6 +113,7 @@ TEST_F(NoiseTilesTest, AreSharedByThoseThatAskForTheSame) {
     EXPECT_EQ(tiles.add(now, glm::ivec4(5, 0, 0, 0), 1), a);
     EXPECT_NE(tiles.add(now, glm::ivec4(6, 0, 0, 0), 1), a);
     EXPECT_NE(tiles.add(later, glm::ivec4(5, 0, 0, 0), 1), a);
+    EXPECT_EQ(tiles.add(now, glm::ivec4(5, 0, 0, 0), 1), a);
     const std::size_t both = tiles.add(now, glm::ivec4(5, 5, 9, 9), 4);
     EXPECT_NE(both, a);
     draw(tiles);

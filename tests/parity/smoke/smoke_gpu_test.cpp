@@ -285,16 +285,21 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
     SmokeGpu gpu(SmokeResolution::clip, false);
     gpu.set_clip_pixels(size.x * size.y, 0);
     const double density = 0.5;
-    const auto pixels = draw(
-        gpu, [&] { gpu.plume({.frame = clip.frame(), .keying = &keying, .density = density}, filling, everywhere); });
-    const auto thickness = [&](glm::ivec2 pixel) {
-        return -std::log(pixels[index(pixel)].r / background.r) / static_cast<float>(plume.extinction.r);
-    };
     const float whole = static_cast<float>(-std::log(0.002) * density);
-    for (int i = 0; i < 30; ++i) {
-        const float place = (static_cast<float>(i) + 0.5f) / 100.0f;
-        EXPECT_NEAR(thickness({60, 99 - i}), whole * glm::smoothstep(0.0f, 0.15f, place), 0.03f) << i << " from above";
-        EXPECT_NEAR(thickness({60, i}), whole * glm::smoothstep(0.0f, 0.08f, place), 0.03f) << i << " from below";
+    for (const float below : {0.5f, 0.08f, 0.0f}) {
+        const auto pixels = draw(gpu, [&] {
+            gpu.plume({.frame = clip.frame(), .keying = &keying, .density = density, .below = below}, filling,
+                      everywhere);
+        });
+        const auto thickness = [&](glm::ivec2 pixel) {
+            return -std::log(pixels[index(pixel)].r / background.r) / static_cast<float>(plume.extinction.r);
+        };
+        const float ramp = std::clamp(below, 0.002f, 0.15f);
+        for (int i = 0; i < 30; ++i) {
+            const float place = (static_cast<float>(i) + 0.5f) / 100.0f;
+            EXPECT_NEAR(thickness({60, 99 - i}), whole * glm::smoothstep(0.0f, 0.15f, place), 0.03f) << i << " above";
+            EXPECT_NEAR(thickness({60, i}), whole * glm::smoothstep(0.0f, ramp, place), 0.03f) << i << ", " << below;
+        }
     }
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "cautery/recorder.h"
+
 namespace lapfx::smoke {
 namespace {
 
@@ -28,6 +30,25 @@ TEST(Burns, JoinContactsThatGoOnInTimeAndPlace) {
     EXPECT_EQ(spans({contact(0, 1, 0, 2), contact(1.01, 2, 2, 5)}), (Spans{{0, 1}, {1.01, 2}})) << "a pause";
     EXPECT_EQ(spans({contact(0, 1, 0, 2), contact(1, 2, 2.6, 5)}), (Spans{{0, 1}, {1, 2}})) << "elsewhere";
     EXPECT_EQ(spans({contact(0, 1, 0, 2), contact(1, 2, 2, 5, ToolAction::coagulate)}), (Spans{{0, 1}, {1, 2}}));
+}
+
+// What a haptic thread sends becomes many contacts, and they are one burn: also where the pedal gives another power.
+TEST(Burns, ARecordedStayIsOne) {
+    cautery::Recorder recorder;
+    for (int i = 0; i <= 2000; ++i) {
+        const double time = 5.0 + 0.001 * i, angle = 2.0 * (time - 5.0);
+        recorder.add({.time = time,
+                      .position = {20.0 * std::cos(angle), 20.0 * std::sin(angle), 0.0},
+                      .touching = true,
+                      .action = ToolAction::cauterise,
+                      .power = i < 1200 ? 0.5 : 0.9});
+    }
+    const std::span<const ToolContact> contacts = recorder.contacts();
+    EXPECT_GT(contacts.size(), 18u);
+    const auto found = spans({contacts.begin(), contacts.end()});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_NEAR(found[0].first, 5.0, 1e-9);
+    EXPECT_NEAR(found[0].second, 7.0, 1e-9);
 }
 
 TEST(Burns, KeepTwoToolsApart) {
