@@ -90,7 +90,8 @@ TEST_P(ClipSetTest, LatestNeverWaitsAndShowsNothingBeforeThereIsSomething) {
     ClipSet set({.scheme = GetParam()});
     this->set(set, clips({"a.avi"}));
     int in_time = 0, late = 0;
-    for (int i = 0; i < 400; ++i) {
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    for (int i = 0; in_time < 100 && std::chrono::steady_clock::now() < until; ++i) {
         const int index = i % frames;
         const ClipFrame frame = set.frame(0, 0, index, Policy::latest);
         if (frame.color == 0) {
@@ -106,7 +107,7 @@ TEST_P(ClipSetTest, LatestNeverWaitsAndShowsNothingBeforeThereIsSomething) {
     }
     EXPECT_EQ(set.times().wait, 0.0);
     EXPECT_EQ(set.status()[0].misses, static_cast<std::uint64_t>(late));
-    EXPECT_GT(in_time, 200) << "frames this small are there in time, mostly";
+    EXPECT_EQ(in_time, 100) << "frames this small are there in time, if not always on a busy machine";
 }
 
 TEST_P(ClipSetTest, ClipsComeAndGoWhileOthersPlay) {
