@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -41,6 +42,13 @@ double process_seconds() {
         return static_cast<double>(t.tv_sec) + 1e-6 * static_cast<double>(t.tv_usec);
     };
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
+}
+
+/// CPU time of the calling thread, s.
+double thread_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
 }
 
 /// A haptic thread: 1 kHz, sends where its tool is.
@@ -124,11 +132,14 @@ Beside beside_a_load(double load) {
     const auto start = Clock::now();
     for (int i = 0; i < threads; ++i)
         burners.emplace_back([&stop, share] {
+            auto next = Clock::now();
             while (!stop) {
-                const auto begin = Clock::now();
-                while (seconds_since(begin) < share * frame_seconds) {
+                // Its own processor time: what others take from it does not make the load less.
+                const double begin = thread_seconds();
+                while (thread_seconds() - begin < share * frame_seconds) {
                 }
-                std::this_thread::sleep_for(duration<double>((1.0 - share) * frame_seconds));
+                next += std::chrono::duration_cast<Clock::duration>(duration<double>(frame_seconds));
+                std::this_thread::sleep_until(next);
             }
         });
     HapticThread haptic(nullptr);

@@ -50,7 +50,8 @@ void open_mesh(Opened& opened, const fs::path& file) {
 
 /// A smoke video becomes the plume; the haze stays.
 void open_clip(Opened& opened, const fs::path& file) {
-    if (!fs::exists(file))
+    const bool numbered = file.filename().string().find('%') != std::string::npos;  // the window tells if none is there
+    if (!numbered && !fs::exists(file))
         throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = "no such file"});
     opened.preset.folder = fs::absolute(file).parent_path();
     auto& clips = opened.preset.smoke.clips;
@@ -97,7 +98,8 @@ void add_edit(CLI::App& app) {
     auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* verb = app.add_subcommand("edit", "Open a window on a scene; the sample scene if no file is given");
     verb->add_option("FILE", *files,
-                     "A scene or preset (.json), an organ (.glb, .gltf, .obj, .ply, .stl, .off), a smoke video");
+                     "A scene or preset (.json), an organ (.glb, .gltf, .obj, .ply, .stl, .off), a smoke video or "
+                     "image, numbered images (smoke_%04d.png)");
     verb->callback([files] { run(*files); });
     // `lapfx` alone opens the sample scene.
     app.callback([&app] {

@@ -183,8 +183,11 @@ void set_points(ClipIndex& index, const std::vector<Entry>& entries) {
     for (const Entry& entry : entries)
         if (entry.start && entry.dts != AV_NOPTS_VALUE)
             index.points.push_back({index.frame_at(entry.pts), entry.pts, entry.dts, entry.position});
-    std::sort(index.points.begin(), index.points.end(),
-              [](const SeekPoint& a, const SeekPoint& b) { return a.frame < b.frame; });
+    std::stable_sort(index.points.begin(), index.points.end(),
+                     [](const SeekPoint& a, const SeekPoint& b) { return a.frame < b.frame; });
+    // Of packets with one time the first is shown.
+    const auto same = [](const SeekPoint& a, const SeekPoint& b) { return a.frame == b.frame; };
+    index.points.erase(std::unique(index.points.begin(), index.points.end(), same), index.points.end());
 }
 
 /// Files that end early, where the container counts its packets. AVI's count alone proves nothing: it includes empty ones.
