@@ -80,7 +80,9 @@ cv::Mat draw(const Panel& panel, const Lines& lines) {
         }
         cv::polylines(on, points, false, color, 2, cv::LINE_AA);
         for (const cv::Point point : points) cv::circle(on, point, 3, color, cv::FILLED, cv::LINE_AA);
-        write(on, name, {left + 14, top + 18 + 18 * static_cast<int>(index)}, 0.45, color);
+        write(on, name,
+              {panel.value == &StreamingRow::fps ? width - 200 : left + 14, top + 18 + 18 * static_cast<int>(index)},
+              0.45, color);
         ++index;
     }
     return on;
@@ -91,6 +93,7 @@ cv::Mat draw(const Panel& panel, const Lines& lines) {
 void plot_streaming(std::span<const StreamingRow> rows, const std::filesystem::path& path) {
     Lines lines;
     for (const StreamingRow& row : rows) lines[row.scheme].push_back(&row);
+    std::erase_if(lines, [](const auto& line) { return line.second.size() < 2; });  // a point is no line
     for (const StreamingRow& row : paper_table_2()) lines[row.scheme].push_back(&row);
     cv::Mat whole(2 * height, 2 * width, CV_8UC3);
     for (int i = 0; i < 4; ++i)
