@@ -5,6 +5,9 @@
 // plays 15 clips at 30 frames per second in real time, once beside threads that do nothing but take the same share of the
 // processor, as many as the core has at work beside it: the drawing one, and one for each processor that decodes and, with a
 // renderer in software, one that fills pixels. In turns; medians, and half of the distance between the quartiles as spread.
+// Haptic threads run at real-time priority where the system lets them (as root, or by RLIMIT_RTPRIO): then that is the ratio;
+// that of a thread of ordinary priority has a name of its own, and is the only one where the system does not.
+#include <pthread.h>
 #include <sys/resource.h>
 
 #include <algorithm>
@@ -54,10 +57,19 @@ double thread_seconds() {
 /// A haptic thread: 1 kHz, sends where its tool is.
 class HapticThread {
   public:
-    /// Starts at once. `queue` may be null.
-    explicit HapticThread(ToolQueue* queue) {
+    /// Starts at once. `queue` may be null. `real_time`: at real-time priority, if that is allowed.
+    HapticThread(ToolQueue* queue, bool real_time) {
         late_.reserve(static_cast<std::size_t>(2000.0 * haptic_seconds));
-        thread_ = std::thread([this, queue] { work(queue); });
+        thread_ = std::thread([this, queue, real_time] {
+            if (real_time) become_real_time();
+            work(queue);
+        });
+    }
+    /// Whether this process may have such threads.
+    static bool real_time_allowed() {
+        bool allowed = false;
+        std::thread([&allowed] { allowed = become_real_time(); }).join();
+        return allowed;
     }
     ~HapticThread() {
         if (thread_.joinable()) finish();
@@ -74,6 +86,11 @@ class HapticThread {
     }
 
   private:
+    static bool become_real_time() {
+        sched_param priority{};
+        priority.sched_priority = 1;
+        return pthread_setschedparam(pthread_self(), SCHED_FIFO, &priority) == 0;
+    }
     void work(ToolQueue* queue) {
         const auto start = Clock::now();
         auto next = start;
@@ -103,10 +120,10 @@ struct Beside {
     double load = 0.0;  ///< processors in use
 };
 
-Beside beside_the_core(const HostFrame& host, const BenchClips& clips) {
+Beside beside_the_core(const HostFrame& host, const BenchClips& clips, bool real_time) {
     Effects effects(triangle(), smoke_of(clip_count, clips), {});
     effects.set_contacts(burning());
-    HapticThread haptic(&effects.tool_queue());
+    HapticThread haptic(&effects.tool_queue(), real_time);
     const double cpu = process_seconds();
     const auto start = Clock::now();
     auto next = start;
@@ -123,7 +140,7 @@ Beside beside_the_core(const HostFrame& host, const BenchClips& clips) {
 }
 
 /// Threads that spin for a share of each frame and sleep for the rest; `load` is that of all together.
-Beside beside_a_load(double load) {
+Beside beside_a_load(double load, bool real_time) {
     const int threads = 1 + 2 * static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     const double share = std::min(load / threads, 1.0);
     std::atomic<bool> stop{false};
@@ -142,7 +159,7 @@ Beside beside_a_load(double load) {
                 std::this_thread::sleep_until(next);
             }
         });
-    HapticThread haptic(nullptr);
+    HapticThread haptic(nullptr, real_time);
     std::this_thread::sleep_for(duration<double>(haptic_seconds));
     const double late = haptic.finish();
     stop = true;
@@ -150,11 +167,13 @@ Beside beside_a_load(double load) {
     return {.late = late, .load = (process_seconds() - cpu) / seconds_since(start)};
 }
 
-void compare_haptics(const HostFrame& host, const BenchClips& clips, BenchReport& report, Progress& progress) {
+/// The ratio of the two latenesses.
+double compare_haptics(const HostFrame& host, const BenchClips& clips, bool real_time, BenchReport& report,
+                       Progress& progress) {
     std::vector<double> with, without, loads, stand_in_loads;
     for (int run = 0; run < haptic_runs; ++run) {
-        const Beside core = beside_the_core(host, clips);
-        const Beside load = beside_a_load(core.load);
+        const Beside core = beside_the_core(host, clips, real_time);
+        const Beside load = beside_a_load(core.load, real_time);
         with.push_back(1e6 * core.late);
         without.push_back(1e6 * load.late);
         loads.push_back(core.load);
@@ -163,12 +182,12 @@ void compare_haptics(const HostFrame& host, const BenchClips& clips, BenchReport
     }
     const auto row = [&](const char* what, std::vector<double>& late, std::vector<double>& load) {
         report.rows.push_back(
-            {.of = {{"what", what}},
+            {.of = {{"what", what}, {"priority", real_time ? "real-time" : "ordinary"}},
              .measured = {{"late_us_p999", median(late)}, {"spread_us", spread(late)}, {"processors", median(load)}}});
     };
     row("1 kHz thread beside the core", with, loads);
     row("1 kHz thread beside an equal load", without, stand_in_loads);
-    report.ratios["haptic_lateness_with_over_without"] = median(with) / median(without);
+    return median(with) / median(without);
 }
 
 /// ms for a frame of the scene; another time each, so that nothing is as it was.
@@ -212,9 +231,13 @@ BenchReport bench_frame(const BenchOptions&) {
     BenchReport report{.bench = "frame", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     const BenchClips clips(clip_count);
     const HostFrame host;
-    Progress progress("measuring", frame_runs + 1 + haptic_runs);
+    const bool real_time = HapticThread::real_time_allowed();
+    Progress progress("measuring", frame_runs + 1 + haptic_runs * (real_time ? 2 : 1));
     compare_frames(host, clips, report, progress);
-    compare_haptics(host, clips, report, progress);
+    const double ordinary = compare_haptics(host, clips, false, report, progress);
+    report.ratios["haptic_lateness_with_over_without_ordinary"] = ordinary;
+    report.ratios["haptic_lateness_with_over_without"] =
+        real_time ? compare_haptics(host, clips, true, report, progress) : ordinary;
     return report;
 }
 

@@ -1,8 +1,22 @@
 #include "smoke/decode_pool.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 
 namespace lapfx::smoke {
+
+namespace {
+
+/// Decoding ahead can wait, a haptic thread cannot: where they share a core, the scheduler is to let the others go first. Linux
+/// keeps the priority of each thread by itself. Where it refuses, nothing is lost but that.
+void let_others_go_first() {
+    constexpr int niceness = 10;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
+}
+
+}  // namespace
 
 DecodePool::DecodePool(int threads) : threads_wanted_(std::max(threads, 1)) {}
 
@@ -48,6 +62,7 @@ DecodePool::Job* DecodePool::most_urgent() {
 }
 
 void DecodePool::work() {
+    let_others_go_first();
     std::unique_lock lock(mutex_);
     while (true) {
         Job* job = nullptr;
