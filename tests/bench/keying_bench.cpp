@@ -98,13 +98,7 @@ Frames by_ours(const Frames& frames, const Keying& key) {
 
 Keying suggested(const Clip& clip) {
     const KeyingSuggestion s = suggest_keying(clip.file);
-    return {.luma_low = static_cast<float>(s.keying.luma_low),
-            .luma_high = static_cast<float>(s.keying.luma_high),
-            .key_chroma = chroma(glm::vec3(s.keying.key_color) * 255.0f),
-            .chroma_low = static_cast<float>(s.keying.chroma_low),
-            .chroma_high = static_cast<float>(s.keying.chroma_high),
-            .spill = static_cast<float>(s.keying.spill),
-            .dark = s.polarity == ClipPolarity::dark ? 1.0f : 0.0f};
+    return keying_of(s.keying, s.polarity);
 }
 
 /// Lower threshold, counted from the background, and width of the ramp, code values.

@@ -19,18 +19,8 @@ using testing::HasSubstr;
 
 constexpr glm::vec3 black(0.0f), green(0.0f, 177.0f, 64.0f), blue(20.0f, 60.0f, 200.0f), grey(96.0f);
 
-Keying keying_of(const KeyingSuggestion& s) {
-    return {.luma_low = static_cast<float>(s.keying.luma_low),
-            .luma_high = static_cast<float>(s.keying.luma_high),
-            .key_chroma = chroma(glm::vec3(s.keying.key_color) * 255.0f),
-            .chroma_low = static_cast<float>(s.keying.chroma_low),
-            .chroma_high = static_cast<float>(s.keying.chroma_high),
-            .spill = static_cast<float>(s.keying.spill),
-            .dark = s.polarity == ClipPolarity::dark ? 1.0f : 0.0f};
-}
-
 std::vector<cv::Mat> keyed(const std::vector<cv::Mat>& frames, const KeyingSuggestion& s) {
-    const Keying key = keying_of(s);
+    const Keying key = keying_of(s.keying, s.polarity);
     std::vector<cv::Mat> alphas;
     for (const cv::Mat& frame : frames) {
         cv::Mat& alpha = alphas.emplace_back(frame.size(), CV_32F);
@@ -187,8 +177,8 @@ TEST(SuggestKeying, AKeyColourIsKeyedByChromaUpToGrey) {
     const KeyingSuggestion s =
         suggest_for([](glm::ivec2 at, int n) { return glm::mix(green, glm::vec3(150.0f), ball(at, n, 0.5f)); });
     EXPECT_NEAR(s.keying.chroma_high, glm::length(chroma(green)), 2.0) << "though no whole smoke is there to be seen";
-    EXPECT_NEAR(key_alpha(glm::mix(green, glm::vec3(80.0f), 0.5f), keying_of(s)), 0.5f, 0.02f);
-    EXPECT_NEAR(key_alpha(glm::mix(green, glm::vec3(230.0f), 0.5f), keying_of(s)), 0.5f, 0.02f);
+    EXPECT_NEAR(key_alpha(glm::mix(green, glm::vec3(80.0f), 0.5f), keying_of(s.keying, s.polarity)), 0.5f, 0.02f);
+    EXPECT_NEAR(key_alpha(glm::mix(green, glm::vec3(230.0f), 0.5f), keying_of(s.keying, s.polarity)), 0.5f, 0.02f);
 }
 
 TEST(SuggestKeying, AMarkThatNeverMovesIsToldAndDoesNotCount) {
