@@ -1,0 +1,69 @@
+// What one frame of the UI looks like: a flat list of instances that one program draws. No OpenGL here; ui/gl/renderer.h
+// draws it, a test can read it.
+//
+// An instance is 32 bytes: a rectangle (or a line), four 16-bit figures whose meaning depends on the kind, a colour, and the
+// index of its clip rectangle. Order is depth: later covers earlier.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "ui/core/geometry.h"
+
+namespace lapfx::ui {
+
+enum class InstanceKind : std::uint8_t {
+    fill,      ///< rectangle with rounded corners; `border` > 0: only a frame of that width, inside the rectangle
+    glyph,     ///< coverage from the atlas; uv in texels of it
+    line,      ///< x, y to w, h (both ends absolute); uv[0] = width in 1/64 px; round caps
+    image,     ///< the batch's image over the whole rectangle; uv in 1/65535 of it; `border` 1: nearest, 0: linear
+    gradient,  ///< from `rgba` to the colour in uv[0..1] (low 16 bits first); uv[2]: 0 left to right, 1 top to bottom
+    checker,   ///< squares of uv[0] px, `rgba` over the colour in uv[2..3]: what lies behind transparency
+    shadow,    ///< a soft rectangle: full inside, gone uv[0] px outside
+    compare,   ///< the batch's two images: see CompareInstance in draw/painter.h
+};
+
+struct Instance {
+    float x = 0, y = 0, w = 0, h = 0;
+    std::uint16_t uv[4] = {};
+    Color color;
+    std::uint8_t radius = 0;  ///< px, at most half the shorter side counts
+    std::uint8_t border = 0;
+    InstanceKind kind = InstanceKind::fill;
+    std::uint8_t clip = 0;  ///< index into the batch's clips
+};
+static_assert(sizeof(Instance) == 32);
+
+/// A texture that the UI shows. Values below `own_images` are names of OpenGL textures of the host (a viewport, a video frame),
+/// already display-encoded; from there on images of an ImageStore. 0 is none.
+using ImageHandle = std::uint64_t;
+inline constexpr ImageHandle own_images = 1ULL << 32;
+
+/// Instances that are drawn with one call.
+struct Batch {
+    std::uint32_t first = 0, count = 0;
+    std::uint32_t first_clip = 0, clips = 0;  ///< of DrawList::clips; at most 256
+    ImageHandle images[2] = {};               ///< of `image` and `compare`
+    friend bool operator==(const Batch&, const Batch&) = default;
+};
+
+struct Clear {
+    Rect rect;
+    Color color;
+    friend bool operator==(const Clear&, const Clear&) = default;
+};
+
+struct DrawList {
+    glm::ivec2 size{0};         ///< px of the framebuffer
+    std::vector<Clear> clears;  ///< opaque backgrounds, first of all, in order: far cheaper than instances on llvmpipe
+    std::vector<Instance> instances;
+    std::vector<Rect> clips;
+    std::vector<Batch> batches;
+    /// Of all above, the atlas and the images' serials: equal means the same picture, and nothing has to be drawn.
+    std::uint64_t hash = 0;
+
+    void reset(glm::ivec2 frame_size);
+};
+
+}  // namespace lapfx::ui

@@ -1,0 +1,124 @@
+// Drawing for widgets: shapes, lines, text and pictures into the DrawList of this frame, clipped to the widget's part of the
+// screen. Text stands on whole pixels.
+#pragma once
+
+#include <string_view>
+
+#include "ui/core/theme.h"
+#include "ui/draw/images.h"
+#include "ui/text/fonts.h"
+
+namespace lapfx::ui {
+
+enum class Align : std::uint8_t { start, center, end };
+
+/// Drawn with lines and rectangles, crisp at any scale.
+enum class Icon : std::uint8_t {
+    none,
+    check,
+    minus,
+    plus,
+    cross,
+    chevron_right,
+    chevron_down,
+    chevron_up,
+    chevron_left,
+    search,
+    dot,
+    menu,
+    lock,
+    unlock,
+    play,
+    pause,
+    stop,
+    loop,
+    step_back,
+    step_forward,
+    star,
+    star_filled,
+    undo,
+    redo,
+    folder,
+    file,
+    eye,
+    eye_off,
+    eyedropper,
+    warning,
+    error,
+    info,
+    reset,
+    grip,
+    copy,
+    dice,
+    link,
+    gear,
+    image,
+    drag_up_down,
+    sort_up,
+    sort_down,
+};
+
+/// How two pictures are shown over each other.
+enum class CompareMode : std::uint8_t { wipe, difference, onion, first, second };
+struct CompareLook {
+    CompareMode mode = CompareMode::wipe;
+    float position = 0.5F;  ///< wipe: where the line crosses the middle of the rectangle, 0..1 along its normal
+    float angle = 0;        ///< wipe, rad: 0 an upright line, the first picture on its left
+    float gain = 1;         ///< difference: abs(a - b) * gain, 0.1 to 100
+    float mix = 0.5F;       ///< onion: share of the second
+    bool nearest = false;
+};
+
+class Painter {
+  public:
+    Painter(DrawList& list, Fonts& fonts, const Theme& theme, float scale);
+
+    const Theme& theme() const { return theme_; }
+    Fonts& fonts() const { return fonts_; }
+    /// px of `ems` font heights, rounded to whole px.
+    float em(float ems) const { return std::round(ems * theme_.font_size * scale_); }
+    /// One px at scale 1, two from scale 1.75: the width of hairlines.
+    float hairline() const { return scale_ < 1.75F ? 1.0F : std::round(scale_); }
+    float scale() const { return scale_; }
+    TextStyle text_style(float relative_size = 1, Weight weight = Weight::regular) const;
+    TextStyle number_style() const;
+
+    void fill(const Rect& rect, Color color, float radius = 0);
+    void frame(const Rect& rect, Color color, float width, float radius = 0);
+    void shadow(const Rect& rect, Color color, float softness, float radius = 0);
+    void line(glm::vec2 from, glm::vec2 to, float width, Color color);
+    void polyline(std::span<const glm::vec2> points, float width, Color color);
+    void gradient(const Rect& rect, Color from, Color to, bool vertical);
+    void checker(const Rect& rect, Color light, Color dark, float square);
+    void image(const Rect& rect, ImageHandle image, bool nearest = false, Color tint = {255, 255, 255, 255});
+    void compare(const Rect& rect, ImageHandle first, ImageHandle second, const CompareLook& look);
+    void icon(const Rect& rect, Icon icon, Color color);
+    /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px.
+    float text(const Rect& rect, std::string_view text, const TextStyle& style, Color color,
+               Align align = Align::start);
+    /// As it is, from a baseline; for text fields, which place runs themselves.
+    void run(const Run& run, glm::vec2 baseline, Color color);
+
+    void push_clip(const Rect& rect);  ///< within the clip so far
+    void pop_clip();
+    const Rect& clip() const { return clips_.back(); }
+
+    // Of the core, once a frame:
+    void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
+    void start(glm::ivec2 size);
+    void finish(const ImageStore* images);  ///< closes the last batch, makes the hash
+
+  private:
+    Instance& add(InstanceKind kind, Color color);
+    void need_batch(ImageHandle first, ImageHandle second);
+    std::uint8_t clip_index();
+
+    DrawList& list_;
+    Fonts& fonts_;
+    const Theme& theme_;
+    float scale_;
+    std::vector<Rect> clips_;  ///< stack
+    int clip_index_ = -1;      ///< of clips_.back() in the open batch, -1: not yet in it
+};
+
+}  // namespace lapfx::ui
