@@ -99,6 +99,7 @@ class Painter {
     /// As it is, from a baseline; for text fields, which place runs themselves.
     void run(const Run& run, glm::vec2 baseline, Color color);
 
+    void set_clip(const Rect& rect);   ///< in place of the innermost clip
     void push_clip(const Rect& rect);  ///< within the clip so far
     void pop_clip();
     const Rect& clip() const { return clips_.back(); }

@@ -1,0 +1,201 @@
+#include "ui/core/layout.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+float pads(const Node& node, int a) { return static_cast<float>(node.padding[a] + node.padding[a + 2]); }
+bool in_flow(const Node& node) { return !node.placed && !node.overlay; }
+
+/// Backwards, children before parents: what each would like to be. `content` is the sum (or the greatest) of its children.
+void wish(std::span<Node> nodes, int a) {
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+        Node& node = nodes[i];
+        const bool along = static_cast<int>(node.axis) == a;
+        if (along && node.children > 1) node.content[a] += node.gap * static_cast<float>(node.children - 1);
+        const float needs = node.scrolls[a] ? 0.0F : node.content[a] + pads(node, a);
+        node.extent[a] = std::max(node.size[a].kind == SizeKind::px ? node.size[a].value : needs, node.minimum[a]);
+        if (node.parent == no_node || !in_flow(node)) continue;
+        Node& parent = nodes[node.parent];
+        float& sum = parent.content[a];
+        sum = static_cast<int>(parent.axis) == a ? sum + node.extent[a] : std::max(sum, node.extent[a]);
+    }
+}
+
+struct Shares {
+    float taken = 0, weights = 0, can_shrink = 0;
+};
+
+/// Along its axis: fractions, shares of what is left, and shrinking where there is too little.
+void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
+    Shares all{.taken = node.children > 0 ? node.gap * static_cast<float>(node.children - 1) : 0.0F};
+    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        Node& child = nodes[c];
+        if (!in_flow(child)) continue;
+        if (child.size[a].kind == SizeKind::grow) {
+            all.weights += child.size[a].value;
+            child.extent[a] = child.minimum[a];
+            continue;
+        }
+        if (child.size[a].kind == SizeKind::fraction) child.extent[a] = std::max(inside * child.size[a].value, child.minimum[a]);
+        all.taken += child.extent[a];
+        if (!child.rigid) all.can_shrink += child.extent[a] - child.minimum[a];
+    }
+    const float left = inside - all.taken;
+    if (left < 0 && all.can_shrink > 0 && !node.scrolls[a]) {
+        const float part = std::min(1.0F, -left / all.can_shrink);
+        for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+            Node& child = nodes[c];
+            if (in_flow(child) && !child.rigid && child.size[a].kind != SizeKind::grow)
+                child.extent[a] -= (child.extent[a] - child.minimum[a]) * part;
+        }
+    }
+    if (all.weights <= 0) return;
+    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        Node& child = nodes[c];
+        if (in_flow(child) && child.size[a].kind == SizeKind::grow)
+            child.extent[a] = std::max(child.minimum[a], left * child.size[a].value / all.weights);
+    }
+}
+
+void put_along(std::span<Node> nodes, const Node& node, int a, float inside) {
+    float all = node.children > 0 ? node.gap * static_cast<float>(node.children - 1) : 0.0F;
+    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        if (in_flow(nodes[c])) all += nodes[c].extent[a];
+    }
+    const float left = std::max(0.0F, inside - all);
+    float cursor = node.at[a] + static_cast<float>(node.padding[a]);
+    if (node.main == Place::center) cursor += left / 2;
+    if (node.main == Place::end) cursor += left;
+    if (node.scrolls[a] && node.scroll != nullptr) cursor -= std::round(node.scroll->offset[a]);
+    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        Node& child = nodes[c];
+        if (!in_flow(child)) continue;
+        const float next = cursor + child.extent[a];
+        child.at[a] = std::round(cursor);  // both edges are rounded, not the width: neighbours always touch
+        child.extent[a] = std::max(0.0F, std::round(next) - child.at[a]);
+        cursor = next + node.gap;
+    }
+}
+
+void put_across(std::span<Node> nodes, const Node& node, int a, float inside) {
+    const float from = node.at[a] + static_cast<float>(node.padding[a]) -
+                       (node.scrolls[a] && node.scroll != nullptr ? std::round(node.scroll->offset[a]) : 0.0F);
+    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        Node& child = nodes[c];
+        if (!in_flow(child)) continue;
+        const SizeKind kind = child.size[a].kind;
+        if (kind == SizeKind::fraction) child.extent[a] = inside * child.size[a].value;
+        if (kind == SizeKind::grow || (kind == SizeKind::fit && node.cross == Place::stretch)) {
+            child.extent[a] = node.scrolls[a] ? std::max(inside, child.extent[a]) : inside;
+        } else if (!child.rigid && !node.scrolls[a]) {
+            child.extent[a] = std::min(child.extent[a], inside);
+        }
+        child.extent[a] = std::round(std::max(child.extent[a], child.minimum[a]));
+        const float left = inside - child.extent[a];
+        const float shift = node.cross == Place::center ? left / 2 : node.cross == Place::end ? left : 0.0F;
+        child.at[a] = std::round(from + shift);
+    }
+}
+
+void put_placed(Node& child, const Node& parent, int a) {
+    const Placement& p = *child.placement;
+    if (child.size[a].kind == SizeKind::fraction) child.extent[a] = parent.extent[a] * child.size[a].value;
+    if (child.size[a].kind == SizeKind::grow) child.extent[a] = parent.extent[a] - p.offset[a];
+    child.extent[a] = std::max(0.0F, std::round(child.extent[a]));
+    child.at[a] = std::round(parent.at[a] + parent.extent[a] * p.fraction[a] + p.offset[a] - child.extent[a] * p.pivot[a]);
+}
+
+/// Beside its anchor where there is room, else on the other side; always within the window.
+void put_overlay(std::span<Node> nodes, Node& node, std::uint32_t anchor, int a, float window) {
+    using Side = Placement::Side;
+    const Placement& p = *node.placement;
+    Rect rect = p.rect;
+    if (anchor != no_node) rect = nodes[anchor].rect();
+    const float low = a == 0 ? rect.x : rect.y, length = a == 0 ? rect.w : rect.h;
+    float& extent = node.extent[a];
+    if (node.size[a].kind == SizeKind::fraction) extent = window * node.size[a].value;
+    extent = std::round(std::min(extent, window));
+    const bool primary = (p.side == Side::below && a == 1) || (p.side == Side::right_of && a == 0);
+    float at = low + p.offset[a];
+    if (primary) {
+        at = low + length + p.offset[a];
+        if (at + extent > window && low - p.offset[a] - extent >= 0) at = low - p.offset[a] - extent;
+    } else if (p.side == Side::center || (p.side == Side::top && a == 0)) {
+        at = (window - extent) / 2;
+    } else if (p.side == Side::top) {
+        at = p.offset[a];
+    } else if (p.side == Side::bottom_right) {
+        at = window - extent - p.offset[a];
+    }
+    node.at[a] = std::round(std::clamp(at, 0.0F, std::max(0.0F, window - extent)));
+}
+
+bool keep_scroll(Node& node, int a, float inside) {
+    ScrollState& scroll = *node.scroll;
+    scroll.content[a] = node.content[a];
+    scroll.view[a] = inside;
+    const float most = std::max(0.0F, node.content[a] - inside);
+    const float kept = node.scrolls[a] ? std::clamp(scroll.offset[a], 0.0F, most) : 0.0F;
+    const bool moved = kept != scroll.offset[a];
+    scroll.offset[a] = kept;
+    return moved;
+}
+
+std::uint32_t find_before(std::span<const Node> nodes, std::uint32_t index, Id id) {
+    if (id == 0) return no_node;
+    for (std::uint32_t i = index; i-- > 0;) {
+        if (nodes[i].id == id) return i;
+    }
+    return no_node;
+}
+
+bool put(std::span<Node> nodes, int a, float window) {
+    bool moved = false;
+    nodes[0].at[a] = 0;
+    nodes[0].extent[a] = window;
+    for (std::uint32_t i = 0; i < nodes.size(); ++i) {
+        Node& node = nodes[i];
+        if (node.overlay) put_overlay(nodes, node, find_before(nodes, i, node.placement->anchor), a, window);
+        if (node.first == no_node) continue;
+        const float inside = std::max(0.0F, node.extent[a] - pads(node, a));
+        if (node.scroll != nullptr) moved |= keep_scroll(node, a, inside);
+        if (static_cast<int>(node.axis) == a) {
+            share_out(nodes, node, a, inside);
+            put_along(nodes, node, a, inside);
+        } else {
+            put_across(nodes, node, a, inside);
+        }
+        for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+            if (nodes[c].placed) put_placed(nodes[c], node, a);
+        }
+    }
+    return moved;
+}
+
+void clip(std::span<Node> nodes, const Rect& window) {
+    for (Node& node : nodes) {
+        if (node.parent == no_node || node.overlay) {
+            node.clip = window;
+            continue;
+        }
+        const Node& parent = nodes[node.parent];
+        node.clip = parent.clips ? intersect(parent.clip, parent.rect()) : parent.clip;
+    }
+}
+
+}  // namespace
+
+bool lay_out(Ui& ui, std::span<Node> nodes, glm::vec2 window) {
+    wish(nodes, 0);
+    bool moved = put(nodes, 0, window.x);
+    for (Node& node : nodes) {  // text that wraps: its height follows from the width it has got
+        if (node.height_for_width != nullptr) node.size[1] = px(node.height_for_width(ui, node, node.extent[0]));
+    }
+    wish(nodes, 1);
+    moved |= put(nodes, 1, window.y);
+    clip(nodes, {0, 0, window.x, window.y});
+    return moved;
+}
+
+}  // namespace lapfx::ui

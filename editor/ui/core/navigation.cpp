@@ -1,0 +1,177 @@
+// The keyboard: what has the focus first, then shortcuts, then moving the focus.
+#include <algorithm>
+
+#include "ui/core/ui.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+bool printable(Key key) { return key >= Key::space && static_cast<int>(key) < 256; }
+
+bool takes_when_editing(Key key, Mods mods) {
+    if (has(mods, Mods::alt)) return false;
+    switch (key) {
+        case Key::escape: case Key::enter: case Key::backspace: case Key::del: case Key::left: case Key::right: case Key::up:
+        case Key::down: case Key::home: case Key::end: case Key::page_up: case Key::page_down: return true;
+        default: break;
+    }
+    if (!has(mods, Mods::command)) return printable(key);
+    for (const char c : {'A', 'C', 'V', 'X', 'Z', 'Y'}) {
+        if (key == key_of(c)) return true;
+    }
+    return false;
+}
+
+/// Whether a node that senses so wants this key for itself.
+bool takes(Sense sense, Key key, Mods mods) {
+    const bool plain = !has(mods, Mods::command) && !has(mods, Mods::alt);
+    if (has(sense, Sense::editing)) return takes_when_editing(key, mods);
+    if (has(sense, Sense::keys) && plain && key != Key::tab && key != Key::f6) return true;
+    switch (key) {
+        case Key::enter: return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
+        case Key::space: return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
+        case Key::left: case Key::right: return !has(mods, Mods::alt) && has(sense, Sense::arrows_x);
+        case Key::up: case Key::down: return !has(mods, Mods::alt) && has(sense, Sense::arrows_y);
+        case Key::page_up: case Key::page_down: return plain && has(sense, Sense::pages);
+        case Key::home: case Key::end: return !has(mods, Mods::alt) && has(sense, Sense::extremes);
+        case Key::backspace: case Key::del: return plain && has(sense, Sense::erase);
+        case Key::escape: return has(sense, Sense::escape);
+        case Key::menu: return has(sense, Sense::context);
+        default: break;
+    }
+    if (has(mods, Mods::command) && has(sense, Sense::copying))
+        return key == key_of('C') || key == key_of('V') || key == key_of('X');
+    if (!plain || !printable(key)) return false;
+    const char c = static_cast<char>(key);
+    return has(sense, Sense::typing) ||
+           (has(sense, Sense::digits) && ((c >= '0' && c <= '9') || c == '-' || c == '.' || c == ',' || c == '=' || c == '+'));
+}
+
+bool moves_by_arrows(Role role) {
+    switch (role) {
+        case Role::tab_list: case Role::menu: case Role::menu_bar: case Role::list: case Role::tree: case Role::grid:
+        case Role::table: case Role::palette: return true;
+        default: return false;
+    }
+}
+
+}  // namespace
+
+void Ui::route_key(const Event& event) {
+    const bool held_now = active_[0] != 0 || active_[1] != 0 || active_[2] != 0;
+    if (held_now && event.key == Key::escape) return cancel_held();
+    const Node* node = before(focus_);
+    if (node != nullptr && takes(node->sense, event.key, event.mods)) return send(focus_, event);
+    const bool modal = std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
+    if (!modal && options_.shortcuts != nullptr && options_.shortcuts->press(event.key, event.mods)) {
+        again_ = true;
+        return;
+    }
+    navigate(event);
+}
+
+bool Ui::navigate(const Event& event) {
+    const bool back = has(event.mods, Mods::shift);
+    switch (event.key) {
+        case Key::tab:
+            has(event.mods, Mods::command) ? move_panel(back ? -1 : 1) : move_focus(back ? -1 : 1);
+            return true;
+        case Key::f6: move_panel(back ? -1 : 1); return true;
+        case Key::left: case Key::right: case Key::up: case Key::down: return move_by_arrow(event.key);
+        case Key::escape:
+            if (std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
+                close_top_overlay();
+            } else {
+                set_focus(0);
+            }
+            return true;
+        default: return false;
+    }
+}
+
+/// Of the overlay that has the keyboard to itself; 0: the window.
+std::uint8_t Ui::focus_layer() const {
+    for (std::size_t i = overlays_.size(); i-- > 0;) {
+        if (overlays_[i].kind != OverlayKind::passive) return static_cast<std::uint8_t>(i + 1);
+    }
+    return 0;
+}
+
+void Ui::move_focus(int step) {
+    const auto& all = nodes_before();
+    const std::uint8_t layer = focus_layer();
+    const auto size = static_cast<int>(all.size());
+    const auto fits = [&](int i) { return all[static_cast<std::size_t>(i)].layer == layer && has(all[static_cast<std::size_t>(i)].sense, Sense::focus); };
+    const std::uint32_t current = index_before(focus_);
+    int at = current == no_node ? (step > 0 ? -1 : size) : static_cast<int>(current);
+    for (int tries = 0; tries < size; ++tries) {
+        at += step;
+        if (at < 0) at = size - 1;
+        if (at >= size) at = 0;
+        if (!fits(at)) continue;
+        const Id id = all[static_cast<std::size_t>(at)].id;
+        set_focus(id, true);
+        for (auto& [target, sent] : routed_) {  // a field that is come to by Tab opens for typing
+            if (target == id && sent.kind == EventKind::focus_in) sent.key = Key::tab;
+        }
+        reveal(id);
+        return;
+    }
+}
+
+void Ui::move_panel(int step) {
+    const auto& all = nodes_before();
+    const std::uint8_t layer = focus_layer();
+    std::vector<std::uint32_t>& firsts = drawn_later_;  // first focusable node of each panel
+    firsts.clear();
+    int here = -1;
+    const std::uint32_t current = index_before(focus_);
+    for (std::uint32_t i = 0; i < all.size(); ++i) {
+        if (all[i].role != Role::panel || all[i].layer != layer) continue;
+        for (std::uint32_t n = i; n < all[i].end; ++n) {
+            if (!has(all[n].sense, Sense::focus) || all[n].layer != layer) continue;
+            if (current != no_node && current >= i && current < all[i].end) here = static_cast<int>(firsts.size());
+            firsts.push_back(n);
+            break;
+        }
+    }
+    if (firsts.empty()) return;
+    const int count = static_cast<int>(firsts.size());
+    const int next = here < 0 ? (step > 0 ? 0 : count - 1) : (here + step + count) % count;
+    const Id id = all[firsts[static_cast<std::size_t>(next)]].id;
+    set_focus(id, true);
+    reveal(id);
+}
+
+/// Within lists, menus, tabs: to the nearest node that way, and around the end of it.
+bool Ui::move_by_arrow(Key key) {
+    const auto& all = nodes_before();
+    const std::uint32_t current = index_before(focus_);
+    if (current == no_node) return false;
+    std::uint32_t group = current;
+    while (group != no_node && !moves_by_arrows(all[group].role)) group = all[group].overlay ? no_node : all[group].parent;
+    if (group == no_node) return false;
+    const int a = key == Key::left || key == Key::right ? 0 : 1;
+    const float sign = key == Key::left || key == Key::up ? -1.0F : 1.0F;
+    const glm::vec2 from = all[current].rect().center();
+    std::uint32_t best = no_node, around = no_node;
+    float best_score = 0, around_score = 0;
+    for (std::uint32_t i = group; i < all[group].end; ++i) {
+        if (i == current || !has(all[i].sense, Sense::focus) || all[i].layer != all[group].layer) continue;
+        const glm::vec2 way = all[i].rect().center() - from;
+        const float along = way[a] * sign, across = std::abs(way[1 - a]);
+        const float score = std::abs(along) + 3 * across;
+        if (along > 0.5F && (best == no_node || score < best_score)) best = i, best_score = score;
+        const float far = along - 3 * across;  // the one at the other end of the same row or column
+        if (along < -0.5F && (around == no_node || far < around_score)) around = i, around_score = far;
+    }
+    const std::uint32_t next = best != no_node ? best : around;
+    if (next == no_node) return false;
+    const Id id = all[next].id;
+    set_focus(id, true);
+    reveal(id);
+    return true;
+}
+
+}  // namespace lapfx::ui

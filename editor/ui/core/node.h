@@ -1,0 +1,169 @@
+// One box of the UI: where it lies, how it is found, drawn and spoken of. A frame is an array of nodes in the order they were
+// built (parents before children); layout, hit test, keyboard, tests and dumps all read that one array.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "ui/core/geometry.h"
+#include "ui/core/id.h"
+
+namespace lapfx::ui {
+
+class Painter;
+class Ui;
+
+enum class Role : std::uint8_t {
+    none, window, panel, group, label, heading, button, toggle, checkbox, radio, combo, text_field, text_area, search_field,
+    slider, range, color, gradient, section, tab_list, tab, splitter, scroll_area, scroll_bar, list, list_item, table,
+    column_header, row, cell, tree, tree_item, grid, image, progress, status, tooltip, toast, menu_bar, menu, menu_item, dialog,
+    palette, plot, curve, timeline, canvas, handle, separator, link,
+};
+std::string_view name_of(Role role);
+
+/// What a node wants to be told of. Bits.
+enum class Sense : std::uint32_t {
+    none = 0,
+    hover = 1 << 0,          ///< lights up, has a tooltip
+    press = 1 << 1,          ///< left button: pressed, dragged, clicked
+    middle = 1 << 2,
+    context = 1 << 3,        ///< right button and the Menu key
+    focus = 1 << 4,          ///< can have the keyboard
+    wheel = 1 << 5,
+    command_wheel = 1 << 6,  ///< only with Ctrl, so that scrolling never edits
+    drop = 1 << 7,
+    // keys it takes while it has the keyboard; all others go on to shortcuts and to moving the focus
+    activate = 1 << 8,       ///< Enter and space: a click
+    arrows_x = 1 << 9,
+    arrows_y = 1 << 10,
+    pages = 1 << 11,
+    extremes = 1 << 12,      ///< Home and End, with Ctrl or without
+    erase = 1 << 13,         ///< Backspace and Delete
+    typing = 1 << 14,        ///< what is typed, Enter
+    editing = 1 << 15,       ///< a text is open: everything of a text field, Esc and Ctrl+Z among it
+    escape = 1 << 16,
+    digits = 1 << 17,        ///< of what is typed, what a number can begin with
+    copying = 1 << 18,       ///< Ctrl+C, Ctrl+V, Ctrl+X
+    keys = 1 << 19,          ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
+};
+constexpr Sense operator|(Sense a, Sense b) { return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b)); }
+constexpr Sense operator&(Sense a, Sense b) { return static_cast<Sense>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b)); }
+constexpr bool has(Sense all, Sense one) { return (all & one) != Sense::none; }
+
+/// How a node is. Bits.
+enum class Is : std::uint16_t {
+    nothing = 0,
+    disabled = 1 << 0,
+    hovered = 1 << 1,
+    held = 1 << 2,      ///< the pointer went down on it and is still down
+    focused = 1 << 3,
+    ringed = 1 << 4,    ///< focused, and the keyboard was used last: shows its ring
+    checked = 1 << 5,
+    mixed = 1 << 6,
+    selected = 1 << 7,
+    expanded = 1 << 8,
+    changed = 1 << 9,   ///< from its default
+    locked = 1 << 10,
+    invalid = 1 << 11,  ///< what is typed cannot be taken
+    read_only = 1 << 12,
+    duplicate = 1 << 13,  ///< another widget beside it has the same label: a mistake of the program
+    busy = 1 << 14,
+    modal = 1 << 15,
+};
+constexpr Is operator|(Is a, Is b) { return static_cast<Is>(static_cast<int>(a) | static_cast<int>(b)); }
+constexpr Is& operator|=(Is& a, Is b) { return a = a | b; }
+constexpr bool has(Is all, Is one) { return (static_cast<int>(all) & static_cast<int>(one)) != 0; }
+constexpr Is when(bool condition, Is state) { return condition ? state : Is::nothing; }
+
+enum class SizeKind : std::uint8_t {
+    px,
+    fit,       ///< as large as its children need
+    grow,      ///< a share of what its siblings leave
+    fraction,  ///< of its parent's inside
+};
+struct Size {
+    SizeKind kind = SizeKind::fit;
+    float value = 0;  ///< px, weight or fraction
+};
+constexpr Size px(float v) { return {SizeKind::px, v}; }
+constexpr Size fit() { return {SizeKind::fit, 0}; }
+constexpr Size grow(float weight = 1) { return {SizeKind::grow, weight}; }
+constexpr Size fraction(float f) { return {SizeKind::fraction, f}; }
+
+enum class Axis : std::uint8_t { x, y };
+/// Of children across their parent's axis, and along it where something is left over.
+enum class Place : std::uint8_t { start, center, end, stretch };
+
+/// Where an overlay lies, or a child that is placed by hand.
+struct Placement {
+    enum class Side : std::uint8_t { inside, below, right_of, center, pointer, bottom_right, top } side = Side::inside;
+    glm::vec2 fraction{0};  ///< inside: of the parent's rectangle, the node's own point `pivot` goes there
+    glm::vec2 offset{0};    ///< px
+    glm::vec2 pivot{0};     ///< inside: 0 its upper left, 1 its lower right
+    Id anchor = 0;          ///< below, right_of: the node it belongs to
+    Rect rect{};            ///< of the anchor when it cannot be found; pointer: where
+};
+
+/// A value that can be read, compared and set.
+struct Number {
+    double value = 0, minimum = 0, maximum = 0, step = 0;
+};
+
+/// Where a scroll area stands; kept from frame to frame.
+struct ScrollState {
+    glm::vec2 offset{0};   ///< px
+    glm::vec2 content{0};  ///< px, as laid out last
+    glm::vec2 view{0};
+};
+
+inline constexpr std::uint32_t no_node = 0xffffffffU;
+
+struct Node {
+    using Draw = void (*)(Painter&, const Node&, const void* arg);
+    using HeightForWidth = float (*)(Ui&, const Node&, float width);
+
+    Id id = 0;
+    std::uint32_t parent = no_node, first = no_node, last = no_node, next = no_node;
+    std::uint32_t end = 0;    ///< one past the last of its descendants
+    std::uint32_t children = 0;  ///< in the flow
+
+    Size size[2] = {};
+    float minimum[2] = {0, 0};  ///< px: never smaller, if it can be helped
+    float gap = 0;
+    std::uint8_t padding[4] = {};  ///< px: left, top, right, bottom
+    Axis axis = Axis::y;
+    Place cross = Place::stretch, main = Place::start;
+    bool rigid = true;          ///< does not shrink below its wish
+    bool clips = false;
+    bool scrolls[2] = {false, false};
+    bool placed = false;        ///< out of the flow, by `placement`
+    bool overlay = false;       ///< the root of an overlay
+    std::uint8_t layer = 0;     ///< 0: the window, then the overlays, in their order
+    const Placement* placement = nullptr;
+    ScrollState* scroll = nullptr;
+    HeightForWidth height_for_width = nullptr;
+
+    // made by layout
+    float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
+    Rect clip;
+
+    // how it is spoken of
+    Role role = Role::none;
+    Is is = Is::nothing;
+    Sense sense = Sense::none;
+    std::string_view label, shown, text, tip;
+    const Number* number = nullptr;
+
+    Draw draw = nullptr;
+    Draw draw_over = nullptr;  ///< after its children
+    const void* arg = nullptr;
+
+    Rect rect() const { return {at[0], at[1], extent[0], extent[1]}; }
+    Rect inside() const {
+        return {at[0] + padding[0], at[1] + padding[1], std::max(0.0F, extent[0] - padding[0] - padding[2]),
+                std::max(0.0F, extent[1] - padding[1] - padding[3])};
+    }
+    Rect seen() const { return intersect(rect(), clip); }
+};
+
+}  // namespace lapfx::ui

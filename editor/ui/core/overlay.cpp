@@ -1,0 +1,93 @@
+#include "ui/core/overlay.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "ui/core/ui.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr Id overlay_seed = 0x6f7665726c617973ULL;
+Id key_of(std::string_view name) { return hash_bytes(overlay_seed, name); }
+
+}  // namespace
+
+void Ui::open_overlay(std::string_view name, OverlayKind kind, const Placement& placement) {
+    const Id key = key_of(name);
+    std::erase_if(overlays_, [&](const Overlay& o) { return o.key == key; });
+    assert(overlays_.size() < 200);
+    overlays_.push_back({.key = key, .kind = kind, .placement = placement, .opener_focus = focus_, .opened_build = build_,
+                         .built = 0, .wants_focus = kind != OverlayKind::passive});
+    again_ = true;
+}
+
+void Ui::close_overlay(std::string_view name) {
+    const auto at = std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
+    if (at == overlays_.end()) return;
+    if (at->kind != OverlayKind::passive) set_focus(at->opener_focus, ringed_);
+    overlays_.erase(at);
+    again_ = true;
+}
+
+/// The top one that is not passive; a submenu with those it came from.
+void Ui::close_top_overlay() {
+    for (std::size_t i = overlays_.size(); i-- > 0;) {
+        if (overlays_[i].kind == OverlayKind::passive) continue;
+        set_focus(overlays_[i].opener_focus, ringed_);
+        overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(i));
+        again_ = true;
+        return;
+    }
+}
+
+bool Ui::overlay_open(std::string_view name) const {
+    return std::any_of(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
+}
+
+Node* Ui::open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis) {
+    const auto at = std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
+    if (at == overlays_.end()) return nullptr;
+    at->built = build_;
+    const auto layer = static_cast<std::size_t>(at - overlays_.begin());
+    if (overlay_roots_.size() <= layer) overlay_roots_.resize(layer + 1, no_node);
+    stack_.push_back({0, key_of(name), static_cast<std::uint8_t>(layer + 1)});
+    Node& node = add(role, label, Sense::none, true);
+    const auto index = static_cast<std::uint32_t>(nodes().size() - 1);
+    node.axis = axis;
+    node.placement = arena().make(at->placement);
+    if (at->kind == OverlayKind::modal) node.is |= Is::modal;
+    overlay_roots_[layer] = index;
+    stack_.back().node = index;
+    return &node;
+}
+
+void Ui::drop_overlays_not_built() {
+    for (std::size_t i = overlays_.size(); i-- > 0;) {
+        // one opened in this build may be built in the next: what opens it can stand after what builds it
+        if (overlays_[i].built == build_ || overlays_[i].opened_build == build_) continue;
+        const Overlay gone = overlays_[i];
+        overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(i));
+        if (i < overlay_roots_.size()) overlay_roots_.erase(overlay_roots_.begin() + static_cast<std::ptrdiff_t>(i));
+        if (gone.kind != OverlayKind::passive) set_focus(gone.opener_focus, ringed_);
+        again_ = true;
+    }
+}
+
+void Ui::focus_new_overlay() {
+    for (std::size_t i = 0; i < overlays_.size(); ++i) {
+        Overlay& overlay = overlays_[i];
+        if (!overlay.wants_focus || overlay.built != build_ || overlay_roots_[i] == no_node) continue;
+        overlay.wants_focus = false;
+        const std::uint32_t root = overlay_roots_[i];
+        for (std::uint32_t n = root; n < nodes()[root].end; ++n) {
+            if (nodes()[n].layer != nodes()[root].layer || !has(nodes()[n].sense, Sense::focus)) continue;
+            set_focus(nodes()[n].id, ringed_);
+            break;
+        }
+        again_ = true;
+    }
+}
+
+}  // namespace lapfx::ui

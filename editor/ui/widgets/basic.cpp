@@ -1,0 +1,183 @@
+#include "ui/widgets/basic.h"
+
+#include "ui/core/paragraph.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+struct TextLook {
+    std::string_view text;
+    TextStyle style;
+    Color color;
+    Align align;
+};
+
+void draw_label(Painter& painter, const Node& node, const TextLook& look) {
+    painter.text(node.rect(), look.text, look.style, look.color, look.align);
+}
+
+void draw_wrapped(Painter& painter, const Node& node, const TextLook& look) {
+    draw_paragraph(painter, node.rect(), look.text, look.style, look.color, look.align);
+}
+
+float wrapped_height(Ui& ui, const Node& node, float width) {
+    return paragraph_height(ui.fonts(), node.text, static_cast<const TextLook*>(node.arg)->style, width);
+}
+
+void draw_separator(Painter& painter, const Node& node, const Axis& across) {
+    Rect rect = node.rect();
+    const float line = painter.hairline();
+    across == Axis::x ? rect = {rect.x, std::round(rect.center().y), rect.w, line} : rect = {std::round(rect.center().x), rect.y, line, rect.h};
+    painter.fill(rect, painter.theme().border);
+}
+
+struct ButtonLook {
+    Icon icon;
+    bool primary, quiet, on, text;
+};
+
+void draw_button(Painter& painter, const Node& node, const ButtonLook& look) {
+    const Theme& t = painter.theme();
+    const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
+    const bool accent = (look.primary || look.on) && !disabled;
+    Color ground = accent ? t.accent : t.control;
+    if (hovered) ground = accent ? t.accent_hover : t.control_hover;
+    if (has(node.is, Is::held) && hovered) ground = accent ? t.accent : t.control_active;
+    if (!look.quiet || hovered || look.on) painter.fill(node.rect(), ground, painter.em(t.radius));
+    const Color ink = disabled ? t.text_disabled : accent ? t.text_on_accent : t.text;
+    Rect inside = node.rect();
+    if (!look.text) return painter.icon(inside.inset(painter.em(0.4F)), look.icon, ink);
+    inside = inside.inset(painter.em(0.7F), 0);
+    if (look.icon != Icon::none) {
+        painter.icon(inside.cut_left(painter.em(1)), look.icon, ink);
+        inside.cut_left(painter.em(0.4F));
+    }
+    painter.text(inside, node.shown, painter.text_style(), ink, look.icon == Icon::none ? Align::center : Align::start);
+}
+
+Response put_button(Ui& ui, Role role, std::string_view text, const ButtonOptions& options, bool with_text) {
+    Node& node = ui.leaf(role, text, Sense::hover | Sense::press | Sense::focus | Sense::activate);
+    const float height = ui.row_height();
+    node.size[1] = px(height);
+    node.tip = ui.copy(options.tip.empty() && !with_text ? node.label : options.tip);
+    if (with_text) {
+        const float icon = options.icon == Icon::none ? 0.0F : ui.em(1) + ui.em(0.4F);
+        node.size[0] = px(std::ceil(ui.text_width(node.shown)) + icon + 2 * ui.em(0.7F));
+        if (options.width.kind != SizeKind::fit) node.size[0] = options.width;
+    } else {
+        node.size[0] = px(height);
+    }
+    const Response r = ui.respond(node);
+    ui.draw_with<draw_button>(node, ButtonLook{options.icon, options.primary, options.quiet, options.on, with_text});
+    return r;
+}
+
+struct CheckLook {
+    Tristate state;
+};
+
+void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
+    const Theme& t = painter.theme();
+    const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
+    Rect rect = node.rect();
+    Rect box = rect.cut_left(painter.em(1.1F));
+    box = {box.x, std::round(box.center().y - painter.em(1.1F) / 2), painter.em(1.1F), painter.em(1.1F)};
+    const bool filled = look.state != Tristate::off;
+    const Color ground = filled ? (hovered ? t.accent_hover : t.accent) : (hovered ? t.field_hover : t.field);
+    painter.fill(box, disabled ? t.field : ground, painter.em(0.25F));
+    if (!filled || disabled) painter.frame(box, hovered ? t.text_dim : t.border, painter.hairline(), painter.em(0.25F));
+    if (filled)
+        painter.icon(box.inset(painter.em(0.12F)), look.state == Tristate::on ? Icon::check : Icon::minus,
+                     disabled ? t.text_disabled : t.text_on_accent);
+    rect.cut_left(painter.em(0.5F));
+    painter.text(rect, node.shown, painter.text_style(), disabled ? t.text_disabled : t.text);
+}
+
+}  // namespace
+
+Color color_of(const Theme& theme, Tone tone) {
+    switch (tone) {
+        case Tone::dim: return theme.text_dim;
+        case Tone::good: return theme.good;
+        case Tone::warning: return theme.warning;
+        case Tone::error: return theme.error;
+        default: return theme.text;
+    }
+}
+
+void label(Ui& ui, std::string_view text, const LabelOptions& options) {
+    TextStyle style = options.number ? ui.number_style() : ui.text_style(options.size, options.weight);
+    Node& node = ui.leaf(Role::label, text);
+    node.text = node.shown;
+    const TextLook look{node.shown, style, ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone), options.align};
+    if (options.wrap) {
+        node.size[0] = options.width.kind == SizeKind::fit ? grow() : options.width;
+        ui.draw_with<draw_wrapped>(node, look);
+        node.height_for_width = wrapped_height;
+        return;
+    }
+    const float width = std::ceil(ui.fonts().run(node.shown, style).width);
+    node.size[0] = options.width.kind == SizeKind::fit ? px(width) : options.width;
+    node.size[1] = px(std::max(ui.em(1.4F * options.size), ui.fonts().metrics(style).height));
+    node.rigid = false;
+    ui.draw_with<draw_label>(node, look);
+}
+
+void heading(Ui& ui, std::string_view text) {
+    Node& node = ui.leaf(Role::heading, text);
+    const TextStyle style = ui.text_style(1.15F, Weight::bold);
+    node.size[0] = px(std::ceil(ui.fonts().run(node.shown, style).width));
+    node.size[1] = px(ui.row_height());
+    node.rigid = false;
+    ui.draw_with<draw_label>(node, TextLook{node.shown, style, ui.theme().text, Align::start});
+}
+
+void separator(Ui& ui) {
+    const Axis along = ui.parent().axis;
+    Node& node = ui.leaf(Role::separator, {});
+    node.size[static_cast<int>(along)] = px(ui.em(0.6F));
+    node.size[1 - static_cast<int>(along)] = grow();
+    ui.draw_with<draw_separator>(node, along == Axis::y ? Axis::x : Axis::y);
+}
+
+bool button(Ui& ui, std::string_view text, const ButtonOptions& options) {
+    return put_button(ui, Role::button, text, options, true).clicked;
+}
+
+bool icon_button(Ui& ui, Icon icon, std::string_view text, const ButtonOptions& options) {
+    ButtonOptions with_icon = options;
+    with_icon.icon = icon;
+    return put_button(ui, Role::button, text, with_icon, false).clicked;
+}
+
+Edit toggle(Ui& ui, std::string_view text, bool& on, const ButtonOptions& options) {
+    ButtonOptions shown = options;
+    shown.on = on;
+    const Response r = put_button(ui, Role::toggle, text, shown, !options.quiet || options.icon == Icon::none);
+    if (on) ui.last().is |= Is::checked;
+    if (!r.clicked) return {};
+    on = !on;
+    return Edit::once();
+}
+
+Edit checkbox(Ui& ui, std::string_view text, Tristate& state, std::string_view tip) {
+    Node& node = ui.leaf(Role::checkbox, text, Sense::hover | Sense::press | Sense::focus | Sense::activate);
+    node.size[0] = px(std::ceil(ui.em(1.6F) + ui.text_width(node.shown)));
+    node.size[1] = px(ui.row_height());
+    node.tip = ui.copy(tip);
+    const Response r = ui.respond(node);
+    if (r.clicked) state = state == Tristate::on ? Tristate::off : Tristate::on;
+    node.is |= when(state == Tristate::on, Is::checked) | when(state == Tristate::mixed, Is::mixed);
+    ui.draw_with<draw_checkbox>(node, CheckLook{state});
+    return r.clicked ? Edit::once() : Edit{};
+}
+
+Edit checkbox(Ui& ui, std::string_view text, bool& on, std::string_view tip) {
+    Tristate state = on ? Tristate::on : Tristate::off;
+    const Edit edit = checkbox(ui, text, state, tip);
+    on = state == Tristate::on;
+    return edit;
+}
+
+}  // namespace lapfx::ui
