@@ -13,7 +13,7 @@ namespace lapfx::ui {
 struct StoredImage {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> pixels;
-    std::uint32_t serial = 0;  ///< grows with every change; 0: removed
+    std::uint32_t serial = 0;  ///< another one after every change, never used twice by a store; 0: removed
 };
 
 class ImageStore {
@@ -29,6 +29,7 @@ class ImageStore {
   private:
     std::vector<StoredImage> images_;
     std::vector<std::uint32_t> free_;
+    std::uint32_t last_serial_ = 0;
 };
 
 }  // namespace lapfx::ui

@@ -2,6 +2,7 @@
 // screen. Text stands on whole pixels.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 #include "ui/core/theme.h"
@@ -58,7 +59,9 @@ enum class Icon : std::uint8_t {
     sort_down,
 };
 
-/// How two pictures are shown over each other.
+/// How two pictures are shown over each other. A compare instance (CompareInstance) holds it so: uv[0] position in 1/65535, uv[1] angle
+/// in 1/65536 turn, uv[2] gain as a half float, uv[3] mix in 1/65535, radius the mode, border bits: 1 nearest, 2 the first picture is
+/// upside down (a host's texture), 4 the second is.
 enum class CompareMode : std::uint8_t { wipe, difference, onion, first, second };
 struct CompareLook {
     CompareMode mode = CompareMode::wipe;
@@ -84,16 +87,21 @@ class Painter {
     TextStyle number_style() const;
 
     void fill(const Rect& rect, Color color, float radius = 0);
+    /// Inside `rect`; `width` is rounded to whole px, 1 at least.
     void frame(const Rect& rect, Color color, float width, float radius = 0);
+    /// Full inside, gone `softness` px outside.
     void shadow(const Rect& rect, Color color, float softness, float radius = 0);
     void line(glm::vec2 from, glm::vec2 to, float width, Color color);
     void polyline(std::span<const glm::vec2> points, float width, Color color);
     void gradient(const Rect& rect, Color from, Color to, bool vertical);
     void checker(const Rect& rect, Color light, Color dark, float square);
+    /// The whole picture, straight alpha. Rows of a stored image go down from the top; a host's texture has its first row at the
+    /// bottom, as OpenGL draws it, and is turned over.
     void image(const Rect& rect, ImageHandle image, bool nearest = false, Color tint = {255, 255, 255, 255});
     void compare(const Rect& rect, ImageHandle first, ImageHandle second, const CompareLook& look);
+    /// In the middle of `rect`, as large as its shorter side. Strokes may overlap: give it an opaque colour.
     void icon(const Rect& rect, Icon icon, Color color);
-    /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px.
+    /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px; 0 where `rect` is clipped away.
     float text(const Rect& rect, std::string_view text, const TextStyle& style, Color color,
                Align align = Align::start);
     /// As it is, from a baseline; for text fields, which place runs themselves.
@@ -102,24 +110,31 @@ class Painter {
     void set_clip(const Rect& rect);   ///< in place of the innermost clip
     void push_clip(const Rect& rect);  ///< within the clip so far
     void pop_clip();
-    const Rect& clip() const { return clips_.back(); }
+    const Rect& clip() const { return clips_.back().rect; }
 
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
     void start(glm::ivec2 size);
-    void finish(const ImageStore* images);  ///< closes the last batch, makes the hash
+    /// Closes the last batch, makes the hash. What is inside a host's textures is not part of it: the host asks for a frame itself.
+    void finish(const ImageStore* images);
 
   private:
     Instance& add(InstanceKind kind, Color color);
     void need_batch(ImageHandle first, ImageHandle second);
     std::uint8_t clip_index();
+    bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
 
     DrawList& list_;
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;
-    std::vector<Rect> clips_;  ///< stack
-    int clip_index_ = -1;      ///< of clips_.back() in the open batch, -1: not yet in it
+    struct Clip {
+        Rect rect;
+        std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet
+        std::uint8_t index = 0;
+    };
+    std::vector<Clip> clips_;  ///< stack
+    std::string elided_;       ///< reused
 };
 
 }  // namespace lapfx::ui

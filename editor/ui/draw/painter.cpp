@@ -1,0 +1,313 @@
+#include "ui/draw/painter.h"
+
+#include <cassert>
+#include <cstring>
+#include <glm/gtc/packing.hpp>
+#include <numbers>
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr std::uint32_t most_clips = 256;  // of a batch: an instance's index has 8 bits
+constexpr std::string_view ellipsis = "\xE2\x80\xA6";
+
+std::uint8_t whole_byte(float value) {
+    return static_cast<std::uint8_t>(std::clamp(value + 0.5F, 0.0F, 255.0F));
+}
+std::uint16_t whole_word(float value) {
+    return static_cast<std::uint16_t>(std::clamp(value + 0.5F, 0.0F, 65535.0F));
+}
+
+void put_color(std::uint16_t (&uv)[4], int at, Color c) {
+    uv[at] = static_cast<std::uint16_t>(c.r | c.g << 8);
+    uv[at + 1] = static_cast<std::uint16_t>(c.b | c.a << 8);
+}
+
+/// Four lanes, so that the processor has four multiplications under way at once; the rotation lets high bits reach the low
+/// ones, else two flips of a sign would cancel.
+class Hash {
+  public:
+    template <class T>
+    void add(const std::vector<T>& all) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        add(all.size());
+        const auto* from = reinterpret_cast<const unsigned char*>(all.data());
+        std::size_t left = all.size() * sizeof(T);
+        for (; left >= 32; left -= 32, from += 32) block(from);
+        if (left == 0) return;
+        unsigned char last[32] = {};
+        std::memcpy(last, from, left);
+        block(last);
+    }
+    void add(std::uint64_t word) { step(lanes_[0], word); }
+    std::uint64_t value() const {
+        std::uint64_t all = 0;
+        for (const std::uint64_t lane : lanes_) step(all, lane);
+        return all ^ (all >> 32);
+    }
+
+  private:
+    static void step(std::uint64_t& lane, std::uint64_t word) {
+        const std::uint64_t product = (lane ^ word) * 0x9E3779B97F4A7C15ULL;
+        lane = product << 31 | product >> 33;
+    }
+    void block(const unsigned char* from) {
+        std::uint64_t words[4];
+        std::memcpy(words, from, 32);
+        for (int i = 0; i < 4; ++i) step(lanes_[i], words[i]);
+    }
+    std::uint64_t lanes_[4] = {0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89};
+};
+
+}  // namespace
+
+Painter::Painter(DrawList& list, Fonts& fonts, const Theme& theme, float scale)
+    : list_(list), fonts_(fonts), theme_(theme), scale_(scale) {}
+
+TextStyle Painter::text_style(float relative_size, Weight weight) const {
+    return {.size = em(relative_size), .weight = weight};
+}
+
+TextStyle Painter::number_style() const {
+    return {.size = em(1), .tabular = true};
+}
+
+// --- batches and clips ---
+
+void Painter::start(glm::ivec2 size) {
+    list_.reset(size);
+    clips_.clear();
+    clips_.push_back({.rect = {0, 0, static_cast<float>(size.x), static_cast<float>(size.y)}});
+}
+
+void Painter::push_clip(const Rect& rect) {
+    const Clip& outer = clips_.back();
+    const Rect inner = intersect(rect, outer.rect);
+    clips_.push_back(inner == outer.rect ? Clip(outer) : Clip{.rect = inner});
+}
+
+void Painter::pop_clip() {
+    assert(clips_.size() > 1);
+    clips_.pop_back();
+}
+
+/// Leaves a batch open that shows these images; 0: whatever it shows.
+void Painter::need_batch(ImageHandle first, ImageHandle second) {
+    if (!list_.batches.empty()) {
+        ImageHandle(&open)[2] = list_.batches.back().images;
+        const bool fits =
+            (first == 0 || open[0] == 0 || open[0] == first) && (second == 0 || open[1] == 0 || open[1] == second);
+        if (fits) {
+            if (first != 0) open[0] = first;
+            if (second != 0) open[1] = second;
+            return;
+        }
+    }
+    const auto count = static_cast<std::uint32_t>(list_.instances.size());
+    if (!list_.batches.empty()) list_.batches.back().count = count - list_.batches.back().first;
+    list_.batches.push_back(
+        {.first = count, .first_clip = static_cast<std::uint32_t>(list_.clips.size()), .images = {first, second}});
+}
+
+/// Of clip() in the table of the open batch; opens one where there is none, or no room.
+std::uint8_t Painter::clip_index() {
+    Clip& clip = clips_.back();
+    if (clip.batch != 0 && clip.batch == list_.batches.size()) return clip.index;
+    if (list_.batches.empty()) need_batch(0, 0);
+    if (list_.batches.back().clips == most_clips) {
+        const Batch full = list_.batches.back();
+        const auto count = static_cast<std::uint32_t>(list_.instances.size());
+        list_.batches.back().count = count - full.first;
+        list_.batches.push_back({.first = count,
+                                 .first_clip = static_cast<std::uint32_t>(list_.clips.size()),
+                                 .images = {full.images[0], full.images[1]}});
+    }
+    Batch& batch = list_.batches.back();
+    clip.batch = list_.batches.size();
+    clip.index = static_cast<std::uint8_t>(batch.clips++);
+    list_.clips.push_back(clip.rect);
+    return clip.index;
+}
+
+Instance& Painter::add(InstanceKind kind, Color color) {
+    const std::uint8_t clip = clip_index();
+    Instance& instance = list_.instances.emplace_back();
+    instance.color = color;
+    instance.kind = kind;
+    instance.clip = clip;
+    return instance;
+}
+
+void Painter::finish(const ImageStore* images) {
+    assert(clips_.size() == 1);
+    if (!list_.batches.empty()) {
+        Batch& last = list_.batches.back();
+        last.count = static_cast<std::uint32_t>(list_.instances.size()) - last.first;
+    }
+    Hash hash;
+    hash.add(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
+    hash.add(list_.clears), hash.add(list_.instances), hash.add(list_.clips), hash.add(list_.batches);
+    hash.add(fonts_.atlas().serial);
+    for (const Batch& batch : list_.batches) {
+        for (const ImageHandle image : batch.images) {
+            const StoredImage* stored = images != nullptr ? images->find(image) : nullptr;
+            hash.add(stored != nullptr ? stored->serial : 0);
+        }
+    }
+    list_.hash = hash.value();
+}
+
+// --- shapes ---
+
+namespace {
+
+void place(Instance& instance, const Rect& rect) {
+    instance.x = rect.x, instance.y = rect.y, instance.w = rect.w, instance.h = rect.h;
+}
+
+}  // namespace
+
+void Painter::clear(const Rect& rect, Color color) {
+    color.a = 255;
+    list_.clears.push_back({rect, color});
+}
+
+void Painter::fill(const Rect& rect, Color color, float radius) {
+    if (color.a == 0 || hidden(rect)) return;
+    Instance& instance = add(InstanceKind::fill, color);
+    place(instance, rect);
+    instance.radius = whole_byte(radius);
+}
+
+void Painter::frame(const Rect& rect, Color color, float width, float radius) {
+    if (color.a == 0 || hidden(rect)) return;
+    const float border = std::max(1.0F, std::round(width));
+    if (2 * border >= std::min(rect.w, rect.h)) return fill(rect, color, radius);
+    // A large one would have its whole empty middle shaded for nothing: four bars then.
+    if (radius < 0.5F && rect.w * rect.h > 64 * 64) {
+        Rect inside = rect;
+        fill(inside.cut_top(border), color);
+        fill(inside.cut_bottom(border), color);
+        fill(inside.cut_left(border), color);
+        fill(inside.cut_right(border), color);
+        return;
+    }
+    Instance& instance = add(InstanceKind::fill, color);
+    place(instance, rect);
+    instance.radius = whole_byte(radius);
+    instance.border = whole_byte(border);
+}
+
+void Painter::shadow(const Rect& rect, Color color, float softness, float radius) {
+    if (color.a == 0 || hidden({rect.x - softness, rect.y - softness, rect.w + 2 * softness, rect.h + 2 * softness}))
+        return;
+    Instance& instance = add(InstanceKind::shadow, color);
+    place(instance, rect);
+    instance.uv[0] = whole_word(softness);
+    instance.radius = whole_byte(radius);
+}
+
+void Painter::line(glm::vec2 from, glm::vec2 to, float width, Color color) {
+    const glm::vec2 low = glm::min(from, to) - (width / 2 + 1), high = glm::max(from, to) + (width / 2 + 1);
+    if (color.a == 0 || hidden({low.x, low.y, high.x - low.x, high.y - low.y})) return;
+    Instance& instance = add(InstanceKind::line, color);
+    instance.x = from.x, instance.y = from.y, instance.w = to.x, instance.h = to.y;
+    instance.uv[0] = whole_word(width * 64);
+}
+
+void Painter::polyline(std::span<const glm::vec2> points, float width, Color color) {
+    for (std::size_t i = 1; i < points.size(); ++i) line(points[i - 1], points[i], width, color);
+}
+
+void Painter::gradient(const Rect& rect, Color from, Color to, bool vertical) {
+    if (hidden(rect)) return;
+    Instance& instance = add(InstanceKind::gradient, from);
+    place(instance, rect);
+    put_color(instance.uv, 0, to);
+    instance.uv[2] = vertical ? 1 : 0;
+}
+
+void Painter::checker(const Rect& rect, Color light, Color dark, float square) {
+    if (hidden(rect)) return;
+    Instance& instance = add(InstanceKind::checker, light);
+    place(instance, rect);
+    instance.uv[0] = whole_word(std::max(1.0F, square));
+    put_color(instance.uv, 2, dark);
+}
+
+// --- pictures ---
+
+void Painter::image(const Rect& rect, ImageHandle image, bool nearest, Color tint) {
+    if (image == 0 || tint.a == 0 || hidden(rect)) return;
+    need_batch(image, 0);
+    Instance& instance = add(InstanceKind::image, tint);
+    place(instance, rect);
+    const bool turned = image < own_images;
+    instance.uv[1] = turned ? 65535 : 0;
+    instance.uv[2] = 65535;
+    instance.uv[3] = turned ? 0 : 65535;
+    instance.border = nearest ? 1 : 0;
+}
+
+void Painter::compare(const Rect& rect, ImageHandle first, ImageHandle second, const CompareLook& look) {
+    if (first == 0 || second == 0 || hidden(rect)) return;
+    need_batch(first, second);
+    Instance& instance = add(InstanceKind::compare, {255, 255, 255, 255});
+    place(instance, rect);
+    const float turns = look.angle / (2 * std::numbers::pi_v<float>);
+    instance.uv[0] = whole_word(look.position * 65535);
+    instance.uv[1] = static_cast<std::uint16_t>(std::lround((turns - std::floor(turns)) * 65536));
+    instance.uv[2] = glm::packHalf1x16(std::clamp(look.gain, 0.1F, 100.0F));
+    instance.uv[3] = whole_word(look.mix * 65535);
+    instance.radius = static_cast<std::uint8_t>(look.mode);
+    instance.border = static_cast<std::uint8_t>((look.nearest ? 1 : 0) | (first < own_images ? 2 : 0) |
+                                                (second < own_images ? 4 : 0));
+}
+
+// --- text ---
+
+float Painter::text(const Rect& rect, std::string_view text, const TextStyle& style, Color color, Align align) {
+    if (text.empty() || hidden(rect)) return 0;
+    const Run* run = &fonts_.run(text, style);
+    // Layout rounds to whole px, so half a px too much is no reason to cut.
+    if (run->width > rect.w + 0.5F) {
+        const float dots = fonts_.run(ellipsis, style).width;
+        if (dots > rect.w) return 0;
+        std::string_view kept = text.substr(0, run->bytes_within(rect.w - dots));
+        while (kept.ends_with(' ')) kept.remove_suffix(1);
+        elided_.assign(kept).append(ellipsis);
+        run = &fonts_.run(elided_, style);
+    }
+    const LineMetrics metrics = fonts_.metrics(style);
+    const float space = rect.w - run->width;
+    const float left = align == Align::start ? 0 : align == Align::center ? space / 2 : space;
+    const float top = std::floor((rect.h - metrics.ascent - metrics.descent) / 2 + 0.5F);
+    this->run(*run, {std::floor(rect.x + std::max(0.0F, left) + 0.5F), rect.y + top + metrics.ascent}, color);
+    return run->width;
+}
+
+void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
+    if (run.glyphs.empty() || color.a == 0) return;
+    const Rect visible = clip();
+    const float left = std::floor(baseline.x + 0.5F), top = std::floor(baseline.y + 0.5F);
+    const std::uint8_t clip = clip_index();
+    std::vector<Instance>& all = list_.instances;
+    const std::size_t first = all.size();
+    all.insert(all.end(), run.glyphs.begin(), run.glyphs.end());
+    Instance* out = all.data() + first;
+    // What is outside is overwritten by the next: no branch a glyph.
+    for (const Instance& glyph : run.glyphs) {
+        Instance placed = glyph;
+        placed.x += left;
+        placed.y += top;
+        placed.color = color;
+        placed.clip = clip;
+        *out = placed;
+        out += static_cast<int>(placed.x < visible.right()) & static_cast<int>(placed.x + placed.w > visible.x) &
+               static_cast<int>(placed.y < visible.bottom()) & static_cast<int>(placed.y + placed.h > visible.y);
+    }
+    all.resize(static_cast<std::size_t>(out - all.data()));
+}
+
+}  // namespace lapfx::ui
