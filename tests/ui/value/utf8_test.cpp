@@ -1,0 +1,130 @@
+#include "ui/value/utf8.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <random>
+#include <vector>
+
+namespace lapfx::ui {
+namespace {
+
+std::string encoded(std::u32string_view text) {
+    std::string out;
+    for (const char32_t c : text) append(out, c);
+    return out;
+}
+
+/// Where characters begin, and the end: walked forwards.
+std::vector<std::size_t> places_forward(std::string_view text) {
+    std::vector<std::size_t> places{0};
+    while (places.back() < text.size()) places.push_back(places.back() + next_character(text, places.back()));
+    return places;
+}
+
+std::vector<std::size_t> places_backward(std::string_view text) {
+    std::vector<std::size_t> places{text.size()};
+    while (places.back() > 0) places.push_back(places.back() - previous_character(text, places.back()));
+    return {places.rbegin(), places.rend()};
+}
+
+TEST(Utf8, EveryScalarValueComesBackAsItWent) {
+    for (char32_t c = 0; c <= 0x10FFFF; ++c) {
+        if (c >= 0xD800 && c <= 0xDFFF) continue;
+        std::string text;
+        append(text, c);
+        const Decoded d = decode(text);
+        ASSERT_TRUE(d.valid) << std::hex << static_cast<unsigned>(c);
+        ASSERT_EQ(d.codepoint, c);
+        ASSERT_EQ(d.bytes, text.size());
+    }
+    EXPECT_EQ(encoded(U"aé€😀"), "a\xC3\xA9\xE2\x82\xAC\xF0\x9F\x98\x80");
+}
+
+TEST(Utf8, WhatIsNoScalarValueIsAppendedAsTheReplacement) {
+    for (const char32_t c : {char32_t{0xD800}, char32_t{0xDFFF}, char32_t{0x110000}, char32_t{0xFFFFFFFF}}) {
+        std::string text;
+        append(text, c);
+        EXPECT_EQ(text, "\xEF\xBF\xBD");
+    }
+}
+
+TEST(Utf8, FaultyBytesAreOneReplacementEach) {
+    const char* faulty[] = {"\x80",
+                            "\xBF",
+                            "\xC0\xAF",
+                            "\xC1\xBF",
+                            "\xE0\x80\xAF",
+                            "\xE0\x9F\xBF",
+                            "\xF0\x80\x80\xAF",
+                            "\xED\xA0\x80",
+                            "\xF4\x90\x80\x80",
+                            "\xF5\x80\x80\x80",
+                            "\xFF",
+                            "\xC3",
+                            "\xE2\x82",
+                            "\xF0\x9F\x98",
+                            "\xC3("};
+    for (const std::string_view bytes : faulty) {
+        const Decoded d = decode(bytes);
+        EXPECT_FALSE(d.valid) << testing::PrintToString(bytes);
+        EXPECT_EQ(d.codepoint, replacement);
+        EXPECT_EQ(d.bytes, 1);
+        EXPECT_FALSE(valid_utf8(bytes));
+    }
+    EXPECT_TRUE(valid_utf8(""));
+    EXPECT_TRUE(valid_utf8("gr\xC3\xBC\xC3\x9F"));
+    EXPECT_FALSE(valid_utf8("ok\xC3"));
+}
+
+TEST(Utf8, MarksJoinersAndVariationsGoWithWhatTheyStandOn) {
+    EXPECT_EQ(places_forward(encoded(U"e\u0301x")), (std::vector<std::size_t>{0, 3, 4}));
+    EXPECT_EQ(places_forward(encoded(U"a\u0302\u0323b")), (std::vector<std::size_t>{0, 5, 6}));
+    EXPECT_EQ(places_forward(encoded(U"❤\uFE0Fx")), (std::vector<std::size_t>{0, 6, 7}));
+    EXPECT_EQ(places_forward(encoded(U"👩\u200D🔬x")), (std::vector<std::size_t>{0, 11, 12}));
+    EXPECT_EQ(places_forward(encoded(U"👍🏽x")), (std::vector<std::size_t>{0, 8, 9}));
+    EXPECT_EQ(places_forward(encoded(U"a\u200Db")), (std::vector<std::size_t>{0, 4, 5})) << "a letter is not tied";
+}
+
+TEST(Utf8, AMarkAtTheFrontOfALineStandsAlone) {
+    EXPECT_EQ(places_forward(encoded(U"\u0301a")), (std::vector<std::size_t>{0, 2, 3}));
+    EXPECT_EQ(places_forward(encoded(U"a\n\u0301")), (std::vector<std::size_t>{0, 1, 2, 4}));
+}
+
+TEST(Utf8, CharactersEndWhereTheTextDoes) {
+    EXPECT_EQ(previous_character("abc", 0), 0u);
+    EXPECT_EQ(next_character("abc", 3), 0u);
+    EXPECT_EQ(next_character("abc", 9), 0u);
+    EXPECT_EQ(next_character("", 0), 0u);
+    EXPECT_EQ(previous_character("", 0), 0u);
+}
+
+TEST(Utf8, CombiningIsToldAtTheEdgesOfItsRanges) {
+    for (const char32_t c : {0x300, 0x36F, 0x483, 0x5BF, 0x93F, 0x20D0, 0x200D, 0xFE0F, 0x1F3FB, 0xE01EF})
+        EXPECT_TRUE(is_combining(c));
+    for (const char32_t c :
+         {0, 0x61, 0x2FF, 0x370, 0x482, 0x5BE, 0x200B, 0x200E, 0xFE10, 0x1F3FA, 0x1F400, 0xE01F0, 0x10FFFF}) {
+        EXPECT_FALSE(is_combining(c)) << std::hex << static_cast<unsigned>(c);
+    }
+}
+
+TEST(Utf8, AnyBytesHaveTheSamePlacesForwardsAndBackwards) {
+    std::mt19937 random(1);
+    const std::string pieces[] = {"a",    "\n",           " ",        "\x80",         "\xC3",
+                                  "\xE2", "\xF0",         "\xCC\x81", "\xE2\x80\x8D", "\xF0\x9F\x91\xA9",
+                                  "\x9F", "\xE2\x9D\xA4", "\xFF"};
+    for (int round = 0; round < 100000; ++round) {
+        std::string text;
+        for (auto left = random() % 12; left > 0; --left) text += pieces[random() % std::size(pieces)];
+        ASSERT_EQ(places_forward(text), places_backward(text)) << testing::PrintToString(text);
+        const auto places = places_forward(text);
+        for (std::size_t byte = 1; byte <= text.size(); ++byte) {  // from inside a character, too: the place before
+            const auto at_or_after = std::lower_bound(places.begin(), places.end(), byte);
+            ASSERT_EQ(byte - previous_character(text, byte), *std::prev(at_or_after))
+                << testing::PrintToString(text) << byte;
+        }
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::ui
