@@ -8,17 +8,22 @@ void arrange(Ui& ui, Node& node, const BoxOptions& options) {
     node.size[0] = options.width;
     node.size[1] = options.height;
     node.gap = ui.em(options.gap < 0 ? ui.theme().gap : options.gap);
-    for (std::uint8_t& pad : node.padding) pad = static_cast<std::uint8_t>(std::clamp(ui.em(options.padding), 0.0F, 255.0F));
+    for (std::uint8_t& pad : node.padding)
+        pad = static_cast<std::uint8_t>(std::clamp(ui.em(options.padding), 0.0F, 255.0F));
     node.cross = options.cross;
     node.main = options.main;
     node.rigid = false;
 }
 
-void draw_panel(Painter& painter, const Node& node, const Color& color) { painter.fill(node.rect(), color); }
+void draw_panel(Painter& painter, const Node& node, const Color& color) {
+    painter.fill(node.rect(), color);
+}
 
 }  // namespace
 
-Box::Box(Ui& ui, Axis axis, const BoxOptions& options) : ui_(ui) { arrange(ui, ui.open(Role::none, {}, axis), options); }
+Box::Box(Ui& ui, Axis axis, const BoxOptions& options) : ui_(ui) {
+    arrange(ui, ui.open(Role::none, {}, axis), options);
+}
 
 Panel::Panel(Ui& ui, std::string_view label, const BoxOptions& options) : ui_(ui) {
     Node& node = ui.open(Role::panel, label, Axis::y);

@@ -4,8 +4,12 @@ namespace lapfx::ui {
 
 namespace {
 
-float pads(const Node& node, int a) { return static_cast<float>(node.padding[a] + node.padding[a + 2]); }
-bool in_flow(const Node& node) { return !node.placed && !node.overlay; }
+float pads(const Node& node, int a) {
+    return static_cast<float>(node.padding[a] + node.padding[a + 2]);
+}
+bool in_flow(const Node& node) {
+    return !node.placed && !node.overlay;
+}
 
 /// Backwards, children before parents: what each would like to be. `content` is the sum (or the greatest) of its children.
 void wish(std::span<Node> nodes, int a) {
@@ -37,7 +41,8 @@ void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
             child.extent[a] = child.minimum[a];
             continue;
         }
-        if (child.size[a].kind == SizeKind::fraction) child.extent[a] = std::max(inside * child.size[a].value, child.minimum[a]);
+        if (child.size[a].kind == SizeKind::fraction)
+            child.extent[a] = std::max(inside * child.size[a].value, child.minimum[a]);
         all.taken += child.extent[a];
         if (!child.rigid) all.can_shrink += child.extent[a] - child.minimum[a];
     }
@@ -103,7 +108,8 @@ void put_placed(Node& child, const Node& parent, int a) {
     if (child.size[a].kind == SizeKind::fraction) child.extent[a] = parent.extent[a] * child.size[a].value;
     if (child.size[a].kind == SizeKind::grow) child.extent[a] = parent.extent[a] - p.offset[a];
     child.extent[a] = std::max(0.0F, std::round(child.extent[a]));
-    child.at[a] = std::round(parent.at[a] + parent.extent[a] * p.fraction[a] + p.offset[a] - child.extent[a] * p.pivot[a]);
+    child.at[a] =
+        std::round(parent.at[a] + parent.extent[a] * p.fraction[a] + p.offset[a] - child.extent[a] * p.pivot[a]);
 }
 
 /// Beside its anchor where there is room, else on the other side; always within the window.

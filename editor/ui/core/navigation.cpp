@@ -7,14 +7,28 @@ namespace lapfx::ui {
 
 namespace {
 
-bool printable(Key key) { return key >= Key::space && static_cast<int>(key) < 256; }
+bool printable(Key key) {
+    return key >= Key::space && static_cast<int>(key) < 256;
+}
 
 bool takes_when_editing(Key key, Mods mods) {
     if (has(mods, Mods::alt)) return false;
     switch (key) {
-        case Key::escape: case Key::enter: case Key::backspace: case Key::del: case Key::left: case Key::right: case Key::up:
-        case Key::down: case Key::home: case Key::end: case Key::page_up: case Key::page_down: return true;
-        default: break;
+        case Key::escape:
+        case Key::enter:
+        case Key::backspace:
+        case Key::del:
+        case Key::left:
+        case Key::right:
+        case Key::up:
+        case Key::down:
+        case Key::home:
+        case Key::end:
+        case Key::page_up:
+        case Key::page_down:
+            return true;
+        default:
+            break;
     }
     if (!has(mods, Mods::command)) return printable(key);
     for (const char c : {'A', 'C', 'V', 'X', 'Z', 'Y'}) {
@@ -29,30 +43,53 @@ bool takes(Sense sense, Key key, Mods mods) {
     if (has(sense, Sense::editing)) return takes_when_editing(key, mods);
     if (has(sense, Sense::keys) && plain && key != Key::tab && key != Key::f6) return true;
     switch (key) {
-        case Key::enter: return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
-        case Key::space: return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
-        case Key::left: case Key::right: return !has(mods, Mods::alt) && has(sense, Sense::arrows_x);
-        case Key::up: case Key::down: return !has(mods, Mods::alt) && has(sense, Sense::arrows_y);
-        case Key::page_up: case Key::page_down: return plain && has(sense, Sense::pages);
-        case Key::home: case Key::end: return !has(mods, Mods::alt) && has(sense, Sense::extremes);
-        case Key::backspace: case Key::del: return plain && has(sense, Sense::erase);
-        case Key::escape: return has(sense, Sense::escape);
-        case Key::menu: return has(sense, Sense::context);
-        default: break;
+        case Key::enter:
+            return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
+        case Key::space:
+            return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
+        case Key::left:
+        case Key::right:
+            return !has(mods, Mods::alt) && has(sense, Sense::arrows_x);
+        case Key::up:
+        case Key::down:
+            return !has(mods, Mods::alt) && has(sense, Sense::arrows_y);
+        case Key::page_up:
+        case Key::page_down:
+            return plain && has(sense, Sense::pages);
+        case Key::home:
+        case Key::end:
+            return !has(mods, Mods::alt) && has(sense, Sense::extremes);
+        case Key::backspace:
+        case Key::del:
+            return plain && has(sense, Sense::erase);
+        case Key::escape:
+            return has(sense, Sense::escape);
+        case Key::menu:
+            return has(sense, Sense::context);
+        default:
+            break;
     }
     if (has(mods, Mods::command) && has(sense, Sense::copying))
         return key == key_of('C') || key == key_of('V') || key == key_of('X');
     if (!plain || !printable(key)) return false;
     const char c = static_cast<char>(key);
-    return has(sense, Sense::typing) ||
-           (has(sense, Sense::digits) && ((c >= '0' && c <= '9') || c == '-' || c == '.' || c == ',' || c == '=' || c == '+'));
+    return has(sense, Sense::typing) || (has(sense, Sense::digits) && ((c >= '0' && c <= '9') || c == '-' || c == '.' ||
+                                                                       c == ',' || c == '=' || c == '+'));
 }
 
 bool moves_by_arrows(Role role) {
     switch (role) {
-        case Role::tab_list: case Role::menu: case Role::menu_bar: case Role::list: case Role::tree: case Role::grid:
-        case Role::table: case Role::palette: return true;
-        default: return false;
+        case Role::tab_list:
+        case Role::menu:
+        case Role::menu_bar:
+        case Role::list:
+        case Role::tree:
+        case Role::grid:
+        case Role::table:
+        case Role::palette:
+            return true;
+        default:
+            return false;
     }
 }
 
@@ -63,7 +100,8 @@ void Ui::route_key(const Event& event) {
     if (held_now && event.key == Key::escape) return cancel_held();
     const Node* node = before(focus_);
     if (node != nullptr && takes(node->sense, event.key, event.mods)) return send(focus_, event);
-    const bool modal = std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
+    const bool modal =
+        std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
     if (!modal && options_.shortcuts != nullptr && options_.shortcuts->press(event.key, event.mods)) {
         again_ = true;
         return;
@@ -77,16 +115,24 @@ bool Ui::navigate(const Event& event) {
         case Key::tab:
             has(event.mods, Mods::command) ? move_panel(back ? -1 : 1) : move_focus(back ? -1 : 1);
             return true;
-        case Key::f6: move_panel(back ? -1 : 1); return true;
-        case Key::left: case Key::right: case Key::up: case Key::down: return move_by_arrow(event.key);
+        case Key::f6:
+            move_panel(back ? -1 : 1);
+            return true;
+        case Key::left:
+        case Key::right:
+        case Key::up:
+        case Key::down:
+            return move_by_arrow(event.key);
         case Key::escape:
-            if (std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
+            if (std::any_of(overlays_.begin(), overlays_.end(),
+                            [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
                 close_top_overlay();
             } else {
                 set_focus(0);
             }
             return true;
-        default: return false;
+        default:
+            return false;
     }
 }
 
@@ -102,7 +148,10 @@ void Ui::move_focus(int step) {
     const auto& all = nodes_before();
     const std::uint8_t layer = focus_layer();
     const auto size = static_cast<int>(all.size());
-    const auto fits = [&](int i) { return all[static_cast<std::size_t>(i)].layer == layer && has(all[static_cast<std::size_t>(i)].sense, Sense::focus); };
+    const auto fits = [&](int i) {
+        return all[static_cast<std::size_t>(i)].layer == layer &&
+               has(all[static_cast<std::size_t>(i)].sense, Sense::focus);
+    };
     const std::uint32_t current = index_before(focus_);
     int at = current == no_node ? (step > 0 ? -1 : size) : static_cast<int>(current);
     for (int tries = 0; tries < size; ++tries) {
@@ -150,7 +199,8 @@ bool Ui::move_by_arrow(Key key) {
     const std::uint32_t current = index_before(focus_);
     if (current == no_node) return false;
     std::uint32_t group = current;
-    while (group != no_node && !moves_by_arrows(all[group].role)) group = all[group].overlay ? no_node : all[group].parent;
+    while (group != no_node && !moves_by_arrows(all[group].role))
+        group = all[group].overlay ? no_node : all[group].parent;
     if (group == no_node) return false;
     const int a = key == Key::left || key == Key::right ? 0 : 1;
     const float sign = key == Key::left || key == Key::up ? -1.0F : 1.0F;

@@ -14,55 +14,107 @@ class Painter;
 class Ui;
 
 enum class Role : std::uint8_t {
-    none, window, panel, group, label, heading, button, toggle, checkbox, radio, combo, text_field, text_area, search_field,
-    slider, range, color, gradient, section, tab_list, tab, splitter, scroll_area, scroll_bar, list, list_item, table,
-    column_header, row, cell, tree, tree_item, grid, image, progress, status, tooltip, toast, menu_bar, menu, menu_item, dialog,
-    palette, plot, curve, timeline, canvas, handle, separator, link,
+    none,
+    window,
+    panel,
+    group,
+    label,
+    heading,
+    button,
+    toggle,
+    checkbox,
+    radio,
+    combo,
+    text_field,
+    text_area,
+    search_field,
+    slider,
+    range,
+    color,
+    gradient,
+    section,
+    tab_list,
+    tab,
+    splitter,
+    scroll_area,
+    scroll_bar,
+    list,
+    list_item,
+    table,
+    column_header,
+    row,
+    cell,
+    tree,
+    tree_item,
+    grid,
+    image,
+    progress,
+    status,
+    tooltip,
+    toast,
+    menu_bar,
+    menu,
+    menu_item,
+    dialog,
+    palette,
+    plot,
+    curve,
+    timeline,
+    canvas,
+    handle,
+    separator,
+    link,
 };
 std::string_view name_of(Role role);
 
 /// What a node wants to be told of. Bits.
 enum class Sense : std::uint32_t {
     none = 0,
-    hover = 1 << 0,          ///< lights up, has a tooltip
-    press = 1 << 1,          ///< left button: pressed, dragged, clicked
+    hover = 1 << 0,  ///< lights up, has a tooltip
+    press = 1 << 1,  ///< left button: pressed, dragged, clicked
     middle = 1 << 2,
-    context = 1 << 3,        ///< right button and the Menu key
-    focus = 1 << 4,          ///< can have the keyboard
+    context = 1 << 3,  ///< right button and the Menu key
+    focus = 1 << 4,    ///< can have the keyboard
     wheel = 1 << 5,
     command_wheel = 1 << 6,  ///< only with Ctrl, so that scrolling never edits
     drop = 1 << 7,
     // keys it takes while it has the keyboard; all others go on to shortcuts and to moving the focus
-    activate = 1 << 8,       ///< Enter and space: a click
+    activate = 1 << 8,  ///< Enter and space: a click
     arrows_x = 1 << 9,
     arrows_y = 1 << 10,
     pages = 1 << 11,
-    extremes = 1 << 12,      ///< Home and End, with Ctrl or without
-    erase = 1 << 13,         ///< Backspace and Delete
-    typing = 1 << 14,        ///< what is typed, Enter
-    editing = 1 << 15,       ///< a text is open: everything of a text field, Esc and Ctrl+Z among it
+    extremes = 1 << 12,  ///< Home and End, with Ctrl or without
+    erase = 1 << 13,     ///< Backspace and Delete
+    typing = 1 << 14,    ///< what is typed, Enter
+    editing = 1 << 15,   ///< a text is open: everything of a text field, Esc and Ctrl+Z among it
     escape = 1 << 16,
-    digits = 1 << 17,        ///< of what is typed, what a number can begin with
-    copying = 1 << 18,       ///< Ctrl+C, Ctrl+V, Ctrl+X
-    keys = 1 << 19,          ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
+    digits = 1 << 17,   ///< of what is typed, what a number can begin with
+    copying = 1 << 18,  ///< Ctrl+C, Ctrl+V, Ctrl+X
+    keys = 1 << 19,     ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
 };
-constexpr Sense operator|(Sense a, Sense b) { return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b)); }
-constexpr Sense operator&(Sense a, Sense b) { return static_cast<Sense>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b)); }
-constexpr bool has(Sense all, Sense one) { return (all & one) != Sense::none; }
+constexpr Sense operator|(Sense a, Sense b) {
+    return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
+}
+constexpr Sense operator&(Sense a, Sense b) {
+    return static_cast<Sense>(static_cast<std::uint32_t>(a) & static_cast<std::uint32_t>(b));
+}
+constexpr bool has(Sense all, Sense one) {
+    return (all & one) != Sense::none;
+}
 
 /// How a node is. Bits.
 enum class Is : std::uint16_t {
     nothing = 0,
     disabled = 1 << 0,
     hovered = 1 << 1,
-    held = 1 << 2,      ///< the pointer went down on it and is still down
+    held = 1 << 2,  ///< the pointer went down on it and is still down
     focused = 1 << 3,
-    ringed = 1 << 4,    ///< focused, and the keyboard was used last: shows its ring
+    ringed = 1 << 4,  ///< focused, and the keyboard was used last: shows its ring
     checked = 1 << 5,
     mixed = 1 << 6,
     selected = 1 << 7,
     expanded = 1 << 8,
-    changed = 1 << 9,   ///< from its default
+    changed = 1 << 9,  ///< from its default
     locked = 1 << 10,
     invalid = 1 << 11,  ///< what is typed cannot be taken
     read_only = 1 << 12,
@@ -70,10 +122,18 @@ enum class Is : std::uint16_t {
     busy = 1 << 14,
     modal = 1 << 15,
 };
-constexpr Is operator|(Is a, Is b) { return static_cast<Is>(static_cast<int>(a) | static_cast<int>(b)); }
-constexpr Is& operator|=(Is& a, Is b) { return a = a | b; }
-constexpr bool has(Is all, Is one) { return (static_cast<int>(all) & static_cast<int>(one)) != 0; }
-constexpr Is when(bool condition, Is state) { return condition ? state : Is::nothing; }
+constexpr Is operator|(Is a, Is b) {
+    return static_cast<Is>(static_cast<int>(a) | static_cast<int>(b));
+}
+constexpr Is& operator|=(Is& a, Is b) {
+    return a = a | b;
+}
+constexpr bool has(Is all, Is one) {
+    return (static_cast<int>(all) & static_cast<int>(one)) != 0;
+}
+constexpr Is when(bool condition, Is state) {
+    return condition ? state : Is::nothing;
+}
 
 enum class SizeKind : std::uint8_t {
     px,
@@ -85,10 +145,18 @@ struct Size {
     SizeKind kind = SizeKind::fit;
     float value = 0;  ///< px, weight or fraction
 };
-constexpr Size px(float v) { return {SizeKind::px, v}; }
-constexpr Size fit() { return {SizeKind::fit, 0}; }
-constexpr Size grow(float weight = 1) { return {SizeKind::grow, weight}; }
-constexpr Size fraction(float f) { return {SizeKind::fraction, f}; }
+constexpr Size px(float v) {
+    return {SizeKind::px, v};
+}
+constexpr Size fit() {
+    return {SizeKind::fit, 0};
+}
+constexpr Size grow(float weight = 1) {
+    return {SizeKind::grow, weight};
+}
+constexpr Size fraction(float f) {
+    return {SizeKind::fraction, f};
+}
 
 enum class Axis : std::uint8_t { x, y };
 /// Of children across their parent's axis, and along it where something is left over.
@@ -124,7 +192,7 @@ struct Node {
 
     Id id = 0;
     std::uint32_t parent = no_node, first = no_node, last = no_node, next = no_node;
-    std::uint32_t end = 0;    ///< one past the last of its descendants
+    std::uint32_t end = 0;       ///< one past the last of its descendants
     std::uint32_t children = 0;  ///< in the flow
 
     Size size[2] = {};
@@ -133,12 +201,12 @@ struct Node {
     std::uint8_t padding[4] = {};  ///< px: left, top, right, bottom
     Axis axis = Axis::y;
     Place cross = Place::stretch, main = Place::start;
-    bool rigid = true;          ///< does not shrink below its wish
+    bool rigid = true;  ///< does not shrink below its wish
     bool clips = false;
     bool scrolls[2] = {false, false};
-    bool placed = false;        ///< out of the flow, by `placement`
-    bool overlay = false;       ///< the root of an overlay
-    std::uint8_t layer = 0;     ///< 0: the window, then the overlays, in their order
+    bool placed = false;     ///< out of the flow, by `placement`
+    bool overlay = false;    ///< the root of an overlay
+    std::uint8_t layer = 0;  ///< 0: the window, then the overlays, in their order
     const Placement* placement = nullptr;
     ScrollState* scroll = nullptr;
     HeightForWidth height_for_width = nullptr;

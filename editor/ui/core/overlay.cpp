@@ -10,7 +10,9 @@ namespace lapfx::ui {
 namespace {
 
 constexpr Id overlay_seed = 0x6f7665726c617973ULL;
-Id key_of(std::string_view name) { return hash_bytes(overlay_seed, name); }
+Id key_of(std::string_view name) {
+    return hash_bytes(overlay_seed, name);
+}
 
 }  // namespace
 
@@ -18,13 +20,19 @@ void Ui::open_overlay(std::string_view name, OverlayKind kind, const Placement& 
     const Id key = key_of(name);
     std::erase_if(overlays_, [&](const Overlay& o) { return o.key == key; });
     assert(overlays_.size() < 200);
-    overlays_.push_back({.key = key, .kind = kind, .placement = placement, .opener_focus = focus_, .opened_build = build_,
-                         .built = 0, .wants_focus = kind != OverlayKind::passive});
+    overlays_.push_back({.key = key,
+                         .kind = kind,
+                         .placement = placement,
+                         .opener_focus = focus_,
+                         .opened_build = build_,
+                         .built = 0,
+                         .wants_focus = kind != OverlayKind::passive});
     again_ = true;
 }
 
 void Ui::close_overlay(std::string_view name) {
-    const auto at = std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
+    const auto at =
+        std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
     if (at == overlays_.end()) return;
     if (at->kind != OverlayKind::passive) set_focus(at->opener_focus, ringed_);
     overlays_.erase(at);
@@ -47,7 +55,8 @@ bool Ui::overlay_open(std::string_view name) const {
 }
 
 Node* Ui::open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis) {
-    const auto at = std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
+    const auto at =
+        std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
     if (at == overlays_.end()) return nullptr;
     at->built = build_;
     const auto layer = static_cast<std::size_t>(at - overlays_.begin());

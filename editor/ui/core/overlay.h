@@ -21,9 +21,9 @@ struct Overlay {
     Id key = 0;
     OverlayKind kind = OverlayKind::popup;
     Placement placement;
-    Id opener_focus = 0;           ///< gets the keyboard back
+    Id opener_focus = 0;  ///< gets the keyboard back
     std::uint32_t opened_build = 0, built = 0;
-    bool wants_focus = false;      ///< the keyboard goes to its first node once that is known
+    bool wants_focus = false;  ///< the keyboard goes to its first node once that is known
 };
 
 }  // namespace lapfx::ui

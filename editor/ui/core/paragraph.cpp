@@ -11,11 +11,13 @@ float paragraph_height(Fonts& fonts, std::string_view text, const TextStyle& sty
 
 float paragraph_width(Fonts& fonts, std::string_view text, const TextStyle& style) {
     float width = 0;
-    each_line(fonts, text, style, 1e9F, [&](std::string_view line) { width = std::max(width, fonts.run(line, style).width); });
+    each_line(fonts, text, style, 1e9F,
+              [&](std::string_view line) { width = std::max(width, fonts.run(line, style).width); });
     return width;
 }
 
-void draw_paragraph(Painter& painter, const Rect& rect, std::string_view text, const TextStyle& style, Color color, Align align) {
+void draw_paragraph(Painter& painter, const Rect& rect, std::string_view text, const TextStyle& style, Color color,
+                    Align align) {
     const float height = painter.fonts().metrics(style).height;
     Rect line{rect.x, rect.y, rect.w, height};
     each_line(painter.fonts(), text, style, rect.w, [&](std::string_view part) {

@@ -16,7 +16,9 @@ Sense sense_of(Button button) {
     return button == Button::left ? Sense::press : button == Button::middle ? Sense::middle : Sense::context;
 }
 
-bool finite(glm::vec2 v) { return std::isfinite(v.x) && std::isfinite(v.y); }
+bool finite(glm::vec2 v) {
+    return std::isfinite(v.x) && std::isfinite(v.y);
+}
 
 }  // namespace
 
@@ -42,16 +44,25 @@ void Ui::route(Event& event) {
     if (!finite(event.delta)) event.delta = {0, 0};
     mods_ = event.mods;
     switch (event.kind) {
-        case EventKind::pointer: return route_pointer(event);
-        case EventKind::press: return route_press(event);
-        case EventKind::release: return route_release(event);
-        case EventKind::wheel: return route_wheel(event);
-        case EventKind::text: return route_text(event);
-        case EventKind::drop: return route_drop(event);
+        case EventKind::pointer:
+            return route_pointer(event);
+        case EventKind::press:
+            return route_press(event);
+        case EventKind::release:
+            return route_release(event);
+        case EventKind::wheel:
+            return route_wheel(event);
+        case EventKind::text:
+            return route_text(event);
+        case EventKind::drop:
+            return route_drop(event);
         case EventKind::key:
-            if (std::find(keys_down_.begin(), keys_down_.end(), event.key) == keys_down_.end()) keys_down_.push_back(event.key);
+            if (std::find(keys_down_.begin(), keys_down_.end(), event.key) == keys_down_.end())
+                keys_down_.push_back(event.key);
             return route_key(event);
-        case EventKind::key_up: std::erase(keys_down_, event.key); return;
+        case EventKind::key_up:
+            std::erase(keys_down_, event.key);
+            return;
         case EventKind::pointer_out:
             pointer_inside_ = false;
             return find_hot(nodes_before());
@@ -59,11 +70,14 @@ void Ui::route(Event& event) {
             keys_down_.clear();
             mods_ = Mods::none;
             return cancel_held();
-        default: return;
+        default:
+            return;
     }
 }
 
-bool Ui::key_down(Key key) const { return std::find(keys_down_.begin(), keys_down_.end(), key) != keys_down_.end(); }
+bool Ui::key_down(Key key) const {
+    return std::find(keys_down_.begin(), keys_down_.end(), key) != keys_down_.end();
+}
 
 void Ui::send(Id target, const Event& event) {
     if (target == 0) return;
@@ -130,7 +144,8 @@ void Ui::route_press(Event& event) {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
         if (overlays_[i].kind == OverlayKind::passive) continue;
         bool inside = layer >= static_cast<int>(i) + 1;
-        for (const Node& node : nodes_before()) inside |= node.overlay && node.layer > i && node.rect().contains(event.at);
+        for (const Node& node : nodes_before())
+            inside |= node.overlay && node.layer > i && node.rect().contains(event.at);
         if (inside) break;
         if (overlays_[i].kind == OverlayKind::modal) return;
         const bool chain = overlays_[i].kind == OverlayKind::submenu;
@@ -166,10 +181,12 @@ void Ui::route_release(const Event& event) {
 
 /// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its end.
 void Ui::route_wheel(const Event& event) {
-    const std::uint32_t over = hit(nodes_before(), pointer_, Sense::hover | Sense::press | Sense::wheel | Sense::command_wheel);
+    const std::uint32_t over =
+        hit(nodes_before(), pointer_, Sense::hover | Sense::press | Sense::wheel | Sense::command_wheel);
     for (std::uint32_t i = over; i != no_node; i = nodes_before()[i].overlay ? no_node : nodes_before()[i].parent) {
         const Node& node = nodes_before()[i];
-        const bool wants = has(node.sense, Sense::wheel) || (has(node.sense, Sense::command_wheel) && has(event.mods, Mods::command));
+        const bool wants =
+            has(node.sense, Sense::wheel) || (has(node.sense, Sense::command_wheel) && has(event.mods, Mods::command));
         if (wants && node.scroll == nullptr) return send(node.id, event);
         if (node.scroll == nullptr || has(event.mods, Mods::command)) continue;
         ScrollState& scroll = *node.scroll;
@@ -189,7 +206,8 @@ void Ui::route_text(const Event& event) {
     if (node == nullptr) return;
     const char32_t c = event.codepoint;
     const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' || c == '=';
-    if (has(node->sense, Sense::typing) || has(node->sense, Sense::editing) || (has(node->sense, Sense::digits) && number))
+    if (has(node->sense, Sense::typing) || has(node->sense, Sense::editing) ||
+        (has(node->sense, Sense::digits) && number))
         send(focus_, event);
 }
 
@@ -279,13 +297,23 @@ void Ui::take(Response& r, const Node& node, const Event& event) {
             break;
         case EventKind::key:
             if (event.key == Key::menu) r.context = true;
-            if (has(node.sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space)) r.clicked = true;
+            if (has(node.sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space))
+                r.clicked = true;
             break;
-        case EventKind::wheel: r.wheel += event.delta.y; break;
-        case EventKind::cancel: r.cancelled = true; break;
-        case EventKind::focus_in: r.focus_in = true, r.by_tab = event.key == Key::tab; break;
-        case EventKind::focus_out: r.focus_out = true; break;
-        default: break;
+        case EventKind::wheel:
+            r.wheel += event.delta.y;
+            break;
+        case EventKind::cancel:
+            r.cancelled = true;
+            break;
+        case EventKind::focus_in:
+            r.focus_in = true, r.by_tab = event.key == Key::tab;
+            break;
+        case EventKind::focus_out:
+            r.focus_out = true;
+            break;
+        default:
+            break;
     }
 }
 

@@ -12,20 +12,24 @@ namespace {
 using nlohmann::ordered_json;
 
 constexpr std::array<std::string_view, 50> roles = {
-    "none", "window", "panel", "group", "label", "heading", "button", "toggle", "checkbox", "radio", "combo", "text field",
-    "text area", "search field", "slider", "range", "color", "gradient", "section", "tab list", "tab", "splitter", "scroll area",
-    "scroll bar", "list", "list item", "table", "column header", "row", "cell", "tree", "tree item", "grid", "image", "progress",
-    "status", "tooltip", "toast", "menu bar", "menu", "menu item", "dialog", "palette", "plot", "curve", "timeline", "canvas",
-    "handle", "separator", "link"};
+    "none",      "window",    "panel",    "group",         "label",     "heading",      "button",      "toggle",
+    "checkbox",  "radio",     "combo",    "text field",    "text area", "search field", "slider",      "range",
+    "color",     "gradient",  "section",  "tab list",      "tab",       "splitter",     "scroll area", "scroll bar",
+    "list",      "list item", "table",    "column header", "row",       "cell",         "tree",        "tree item",
+    "grid",      "image",     "progress", "status",        "tooltip",   "toast",        "menu bar",    "menu",
+    "menu item", "dialog",    "palette",  "plot",          "curve",     "timeline",     "canvas",      "handle",
+    "separator", "link"};
 static_assert(roles.size() == static_cast<std::size_t>(Role::link) + 1);
 
 constexpr std::pair<Is, std::string_view> states[] = {
-    {Is::disabled, "disabled"}, {Is::hovered, "hovered"}, {Is::held, "held"}, {Is::focused, "focused"},
-    {Is::checked, "checked"}, {Is::mixed, "mixed"}, {Is::selected, "selected"}, {Is::expanded, "expanded"},
-    {Is::changed, "changed"}, {Is::locked, "locked"}, {Is::invalid, "invalid"}, {Is::read_only, "read only"},
-    {Is::duplicate, "duplicate"}, {Is::busy, "busy"}, {Is::modal, "modal"}};
+    {Is::disabled, "disabled"},   {Is::hovered, "hovered"}, {Is::held, "held"},         {Is::focused, "focused"},
+    {Is::checked, "checked"},     {Is::mixed, "mixed"},     {Is::selected, "selected"}, {Is::expanded, "expanded"},
+    {Is::changed, "changed"},     {Is::locked, "locked"},   {Is::invalid, "invalid"},   {Is::read_only, "read only"},
+    {Is::duplicate, "duplicate"}, {Is::busy, "busy"},       {Is::modal, "modal"}};
 
-bool named(const Node& node) { return !node.label.empty() || node.role == Role::tooltip || node.role == Role::window; }
+bool named(const Node& node) {
+    return !node.label.empty() || node.role == Role::tooltip || node.role == Role::window;
+}
 
 std::string number_text(double value) {
     char buffer[32];
@@ -35,7 +39,8 @@ std::string number_text(double value) {
 
 /// What is not UTF-8 becomes U+FFFD: the tree is read by others.
 std::string clean(std::string_view text) {
-    return ordered_json::parse(ordered_json(std::string(text)).dump(-1, ' ', false, ordered_json::error_handler_t::replace))
+    return ordered_json::parse(
+               ordered_json(std::string(text)).dump(-1, ' ', false, ordered_json::error_handler_t::replace))
         .get<std::string>();
 }
 
@@ -104,7 +109,9 @@ std::string path_of(std::span<const Node> tree, std::uint32_t index) {
     return path;
 }
 
-bool exists(std::span<const Node> tree, std::string_view path) { return !matches(tree, path).empty(); }
+bool exists(std::span<const Node> tree, std::string_view path) {
+    return !matches(tree, path).empty();
+}
 
 std::uint32_t find(std::span<const Node> tree, std::string_view path) {
     const auto found = matches(tree, path);
@@ -150,7 +157,8 @@ std::vector<std::string> faults_of(std::span<const Node> tree) {
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
         if (has(tree[i].sense, Sense::focus) && tree[i].label.empty())
             faults.push_back(std::string(name_of(tree[i].role)) + " takes the keyboard and has no name");
-        if (has(tree[i].is, Is::duplicate)) faults.push_back(path_of(tree, i) + ": another widget beside it has the same label");
+        if (has(tree[i].is, Is::duplicate))
+            faults.push_back(path_of(tree, i) + ": another widget beside it has the same label");
     }
     return faults;
 }

@@ -9,10 +9,11 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr double tooltip_after = 0.5;      // s that the pointer rests
-constexpr double tooltip_by_keys = 0.9;    // s that the focus stays
+constexpr double tooltip_after = 0.5;    // s that the pointer rests
+constexpr double tooltip_by_keys = 0.9;  // s that the focus stays
 constexpr Id root_seed = 0x6c617066782e7569ULL;
-constexpr int most_settling = 3;  // builds without an event: hover that changes the layout that changes the hover must end
+constexpr int most_settling =
+    3;  // builds without an event: hover that changes the layout that changes the hover must end
 
 void draw_tooltip(Painter& painter, const Node& node, const TextStyle& style) {
     const Rect rect = node.rect();
@@ -24,20 +25,25 @@ void draw_tooltip(Painter& painter, const Node& node, const TextStyle& style) {
 
 float tooltip_height(Ui& ui, const Node& node, float width) {
     const auto pads = static_cast<float>(node.padding[0] + node.padding[2]);
-    return paragraph_height(ui.fonts(), node.text, ui.text_style(), width - pads) + static_cast<float>(node.padding[1] * 2);
+    return paragraph_height(ui.fonts(), node.text, ui.text_style(), width - pads) +
+           static_cast<float>(node.padding[1] * 2);
 }
 
-std::uint8_t byte_of(float v) { return static_cast<std::uint8_t>(std::clamp(v, 0.0F, 255.0F)); }
+std::uint8_t byte_of(float v) {
+    return static_cast<std::uint8_t>(std::clamp(v, 0.0F, 255.0F));
+}
 
 }  // namespace
 
 Ui::Ui(Fonts& fonts, const UiOptions& options) : fonts_(fonts), options_(options) {}
 
 TextStyle Ui::text_style(float relative_size, Weight weight) const {
-    return {.size = theme().font_size * input_.scale * relative_size, .weight = weight};
+    return {.size = em(relative_size), .weight = weight};
 }
 
-TextStyle Ui::number_style() const { return {.size = theme().font_size * input_.scale, .tabular = true}; }
+TextStyle Ui::number_style() const {
+    return {.size = em(1), .tabular = true};
+}
 
 void Ui::wake(const char* reason) {
     woken_.store(reason);
@@ -80,7 +86,8 @@ void Ui::begin(const FrameInput& input) {
 Id Ui::claim(const Label& label, bool& duplicate) {
     Id id = hash_bytes(stack_.back().seed, label.key);
     Seen* seen = &seen_.at(id);
-    for (std::uint64_t ordinal = 1; seen->build == build_; ++ordinal) {  // the second of one name is told from the first
+    for (std::uint64_t ordinal = 1; seen->build == build_;
+         ++ordinal) {  // the second of one name is told from the first
         duplicate = true;
         id = hash_bytes(id + ordinal, {});
         seen = &seen_.at(id);
@@ -130,7 +137,9 @@ Node& Ui::add(Role role, std::string_view text, Sense sense, bool overlay) {
     return node;
 }
 
-Node& Ui::leaf(Role role, std::string_view label, Sense sense) { return add(role, label, sense, false); }
+Node& Ui::leaf(Role role, std::string_view label, Sense sense) {
+    return add(role, label, sense, false);
+}
 
 Node& Ui::open(Role role, std::string_view label, Axis axis, Sense sense) {
     Node& node = add(role, label, sense, false);
@@ -307,14 +316,16 @@ void Ui::emit_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
         const Node& node = nodes()[ringed];
         painter.set_clip(node.clip);
         const float width = 2 * painter.hairline();
-        painter.frame(node.rect().inset(-painter.hairline()), theme().focus, width, em(theme().radius) + painter.hairline());
+        painter.frame(node.rect().inset(-painter.hairline()), theme().focus, width,
+                      em(theme().radius) + painter.hairline());
     }
 }
 
 std::size_t Ui::memory_used() const {
     const auto bytes = [](const auto& v) { return v.capacity() * sizeof(*v.data()); };
-    return bytes(built_[0]) + bytes(built_[1]) + arenas_[0].capacity() + arenas_[1].capacity() + bytes(list_.instances) +
-           bytes(list_.clips) + bytes(list_.batches) + seen_.size() * 2 * sizeof(Seen) + bytes(queue_) + bytes(routed_);
+    return bytes(built_[0]) + bytes(built_[1]) + arenas_[0].capacity() + arenas_[1].capacity() +
+           bytes(list_.instances) + bytes(list_.clips) + bytes(list_.batches) + seen_.size() * 2 * sizeof(Seen) +
+           bytes(queue_) + bytes(routed_);
 }
 
 }  // namespace lapfx::ui

@@ -67,11 +67,11 @@ inline constexpr double never = 1e300;
 
 struct FrameOutput {
     const DrawList* list = nullptr;
-    bool changed = true;          ///< the picture differs from the last one
+    bool changed = true;  ///< the picture differs from the last one
     Cursor cursor = Cursor::arrow;
     bool pointer_locked = false;  ///< hide the pointer and let it go on without bounds; put it back afterwards
     Rect caret{};                 ///< where text is typed, for input methods; empty: nowhere
-    double wake_at = never;       ///< s: the next frame is due then although nothing may happen; `time` or before: at once
+    double wake_at = never;  ///< s: the next frame is due then although nothing may happen; `time` or before: at once
 };
 
 /// Why a frame was asked for.
@@ -86,16 +86,16 @@ struct Response {
     bool pressed = false, released = false;  ///< left button
     bool clicked = false;                    ///< released over it, or Enter or space
     bool cancelled = false;
-    bool context = false;                    ///< right button, or the Menu key
+    bool context = false;  ///< right button, or the Menu key
     bool focus_in = false, focus_out = false;
-    bool by_tab = false;                     ///< focus_in through Tab
-    std::uint8_t clicks = 0;                 ///< of `pressed`: 2 is a double click
-    Button button = Button::left;            ///< of `held` and `pressed`
+    bool by_tab = false;           ///< focus_in through Tab
+    std::uint8_t clicks = 0;       ///< of `pressed`: 2 is a double click
+    Button button = Button::left;  ///< of `held` and `pressed`
     Mods mods = Mods::none;
-    glm::vec2 pointer{0};                    ///< px in the window
+    glm::vec2 pointer{0};  ///< px in the window
     glm::vec2 pressed_at{0};
-    glm::vec2 drag{0};                       ///< px that the held pointer moved since the last build
-    float wheel = 0;                         ///< notches
+    glm::vec2 drag{0};  ///< px that the held pointer moved since the last build
+    float wheel = 0;    ///< notches
 };
 
 /// What came of an edit; bits, since all may happen in one frame. A gesture is began, changed any number of times, and then
@@ -176,7 +176,10 @@ class Ui {
             if (target == id) each(event);
         }
     }
-    bool has_events(Id id) { const Seen* s = seen_.find(id); return s != nullptr && s->events == build_; }
+    bool has_events(Id id) {
+        const Seen* s = seen_.find(id);
+        return s != nullptr && s->events == build_;
+    }
     /// Of the last build; null: it was not there. Any widget's place before this frame's layout is the one of before.
     const Node* before(Id id);
     Rect rect_before(Id id);
@@ -339,8 +342,8 @@ class Ui {
 /// Children side by side or below each other.
 struct BoxOptions {
     Size width = fit(), height = fit();
-    float gap = -1;      ///< em; negative: the theme's
-    float padding = 0;   ///< em
+    float gap = -1;     ///< em; negative: the theme's
+    float padding = 0;  ///< em
     Place cross = Place::stretch, main = Place::start;
 };
 class Box {
@@ -362,7 +365,8 @@ struct Column : Box {
 /// A ground with a name: F6 goes from one to the next.
 class Panel {
   public:
-    Panel(Ui& ui, std::string_view label, const BoxOptions& options = {.width = grow(), .height = grow(), .padding = 0.6F});
+    Panel(Ui& ui, std::string_view label,
+          const BoxOptions& options = {.width = grow(), .height = grow(), .padding = 0.6F});
     ~Panel() { ui_.close(); }
     Panel(const Panel&) = delete;
     Panel& operator=(const Panel&) = delete;

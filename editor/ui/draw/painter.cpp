@@ -81,6 +81,10 @@ void Painter::start(glm::ivec2 size) {
     clips_.push_back({.rect = {0, 0, static_cast<float>(size.x), static_cast<float>(size.y)}});
 }
 
+void Painter::set_clip(const Rect& rect) {
+    if (clips_.back().rect != rect) clips_.back() = {.rect = rect};
+}
+
 void Painter::push_clip(const Rect& rect) {
     const Clip& outer = clips_.back();
     const Rect inner = intersect(rect, outer.rect);

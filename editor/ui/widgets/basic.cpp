@@ -28,7 +28,8 @@ float wrapped_height(Ui& ui, const Node& node, float width) {
 void draw_separator(Painter& painter, const Node& node, const Axis& across) {
     Rect rect = node.rect();
     const float line = painter.hairline();
-    across == Axis::x ? rect = {rect.x, std::round(rect.center().y), rect.w, line} : rect = {std::round(rect.center().x), rect.y, line, rect.h};
+    across == Axis::x ? rect = {rect.x, std::round(rect.center().y), rect.w, line}
+                      : rect = {std::round(rect.center().x), rect.y, line, rect.h};
     painter.fill(rect, painter.theme().border);
 }
 
@@ -98,11 +99,16 @@ void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
 
 Color color_of(const Theme& theme, Tone tone) {
     switch (tone) {
-        case Tone::dim: return theme.text_dim;
-        case Tone::good: return theme.good;
-        case Tone::warning: return theme.warning;
-        case Tone::error: return theme.error;
-        default: return theme.text;
+        case Tone::dim:
+            return theme.text_dim;
+        case Tone::good:
+            return theme.good;
+        case Tone::warning:
+            return theme.warning;
+        case Tone::error:
+            return theme.error;
+        default:
+            return theme.text;
     }
 }
 
@@ -110,7 +116,8 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
     TextStyle style = options.number ? ui.number_style() : ui.text_style(options.size, options.weight);
     Node& node = ui.leaf(Role::label, text);
     node.text = node.shown;
-    const TextLook look{node.shown, style, ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone), options.align};
+    const TextLook look{node.shown, style,
+                        ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone), options.align};
     if (options.wrap) {
         node.size[0] = options.width.kind == SizeKind::fit ? grow() : options.width;
         ui.draw_with<draw_wrapped>(node, look);

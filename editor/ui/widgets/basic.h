@@ -10,7 +10,8 @@ enum class Tone : std::uint8_t { normal, dim, good, warning, error };
 struct LabelOptions {
     Tone tone = Tone::normal;
     Align align = Align::start;
-    bool wrap = false;    ///< as many lines as the width asks for; else one, cut with an ellipsis and whole in its tooltip
+    bool wrap =
+        false;  ///< as many lines as the width asks for; else one, cut with an ellipsis and whole in its tooltip
     bool number = false;  ///< digits of one width
     float size = 1;       ///< em
     Weight weight = Weight::regular;
