@@ -68,6 +68,7 @@ Face::Face(FT_Library library, const std::string& file, int index, const Renderi
     shaping_.reset(hb_font_create(tables.get()));
     if ((index >> 16) > 0) hb_font_set_var_named_instance(shaping_.get(), static_cast<unsigned>(index >> 16) - 1);
     units_per_em_ = std::max(1U, hb_face_get_upem(tables.get()));
+    hb_font_get_h_extents(shaping_.get(), &extents_);
 }
 
 bool Face::has(char32_t codepoint) const {
@@ -76,11 +77,12 @@ bool Face::has(char32_t codepoint) const {
 }
 
 LineMetrics Face::metrics(float size) const {
-    hb_font_extents_t extents{};
-    hb_font_get_h_extents(shaping_.get(), &extents);
-    const auto px = [&](hb_position_t units) { return std::round(static_cast<float>(units) * scale(size)); };
-    LineMetrics metrics{.ascent = px(extents.ascender), .descent = px(-extents.descender)};
-    metrics.height = metrics.ascent + metrics.descent + std::max(0.0F, px(extents.line_gap));
+    // Asked for with every text drawn, hence no call of std::round.
+    const auto px = [factor = scale(size)](hb_position_t units) {
+        return static_cast<float>(static_cast<int>(static_cast<float>(std::max(0, units)) * factor + 0.5F));
+    };
+    LineMetrics metrics{.ascent = px(extents_.ascender), .descent = px(-extents_.descender)};
+    metrics.height = metrics.ascent + metrics.descent + px(extents_.line_gap);
     return metrics;
 }
 

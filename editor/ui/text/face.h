@@ -79,7 +79,8 @@ class Face {
     Owned<FT_FaceRec_, FT_Done_Face> outlines_;
     Owned<hb_font_t, hb_font_destroy> shaping_;
     std::uint32_t units_per_em_ = 1000;
-    std::uint16_t size_set_ = 0;  ///< quarters of a px, of outlines_
+    hb_font_extents_t extents_{};  ///< design units
+    std::uint16_t size_set_ = 0;   ///< quarters of a px, of outlines_
     Bitmap bitmap_;
 };
 

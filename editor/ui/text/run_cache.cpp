@@ -1,5 +1,7 @@
 #include "ui/text/run_cache.h"
 
+#include <algorithm>
+
 namespace lapfx::ui {
 
 namespace {
@@ -52,7 +54,8 @@ Run& RunCache::add(std::string_view text, std::uint64_t style) {
 
 void RunCache::release(std::uint32_t index) {
     Run& run = entries_[index]->run;
-    if (spare_.size() >= kept_spare || run.stops.capacity() > 8 * usual_text) {
+    const std::size_t held = std::max(entries_[index]->text.capacity(), run.glyphs.capacity());
+    if (spare_.size() >= kept_spare || held > 8 * usual_text) {
         entries_[index].reset();
         vacant_.push_back(index);
         return;
@@ -66,7 +69,7 @@ void RunCache::next_frame() {
     ++frame_;
     const std::uint64_t allowed = table_.size() > many ? short_patience : patience;
     // All slots in about half the patience.
-    for (std::size_t left = table_.slots() / 64; left > 0; --left) {
+    for (std::size_t left = table_.slots() / (allowed / 2); left > 0; --left) {
         sweep_ &= table_.slots() - 1;
         const std::uint32_t index = table_.in_slot(sweep_);
         if (index == IndexTable::none || frame_ - entries_[index]->used <= allowed) {

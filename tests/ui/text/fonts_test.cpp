@@ -91,12 +91,6 @@ TEST_F(Text, TabularDigitsAreEquallyWide) {
     EXPECT_LT(width("111"), width("888") - 3) << "Inter's own ones are narrow";
 }
 
-TEST(FontsWithoutTabularDigits, WidenTheirDigits) {
-    // DejaVu Serif has neither the feature nor the need; the rule itself must hold for any font.
-    Fonts fonts({.family = "DejaVu Serif", .hinting = Hinting::slight});
-    EXPECT_EQ(fonts.run("111", {.tabular = true}).width, fonts.run("888", {.tabular = true}).width);
-}
-
 TEST_F(Text, KernsPairs) {
     EXPECT_LT(width("AV", {.size = 40}), width("A", {.size = 40}) + width("V", {.size = 40}) - 1);
 }
