@@ -38,7 +38,11 @@ struct CaretStop {
     float x = 0;             ///< px from the start of the run
 };
 
-/// One line of text, shaped. Tabs are drawn as spaces, other control characters and bytes that are no UTF-8 as U+FFFD.
+/// Of a longer text a run is made of so much only: a pasted megabyte in a text field must not stop the frame. Its last stop is
+/// where it was cut.
+inline constexpr std::size_t max_run_bytes = 16384;
+
+/// One line of text, shaped, always from left to right. Tabs are drawn as spaces, other control characters and bytes that are no UTF-8 as U+FFFD.
 struct Run {
     std::vector<Instance>
         glyphs;  ///< kind glyph; x from the start of the run, y from the baseline; colour and clip not set
@@ -64,7 +68,7 @@ struct Atlas {
     glm::ivec2 size{0};
     std::vector<std::uint8_t> pixels;
     std::uint32_t serial = 0;  ///< grows with every change
-    std::uint32_t resets = 0;  ///< grows when places of glyphs changed: everything has to be sent again
+    std::uint32_t resets = 0;  ///< grows when the size or places of glyphs changed: everything has to be sent again
     glm::ivec4 dirty{0};       ///< x0, y0, x1, y1 changed since clear_dirty()
 };
 
