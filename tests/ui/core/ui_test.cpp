@@ -1,0 +1,254 @@
+#include "ui/core/ui.h"
+
+#include <gmock/gmock.h>
+
+#include "ui/support/harness.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::ui {
+namespace {
+
+TEST(Ui, AButtonIsClickedByPointerEnterAndSpace) {
+    int clicks = 0;
+    Harness ui([&](Ui& u) { clicks += button(u, "Reset") ? 1 : 0; });
+    ui.click("Reset");
+    EXPECT_EQ(clicks, 1);
+    ui.focus("Reset").key(Key::enter);
+    EXPECT_EQ(clicks, 2);
+    ui.key(Key::space);
+    EXPECT_EQ(clicks, 3);
+    EXPECT_TRUE(ui.is("Reset", Is::ringed));
+}
+
+TEST(Ui, PressAndReleaseInOneFrameBothCount) {
+    int clicks = 0;
+    Harness ui([&](Ui& u) { clicks += button(u, "Reset") ? 1 : 0; });
+    const glm::vec2 at = ui.rect("Reset").center();
+    for (int i = 0; i < 3; ++i) {
+        ui.ui().push({.kind = EventKind::press, .at = at});
+        ui.ui().push({.kind = EventKind::release, .at = at});
+    }
+    ui.frame();
+    EXPECT_EQ(clicks, 3);
+}
+
+TEST(Ui, ReleaseElsewhereIsNoClick) {
+    int clicks = 0;
+    Harness ui([&](Ui& u) { clicks += button(u, "Reset") ? 1 : 0; });
+    ui.press("Reset").drag_by({300, 200}).release();
+    EXPECT_EQ(clicks, 0);
+}
+
+TEST(Ui, DisabledWidgetsTakeNothing) {
+    int clicks = 0;
+    Harness ui([&](Ui& u) {
+        u.push_disabled(true);
+        clicks += button(u, "Reset") ? 1 : 0;
+        u.pop_disabled();
+        button(u, "Other");
+    });
+    EXPECT_TRUE(ui.is("Reset", Is::disabled));
+    ui.click("Reset");
+    EXPECT_EQ(clicks, 0);
+    ui.key(Key::tab);
+    EXPECT_EQ(ui.focused(), "Other");
+    ui.key(Key::tab);
+    EXPECT_EQ(ui.focused(), "Other");
+}
+
+TEST(Ui, HiddenPartsOfLabelsTellWidgetsApart) {
+    int left = 0, right = 0;
+    Harness ui([&](Ui& u) {
+        left += button(u, "Fit##left") ? 1 : 0;
+        right += button(u, "Fit##right") ? 1 : 0;
+    });
+    EXPECT_EQ(ui.ui().duplicates(), 0U);
+    EXPECT_THROW(ui.click("Fit"), std::invalid_argument);  // two of them: a test must say which
+}
+
+TEST(Ui, ALabelMayChangeBehindThreeMarks) {
+    int n = 0;
+    Harness ui([&](Ui& u) { n += button(u, std::to_string(n) + " clips###clips") ? 1 : 0; });
+    ui.click("0 clips");
+    EXPECT_TRUE(ui.is("1 clips", Is::focused));
+}
+
+TEST(Ui, WidgetsOfOneNameWorkEachForItselfAndAreReported) {
+    int clicks[2] = {};
+    Harness ui([&](Ui& u) {
+        for (int& each : clicks) each += button(u, "Same") ? 1 : 0;
+    });
+    EXPECT_EQ(ui.ui().duplicates(), 1U);
+    EXPECT_THAT(faults_of(ui.ui().tree()), testing::ElementsAre(testing::HasSubstr("Same")));
+    ui.key(Key::tab).key(Key::tab).key(Key::enter);
+    EXPECT_EQ(clicks[0], 0);
+    EXPECT_EQ(clicks[1], 1);
+}
+
+TEST(Ui, DoubleAndTripleClicksAreCountedOnOneWidgetOnly) {
+    std::vector<int> seen;
+    Harness ui([&](Ui& u) {
+        for (const char* name : {"A", "B"}) {
+            Node& node = u.leaf(Role::canvas, name, Sense::press);
+            node.size[0] = px(50), node.size[1] = px(50);
+            if (const Response r = u.respond(node); r.pressed) seen.push_back(r.clicks);
+        }
+    });
+    ui.click("A", {.clicks = 3});
+    ui.click("A").click("B");
+    EXPECT_THAT(seen, testing::ElementsAre(1, 2, 3, 1, 1));
+}
+
+TEST(Ui, EscapeOrTheOtherButtonGivesUpADrag) {
+    int cancelled = 0, released = 0;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::canvas, "Area", Sense::press | Sense::context);
+        node.size[0] = px(50), node.size[1] = px(50);
+        const Response r = u.respond(node);
+        cancelled += r.cancelled, released += r.released;
+    });
+    ui.press("Area").drag_by({10, 0}).key(Key::escape);
+    EXPECT_EQ(cancelled, 1);
+    ui.release();
+    EXPECT_EQ(released, 0);
+    ui.press("Area").send({.kind = EventKind::press, .button = Button::right, .at = ui.rect("Area").center()});
+    EXPECT_EQ(cancelled, 2);
+    ui.press("Area").send({.kind = EventKind::focus_lost});
+    EXPECT_EQ(cancelled, 3);
+}
+
+TEST(Ui, TabGoesRoundInTheOrderOfBuildingAndShiftTabBack) {
+    Harness ui([&](Ui& u) {
+        Row row(u);
+        for (const char* name : {"A", "B", "C"}) button(u, name);
+    });
+    for (const char* name : {"A", "B", "C", "A"}) EXPECT_EQ(ui.key(Key::tab).focused(), name);
+    for (const char* name : {"C", "B", "A"}) EXPECT_EQ(ui.key(Key::tab, Mods::shift).focused(), name);
+    ui.key(Key::escape);
+    EXPECT_EQ(ui.focused(), "");
+}
+
+TEST(Ui, F6GoesFromPanelToPanel) {
+    Harness ui([&](Ui& u) {
+        for (const char* name : {"Left", "Right"}) {
+            Panel panel(u, name);
+            button(u, "First");
+            button(u, "Second");
+        }
+    });
+    EXPECT_EQ(ui.key(Key::f6).focused(), "Left/First");
+    ui.key(Key::tab);
+    EXPECT_EQ(ui.key(Key::f6).focused(), "Right/First");
+    EXPECT_EQ(ui.key(Key::tab, Mods::command).focused(), "Left/First");
+    EXPECT_EQ(ui.key(Key::f6, Mods::shift).focused(), "Right/First");
+}
+
+TEST(Ui, ATooltipComesWhenThePointerRestsAndGoesWithIt) {
+    Harness ui([&](Ui& u) { button(u, "Reset", {.tip = "Back to the defaults"}); });
+    ui.move_to("Reset");
+    const auto shown = [&] {
+        for (const Node& node : ui.ui().tree()) {
+            if (node.role == Role::tooltip) return std::string(node.text);
+        }
+        return std::string();
+    };
+    EXPECT_EQ(shown(), "");
+    EXPECT_NEAR(ui.output().wake_at, ui.time + 0.5, 0.1);
+    ui.frame(0.6);
+    EXPECT_EQ(shown(), "Back to the defaults");
+    ui.move({500, 400});
+    EXPECT_EQ(shown(), "");
+}
+
+TEST(Ui, AnOverlayOpensByNameClosesByEscapeAndGivesTheFocusBack) {
+    Harness ui([&](Ui& u) {
+        if (button(u, "Open")) u.open_overlay("box", OverlayKind::popup, {.side = Placement::Side::center});
+        if (Node* node = u.open_overlay_node("box", Role::dialog, "Box", Axis::y)) {
+            node->size[0] = px(100);
+            button(u, "Inside");
+            u.close_overlay_node();
+        }
+    });
+    ui.focus("Open").key(Key::enter);
+    EXPECT_TRUE(ui.exists("Box/Inside"));
+    EXPECT_EQ(ui.focused(), "Box/Inside");
+    EXPECT_EQ(ui.key(Key::tab).focused(), "Box/Inside") << "the focus stays within";
+    ui.key(Key::escape);
+    EXPECT_FALSE(ui.exists("Box"));
+    EXPECT_EQ(ui.focused(), "Open");
+    ui.key(Key::enter).click("Box/Inside");
+    EXPECT_TRUE(ui.exists("Box"));
+    ui.send({.kind = EventKind::press, .at = {5, 470}});
+    EXPECT_FALSE(ui.exists("Box"));
+}
+
+TEST(Ui, WhatLiesUnderAModalCannotBeUsed) {
+    int clicks = 0;
+    bool open = true;
+    Harness ui([&](Ui& u) {
+        clicks += button(u, "Below") ? 1 : 0;
+        if (std::exchange(open, false)) u.open_overlay("ask", OverlayKind::modal, {.side = Placement::Side::center});
+        if (u.open_overlay_node("ask", Role::dialog, "Ask", Axis::y) != nullptr) {
+            button(u, "Yes");
+            u.close_overlay_node();
+        }
+    });
+    const glm::vec2 at = ui.rect("Below").center();
+    ui.send({.kind = EventKind::press, .at = at}).send({.kind = EventKind::release, .at = at});
+    EXPECT_EQ(clicks, 0);
+    EXPECT_TRUE(ui.exists("Ask"));
+    ui.key(Key::escape).send({.kind = EventKind::press, .at = at}).send({.kind = EventKind::release, .at = at});
+    EXPECT_EQ(clicks, 1);
+}
+
+TEST(Ui, AStillFrameIsTheSamePictureAndAsksForNothing) {
+    Harness ui([&](Ui& u) { button(u, "Reset"); });
+    ui.frame();
+    EXPECT_FALSE(ui.output().changed);
+    EXPECT_EQ(ui.output().wake_at, never);
+    ui.move_to("Reset");
+    EXPECT_TRUE(ui.output().changed) << "it lights up in the very frame of the event";
+}
+
+TEST(Ui, AWakeFromAnotherThreadAsksForAFrame) {
+    int called = 0;
+    Harness ui([&](Ui& u) {
+        button(u, "Reset");
+        if (called == 0) u.set_waker([&] { ++called; });
+    });
+    ui.ui().wake("decoded");
+    EXPECT_EQ(called, 1);
+    EXPECT_STREQ(ui.ui().wake_reasons().empty() ? "" : ui.ui().wake_reasons().back().reason, "");
+    ui.frame();
+    EXPECT_EQ(ui.output().wake_at, never) << "the frame that came is what was asked for";
+}
+
+TEST(Ui, AnyWindowAndScaleHold) {
+    for (const glm::ivec2 size : {glm::ivec2(0, 0), glm::ivec2(1, 1), glm::ivec2(7680, 4320)}) {
+        for (const float scale : {0.0F, 0.75F, 3.0F, std::numeric_limits<float>::quiet_NaN()}) {
+            Harness ui(
+                [&](Ui& u) {
+                    Panel panel(u, "Panel");
+                    button(u, "Reset");
+                },
+                size, scale);
+            EXPECT_GE(ui.rect("Panel/Reset").w, 0);
+        }
+    }
+}
+
+TEST(Tree, FindsByPathAndNamesWhatIsThere) {
+    Harness ui([&](Ui& u) {
+        Panel panel(u, "Bleeding");
+        button(u, "Speed");
+    });
+    EXPECT_TRUE(ui.exists("Bleeding/Speed"));
+    EXPECT_TRUE(ui.exists("**/Speed"));
+    EXPECT_FALSE(ui.exists("Speed"));
+    EXPECT_THROW(ui.click("Bleeding/Sped"), std::invalid_argument);
+    EXPECT_THAT(ui.dump(), testing::HasSubstr("button \"Speed\""));
+    EXPECT_THAT(dump_json(ui.ui().tree()), testing::HasSubstr("\"path\": \"Bleeding/Speed\""));
+}
+
+}  // namespace
+}  // namespace lapfx::ui
