@@ -99,7 +99,10 @@ void Ui::route_key(const Event& event) {
     const bool held_now = active_[0] != 0 || active_[1] != 0 || active_[2] != 0;
     if (held_now && event.key == Key::escape) return cancel_held();
     const Node* node = before(focus_);
-    if (node != nullptr && takes(node->sense, event.key, event.mods)) return send(focus_, event);
+    if (node != nullptr && takes(node->sense, event.key, event.mods)) {
+        ringed_ = true;
+        return send(focus_, event);
+    }
     const bool modal =
         std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
     if (!modal && options_.shortcuts != nullptr && options_.shortcuts->press(event.key, event.mods)) {
