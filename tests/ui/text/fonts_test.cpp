@@ -88,6 +88,8 @@ TEST_F(Text, TabularDigitsAreEquallyWide) {
         EXPECT_EQ(width("111.11", style), width("888.88", style));
         EXPECT_EQ(width("-7.4", style), width("-1.1", style));
     }
+    EXPECT_FLOAT_EQ(width("AV", {.tabular = true}), width("A", {.tabular = true}) + width("V", {.tabular = true}))
+        << "kerning would move the digits";
     EXPECT_LT(width("111"), width("888") - 3) << "Inter's own ones are narrow";
 }
 
@@ -248,6 +250,25 @@ TEST_F(Text, SmallLettersAreDrawnAtQuartersOfAPixel) {
     EXPECT_EQ(pictures(24), 1U);
 }
 
+TEST_F(Text, SmallLettersAreEvenlySpaced) {
+    const ui::Run& run = fonts.run("llllllllllll", {.size = 13});
+    const Atlas& atlas = fonts.atlas();
+    std::vector<float> centers;
+    for (const Instance& glyph : run.glyphs) {
+        float sum = 0, moment = 0;
+        for (int x = glyph.uv[0]; x < glyph.uv[2]; ++x) {
+            const float coverage = atlas.pixels[static_cast<std::size_t>((glyph.uv[1] + 4) * atlas.size.x + x)];
+            sum += coverage;
+            moment += coverage * (glyph.x + static_cast<float>(x - glyph.uv[0]));
+        }
+        centers.push_back(moment / sum);
+    }
+    ASSERT_EQ(centers.size(), 12U);
+    for (std::size_t i = 0; i < centers.size(); ++i) {
+        EXPECT_NEAR(centers[i] - centers[0], run.stops[i].x, 0.26) << i;  // two halves of a quarter px
+    }
+}
+
 TEST(Hints, ChangeThePicture) {
     Fonts none({.hinting = Hinting::none}), slight({.hinting = Hinting::slight});
     EXPECT_NE(drawn(none, "Smoke", {.size = 13}).pixels, drawn(slight, "Smoke", {.size = 13}).pixels);
@@ -393,9 +414,9 @@ TEST_F(Text, AMegabyteIsCutToWhatARunHolds) {
     EXPECT_EQ(run.byte_at(1e9F), max_run_bytes);
     EXPECT_EQ(run.x_of(999'999), run.width);
 
-    std::string wide = "a";
+    std::string wide = "ab";
     while (wide.size() < 1'000'000) wide += "\xe2\x82\xac";  // euro signs: the limit falls into one
-    EXPECT_EQ(fonts.run(wide, {}).stops.back().byte, 1 + (max_run_bytes - 1) / 3 * 3);
+    EXPECT_EQ(fonts.run(wide, {}).stops.back().byte, 2 + (max_run_bytes - 2) / 3 * 3);
 }
 
 TEST_F(Text, TowersOfMarksAndOtherOddTextsAreOneLine) {
