@@ -198,6 +198,7 @@ void Shaper::place(std::size_t first, std::size_t last, StyleKey style, Run& run
 
 void Shaper::place_box(const Letter& letter, StyleKey style, Run& run) {
     add_stop(letter, run);
+    if (ignorable(letter.codepoint)) return;
     const int x = static_cast<int>(std::floor(pen_ + 0.5));
     if (const Glyph* glyph = glyphs_.box(letter.codepoint, style.quarters)) add(*glyph, x, 0, run);
     pen_ += Glyphs::box_advance(letter.codepoint, style.quarters);

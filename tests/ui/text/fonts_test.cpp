@@ -206,6 +206,7 @@ TEST_F(Text, WhatNoFontHasIsABoxWithItsNumber) {
     EXPECT_EQ(run.glyphs[0].h, 15);
     EXPECT_EQ(bytes_of_stops(run), (std::vector<std::uint32_t>{0, 4}));
     EXPECT_GE(run.width, 17);
+    EXPECT_EQ(fonts.run("\xf4\x8f\xbf\xbe\xef\xb8\x8f", {}).glyphs.size(), 1U) << "a variation selector is never seen";
     EXPECT_NE(drawn(fonts, first, {}).pixels, drawn(fonts, second, {}).pixels);
 
     // The first digit is a 1: its middle column is set from top to bottom.
