@@ -187,8 +187,8 @@ void Shaper::place(std::size_t first, std::size_t last, StyleKey style, Run& run
             widening = digit ? (static_cast<double>(digit_width) - positions[i].x_advance) * scale : 0;
             pen_ += widening / 2;
         }
-        const auto steps = static_cast<int>(std::floor((pen_ + positions[i].x_offset * scale) * phases + 0.5));
-        const int x = steps >= 0 ? steps / phases : -((phases - 1 - steps) / phases), phase = steps - x * phases;
+        const double steps = std::floor((pen_ + positions[i].x_offset * scale) * phases + 0.5);
+        const int x = static_cast<int>(std::floor(steps / phases)), phase = static_cast<int>(steps) - x * phases;
         const int y = static_cast<int>(std::floor(-positions[i].y_offset * scale + 0.5));
         if (const Glyph* glyph = glyphs_.find(face, infos[i].codepoint, style.quarters, phase)) add(*glyph, x, y, run);
         pen_ += positions[i].x_advance * scale;
@@ -198,6 +198,7 @@ void Shaper::place(std::size_t first, std::size_t last, StyleKey style, Run& run
 
 void Shaper::place_box(const Letter& letter, StyleKey style, Run& run) {
     add_stop(letter, run);
+    if (ignorable(letter.codepoint)) return;
     const int x = static_cast<int>(std::floor(pen_ + 0.5));
     if (const Glyph* glyph = glyphs_.box(letter.codepoint, style.quarters)) add(*glyph, x, 0, run);
     pen_ += Glyphs::box_advance(letter.codepoint, style.quarters);
