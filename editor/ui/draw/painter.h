@@ -79,7 +79,7 @@ class Painter {
     const Theme& theme() const { return theme_; }
     Fonts& fonts() const { return fonts_; }
     /// px of `ems` font heights, rounded to whole px.
-    float em(float ems) const { return std::round(ems * theme_.font_size * scale_); }
+    float em(float ems) const { return whole(ems * theme_.font_size * scale_); }
     /// One px at scale 1, two from scale 1.75: the width of hairlines.
     float hairline() const { return scale_ < 1.75F ? 1.0F : std::round(scale_); }
     float scale() const { return scale_; }
@@ -104,6 +104,9 @@ class Painter {
     /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px; 0 where `rect` is clipped away.
     float text(const Rect& rect, std::string_view text, const TextStyle& style, Color color,
                Align align = Align::start);
+    /// The same with the run at hand: Ui has looked it up to measure it, and it holds until the end of the frame.
+    float text(const Rect& rect, std::string_view text, const Run& run, const TextStyle& style, Color color,
+               Align align = Align::start);
     /// As it is, from a baseline; for text fields, which place runs themselves.
     void run(const Run& run, glm::vec2 baseline, Color color);
 
@@ -124,7 +127,11 @@ class Painter {
     std::uint8_t clip_index();
     bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
 
+    const LineMetrics& metrics_of(const TextStyle& style);
+
     DrawList& list_;
+    TextStyle measured_{.size = 0};  ///< what `metrics_` is of: one style after another is nearly always the same
+    LineMetrics metrics_;
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;
