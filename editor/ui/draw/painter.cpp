@@ -183,10 +183,27 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
     instance.radius = whole_byte(radius);
 }
 
+/// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines through the
+/// smooth outer edge of its frame.
+bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
+    if (list_.instances.empty() || clips_.back().batch != list_.batches.size()) return false;
+    Instance& last = list_.instances.back();
+    const bool same = last.kind == InstanceKind::fill && last.border == 0 && last.radius == radius &&
+                      last.clip == clips_.back().index && last.x == rect.x && last.y == rect.y && last.w == rect.w &&
+                      last.h == rect.h;
+    if (!same) return false;
+    put_color(last.uv, 0, last.color);
+    last.uv[2] = 1;
+    last.color = color;
+    last.border = border;
+    return true;
+}
+
 void Painter::frame(const Rect& rect, Color color, float width, float radius) {
     if (color.a == 0 || hidden(rect)) return;
     const float border = std::max(1.0F, std::round(width));
     if (2 * border >= std::min(rect.w, rect.h)) return fill(rect, color, radius);
+    if (frame_last_fill(rect, color, whole_byte(border), whole_byte(radius))) return;
     // A large one would have its whole empty middle shaded for nothing: four bars then.
     if (radius < 0.5F && rect.w * rect.h > 64 * 64) {
         Rect inside = rect;

@@ -87,7 +87,7 @@ class Painter {
     TextStyle number_style() const;
 
     void fill(const Rect& rect, Color color, float radius = 0);
-    /// Inside `rect`; `width` is rounded to whole px, 1 at least.
+    /// Inside `rect`; `width` is rounded to whole px, 1 at least. Right after the fill of the same rectangle it costs nothing.
     void frame(const Rect& rect, Color color, float width, float radius = 0);
     /// Full inside, gone `softness` px outside.
     void shadow(const Rect& rect, Color color, float softness, float radius = 0);
@@ -123,6 +123,7 @@ class Painter {
 
   private:
     Instance& add(InstanceKind kind, Color color);
+    bool frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius);
     void need_batch(ImageHandle first, ImageHandle second);
     std::uint8_t clip_index();
     bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
