@@ -223,6 +223,12 @@ TEST(Expression, IsBoundedInLengthAndDepth) {
     std::string roots;
     for (int i = 0; i < 40; ++i) roots += "abs(";
     EXPECT_EQ(value(roots + "1" + std::string(40, ')')), 1);
+    std::string side_by_side;
+    for (int i = 0; i < 10; ++i) side_by_side += nested(8) + '+';
+    EXPECT_EQ(value(side_by_side + "0"), 10) << "80 brackets, but 8 deep";
+    std::string calls;
+    for (int i = 0; i < 20; ++i) calls += "abs(1)+";
+    EXPECT_EQ(value(calls + nested(50)), 21);
     EXPECT_EQ(value(std::string(255, '-') + "1"), -1);
     EXPECT_EQ(fault(std::string(256, '-') + "1"), "256: longer than 256 bytes");
     std::string powers = "1";
