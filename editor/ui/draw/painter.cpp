@@ -34,11 +34,16 @@ class Hash {
         add(all.size());
         const auto* from = reinterpret_cast<const unsigned char*>(all.data());
         std::size_t left = all.size() * sizeof(T);
-        for (; left >= 32; left -= 32, from += 32) block(from);
-        if (left == 0) return;
-        unsigned char last[32] = {};
-        std::memcpy(last, from, left);
-        block(last);
+        std::uint64_t a = lanes_[0], b = lanes_[1], c = lanes_[2], d = lanes_[3];
+        for (; left >= 32; left -= 32, from += 32) {
+            std::uint64_t words[4];
+            std::memcpy(words, from, 32);
+            step(a, words[0]), step(b, words[1]), step(c, words[2]), step(d, words[3]);
+        }
+        lanes_[0] = a, lanes_[1] = b, lanes_[2] = c, lanes_[3] = d;
+        std::uint64_t rest[4] = {};
+        if (left != 0) std::memcpy(rest, from, left);
+        for (int i = 0; i < 4; ++i) step(lanes_[i], rest[i]);
     }
     void add(std::uint64_t word) { step(lanes_[0], word); }
     std::uint64_t value() const {
@@ -51,11 +56,6 @@ class Hash {
     static void step(std::uint64_t& lane, std::uint64_t word) {
         const std::uint64_t product = (lane ^ word) * 0x9E3779B97F4A7C15ULL;
         lane = product << 31 | product >> 33;
-    }
-    void block(const unsigned char* from) {
-        std::uint64_t words[4];
-        std::memcpy(words, from, 32);
-        for (int i = 0; i < 4; ++i) step(lanes_[i], words[i]);
     }
     std::uint64_t lanes_[4] = {0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89};
 };
@@ -313,16 +313,24 @@ void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     const std::size_t first = all.size();
     all.insert(all.end(), run.glyphs.begin(), run.glyphs.end());
     Instance* out = all.data() + first;
+    const auto put = [&](const Instance& glyph) {
+        out->x = glyph.x + left;
+        out->y = glyph.y + top;
+        out->color = color;
+        out->clip = clip;
+    };
+    const bool in_sight =
+        left >= visible.x && left + run.width <= visible.right() && top >= visible.y && top <= visible.bottom();
+    if (in_sight) {
+        for (const Instance& glyph : run.glyphs) put(glyph), ++out;
+        return;
+    }
     // What is outside is overwritten by the next: no branch a glyph.
     for (const Instance& glyph : run.glyphs) {
-        Instance placed = glyph;
-        placed.x += left;
-        placed.y += top;
-        placed.color = color;
-        placed.clip = clip;
-        *out = placed;
-        out += static_cast<int>(placed.x < visible.right()) & static_cast<int>(placed.x + placed.w > visible.x) &
-               static_cast<int>(placed.y < visible.bottom()) & static_cast<int>(placed.y + placed.h > visible.y);
+        *out = glyph;
+        put(glyph);
+        out += static_cast<int>(out->x < visible.right()) & static_cast<int>(out->x + out->w > visible.x) &
+               static_cast<int>(out->y < visible.bottom()) & static_cast<int>(out->y + out->h > visible.y);
     }
     all.resize(static_cast<std::size_t>(out - all.data()));
 }

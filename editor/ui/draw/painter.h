@@ -79,7 +79,7 @@ class Painter {
     const Theme& theme() const { return theme_; }
     Fonts& fonts() const { return fonts_; }
     /// px of `ems` font heights, rounded to whole px.
-    float em(float ems) const { return std::round(ems * theme_.font_size * scale_); }
+    float em(float ems) const { return std::floor(ems * theme_.font_size * scale_ + 0.5F); }
     /// One px at scale 1, two from scale 1.75: the width of hairlines.
     float hairline() const { return scale_ < 1.75F ? 1.0F : std::round(scale_); }
     float scale() const { return scale_; }
