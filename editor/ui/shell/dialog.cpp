@@ -117,10 +117,11 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
         }
     }
     DialogState& state = state_of(ui_, name_);
-    if (state.fresh && ui_.focus() != 0) {
+    const Node* focused = ui_.before(ui_.focus());
+    if (state.fresh && focused != nullptr && focused->layer == ui_.parent().layer) {
         // a dialog of buttons alone begins at the standard one
-        if (ui_.focus() == first && standard != 0) ui_.set_focus(standard, ui_.focus_ringed());
-        state.fresh = !ui_.overlay_on_top(name_);
+        if (focused->id == first && standard != 0) ui_.set_focus(standard, ui_.focus_ringed());
+        state.fresh = false;
     }
     if (pressed && !stays) close();
     return pressed;
