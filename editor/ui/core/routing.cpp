@@ -26,6 +26,8 @@ bool finite(glm::vec2 v) {
 void Ui::take_events() {
     for (auto& each : routed_) each.second.paths.clear();
     routed_.clear();
+    for (const auto& [target, event] : late_) send(target, event);
+    late_.clear();
     dropped_.clear();
     moved_ = {0, 0};
     while (queue_head_ < queue_.size()) {
@@ -81,6 +83,11 @@ bool Ui::key_down(Key key) const {
 
 void Ui::send(Id target, const Event& event) {
     if (target == 0) return;
+    if (building_) {  // its widget may have been built already: in the next build it is told
+        late_.emplace_back(target, event);
+        again_ = true;
+        return;
+    }
     routed_.emplace_back(target, event);
     seen_.at(target).events = build_;
 }
@@ -258,6 +265,12 @@ void Ui::reveal(Id id) {
 Response Ui::respond(Node& node) {
     Response r;
     const Id id = node.id;
+    const bool concerned = node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
+    if (!concerned) {  // nearly all
+        r.pointer = pointer_;
+        r.mods = mods_;
+        return r;
+    }
     if (id == 0 || has(node.is, Is::disabled)) {
         if (id != 0 && id == hot_) node.is |= Is::hovered;
         return r;
@@ -273,8 +286,7 @@ Response Ui::respond(Node& node) {
     r.pressed_at = pressed_at_;
     r.mods = mods_;
     if (r.held) r.drag = moved_;
-    const Seen* seen = seen_.find(id);
-    if (seen == nullptr || seen->events != build_) return r;
+    if (!node.has_events) return r;
     for (const auto& [target, event] : routed_) {
         if (target == id) take(r, node, event);
     }

@@ -264,7 +264,7 @@ class Ui {
     const FrameOutput& emit();
     std::vector<Node>& nodes() { return built_[now_]; }
     const std::vector<Node>& nodes_before() const { return built_[1 - now_]; }
-    Id claim(const Label& label, bool& duplicate);
+    const Seen& claim(const Label& label, bool& duplicate);
     Node& add(Role role, std::string_view label, Sense sense, bool overlay);
     void add_tooltip();
     void drop_overlays_not_built();
@@ -317,6 +317,8 @@ class Ui {
     std::vector<Event> queue_;
     std::size_t queue_head_ = 0;
     std::vector<std::pair<Id, Event>> routed_;
+    std::vector<std::pair<Id, Event>> late_;  ///< sent while building, for the next build
+    bool building_ = false;
     std::string dropped_;
     Id hot_ = 0, hot_shown_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
     bool ringed_ = false, pointer_inside_ = false;

@@ -182,6 +182,20 @@ TEST(Ui, AnOverlayOpensByNameClosesByEscapeAndGivesTheFocusBack) {
     EXPECT_FALSE(ui.exists("Box"));
 }
 
+TEST(Ui, AWidgetIsToldThatItLostTheFocusEvenIfItIsBuiltFirst) {
+    int lost = 0;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus);
+        node.size[0] = px(50), node.size[1] = px(20);
+        lost += u.respond(node).focus_out ? 1 : 0;
+        const Id field = node.id;
+        if (button(u, "Drop") && field != 0) u.set_focus(0);
+        if (u.before(field) != nullptr && u.focus() == field && u.key_down(key_of('Q'))) u.set_focus(0);
+    });
+    ui.click("Field").key('Q');
+    EXPECT_EQ(lost, 1);
+}
+
 TEST(Ui, WhatLiesUnderAModalCannotBeUsed) {
     int clicks = 0;
     bool open = true;
