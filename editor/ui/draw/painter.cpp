@@ -24,8 +24,8 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
     uv[at + 1] = static_cast<std::uint16_t>(c.b | c.a << 8);
 }
 
-/// Four lanes, so that the processor has four multiplications under way at once; the rotation lets high bits reach the low
-/// ones, else two flips of a sign would cancel.
+/// Four lanes, so that the processor has four multiplications under way at once. Both halves of a product are folded into one:
+/// a bit of one word reaches all others, so that likely changes of two words do not cancel.
 class Hash {
   public:
     template <class T>
@@ -54,8 +54,9 @@ class Hash {
 
   private:
     static void step(std::uint64_t& lane, std::uint64_t word) {
-        const std::uint64_t product = (lane ^ word) * 0x9E3779B97F4A7C15ULL;
-        lane = product << 31 | product >> 33;
+        __extension__ using Wide = unsigned __int128;
+        const Wide product = static_cast<Wide>(lane ^ word) * 0x9E3779B97F4A7C15ULL;
+        lane = static_cast<std::uint64_t>(product) ^ static_cast<std::uint64_t>(product >> 64);
     }
     std::uint64_t lanes_[4] = {0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89};
 };
