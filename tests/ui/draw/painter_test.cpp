@@ -272,7 +272,7 @@ TEST_F(PainterTest, TextIsCentredUprightByItsMetricsAndAlignedAsAsked) {
 
 TEST_F(PainterTest, TextThatIsTooLongEndsInAnEllipsisWithinItsRectangle) {
     const TextStyle style = painter.text_style();
-    const float width = fonts.run("Droplet", style).width + fonts.run("\u2026", style).width + 1;
+    const float width = fonts.run("Droplet ", style).width + fonts.run("\u2026", style).width + 0.5F;
     const float drawn = painter.text({10, 10, width, 20}, "Droplet speed", style, red);
     EXPECT_NEAR(drawn, fonts.run("Droplet\u2026", style).width, 1e-4) << "no space before the dots";
     EXPECT_LE(drawn, width);

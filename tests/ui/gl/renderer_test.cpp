@@ -358,6 +358,20 @@ TEST_F(RendererTest, GlyphsThatComeLaterAreSentAndOnlyTheirRows) {
     EXPECT_EQ(cv::norm(canvas->read(), late, cv::NORM_INF), 0);
 }
 
+TEST_F(RendererTest, AnAtlasThatGrewOrWasPackedAnewIsSentWhole) {
+    const auto draw = [&](Painter& p) { p.text({0, 0, 120, 90}, "Grown", p.text_style(2), white); };
+    const Picture before = drawn(draw);
+    const glm::ivec2 first_size = fonts.atlas().size;
+    const std::uint32_t first_resets = fonts.atlas().resets;
+    for (int px = 60; px < 400 && fonts.atlas().size == first_size; px += 5) {
+        fonts.run("ABCDEFGHIJKLMNOPQRSTUVWXYZ", {.size = static_cast<float>(px)});
+        fonts.next_frame();
+    }
+    ASSERT_TRUE(fonts.atlas().size != first_size || fonts.atlas().resets != first_resets);
+    EXPECT_EQ(cv::norm(drawn(draw), before, cv::NORM_INF), 0);
+    EXPECT_EQ(cv::norm(drawn(draw), before, cv::NORM_INF), 0);
+}
+
 // --- pictures ---
 
 const std::vector<std::uint8_t> red_green_blue_white{255, 0, 0,   255, 0,   255, 0,   255,
