@@ -192,6 +192,9 @@ void Ui::route_wheel(const Event& event) {
         ScrollState& scroll = *node.scroll;
         glm::vec2 by = event.delta * em(theme().row_height) * wheel_lines;
         if (has(event.mods, Mods::shift) && by.x == 0) by = {by.y, 0};
+        for (int a = 0; a < 2; ++a) {
+            if (!node.scrolls[a]) by[a] = 0;
+        }
         const glm::vec2 most = glm::max(scroll.content - scroll.view, glm::vec2(0));
         const glm::vec2 next = glm::clamp(scroll.offset - by, glm::vec2(0), most);
         if (next == scroll.offset) continue;

@@ -221,6 +221,8 @@ class Ui {
     Clipboard* clipboard() const { return options_.clipboard; }
     /// Scrolls every area around it so that it can be seen; from the next build on.
     void reveal(Id id);
+    /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has changed since.
+    void build_again() { again_ = true; }
     /// Files dropped where no node wanted them, one a line; empty: none in this build.
     std::string_view dropped() const { return dropped_; }
 
@@ -292,6 +294,9 @@ class Ui {
     void move_focus(int step);
     void move_panel(int step);
     bool move_by_arrow(Key key);
+    bool scroll_by_key(Key key);
+    bool send_to_around(const Event& event, Sense sense);
+    std::uint32_t key_place();
     std::uint8_t focus_layer() const;
 
     Fonts& fonts_;
