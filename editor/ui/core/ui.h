@@ -163,6 +163,8 @@ class Ui {
     void push_seed(std::string_view key);
     void push_seed(std::uint64_t key);
     void pop_seed() { stack_.pop_back(); }
+    /// The id that a node with this label would have here: for what must be known of it before it is built.
+    Id id_of(std::string_view label) const { return hash_bytes(stack_.back().seed, split_label(label).key); }
     void push_disabled(bool disabled);
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
