@@ -163,6 +163,8 @@ class Ui {
     void push_seed(std::string_view key);
     void push_seed(std::uint64_t key);
     void pop_seed() { stack_.pop_back(); }
+    /// The id that a node with this label would have here: for what must be known of it before it is built.
+    Id id_of(std::string_view label) const { return hash_bytes(stack_.back().seed, split_label(label).key); }
     void push_disabled(bool disabled);
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
@@ -221,6 +223,8 @@ class Ui {
     Clipboard* clipboard() const { return options_.clipboard; }
     /// Scrolls every area around it so that it can be seen; from the next build on.
     void reveal(Id id);
+    /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has changed since.
+    void build_again() { again_ = true; }
     /// Files dropped where no node wanted them, one a line; empty: none in this build.
     std::string_view dropped() const { return dropped_; }
 
@@ -228,7 +232,11 @@ class Ui {
     void open_overlay(std::string_view name, OverlayKind kind, const Placement& placement);
     void close_overlay(std::string_view name);
     void close_top_overlay();
+    /// Those over it that can have the keyboard, the top one first; gives whether there were any.
+    bool close_overlays_over(std::string_view name);
     bool overlay_open(std::string_view name) const;
+    /// Open, and no other that can have the keyboard lies over it.
+    bool overlay_on_top(std::string_view name) const;
     /// Opens its node when the overlay is open (then close_overlay_node() must follow), else gives null. An overlay that is
     /// not built in a frame is closed. `label`: what it is called in the tree.
     Node* open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis);
@@ -292,6 +300,9 @@ class Ui {
     void move_focus(int step);
     void move_panel(int step);
     bool move_by_arrow(Key key);
+    bool scroll_by_key(Key key);
+    bool send_to_around(const Event& event, Sense sense);
+    std::uint32_t key_place();
     std::uint8_t focus_layer() const;
 
     Fonts& fonts_;
@@ -328,9 +339,11 @@ class Ui {
     int clicks_ = 0;
     Mods mods_ = Mods::none;
     std::vector<Key> keys_down_;
-    bool again_ = false;  ///< another build is wanted before drawing
-    bool fresh_ = true;   ///< the next build is the first of its frame
-    int settled_ = 0;     ///< builds of this frame that no event asked for
+    Id typed_for_ = 0;       ///< had the keyboard when the newest key went down
+    bool key_came_ = false;  ///< and no text or key_up since
+    bool again_ = false;     ///< another build is wanted before drawing
+    bool fresh_ = true;      ///< the next build is the first of its frame
+    int settled_ = 0;        ///< builds of this frame that no event asked for
 
     std::vector<Overlay> overlays_;
     std::vector<std::uint32_t> overlay_roots_;  ///< node of each overlay built, in order of overlays_
