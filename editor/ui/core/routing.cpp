@@ -176,8 +176,10 @@ void Ui::route_press(Event& event) {
     }
     const Node& node = nodes_before()[index];
     active_[static_cast<int>(event.button)] = target;
-    if (node.role == Role::menu_item) {
-        // what is chosen from a menu is for what had the keyboard before
+    const std::size_t over = node.layer;
+    const bool passive = over > 0 && over <= overlays_.size() && overlays_[over - 1].kind == OverlayKind::passive;
+    if (node.role == Role::menu_item || passive) {
+        // what is chosen from a menu is for what had the keyboard before; a notice never has it
     } else if (has(node.sense, Sense::focus)) {
         set_focus(target);
     } else if (node.role != Role::scroll_bar && node.role != Role::splitter) {
