@@ -60,9 +60,11 @@ void Ui::route(Event& event) {
         case EventKind::key:
             if (std::find(keys_down_.begin(), keys_down_.end(), event.key) == keys_down_.end())
                 keys_down_.push_back(event.key);
+            typed_for_ = focus_, key_came_ = true;
             return route_key(event);
         case EventKind::key_up:
             std::erase(keys_down_, event.key);
+            key_came_ = false;
             return;
         case EventKind::pointer_out:
             pointer_inside_ = false;
@@ -168,10 +170,15 @@ void Ui::route_press(Event& event) {
     last_pressed_ = target;
     pressed_at_ = event.at;
     moved_ = {0, 0};
-    if (target == 0) return set_focus(0);
+    if (target == 0) {  // beside everything; within a menu or a dialog the keyboard stays where it is
+        if (focus_layer() == 0) set_focus(0);
+        return;
+    }
     const Node& node = nodes_before()[index];
     active_[static_cast<int>(event.button)] = target;
-    if (has(node.sense, Sense::focus)) {
+    if (node.role == Role::menu_item) {
+        // what is chosen from a menu is for what had the keyboard before
+    } else if (has(node.sense, Sense::focus)) {
         set_focus(target);
     } else if (node.role != Role::scroll_bar && node.role != Role::splitter) {
         set_focus(0);
@@ -215,6 +222,8 @@ void Ui::route_wheel(const Event& event) {
 }
 
 void Ui::route_text(const Event& event) {
+    // The key moved the focus, as a shortcut or as the space that chose: its letter is not meant for what has it now.
+    if (std::exchange(key_came_, false) && typed_for_ != focus_) return;
     const Node* node = before(focus_);
     if (node == nullptr) return;
     const char32_t c = event.codepoint;

@@ -228,7 +228,11 @@ class Ui {
     void open_overlay(std::string_view name, OverlayKind kind, const Placement& placement);
     void close_overlay(std::string_view name);
     void close_top_overlay();
+    /// Those over it that can have the keyboard, the top one first; gives whether there were any.
+    bool close_overlays_over(std::string_view name);
     bool overlay_open(std::string_view name) const;
+    /// Open, and no other that can have the keyboard lies over it.
+    bool overlay_on_top(std::string_view name) const;
     /// Opens its node when the overlay is open (then close_overlay_node() must follow), else gives null. An overlay that is
     /// not built in a frame is closed. `label`: what it is called in the tree.
     Node* open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis);
@@ -328,9 +332,11 @@ class Ui {
     int clicks_ = 0;
     Mods mods_ = Mods::none;
     std::vector<Key> keys_down_;
-    bool again_ = false;  ///< another build is wanted before drawing
-    bool fresh_ = true;   ///< the next build is the first of its frame
-    int settled_ = 0;     ///< builds of this frame that no event asked for
+    Id typed_for_ = 0;       ///< had the keyboard when the newest key went down
+    bool key_came_ = false;  ///< and no text or key_up since
+    bool again_ = false;     ///< another build is wanted before drawing
+    bool fresh_ = true;      ///< the next build is the first of its frame
+    int settled_ = 0;        ///< builds of this frame that no event asked for
 
     std::vector<Overlay> overlays_;
     std::vector<std::uint32_t> overlay_roots_;  ///< node of each overlay built, in order of overlays_

@@ -201,6 +201,45 @@ TEST(Ui, WhatLiesUnderAModalCannotBeUsed) {
     EXPECT_EQ(clicks, 1);
 }
 
+TEST(Ui, AKeyThatMovesTheFocusDoesNotTypeThere) {
+    std::u32string typed;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus | Sense::typing);
+        node.size[0] = node.size[1] = px(30);
+        const Id field = node.id;
+        u.events_of(field, [&](const Event& e) {
+            if (e.kind == EventKind::text) typed += e.codepoint;
+        });
+        if (button(u, "To the field")) u.set_focus(field);
+    });
+    ui.focus("To the field").type(" ");
+    EXPECT_EQ(ui.focused(), "Field");
+    EXPECT_EQ(typed, U"");
+    ui.type("a b");
+    ui.send({.kind = EventKind::text, .codepoint = U'é'});  // of an input method: no key before it
+    EXPECT_EQ(typed, U"a bé");
+}
+
+TEST(Ui, OverlaysOverOneAreClosedAndPassiveOnesStay) {
+    bool start = true;
+    Harness ui([&](Ui& u) {
+        if (std::exchange(start, false)) {
+            u.open_overlay("low", OverlayKind::popup, {.side = Placement::Side::center});
+            u.open_overlay("note", OverlayKind::passive, {.side = Placement::Side::bottom_right});
+            u.open_overlay("high", OverlayKind::submenu, {.side = Placement::Side::center});
+        }
+        for (const char* name : {"low", "note", "high"}) {
+            if (u.open_overlay_node(name, Role::menu, name, Axis::y) != nullptr) u.close_overlay_node();
+        }
+    });
+    EXPECT_TRUE(ui.ui().overlay_on_top("high"));
+    EXPECT_TRUE(ui.ui().close_overlays_over("low"));
+    EXPECT_TRUE(ui.ui().overlay_on_top("low"));
+    EXPECT_FALSE(ui.ui().close_overlays_over("low"));
+    EXPECT_TRUE(ui.ui().overlay_open("note"));
+    EXPECT_FALSE(ui.ui().overlay_open("high"));
+}
+
 TEST(Ui, AStillFrameIsTheSamePictureAndAsksForNothing) {
     Harness ui([&](Ui& u) { button(u, "Reset"); });
     ui.frame();
