@@ -11,6 +11,7 @@ namespace {
 constexpr double double_click = 0.4;  // s between presses
 constexpr float same_place = 4;       // px at scale 1 that a double click may move
 constexpr float wheel_lines = 3;      // rows a notch
+constexpr double scroll_ends = 0.5;   // s without the wheel
 
 Sense sense_of(Button button) {
     return button == Button::left ? Sense::press : button == Button::middle ? Sense::middle : Sense::context;
@@ -33,7 +34,7 @@ void Ui::take_events() {
     while (queue_head_ < queue_.size()) {
         Event& event = queue_[queue_head_++];
         const bool discrete = event.kind == EventKind::press || event.kind == EventKind::release ||
-                              event.kind == EventKind::key || event.kind == EventKind::drop;
+                              event.kind == EventKind::key || event.kind == EventKind::drop || opens_entry(event);
         route(event);
         if (discrete) break;
     }
@@ -81,6 +82,12 @@ void Ui::route(Event& event) {
 
 bool Ui::key_down(Key key) const {
     return std::find(keys_down_.begin(), keys_down_.end(), key) != keys_down_.end();
+}
+
+/// The first of what is typed: the next is for a text that is open.
+bool Ui::opens_entry(const Event& event) {
+    const Node* node = event.kind == EventKind::text ? before(focus_) : nullptr;
+    return node != nullptr && !has(node->sense, Sense::editing);
 }
 
 void Ui::send(Id target, const Event& event) {
@@ -197,13 +204,19 @@ void Ui::route_release(const Event& event) {
 
 /// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its end.
 void Ui::route_wheel(const Event& event) {
+    const bool scrolling = event.time - scrolled_at_ < scroll_ends;
+    const double scrolled_before = std::exchange(scrolled_at_, event.time);
     const std::uint32_t over =
         hit(nodes_before(), pointer_, Sense::hover | Sense::press | Sense::wheel | Sense::command_wheel);
     for (std::uint32_t i = over; i != no_node; i = nodes_before()[i].overlay ? no_node : nodes_before()[i].parent) {
         const Node& node = nodes_before()[i];
-        const bool wants =
-            has(node.sense, Sense::wheel) || (has(node.sense, Sense::command_wheel) && has(event.mods, Mods::command));
-        if (wants && node.scroll == nullptr) return send(node.id, event);
+        const bool by_focus = has(node.sense, Sense::focus_wheel) && node.id == focus_ && !scrolling;
+        const bool wants = has(node.sense, Sense::wheel) || by_focus ||
+                           (has(node.sense, Sense::command_wheel) && has(event.mods, Mods::command));
+        if (wants && node.scroll == nullptr) {
+            if (by_focus) scrolled_at_ = scrolled_before;
+            return send(node.id, event);
+        }
         if (node.scroll == nullptr || has(event.mods, Mods::command)) continue;
         ScrollState& scroll = *node.scroll;
         glm::vec2 by = event.delta * em(theme().row_height) * wheel_lines;

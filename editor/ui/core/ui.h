@@ -288,6 +288,7 @@ class Ui {
     void route_wheel(const Event& event);
     void route_text(const Event& event);
     void route_drop(Event& event);
+    bool opens_entry(const Event& event);
     void cancel_held();
     void send(Id target, const Event& event);
     void take(Response& response, const Node& node, const Event& event);
@@ -296,6 +297,7 @@ class Ui {
     std::uint32_t index_before(Id id);
     // navigation.cpp: keys
     void route_key(const Event& event);
+    bool takes_under_pointer(const Event& event);
     bool navigate(const Event& event);
     void move_focus(int step);
     void move_panel(int step);
@@ -334,7 +336,7 @@ class Ui {
     Id hot_ = 0, hot_shown_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
     bool ringed_ = false, pointer_inside_ = false;
     glm::vec2 pointer_{-1, -1}, moved_{0}, pressed_at_{0}, rested_at_{-1, -1};
-    double rested_since_ = 0, last_press_ = -1e9;
+    double rested_since_ = 0, last_press_ = -1e9, scrolled_at_ = -1e9;
     Id last_pressed_ = 0;
     int clicks_ = 0;
     Mods mods_ = Mods::none;
