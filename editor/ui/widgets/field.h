@@ -1,0 +1,19 @@
+// What fields of all kinds have in common: the ground, the caption to its left, the thumb that shows where one has scrolled to.
+#pragma once
+
+#include "ui/core/ui.h"
+
+namespace lapfx::ui {
+
+/// The field of a row: what is right of the caption, or all of it when there is none.
+Rect field_part(const Rect& row, bool caption);
+void draw_caption(Painter& painter, const Node& node, bool caption);
+/// `is`: of the node; an invalid field has a red edge, one that has the keyboard a bright one.
+void draw_field(Painter& painter, const Rect& rect, Is is);
+
+/// Where the thumb of a scrolled view stands on its track, px; empty when all can be seen.
+Rect scroll_thumb(const Rect& track, const ScrollState& scroll, float least);
+/// The offset that moves the thumb by `px` along the track.
+float scrolled_by_thumb(const Rect& track, const ScrollState& scroll, float px, float least);
+
+}  // namespace lapfx::ui
