@@ -7,13 +7,18 @@ flat in vec4 v_shape;
 flat in uint v_kind;
 flat in vec4 v_other;
 #else
+flat in vec4 v_inside;
 flat in float v_glyph;
 #endif
 in vec4 v_place;
 
-layout(binding = 0) uniform sampler2D u_atlas;   // coverage
-layout(binding = 1) uniform sampler2D u_first;   // sRGB, straight alpha; always filtered, never mipmapped
+#ifndef LAPFX_UI_PICTURES
+layout(binding = 0) uniform samplerBuffer u_atlas;  // coverage, rows one after the other: an eighth of a frame faster on llvmpipe
+layout(location = 1) uniform int u_atlas_width;
+#else
+layout(binding = 1) uniform sampler2D u_first;  // sRGB, straight alpha; filtered, never mipmapped
 layout(binding = 2) uniform sampler2D u_second;
+#endif
 
 layout(location = 0) out vec4 o_color;
 
@@ -27,10 +32,10 @@ float distance_to(vec2 at, vec2 half_size, float radius) {
 
 void main() {
     float way = distance_to(v_place.xy, v_shape.xy, v_shape.z);
-    float shape = clamp(0.5 - way, 0.0, 1.0) - clamp(0.5 - way - v_shape.w, 0.0, 1.0);
-    float ink = texelFetch(u_atlas, ivec2(v_place.zw), 0).r;
+    float inside = clamp(0.5 - way - v_shape.w, 0.0, 1.0), frame = clamp(0.5 - way, 0.0, 1.0) - inside;
+    float ink = texelFetch(u_atlas, int(v_place.w) * u_atlas_width + int(v_place.z)).r;
     ink += v_shape.w * ink * (1.0 - ink);
-    o_color = v_color * (v_glyph > 0.5 ? ink : shape);
+    o_color = v_color * (v_glyph > 0.5 ? ink : frame) + v_inside * inside;
 }
 
 #else

@@ -19,6 +19,7 @@ flat out vec4 v_shape;  // half size and radius, px; frame's width, px, or how f
 flat out uint v_kind;
 flat out vec4 v_other;  // second colour, premultiplied; of compare: mode, gain, share of the second, bits
 #else
+flat out vec4 v_inside;  // within a frame, premultiplied
 flat out float v_glyph;  // 1 of a glyph, 0 of a shape
 #endif
 out vec4 v_place;  // xy: px from the middle of the shape; zw: in the texture
@@ -54,12 +55,18 @@ vec4 color_of(uint low, uint high) {
 // Thinner than a pixel: a pixel wide, and paler instead.
 vec2 thicken(vec2 half_size) {
     vec2 thick = max(half_size, 0.5);
-    v_color *= half_size.x / thick.x * half_size.y / thick.y;
+    float part = half_size.x / thick.x * half_size.y / thick.y;
+    v_color *= part;
+    v_inside *= part;
     return thick;
 }
 
 void put_fill(float radius, float border) {
     vec2 low = a_rect.xy, high = low + a_rect.zw, middle = low + 0.5 * a_rect.zw;
+    if (a_uv.z == 1u) {
+        v_inside = color_of(a_uv.x, a_uv.y);
+        v_color += v_inside * (1.0 - v_color.a);
+    }
     if (radius == 0.0 && border == 0.0 && fract(low) == vec2(0.0) && fract(high) == vec2(0.0)) {
         v_shape = vec4(1e6, 1e6, 0.0, no_border);  // the quad's own edges are the shape's
     } else {
@@ -105,6 +112,7 @@ void main() {
     corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
     clip = u_clips[a_bytes.w];
     v_color = premultiplied(a_color);
+    v_inside = vec4(0.0);
     v_glyph = 0.0;
     v_place = vec4(0.0);
     if (a_bytes.z == glyph_kind) put_glyph();

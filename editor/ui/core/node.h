@@ -192,8 +192,7 @@ struct Node {
 
     Id id = 0;
     std::uint32_t parent = no_node, first = no_node, last = no_node, next = no_node;
-    std::uint32_t end = 0;       ///< one past the last of its descendants
-    std::uint32_t children = 0;  ///< in the flow
+    std::uint32_t end = 0;  ///< one past the last of its descendants
 
     Size size[2] = {};
     float minimum[2] = {0, 0};  ///< px: never smaller, if it can be helped
@@ -212,6 +211,8 @@ struct Node {
     HeightForWidth height_for_width = nullptr;
 
     // made by layout
+    std::uint32_t in_flow = 0;  ///< children that are not placed by hand
+    bool has_placed = false;
     float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
     Rect clip;
 

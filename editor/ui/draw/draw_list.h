@@ -14,7 +14,8 @@
 namespace lapfx::ui {
 
 enum class InstanceKind : std::uint8_t {
-    fill,      ///< rectangle with rounded corners; `border` > 0: only a frame of that width, inside the rectangle
+    fill,  ///< rectangle with rounded corners; `border` > 0: only a frame of that width, inside the
+    ///< rectangle; uv[2] 1: and within it the colour in uv[0..1] (low 16 bits first), which is under the frame, too
     glyph,     ///< coverage from the atlas; uv in texels of it
     line,      ///< x, y to w, h (both ends absolute); uv[0] = width in 1/64 px; round caps
     image,     ///< the batch's image over the whole rectangle; uv in 1/65535 of it; `border` 1: nearest, 0: linear

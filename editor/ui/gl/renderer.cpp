@@ -13,8 +13,9 @@ extern const unsigned embedded_shader_count;
 
 namespace {
 
-constexpr std::size_t clip_block = 256;  // entries, of the shader's u_clips
-constexpr GLint pixel_uniform = 0;
+constexpr std::size_t clip_block = 256;                // entries, of the shader's u_clips
+constexpr GLint pixel_uniform = 0, width_uniform = 1;  // locations in the shaders
+constexpr GLint atlas_texels = 2048 * 2048;            // the most that Fonts makes
 
 std::string_view embedded(std::string_view name) {
     for (unsigned i = 0; i < embedded_shader_count; ++i) {
@@ -93,13 +94,12 @@ void describe_instances(GLuint vertices, GLuint instances) {
     glVertexArrayBindingDivisor(vertices, 0, 1);
 }
 
-/// Rows of `row_length` texels one after the other in our own memory, whatever the host set.
-void set_unpacking(int row_length) {
+/// Rows one after the other in our own memory, whatever the host set.
+void set_unpacking() {
     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glPixelStorei(GL_UNPACK_ROW_LENGTH, row_length);
-    for (const GLenum name : {GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES, GL_UNPACK_IMAGE_HEIGHT,
-                              GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST}) {
+    for (const GLenum name : {GL_UNPACK_ROW_LENGTH, GL_UNPACK_SKIP_ROWS, GL_UNPACK_SKIP_PIXELS, GL_UNPACK_SKIP_IMAGES,
+                              GL_UNPACK_IMAGE_HEIGHT, GL_UNPACK_SWAP_BYTES, GL_UNPACK_LSB_FIRST}) {
         glPixelStorei(name, 0);
     }
 }
@@ -107,11 +107,16 @@ void set_unpacking(int row_length) {
 }  // namespace
 
 Renderer::Renderer() {
+    GLint texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    if (texels < atlas_texels) throw std::runtime_error("the driver's buffer textures are too small for text");
     std::string fault;
     if (!reload(embedded("ui.vert"), embedded("ui.frag"), fault)) throw std::runtime_error(fault);
     glCreateVertexArrays(1, &vertices_);
     glCreateBuffers(1, &instances_);
     glCreateBuffers(1, &clips_);
+    glCreateBuffers(1, &atlas_);
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &atlas_texture_);
     describe_instances(vertices_, instances_);
 
     glCreateSamplers(1, &sampler_);
@@ -129,8 +134,9 @@ Renderer::Renderer() {
 Renderer::~Renderer() {
     for (const unsigned program : programs_) glDeleteProgram(program);
     for (const Picture& picture : pictures_) glDeleteTextures(1, &picture.texture);
-    glDeleteTextures(1, &atlas_);
+    glDeleteTextures(1, &atlas_texture_);
     glDeleteSamplers(1, &sampler_);
+    glDeleteBuffers(1, &atlas_);
     glDeleteBuffers(1, &instances_);
     glDeleteBuffers(1, &clips_);
     glDeleteVertexArrays(1, &vertices_);
@@ -149,26 +155,25 @@ bool Renderer::reload(std::string_view vertex, std::string_view fragment, std::s
 
 // --- sending ---
 
+/// Whole rows: the atlas is a buffer (shaders/ui.frag says why).
 void Renderer::send_atlas(Fonts& fonts) {
     const Atlas& atlas = fonts.atlas();
-    glm::ivec4 part = atlas.dirty;
-    if (atlas_ == 0 || atlas.size != atlas_size_) {
-        glDeleteTextures(1, &atlas_);
-        glCreateTextures(GL_TEXTURE_2D, 1, &atlas_);
-        atlas_size_ = atlas.size;
-        const glm::ivec2 size = glm::max(atlas.size, 1);
-        glTextureStorage2D(atlas_, 1, GL_R8, size.x, size.y);
-        part = {0, 0, atlas.size};
+    const bool whole = atlas.size != atlas_size_ || atlas.resets != atlas_resets_;
+    const auto width = static_cast<std::size_t>(atlas.size.x);
+    const int first = whole ? 0 : atlas.dirty.y, end = whole ? atlas.size.y : atlas.dirty.w;
+    if (end <= first) return;
+    const std::size_t bytes = static_cast<std::size_t>(end - first) * width;
+    if (atlas.size != atlas_size_) {
+        glNamedBufferData(atlas_, static_cast<GLsizeiptr>(bytes), atlas.pixels.data(), GL_DYNAMIC_DRAW);
+        glTextureBuffer(atlas_texture_, GL_R8, atlas_);
+    } else {
+        const std::size_t offset = static_cast<std::size_t>(first) * width;
+        glNamedBufferSubData(atlas_, static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(bytes),
+                             &atlas.pixels[offset]);
     }
-    if (atlas.resets != atlas_resets_) part = {0, 0, atlas.size};
+    atlas_size_ = atlas.size;
     atlas_resets_ = atlas.resets;
-    const int width = part.z - part.x, height = part.w - part.y;
-    if (width <= 0 || height <= 0) return;
-    set_unpacking(atlas.size.x);
-    const auto first =
-        static_cast<std::size_t>(part.y) * static_cast<std::size_t>(atlas.size.x) + static_cast<std::size_t>(part.x);
-    glTextureSubImage2D(atlas_, 0, part.x, part.y, width, height, GL_RED, GL_UNSIGNED_BYTE, &atlas.pixels[first]);
-    last_.bytes += static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+    last_.bytes += bytes;
     fonts.clear_dirty();
 }
 
@@ -179,7 +184,7 @@ void Renderer::send_picture(Picture& picture, const StoredImage& image) {
         glTextureStorage2D(picture.texture, 1, GL_RGBA8, image.size.x, image.size.y);
         picture.size = image.size;
     }
-    set_unpacking(0);
+    set_unpacking();
     glTextureSubImage2D(picture.texture, 0, 0, 0, image.size.x, image.size.y, GL_RGBA, GL_UNSIGNED_BYTE,
                         image.pixels.data());
     picture.serial = image.serial;
@@ -254,7 +259,8 @@ void Renderer::set_state(const DrawList& list, unsigned framebuffer) const {
     glBlendFunc(GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
     glBindVertexArray(vertices_);
     for (GLuint unit = 0; unit < 3; ++unit) glBindSampler(unit, sampler_);
-    glBindTextureUnit(0, atlas_);
+    glBindTextureUnit(0, atlas_texture_);
+    glProgramUniform1i(programs_[0], width_uniform, atlas_size_.x);
     for (const unsigned program : programs_) {
         glProgramUniform2f(program, pixel_uniform, 2.0F / static_cast<float>(list.size.x),
                            2.0F / static_cast<float>(list.size.y));

@@ -64,7 +64,8 @@ class Renderer {
     unsigned texture_of(ImageHandle image) const;
 
     Programs programs_{};
-    unsigned vertices_ = 0, instances_ = 0, clips_ = 0, sampler_ = 0, atlas_ = 0;
+    unsigned vertices_ = 0, instances_ = 0, clips_ = 0, sampler_ = 0;
+    unsigned atlas_ = 0, atlas_texture_ = 0;  ///< a buffer, and the texture that reads it
     glm::ivec2 atlas_size_{0};
     std::uint32_t atlas_resets_ = 0;
     std::size_t clip_alignment_ = 16;  ///< entries

@@ -50,6 +50,18 @@ bool common(hb_script_t script) {
     return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_UNKNOWN;
 }
 
+Rect around(std::span<const Instance> glyphs) {
+    if (glyphs.empty()) return {};
+    Rect all{glyphs[0].x, glyphs[0].y, 0, 0};
+    float right = all.x, bottom = all.y;
+    for (const Instance& glyph : glyphs) {
+        all.x = std::min(all.x, glyph.x), all.y = std::min(all.y, glyph.y);
+        right = std::max(right, glyph.x + glyph.w), bottom = std::max(bottom, glyph.y + glyph.h);
+    }
+    all.w = right - all.x, all.h = bottom - all.y;
+    return all;
+}
+
 }  // namespace
 
 Shaper::Shaper(Faces& faces, Glyphs& glyphs) : faces_(faces), glyphs_(glyphs), buffer_(hb_buffer_create()) {
@@ -75,6 +87,7 @@ void Shaper::shape(std::string_view text, StyleKey style, Run& run) {
         }
     }
     run.width = std::max(static_cast<float>(pen_), run.stops.back().x);
+    run.ink = around(run.glyphs);
     if (!text.empty()) run.stops.push_back({static_cast<std::uint32_t>(text.size()), run.width});
 }
 
