@@ -1,7 +1,5 @@
 #include "ui/widgets/combo.h"
 
-#include <charconv>
-
 #include "ui/value/utf8.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/text_field.h"
@@ -48,13 +46,6 @@ void draw_combo(Painter& painter, const Node& node, const ComboLook& look) {
                  disabled ? t.text_disabled
                  : none   ? t.text_dim
                           : t.text);
-}
-
-void draw_popup(Painter& painter, const Node& node, const bool&) {
-    const Theme& t = painter.theme();
-    painter.shadow(node.rect(), t.shadow, painter.em(0.6F), painter.em(t.radius));
-    painter.fill(node.rect(), t.raised, painter.em(t.radius));
-    painter.frame(node.rect(), t.border, painter.hairline(), painter.em(t.radius));
 }
 
 void draw_row(Painter& painter, const Node& node, const std::string_view& text) {
@@ -250,7 +241,7 @@ bool put_list(Ui& ui, Choosing& c, Node& root, int chosen, std::span<const std::
     root.size[0] = px(c.width);
     for (std::uint8_t& pad : root.padding) pad = static_cast<std::uint8_t>(ui.em(0.25F));
     root.gap = ui.em(0.25F);
-    ui.draw_with<draw_popup>(root, true);
+    ui.draw_with<draw_popup>(root, false);
     bool taken = false;
     const auto take = [&](const Event& event) { taken |= take_list_key(ui, c, event, choices, filters, leaves); };
     if (filters) {
@@ -296,12 +287,6 @@ int closed_choice(Ui& ui, Id id, const Response& r, int chosen, std::span<const 
     return next;
 }
 
-std::string_view name_of_list(Ui& ui, Id id) {
-    char digits[16];
-    const char* end = std::to_chars(digits, digits + sizeof digits, id, 16).ptr;
-    return ui.join({"combo ", {digits, static_cast<std::size_t>(end - digits)}});
-}
-
 }  // namespace
 
 bool contains_words(std::string_view text, std::string_view words) {
@@ -340,7 +325,7 @@ Edit combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::str
     if (last < 0 || has(node.is, Is::disabled) || (!opens && ui.overlay_count() == 0))
         return chosen != was ? Edit::once() : Edit{};
 
-    const std::string_view list_name = name_of_list(ui, id);
+    const std::string_view list_name = overlay_name(ui, "combo ", id);
     Choosing& c = ui.memory<Choosing>(id);
     if (opens) open_list(ui, c, id, list_name, chosen, choices, options.caption);
     if (!ui.overlay_open(list_name)) return chosen != was ? Edit::once() : Edit{};

@@ -1,5 +1,7 @@
 #include "ui/widgets/field.h"
 
+#include <charconv>
+
 namespace lapfx::ui {
 
 namespace {
@@ -29,6 +31,19 @@ void draw_field(Painter& painter, const Rect& rect, Is is) {
     painter.fill(rect, hovered ? t.field_hover : t.field, painter.em(t.radius));
     const Color edge = has(is, Is::invalid) ? t.error : has(is, Is::focused) ? t.focus : t.border;
     painter.frame(rect, edge, painter.hairline(), painter.em(t.radius));
+}
+
+void draw_popup(Painter& painter, const Node& node, const bool&) {
+    const Theme& t = painter.theme();
+    painter.shadow(node.rect(), t.shadow, painter.em(0.6F), painter.em(t.radius));
+    painter.fill(node.rect(), t.raised, painter.em(t.radius));
+    painter.frame(node.rect(), t.border, painter.hairline(), painter.em(t.radius));
+}
+
+std::string_view overlay_name(Ui& ui, std::string_view kind, Id owner) {
+    char digits[16];
+    const char* end = std::to_chars(digits, digits + sizeof digits, owner, 16).ptr;
+    return ui.join({kind, {digits, static_cast<std::size_t>(end - digits)}});
 }
 
 Rect scroll_thumb(const Rect& track, const ScrollState& scroll, float least) {
