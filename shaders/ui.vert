@@ -100,7 +100,8 @@ void put_line() {
 }
 
 void put_glyph() {
-    // Blended in sRGB, light text on dark looks thinner than dark on light does: it is bent by how light it is.
+    // Blended in sRGB, light text on dark looks thinner than dark on light does: half-covered pixels are made up to 0.1 stronger
+    // by how light the text is. Looked at with 14 px: 0 is spindly on dark, 0.8 half-bold; dark text stays as it is.
     float light = dot(a_color.rgb, vec3(0.2126, 0.7152, 0.0722));
     v_shape = vec4(1e6, 1e6, 0.0, 0.4 * light);
     v_glyph = 1.0;

@@ -29,19 +29,19 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
 /// of what comes in is lost.
 class Hash {
   public:
-    template <class T>
-    void add(const std::vector<T>& all) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        add(all.size());
+    template <class List>
+    void add(const List& all) {
+        static_assert(std::is_trivially_copyable_v<std::remove_cvref_t<decltype(*all.data())>>);
+        add_word(all.size());
         const auto* from = reinterpret_cast<const unsigned char*>(all.data());
-        std::size_t left = all.size() * sizeof(T);
+        std::size_t left = all.size() * sizeof(*all.data());
         for (; left >= 32; left -= 32, from += 32) block(from);
         if (left == 0) return;
         unsigned char last[32] = {};
         std::memcpy(last, from, left);
         block(last);
     }
-    void add(std::uint64_t word) { a_ = product(a_ ^ word, 0x9E3779B97F4A7C15ULL); }
+    void add_word(std::uint64_t word) { a_ = product(a_ ^ word, 0x9E3779B97F4A7C15ULL); }
     std::uint64_t value() const { return product(a_ ^ 0x243F6A8885A308D3ULL, b_ ^ 0x13198A2E03707344ULL); }
 
   private:
@@ -135,7 +135,7 @@ std::uint8_t Painter::clip_index() {
 
 Instance& Painter::add(InstanceKind kind, Color color) {
     const std::uint8_t clip = clip_index();
-    Instance& instance = list_.instances.emplace_back();
+    Instance& instance = list_.instances.add();
     instance.color = color;
     instance.kind = kind;
     instance.clip = clip;
@@ -149,13 +149,13 @@ void Painter::finish(const ImageStore* images) {
         last.count = static_cast<std::uint32_t>(list_.instances.size()) - last.first;
     }
     Hash hash;
-    hash.add(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
+    hash.add_word(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
     hash.add(list_.clears), hash.add(list_.instances), hash.add(list_.clips), hash.add(list_.batches);
-    hash.add(fonts_.atlas().serial);
+    hash.add_word(fonts_.atlas().serial);
     for (const Batch& batch : list_.batches) {
         for (const ImageHandle image : batch.images) {
             const StoredImage* stored = images != nullptr ? images->find(image) : nullptr;
-            hash.add(stored != nullptr ? stored->serial : 0);
+            hash.add_word(stored != nullptr ? stored->serial : 0);
         }
     }
     list_.hash = hash.value();
@@ -326,11 +326,9 @@ void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     if (!ink.overlaps(visible)) return;
     const bool inside = intersect(ink, visible) == ink;
     const std::uint8_t clip = clip_index();
-    std::vector<Instance>& all = list_.instances;
-    const std::size_t first = all.size();
-    all.insert(all.end(), run.glyphs.begin(), run.glyphs.end());
-    Instance* const end = all.data() + all.size();
-    for (Instance* glyph = all.data() + first; glyph != end; ++glyph) {
+    Instance* const first = list_.instances.add(run.glyphs);
+    Instance* const end = first + run.glyphs.size();
+    for (Instance* glyph = first; glyph != end; ++glyph) {
         glyph->x += left;
         glyph->y += top;
         glyph->color = color;
@@ -338,7 +336,7 @@ void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     }
     if (inside) return;
     const auto outside = [&](const Instance& g) { return !Rect{g.x, g.y, g.w, g.h}.overlaps(visible); };
-    all.erase(std::remove_if(all.begin() + static_cast<std::ptrdiff_t>(first), all.end(), outside), all.end());
+    list_.instances.shorten(static_cast<std::size_t>(std::remove_if(first, end, outside) - list_.instances.data()));
 }
 
 }  // namespace lapfx::ui
