@@ -1,8 +1,12 @@
+# -DNAMESPACE: of the tables, lapfx::gl unless told.
+if(NOT NAMESPACE)
+    set(NAMESPACE lapfx::gl)
+endif()
 set(text "// Written at build time from shaders/ by effects/cmake/write_embedded_shaders.cmake.
 #include <array>
 #include <string_view>
 #include <utility>
-namespace lapfx::gl {
+namespace ${NAMESPACE} {
 extern const std::pair<std::string_view, std::string_view>* const embedded_shaders;
 extern const unsigned embedded_shader_count;
 static constexpr std::pair<std::string_view, std::string_view> files[] = {\n")

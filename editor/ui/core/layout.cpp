@@ -7,7 +7,7 @@ namespace {
 float pads(const Node& node, int a) {
     return static_cast<float>(node.padding[a] + node.padding[a + 2]);
 }
-bool in_flow(const Node& node) {
+bool flows(const Node& node) {
     return !node.placed && !node.overlay;
 }
 
@@ -16,11 +16,16 @@ void wish(std::span<Node> nodes, int a) {
     for (std::size_t i = nodes.size(); i-- > 0;) {
         Node& node = nodes[i];
         const bool along = static_cast<int>(node.axis) == a;
-        if (along && node.children > 1) node.content[a] += node.gap * static_cast<float>(node.children - 1);
+        if (along && node.in_flow > 1) node.content[a] += node.gap * static_cast<float>(node.in_flow - 1);
         const float needs = node.scrolls[a] ? 0.0F : node.content[a] + pads(node, a);
         node.extent[a] = std::max(node.size[a].kind == SizeKind::px ? node.size[a].value : needs, node.minimum[a]);
-        if (node.parent == no_node || !in_flow(node)) continue;
+        if (node.parent == no_node || node.overlay) continue;
         Node& parent = nodes[node.parent];
+        if (node.placed) {
+            parent.has_placed = true;
+            continue;
+        }
+        if (a == 0) ++parent.in_flow;
         float& sum = parent.content[a];
         sum = static_cast<int>(parent.axis) == a ? sum + node.extent[a] : std::max(sum, node.extent[a]);
     }
@@ -32,10 +37,10 @@ struct Shares {
 
 /// Along its axis: fractions, shares of what is left, and shrinking where there is too little.
 void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
-    Shares all{.taken = node.children > 0 ? node.gap * static_cast<float>(node.children - 1) : 0.0F};
+    Shares all{.taken = node.in_flow > 0 ? node.gap * static_cast<float>(node.in_flow - 1) : 0.0F};
     for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
         Node& child = nodes[c];
-        if (!in_flow(child)) continue;
+        if (!flows(child)) continue;
         if (child.size[a].kind == SizeKind::grow) {
             all.weights += child.size[a].value;
             child.extent[a] = child.minimum[a];
@@ -51,44 +56,45 @@ void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
         const float part = std::min(1.0F, -left / all.can_shrink);
         for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
             Node& child = nodes[c];
-            if (in_flow(child) && !child.rigid && child.size[a].kind != SizeKind::grow)
+            if (flows(child) && !child.rigid && child.size[a].kind != SizeKind::grow)
                 child.extent[a] -= (child.extent[a] - child.minimum[a]) * part;
         }
     }
     if (all.weights <= 0) return;
     for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
         Node& child = nodes[c];
-        if (in_flow(child) && child.size[a].kind == SizeKind::grow)
+        if (flows(child) && child.size[a].kind == SizeKind::grow)
             child.extent[a] = std::max(child.minimum[a], left * child.size[a].value / all.weights);
     }
 }
 
 void put_along(std::span<Node> nodes, const Node& node, int a, float inside) {
-    float all = node.children > 0 ? node.gap * static_cast<float>(node.children - 1) : 0.0F;
-    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
-        if (in_flow(nodes[c])) all += nodes[c].extent[a];
-    }
-    const float left = std::max(0.0F, inside - all);
     float cursor = node.at[a] + static_cast<float>(node.padding[a]);
-    if (node.main == Place::center) cursor += left / 2;
-    if (node.main == Place::end) cursor += left;
-    if (node.scrolls[a] && node.scroll != nullptr) cursor -= std::round(node.scroll->offset[a]);
+    if (node.main == Place::center || node.main == Place::end) {
+        float all = node.in_flow > 0 ? node.gap * static_cast<float>(node.in_flow - 1) : 0.0F;
+        for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+            if (flows(nodes[c])) all += nodes[c].extent[a];
+        }
+        const float left = std::max(0.0F, inside - all);
+        cursor += node.main == Place::center ? left / 2 : left;
+    }
+    if (node.scrolls[a] && node.scroll != nullptr) cursor -= whole(node.scroll->offset[a]);
     for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
         Node& child = nodes[c];
-        if (!in_flow(child)) continue;
+        if (!flows(child)) continue;
         const float next = cursor + child.extent[a];
-        child.at[a] = std::round(cursor);  // both edges are rounded, not the width: neighbours always touch
-        child.extent[a] = std::max(0.0F, std::round(next) - child.at[a]);
+        child.at[a] = whole(cursor);  // both edges are rounded, not the width: neighbours always touch
+        child.extent[a] = std::max(0.0F, whole(next) - child.at[a]);
         cursor = next + node.gap;
     }
 }
 
 void put_across(std::span<Node> nodes, const Node& node, int a, float inside) {
     const float from = node.at[a] + static_cast<float>(node.padding[a]) -
-                       (node.scrolls[a] && node.scroll != nullptr ? std::round(node.scroll->offset[a]) : 0.0F);
+                       (node.scrolls[a] && node.scroll != nullptr ? whole(node.scroll->offset[a]) : 0.0F);
     for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
         Node& child = nodes[c];
-        if (!in_flow(child)) continue;
+        if (!flows(child)) continue;
         const SizeKind kind = child.size[a].kind;
         if (kind == SizeKind::fraction) child.extent[a] = inside * child.size[a].value;
         if (kind == SizeKind::grow || (kind == SizeKind::fit && node.cross == Place::stretch)) {
@@ -96,10 +102,10 @@ void put_across(std::span<Node> nodes, const Node& node, int a, float inside) {
         } else if (!child.rigid && !node.scrolls[a]) {
             child.extent[a] = std::min(child.extent[a], inside);
         }
-        child.extent[a] = std::round(std::max(child.extent[a], child.minimum[a]));
+        child.extent[a] = whole(std::max(child.extent[a], child.minimum[a]));
         const float left = inside - child.extent[a];
         const float shift = node.cross == Place::center ? left / 2 : node.cross == Place::end ? left : 0.0F;
-        child.at[a] = std::round(from + shift);
+        child.at[a] = whole(from + shift);
     }
 }
 
@@ -107,9 +113,8 @@ void put_placed(Node& child, const Node& parent, int a) {
     const Placement& p = *child.placement;
     if (child.size[a].kind == SizeKind::fraction) child.extent[a] = parent.extent[a] * child.size[a].value;
     if (child.size[a].kind == SizeKind::grow) child.extent[a] = parent.extent[a] - p.offset[a];
-    child.extent[a] = std::max(0.0F, std::round(child.extent[a]));
-    child.at[a] =
-        std::round(parent.at[a] + parent.extent[a] * p.fraction[a] + p.offset[a] - child.extent[a] * p.pivot[a]);
+    child.extent[a] = std::max(0.0F, whole(child.extent[a]));
+    child.at[a] = whole(parent.at[a] + parent.extent[a] * p.fraction[a] + p.offset[a] - child.extent[a] * p.pivot[a]);
 }
 
 /// Beside its anchor where there is room, else on the other side; always within the window.
@@ -121,7 +126,7 @@ void put_overlay(std::span<Node> nodes, Node& node, std::uint32_t anchor, int a,
     const float low = a == 0 ? rect.x : rect.y, length = a == 0 ? rect.w : rect.h;
     float& extent = node.extent[a];
     if (node.size[a].kind == SizeKind::fraction) extent = window * node.size[a].value;
-    extent = std::round(std::min(extent, window));
+    extent = whole(std::min(extent, window));
     const bool primary = (p.side == Side::below && a == 1) || (p.side == Side::right_of && a == 0);
     float at = low + p.offset[a];
     if (primary) {
@@ -134,7 +139,7 @@ void put_overlay(std::span<Node> nodes, Node& node, std::uint32_t anchor, int a,
     } else if (p.side == Side::bottom_right) {
         at = window - extent - p.offset[a];
     }
-    node.at[a] = std::round(std::clamp(at, 0.0F, std::max(0.0F, window - extent)));
+    node.at[a] = whole(std::clamp(at, 0.0F, std::max(0.0F, window - extent)));
 }
 
 bool keep_scroll(Node& node, int a, float inside) {
@@ -172,7 +177,7 @@ bool put(std::span<Node> nodes, int a, float window) {
         } else {
             put_across(nodes, node, a, inside);
         }
-        for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        for (std::uint32_t c = node.has_placed ? node.first : no_node; c != no_node; c = nodes[c].next) {
             if (nodes[c].placed) put_placed(nodes[c], node, a);
         }
     }

@@ -186,14 +186,14 @@ struct ScrollState {
 
 inline constexpr std::uint32_t no_node = 0xffffffffU;
 
-struct Node {
+/// Of 256 bytes: the index of one is found by a shift.
+struct alignas(64) Node {
     using Draw = void (*)(Painter&, const Node&, const void* arg);
     using HeightForWidth = float (*)(Ui&, const Node&, float width);
 
     Id id = 0;
     std::uint32_t parent = no_node, first = no_node, last = no_node, next = no_node;
-    std::uint32_t end = 0;       ///< one past the last of its descendants
-    std::uint32_t children = 0;  ///< in the flow
+    std::uint32_t end = 0;  ///< one past the last of its descendants
 
     Size size[2] = {};
     float minimum[2] = {0, 0};  ///< px: never smaller, if it can be helped
@@ -212,6 +212,8 @@ struct Node {
     HeightForWidth height_for_width = nullptr;
 
     // made by layout
+    std::uint32_t in_flow = 0;  ///< children that are not placed by hand
+    bool has_placed = false;
     float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
     Rect clip;
 
@@ -233,5 +235,6 @@ struct Node {
     }
     Rect seen() const { return intersect(rect(), clip); }
 };
+static_assert(sizeof(Node) == 256);
 
 }  // namespace lapfx::ui

@@ -133,7 +133,6 @@ Node& Ui::add(Role role, std::string_view text, Sense sense, bool overlay) {
             nodes()[parent.last].next = index;
         }
         parent.last = index;
-        ++parent.children;
     }
     return node;
 }

@@ -144,7 +144,7 @@ class Ui {
     double time() const { return input_.time; }
     glm::vec2 window() const { return glm::vec2(input_.size); }
     /// px of `ems` font heights, whole.
-    float em(float ems) const { return std::round(ems * theme().font_size * input_.scale); }
+    float em(float ems) const { return whole(ems * theme().font_size * input_.scale); }
     float row_height() const { return em(theme().row_height); }
     TextStyle text_style(float relative_size = 1, Weight weight = Weight::regular) const;
     TextStyle number_style() const;

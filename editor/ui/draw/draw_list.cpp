@@ -2,6 +2,13 @@
 
 namespace lapfx::ui {
 
+void Instances::grow(std::size_t least) {
+    capacity_ = std::max({least, capacity_ * 2, std::size_t{1024}});
+    auto items = std::make_unique<Instance[]>(capacity_);
+    if (size_ > 0) std::memcpy(static_cast<void*>(items.get()), items_.get(), size_ * sizeof(Instance));
+    items_ = std::move(items);
+}
+
 void DrawList::reset(glm::ivec2 frame_size) {
     size = frame_size;
     clears.clear(), instances.clear(), clips.clear(), batches.clear();

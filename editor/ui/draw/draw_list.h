@@ -6,6 +6,9 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
+#include <memory>
+#include <new>
 #include <span>
 #include <vector>
 
@@ -14,7 +17,8 @@
 namespace lapfx::ui {
 
 enum class InstanceKind : std::uint8_t {
-    fill,      ///< rectangle with rounded corners; `border` > 0: only a frame of that width, inside the rectangle
+    fill,  ///< rectangle with rounded corners; `border` > 0: only a frame of that width, inside the
+    ///< rectangle; uv[2] 1: and within it the colour in uv[0..1] (low 16 bits first), which is under the frame, too
     glyph,     ///< coverage from the atlas; uv in texels of it
     line,      ///< x, y to w, h (both ends absolute); uv[0] = width in 1/64 px; round caps
     image,     ///< the batch's image over the whole rectangle; uv in 1/65535 of it; `border` 1: nearest, 0: linear
@@ -34,6 +38,46 @@ struct Instance {
     std::uint8_t clip = 0;  ///< index into the batch's clips
 };
 static_assert(sizeof(Instance) == 32);
+
+/// A vector of instances that copies many at once as bytes: libstdc++ does so only for types without initialisers, and most of
+/// what a frame costs is copying glyphs.
+class Instances {
+  public:
+    Instance* data() { return items_.get(); }
+    const Instance* data() const { return items_.get(); }
+    std::size_t size() const { return size_; }
+    std::size_t capacity() const { return capacity_; }
+    bool empty() const { return size_ == 0; }
+    Instance& operator[](std::size_t i) { return items_[i]; }
+    const Instance& operator[](std::size_t i) const { return items_[i]; }
+    Instance* begin() { return data(); }
+    Instance* end() { return data() + size_; }
+    const Instance* begin() const { return data(); }
+    const Instance* end() const { return data() + size_; }
+    Instance& back() { return items_[size_ - 1]; }
+    const Instance& back() const { return items_[size_ - 1]; }
+    void clear() { size_ = 0; }
+    void shorten(std::size_t size) { size_ = std::min(size, size_); }
+    Instance& add() { return *new (room(1)) Instance; }
+    /// Gives the first of the copies.
+    Instance* add(std::span<const Instance> more) {
+        Instance* to = room(more.size());
+        std::memcpy(static_cast<void*>(to), more.data(), more.size_bytes());
+        return to;
+    }
+
+  private:
+    Instance* room(std::size_t count) {
+        if (size_ + count > capacity_) grow(size_ + count);
+        Instance* to = items_.get() + size_;
+        size_ += count;
+        return to;
+    }
+    void grow(std::size_t least);
+
+    std::unique_ptr<Instance[]> items_;
+    std::size_t size_ = 0, capacity_ = 0;
+};
 
 /// A texture that the UI shows. Values below `own_images` are names of OpenGL textures of the host (a viewport, a video frame),
 /// already display-encoded; from there on images of an ImageStore. 0 is none.
@@ -57,7 +101,7 @@ struct Clear {
 struct DrawList {
     glm::ivec2 size{0};         ///< px of the framebuffer
     std::vector<Clear> clears;  ///< opaque backgrounds, first of all, in order: far cheaper than instances on llvmpipe
-    std::vector<Instance> instances;
+    Instances instances;
     std::vector<Rect> clips;
     std::vector<Batch> batches;
     /// Of all above, the atlas and the images' serials: equal means the same picture, and nothing has to be drawn.

@@ -54,7 +54,7 @@ const char* drawing_of(Icon icon) {
         "F88ll Lg8g3333g8g",                                          // copy
         "F33ll D882 Dcc2 Dgg2",                                       // dice
         "A7c46i L78a8 L7gag Ahc4iu Le8h8 Leghg L8cgc",                // link
-        "Occ6 Dcc2 Lc2c5 Lcjcm L2c5c Ljcmc L5577 Lhhjj Lj5h7 L7h5j",  // gear
+        "Occ7 Dcc3 Lc2c4 Lckcm L2c4c Lkcmc L5566 Liijj Lj5i6 L6i5j",  // gear
         "F34lk L4i9cdggdki Dg92",                                     // image
         "Lc3cl L88c3h8 L8gclgg",                                      // drag_up_down
         "P5gc8jg",                                                    // sort_up
@@ -76,8 +76,8 @@ class IconPen {
         : painter_(painter), color_(color), side_(std::floor(std::min(rect.w, rect.h))) {
         origin_ = glm::round(rect.center() - side_ / 2);
         unit_ = side_ / grid;
-        stroke_ = std::max(1.2F, 0.09F * side_);
         whole_stroke_ = std::max(1.0F, std::round(0.09F * side_));
+        stroke_ = std::max(1.2F, (0.09F * side_ + whole_stroke_) / 2);  // slanted ones need no whole px, but the same weight
     }
 
     void part(char kind, std::span<const int> v) {
@@ -135,13 +135,15 @@ class IconPen {
     void arc(std::span<const int> v) {
         const float whole_turn = 6.2831853F, radius = unit_ * static_cast<float>(v[2]);
         const glm::vec2 center(crisp(at(v[0], v[1]).x + radius) - radius, crisp(at(v[0], v[1]).y + radius) - radius);
+        const float from = static_cast<float>(v[3]) / 24, turns = static_cast<float>(v[4] - v[3]) / 24;
+        const std::size_t segments = std::min(
+            most_points - 1, static_cast<std::size_t>(std::ceil(turns * (8 + side_ / 4))));  // 0.2 px off at most
         Points points;
-        for (std::size_t i = 0; i < most_points; ++i) {
-            const float along = static_cast<float>(i) / static_cast<float>(most_points - 1);
-            const float angle = glm::mix(static_cast<float>(v[3]), static_cast<float>(v[4]), along) / 24 * whole_turn;
+        for (std::size_t i = 0; i <= segments; ++i) {
+            const float angle = whole_turn * (from + turns * static_cast<float>(i) / static_cast<float>(segments));
             points[i] = center + radius * glm::vec2(std::cos(angle), std::sin(angle));
         }
-        painter_.polyline(points, stroke_, color_);
+        painter_.polyline(std::span(points).first(segments + 1), stroke_, color_);
     }
 
     /// A bar for each row of pixels, and a thin outline that makes the edges smooth.

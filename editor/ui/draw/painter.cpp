@@ -1,5 +1,6 @@
 #include "ui/draw/painter.h"
 
+#include <algorithm>
 #include <cassert>
 #include <cstring>
 #include <glm/gtc/packing.hpp>
@@ -24,40 +25,38 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
     uv[at + 1] = static_cast<std::uint16_t>(c.b | c.a << 8);
 }
 
-/// Four lanes, so that the processor has four multiplications under way at once; the rotation lets high bits reach the low
-/// ones, else two flips of a sign would cancel.
+/// Two lanes, so that the processor has two multiplications under way at once. Both halves of each product count, so that no bit
+/// of what comes in is lost.
 class Hash {
   public:
-    template <class T>
-    void add(const std::vector<T>& all) {
-        static_assert(std::is_trivially_copyable_v<T>);
-        add(all.size());
+    template <class List>
+    void add(const List& all) {
+        static_assert(std::is_trivially_copyable_v<std::remove_cvref_t<decltype(*all.data())>>);
+        add_word(all.size());
         const auto* from = reinterpret_cast<const unsigned char*>(all.data());
-        std::size_t left = all.size() * sizeof(T);
+        std::size_t left = all.size() * sizeof(*all.data());
         for (; left >= 32; left -= 32, from += 32) block(from);
         if (left == 0) return;
         unsigned char last[32] = {};
         std::memcpy(last, from, left);
         block(last);
     }
-    void add(std::uint64_t word) { step(lanes_[0], word); }
-    std::uint64_t value() const {
-        std::uint64_t all = 0;
-        for (const std::uint64_t lane : lanes_) step(all, lane);
-        return all ^ (all >> 32);
-    }
+    void add_word(std::uint64_t word) { a_ = product(a_ ^ word, 0x9E3779B97F4A7C15ULL); }
+    std::uint64_t value() const { return product(a_ ^ 0x243F6A8885A308D3ULL, b_ ^ 0x13198A2E03707344ULL); }
 
   private:
-    static void step(std::uint64_t& lane, std::uint64_t word) {
-        const std::uint64_t product = (lane ^ word) * 0x9E3779B97F4A7C15ULL;
-        lane = product << 31 | product >> 33;
+    static std::uint64_t product(std::uint64_t a, std::uint64_t b) {
+        __extension__ using Wide = unsigned __int128;
+        const Wide all = static_cast<Wide>(a) * b;
+        return static_cast<std::uint64_t>(all) ^ static_cast<std::uint64_t>(all >> 64);
     }
     void block(const unsigned char* from) {
-        std::uint64_t words[4];
-        std::memcpy(words, from, 32);
-        for (int i = 0; i < 4; ++i) step(lanes_[i], words[i]);
+        std::uint64_t w[4];
+        std::memcpy(w, from, 32);
+        a_ = product(w[0] ^ a_, w[1] ^ 0xA4093822299F31D0ULL) + a_;  // the sum: a product that is 0 must not forget
+        b_ = product(w[2] ^ b_, w[3] ^ 0x082EFA98EC4E6C89ULL) + b_ * 3;
     }
-    std::uint64_t lanes_[4] = {0x243F6A8885A308D3, 0x13198A2E03707344, 0xA4093822299F31D0, 0x082EFA98EC4E6C89};
+    std::uint64_t a_ = 0x452821E638D01377ULL, b_ = 0xBE5466CF34E90C6CULL;
 };
 
 }  // namespace
@@ -136,7 +135,7 @@ std::uint8_t Painter::clip_index() {
 
 Instance& Painter::add(InstanceKind kind, Color color) {
     const std::uint8_t clip = clip_index();
-    Instance& instance = list_.instances.emplace_back();
+    Instance& instance = list_.instances.add();
     instance.color = color;
     instance.kind = kind;
     instance.clip = clip;
@@ -150,13 +149,13 @@ void Painter::finish(const ImageStore* images) {
         last.count = static_cast<std::uint32_t>(list_.instances.size()) - last.first;
     }
     Hash hash;
-    hash.add(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
+    hash.add_word(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
     hash.add(list_.clears), hash.add(list_.instances), hash.add(list_.clips), hash.add(list_.batches);
-    hash.add(fonts_.atlas().serial);
+    hash.add_word(fonts_.atlas().serial);
     for (const Batch& batch : list_.batches) {
         for (const ImageHandle image : batch.images) {
             const StoredImage* stored = images != nullptr ? images->find(image) : nullptr;
-            hash.add(stored != nullptr ? stored->serial : 0);
+            hash.add_word(stored != nullptr ? stored->serial : 0);
         }
     }
     list_.hash = hash.value();
@@ -184,10 +183,27 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
     instance.radius = whole_byte(radius);
 }
 
+/// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines through the
+/// smooth outer edge of its frame.
+bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
+    if (list_.instances.empty() || clips_.back().batch != list_.batches.size()) return false;
+    Instance& last = list_.instances.back();
+    const bool same = last.kind == InstanceKind::fill && last.border == 0 && last.radius == radius &&
+                      last.clip == clips_.back().index && last.x == rect.x && last.y == rect.y && last.w == rect.w &&
+                      last.h == rect.h;
+    if (!same) return false;
+    put_color(last.uv, 0, last.color);
+    last.uv[2] = 1;
+    last.color = color;
+    last.border = border;
+    return true;
+}
+
 void Painter::frame(const Rect& rect, Color color, float width, float radius) {
     if (color.a == 0 || hidden(rect)) return;
     const float border = std::max(1.0F, std::round(width));
     if (2 * border >= std::min(rect.w, rect.h)) return fill(rect, color, radius);
+    if (frame_last_fill(rect, color, whole_byte(border), whole_byte(radius))) return;
     // A large one would have its whole empty middle shaded for nothing: four bars then.
     if (radius < 0.5F && rect.w * rect.h > 64 * 64) {
         Rect inside = rect;
@@ -271,9 +287,20 @@ void Painter::compare(const Rect& rect, ImageHandle first, ImageHandle second, c
 
 // --- text ---
 
+const LineMetrics& Painter::metrics_of(const TextStyle& style) {
+    if (!(style == measured_)) metrics_ = fonts_.metrics(style), measured_ = style;
+    return metrics_;
+}
+
 float Painter::text(const Rect& rect, std::string_view text, const TextStyle& style, Color color, Align align) {
     if (text.empty() || hidden(rect)) return 0;
-    const Run* run = &fonts_.run(text, style);
+    return this->text(rect, text, fonts_.run(text, style), style, color, align);
+}
+
+float Painter::text(const Rect& rect, std::string_view text, const Run& whole_run, const TextStyle& style, Color color,
+                    Align align) {
+    if (text.empty() || hidden(rect)) return 0;
+    const Run* run = &whole_run;
     // Layout rounds to whole px, so half a px too much is no reason to cut.
     if (run->width > rect.w + 0.5F) {
         const float dots = fonts_.run(ellipsis, style).width;
@@ -283,35 +310,33 @@ float Painter::text(const Rect& rect, std::string_view text, const TextStyle& st
         elided_.assign(kept).append(ellipsis);
         run = &fonts_.run(elided_, style);
     }
-    const LineMetrics metrics = fonts_.metrics(style);
+    const LineMetrics& metrics = metrics_of(style);
     const float space = rect.w - run->width;
     const float left = align == Align::start ? 0 : align == Align::center ? space / 2 : space;
-    const float top = std::floor((rect.h - metrics.ascent - metrics.descent) / 2 + 0.5F);
-    this->run(*run, {std::floor(rect.x + std::max(0.0F, left) + 0.5F), rect.y + top + metrics.ascent}, color);
+    const float top = whole((rect.h - metrics.ascent - metrics.descent) / 2);
+    this->run(*run, {whole(rect.x + std::max(0.0F, left)), rect.y + top + metrics.ascent}, color);
     return run->width;
 }
 
 void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     if (run.glyphs.empty() || color.a == 0) return;
-    const Rect visible = clip();
-    const float left = std::floor(baseline.x + 0.5F), top = std::floor(baseline.y + 0.5F);
+    const float left = whole(baseline.x), top = whole(baseline.y);
+    const Rect& visible = clip();
+    const Rect ink = run.ink.moved({left, top});
+    if (!ink.overlaps(visible)) return;
+    const bool inside = intersect(ink, visible) == ink;
     const std::uint8_t clip = clip_index();
-    std::vector<Instance>& all = list_.instances;
-    const std::size_t first = all.size();
-    all.insert(all.end(), run.glyphs.begin(), run.glyphs.end());
-    Instance* out = all.data() + first;
-    // What is outside is overwritten by the next: no branch a glyph.
-    for (const Instance& glyph : run.glyphs) {
-        Instance placed = glyph;
-        placed.x += left;
-        placed.y += top;
-        placed.color = color;
-        placed.clip = clip;
-        *out = placed;
-        out += static_cast<int>(placed.x < visible.right()) & static_cast<int>(placed.x + placed.w > visible.x) &
-               static_cast<int>(placed.y < visible.bottom()) & static_cast<int>(placed.y + placed.h > visible.y);
+    Instance* const first = list_.instances.add(run.glyphs);
+    Instance* const end = first + run.glyphs.size();
+    for (Instance* glyph = first; glyph != end; ++glyph) {
+        glyph->x += left;
+        glyph->y += top;
+        glyph->color = color;
+        glyph->clip = clip;
     }
-    all.resize(static_cast<std::size_t>(out - all.data()));
+    if (inside) return;
+    const auto outside = [&](const Instance& g) { return !Rect{g.x, g.y, g.w, g.h}.overlaps(visible); };
+    list_.instances.shorten(static_cast<std::size_t>(std::remove_if(first, end, outside) - list_.instances.data()));
 }
 
 }  // namespace lapfx::ui

@@ -79,7 +79,7 @@ class Painter {
     const Theme& theme() const { return theme_; }
     Fonts& fonts() const { return fonts_; }
     /// px of `ems` font heights, rounded to whole px.
-    float em(float ems) const { return std::round(ems * theme_.font_size * scale_); }
+    float em(float ems) const { return whole(ems * theme_.font_size * scale_); }
     /// One px at scale 1, two from scale 1.75: the width of hairlines.
     float hairline() const { return scale_ < 1.75F ? 1.0F : std::round(scale_); }
     float scale() const { return scale_; }
@@ -87,7 +87,7 @@ class Painter {
     TextStyle number_style() const;
 
     void fill(const Rect& rect, Color color, float radius = 0);
-    /// Inside `rect`; `width` is rounded to whole px, 1 at least.
+    /// Inside `rect`; `width` is rounded to whole px, 1 at least. Right after the fill of the same rectangle it costs nothing.
     void frame(const Rect& rect, Color color, float width, float radius = 0);
     /// Full inside, gone `softness` px outside.
     void shadow(const Rect& rect, Color color, float softness, float radius = 0);
@@ -103,6 +103,9 @@ class Painter {
     void icon(const Rect& rect, Icon icon, Color color);
     /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px; 0 where `rect` is clipped away.
     float text(const Rect& rect, std::string_view text, const TextStyle& style, Color color,
+               Align align = Align::start);
+    /// The same with the run at hand: Ui has looked it up to measure it, and it holds until the end of the frame.
+    float text(const Rect& rect, std::string_view text, const Run& run, const TextStyle& style, Color color,
                Align align = Align::start);
     /// As it is, from a baseline; for text fields, which place runs themselves.
     void run(const Run& run, glm::vec2 baseline, Color color);
@@ -120,11 +123,16 @@ class Painter {
 
   private:
     Instance& add(InstanceKind kind, Color color);
+    bool frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius);
     void need_batch(ImageHandle first, ImageHandle second);
     std::uint8_t clip_index();
     bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
 
+    const LineMetrics& metrics_of(const TextStyle& style);
+
     DrawList& list_;
+    TextStyle measured_{.size = 0};  ///< what `metrics_` is of: one style after another is nearly always the same
+    LineMetrics metrics_;
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;

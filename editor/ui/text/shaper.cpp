@@ -50,6 +50,18 @@ bool common(hb_script_t script) {
     return script == HB_SCRIPT_COMMON || script == HB_SCRIPT_INHERITED || script == HB_SCRIPT_UNKNOWN;
 }
 
+Rect around(std::span<const Instance> glyphs) {
+    if (glyphs.empty()) return {};
+    Rect all{glyphs[0].x, glyphs[0].y, 0, 0};
+    float right = all.x, bottom = all.y;
+    for (const Instance& glyph : glyphs) {
+        all.x = std::min(all.x, glyph.x), all.y = std::min(all.y, glyph.y);
+        right = std::max(right, glyph.x + glyph.w), bottom = std::max(bottom, glyph.y + glyph.h);
+    }
+    all.w = right - all.x, all.h = bottom - all.y;
+    return all;
+}
+
 }  // namespace
 
 Shaper::Shaper(Faces& faces, Glyphs& glyphs) : faces_(faces), glyphs_(glyphs), buffer_(hb_buffer_create()) {
@@ -75,6 +87,7 @@ void Shaper::shape(std::string_view text, StyleKey style, Run& run) {
         }
     }
     run.width = std::max(static_cast<float>(pen_), run.stops.back().x);
+    run.ink = around(run.glyphs);
     if (!text.empty()) run.stops.push_back({static_cast<std::uint32_t>(text.size()), run.width});
 }
 
@@ -187,8 +200,8 @@ void Shaper::place(std::size_t first, std::size_t last, StyleKey style, Run& run
             widening = digit ? (static_cast<double>(digit_width) - positions[i].x_advance) * scale : 0;
             pen_ += widening / 2;
         }
-        const auto steps = static_cast<int>(std::floor((pen_ + positions[i].x_offset * scale) * phases + 0.5));
-        const int x = steps >= 0 ? steps / phases : -((phases - 1 - steps) / phases), phase = steps - x * phases;
+        const double steps = std::floor((pen_ + positions[i].x_offset * scale) * phases + 0.5);
+        const int x = static_cast<int>(std::floor(steps / phases)), phase = static_cast<int>(steps) - x * phases;
         const int y = static_cast<int>(std::floor(-positions[i].y_offset * scale + 0.5));
         if (const Glyph* glyph = glyphs_.find(face, infos[i].codepoint, style.quarters, phase)) add(*glyph, x, y, run);
         pen_ += positions[i].x_advance * scale;
@@ -198,6 +211,7 @@ void Shaper::place(std::size_t first, std::size_t last, StyleKey style, Run& run
 
 void Shaper::place_box(const Letter& letter, StyleKey style, Run& run) {
     add_stop(letter, run);
+    if (ignorable(letter.codepoint)) return;
     const int x = static_cast<int>(std::floor(pen_ + 0.5));
     if (const Glyph* glyph = glyphs_.box(letter.codepoint, style.quarters)) add(*glyph, x, 0, run);
     pen_ += Glyphs::box_advance(letter.codepoint, style.quarters);

@@ -8,10 +8,11 @@
 // that never fall inside a code point, nor between a letter and the combining marks after it.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <string>
 #include <string_view>
-#include <vector>
 
 namespace lapfx::ui {
 
@@ -81,18 +82,32 @@ class TextEdit {
     int page_lines = 10;                        ///< what page_up and page_down go by
 
   private:
-    friend struct TextEditHistory;
     struct Step {
         std::size_t at = 0;
         std::string removed, inserted;
         std::size_t caret = 0, anchor = 0;  ///< before
         bool open = false;                  ///< typing may go on in it
     };
+    static constexpr std::size_t no_column = static_cast<std::size_t>(-1);
+
+    std::string cleaned(std::string_view text, std::size_t room) const;
+    bool apply_select_word();
+    bool apply_erase_line();
+    std::size_t target(TextCommand command) const;
+    std::size_t vertical_target(TextCommand command);
+    bool move(std::size_t to, bool selecting);
+    bool set_selection(std::size_t anchor, std::size_t caret);
+    bool edit(std::size_t begin, std::size_t end, std::string inserted, bool typing);
+    bool step_back();
+    bool step_forward();
+    void close_step();
+
     std::string text_;
     std::size_t caret_ = 0, anchor_ = 0;
-    float column_ = -1;  ///< that up and down keep to, in characters
+    std::size_t column_ = no_column;  ///< that up and down keep to, in characters
     TextLimits limits_;
-    std::vector<Step> undo_, redo_;
+    std::deque<Step> undo_, redo_;
+    std::size_t history_bytes_ = 0;  ///< of the strings of both
 };
 
 }  // namespace lapfx::ui

@@ -8,13 +8,14 @@ namespace {
 
 struct TextLook {
     std::string_view text;
+    const Run* run;
     TextStyle style;
     Color color;
     Align align;
 };
 
 void draw_label(Painter& painter, const Node& node, const TextLook& look) {
-    painter.text(node.rect(), look.text, look.style, look.color, look.align);
+    painter.text(node.rect(), look.text, *look.run, look.style, look.color, look.align);
 }
 
 void draw_wrapped(Painter& painter, const Node& node, const TextLook& look) {
@@ -35,7 +36,8 @@ void draw_separator(Painter& painter, const Node& node, const Axis& across) {
 
 struct ButtonLook {
     Icon icon;
-    bool primary, quiet, on, text;
+    bool primary, quiet, on;
+    const Run* run;  ///< null: the icon alone
 };
 
 void draw_button(Painter& painter, const Node& node, const ButtonLook& look) {
@@ -48,13 +50,14 @@ void draw_button(Painter& painter, const Node& node, const ButtonLook& look) {
     if (!look.quiet || hovered || look.on) painter.fill(node.rect(), ground, painter.em(t.radius));
     const Color ink = disabled ? t.text_disabled : accent ? t.text_on_accent : t.text;
     Rect inside = node.rect();
-    if (!look.text) return painter.icon(inside.inset(painter.em(0.4F)), look.icon, ink);
+    if (look.run == nullptr) return painter.icon(inside.inset(painter.em(0.4F)), look.icon, ink);
     inside = inside.inset(painter.em(0.7F), 0);
     if (look.icon != Icon::none) {
         painter.icon(inside.cut_left(painter.em(1)), look.icon, ink);
         inside.cut_left(painter.em(0.4F));
     }
-    painter.text(inside, node.shown, painter.text_style(), ink, look.icon == Icon::none ? Align::center : Align::start);
+    painter.text(inside, node.shown, *look.run, painter.text_style(), ink,
+                 look.icon == Icon::none ? Align::center : Align::start);
 }
 
 Response put_button(Ui& ui, Role role, std::string_view text, const ButtonOptions& options, bool with_text) {
@@ -62,20 +65,23 @@ Response put_button(Ui& ui, Role role, std::string_view text, const ButtonOption
     const float height = ui.row_height();
     node.size[1] = px(height);
     node.tip = ui.copy(options.tip.empty() && !with_text ? node.label : options.tip);
+    const Run* run = nullptr;
     if (with_text) {
+        run = &ui.fonts().run(node.shown, ui.text_style());
         const float icon = options.icon == Icon::none ? 0.0F : ui.em(1) + ui.em(0.4F);
-        node.size[0] = px(std::ceil(ui.text_width(node.shown)) + icon + 2 * ui.em(0.7F));
+        node.size[0] = px(std::ceil(run->width) + icon + 2 * ui.em(0.7F));
         if (options.width.kind != SizeKind::fit) node.size[0] = options.width;
     } else {
         node.size[0] = px(height);
     }
     const Response r = ui.respond(node);
-    ui.draw_with<draw_button>(node, ButtonLook{options.icon, options.primary, options.quiet, options.on, with_text});
+    ui.draw_with<draw_button>(node, ButtonLook{options.icon, options.primary, options.quiet, options.on, run});
     return r;
 }
 
 struct CheckLook {
     Tristate state;
+    const Run* run;
 };
 
 void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
@@ -92,7 +98,7 @@ void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
         painter.icon(box.inset(painter.em(0.12F)), look.state == Tristate::on ? Icon::check : Icon::minus,
                      disabled ? t.text_disabled : t.text_on_accent);
     rect.cut_left(painter.em(0.5F));
-    painter.text(rect, node.shown, painter.text_style(), disabled ? t.text_disabled : t.text);
+    painter.text(rect, node.shown, *look.run, painter.text_style(), disabled ? t.text_disabled : t.text);
 }
 
 }  // namespace
@@ -116,7 +122,8 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
     TextStyle style = options.number ? ui.number_style() : ui.text_style(options.size, options.weight);
     Node& node = ui.leaf(Role::label, text);
     node.text = node.shown;
-    const TextLook look{node.shown, style,
+    const Run* run = options.wrap ? nullptr : &ui.fonts().run(node.shown, style);
+    const TextLook look{node.shown, run, style,
                         ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone), options.align};
     if (options.wrap) {
         node.size[0] = options.width.kind == SizeKind::fit ? grow() : options.width;
@@ -124,7 +131,7 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
         node.height_for_width = wrapped_height;
         return;
     }
-    const float width = std::ceil(ui.fonts().run(node.shown, style).width);
+    const float width = std::ceil(run->width);
     node.size[0] = options.width.kind == SizeKind::fit ? px(width) : options.width;
     node.size[1] = px(std::max(ui.em(1.4F * options.size), ui.fonts().metrics(style).height));
     node.rigid = false;
@@ -134,10 +141,11 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
 void heading(Ui& ui, std::string_view text) {
     Node& node = ui.leaf(Role::heading, text);
     const TextStyle style = ui.text_style(1.15F, Weight::bold);
-    node.size[0] = px(std::ceil(ui.fonts().run(node.shown, style).width));
+    const Run& run = ui.fonts().run(node.shown, style);
+    node.size[0] = px(std::ceil(run.width));
     node.size[1] = px(ui.row_height());
     node.rigid = false;
-    ui.draw_with<draw_label>(node, TextLook{node.shown, style, ui.theme().text, Align::start});
+    ui.draw_with<draw_label>(node, TextLook{node.shown, &run, style, ui.theme().text, Align::start});
 }
 
 void separator(Ui& ui) {
@@ -170,13 +178,14 @@ Edit toggle(Ui& ui, std::string_view text, bool& on, const ButtonOptions& option
 
 Edit checkbox(Ui& ui, std::string_view text, Tristate& state, std::string_view tip) {
     Node& node = ui.leaf(Role::checkbox, text, Sense::hover | Sense::press | Sense::focus | Sense::activate);
-    node.size[0] = px(std::ceil(ui.em(1.6F) + ui.text_width(node.shown)));
+    const Run& run = ui.fonts().run(node.shown, ui.text_style());
+    node.size[0] = px(std::ceil(ui.em(1.6F) + run.width));
     node.size[1] = px(ui.row_height());
     node.tip = ui.copy(tip);
     const Response r = ui.respond(node);
     if (r.clicked) state = state == Tristate::on ? Tristate::off : Tristate::on;
     node.is |= when(state == Tristate::on, Is::checked) | when(state == Tristate::mixed, Is::mixed);
-    ui.draw_with<draw_checkbox>(node, CheckLook{state});
+    ui.draw_with<draw_checkbox>(node, CheckLook{state, &run});
     return r.clicked ? Edit::once() : Edit{};
 }
 

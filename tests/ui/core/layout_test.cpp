@@ -79,6 +79,19 @@ TEST(Layout, AWrappedTextIsAsHighAsItsLines) {
     EXPECT_LE(ui.rect("Below").y, 5 * line);
 }
 
+TEST(Layout, APlacedChildTakesNoRoomFromTheOthers) {
+    Harness ui([](Ui& u) {
+        Column column(u, {.width = px(100), .height = px(100), .gap = 1});
+        box(u, "A", px(10), px(10));
+        box(u, "Handle", px(8), px(8));
+        u.last().placed = true;
+        u.last().placement = u.arena().make(Placement{.fraction = {1, 0.5F}, .offset = {-3, 0}, .pivot = {0.5F, 0.5F}});
+        box(u, "B", px(10), px(10));
+    });
+    EXPECT_EQ(ui.rect("B"), (Rect{0, 24, 10, 10}));
+    EXPECT_EQ(ui.rect("Handle"), (Rect{93, 46, 8, 8}));
+}
+
 /// Random trees: children within their parents, neighbours that never overlap, everything on whole px.
 class RandomTree {
   public:

@@ -1,0 +1,59 @@
+// The same screens in our toolkit and in Dear ImGui, for `lapfx bench ui`. CPU only: events in, list of what to draw out.
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <string>
+
+namespace lapfx::bench {
+
+enum class Screen {
+    mixed_100,  ///< buttons, sliders, checkboxes, text fields, formatted texts in equal parts, all to be seen
+    mixed_1000,
+    rows_10000,   ///< a list that shows the rows within 600 px
+    plots,        ///< 256 bars and 8 curves of 512 points
+    sliders_368,  ///< for drawing at 1920x1080: panels full of sliders
+};
+
+struct Drawn {
+    std::size_t bytes = 0;  ///< that would go to the GPU
+    int calls = 0;
+    std::size_t elements = 0;  ///< instances, or vertices
+};
+
+/// One toolkit showing one screen at a time.
+class Toolkit {
+  public:
+    virtual ~Toolkit() = default;
+    virtual void show(Screen screen) = 0;
+    /// Builds a frame, up to the list of what is to be drawn. The mouse lies still.
+    virtual Drawn frame() = 0;
+    /// Draws the last frame with OpenGL 4.5 into `framebuffer`, of the screen's size; the context is current.
+    virtual void draw(unsigned framebuffer) = 0;
+    virtual std::size_t memory() const { return 0; }
+};
+
+struct ScreenSize {
+    int width, height;
+};
+/// Large enough that all of it can be seen.
+inline ScreenSize size_of(Screen screen) {
+    switch (screen) {
+        case Screen::mixed_100:
+            return {1600, 900};
+        case Screen::mixed_1000:
+            return {1600, 6400};
+        case Screen::rows_10000:
+            return {500, 600};
+        case Screen::plots:
+            return {1280, 1000};
+        case Screen::sliders_368:
+            return {1920, 1080};
+    }
+    return {1, 1};
+}
+
+std::unique_ptr<Toolkit> make_ours();
+std::unique_ptr<Toolkit> make_imgui();
+
+}  // namespace lapfx::bench

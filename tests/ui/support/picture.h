@@ -1,0 +1,42 @@
+// A framebuffer to draw into and its pixels as a picture that can be looked at, compared and written.
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <string>
+
+#include "ui/core/geometry.h"
+
+namespace lapfx::ui::test {
+
+/// RGBA8, rows from the top as the UI counts them; read with at().
+using Picture = cv::Mat4b;
+
+inline Color at(const Picture& picture, int x, int y) {
+    const cv::Vec4b& p = picture(y, x);
+    return {p[0], p[1], p[2], p[3]};
+}
+
+class Canvas {
+  public:
+    explicit Canvas(glm::ivec2 size);  ///< black, opaque
+    ~Canvas();
+    Canvas(const Canvas&) = delete;
+    Canvas& operator=(const Canvas&) = delete;
+
+    unsigned framebuffer() const { return framebuffer_; }
+    unsigned texture() const { return texture_; }
+    glm::ivec2 size() const { return size_; }
+    void fill(Color color) const;
+    Picture read() const;
+
+  private:
+    glm::ivec2 size_;
+    unsigned framebuffer_ = 0, texture_ = 0;
+};
+
+/// As PNG, overwriting; throws std::runtime_error when it cannot be written.
+void write_png(const Picture& picture, const std::string& path);
+/// RGBA; empty when there is none.
+Picture read_png(const std::string& path);
+
+}  // namespace lapfx::ui::test
