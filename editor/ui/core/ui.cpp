@@ -71,6 +71,7 @@ void Ui::begin(const FrameInput& input) {
     nodes().clear();
     arena().reset();
     stack_.clear();
+    followed_.clear();
     overlay_roots_.assign(overlays_.size(), no_node);
     disabled_ = 0;
     duplicates_now_ = 0;
@@ -242,6 +243,7 @@ bool Ui::end() {
     drop_overlays_not_built();
     add_tooltip();
     again_ |= lay_out(*this, nodes(), window());
+    for (const std::uint32_t i : followed_) again_ |= nodes()[i].rect().size() != rect_before(nodes()[i].id).size();
     duplicates_ = duplicates_now_;
     const auto alive = [this](Id id) {
         const Seen* seen = id == 0 ? nullptr : seen_.find(id);

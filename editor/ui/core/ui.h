@@ -169,6 +169,10 @@ class Ui {
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
 
+    /// Another build follows in this frame when layout gives `node` another size than it had: for what is placed inside it by its
+    /// size of before, and for pictures that are made to its size.
+    void follow_size(const Node& node) { followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data())); }
+
     /// What happened to it, and its states hovered, held, focused, ringed. Once for each node.
     Response respond(Node& node);
     /// Events of this build for `id`, in order.
@@ -321,6 +325,7 @@ class Ui {
     std::uint32_t build_ = 0;
     std::span<const Node> tree_;
     std::vector<Level> stack_;
+    std::vector<std::uint32_t> followed_;     ///< nodes of follow_size()
     std::vector<std::uint32_t> drawn_later_;  ///< nodes that draw once their children have
     StateTable seen_;
     std::unordered_map<Id, std::unique_ptr<SlotBase>> memory_;

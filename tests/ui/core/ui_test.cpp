@@ -276,6 +276,27 @@ TEST(Ui, AWakeFromAnotherThreadAsksForAFrame) {
     EXPECT_EQ(ui.output().wake_at, never) << "the frame that came is what was asked for";
 }
 
+TEST(Ui, WhatFollowsASizeIsBuiltAgainBeforeItIsDrawn) {
+    Harness ui([&](Ui& u) {
+        Node& area = u.open(Role::canvas, "Area", Axis::y, Sense::press);
+        area.size[0] = grow(), area.size[1] = grow();
+        u.follow_size(area);
+        const glm::vec2 middle = u.rect_before(area.id).size() * 0.5F;
+        Node& child = u.leaf(Role::handle, "Middle", Sense::press);
+        child.size[0] = px(10), child.size[1] = px(10);
+        child.placed = true;
+        child.placement = u.arena().make(Placement{.offset = middle, .pivot = {0.5F, 0.5F}});
+        u.close();
+    });
+    EXPECT_EQ(ui.rect("Area/Middle").center(), ui.rect("Area").center());
+    ui.size = {300, 200};
+    ui.frame();
+    EXPECT_EQ(ui.rect("Area/Middle").center(), glm::vec2(150, 100));
+    const int builds = ui.ui().builds();
+    ui.frame();
+    EXPECT_EQ(ui.ui().builds(), builds + 1) << "a size that stays costs nothing";
+}
+
 TEST(Ui, AnyWindowAndScaleHold) {
     for (const glm::ivec2 size : {glm::ivec2(0, 0), glm::ivec2(1, 1), glm::ivec2(7680, 4320)}) {
         for (const float scale : {0.0F, 0.75F, 3.0F, std::numeric_limits<float>::quiet_NaN()}) {
