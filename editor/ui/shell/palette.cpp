@@ -151,7 +151,8 @@ std::size_t put_rows(Ui& ui, const CommandTable& table, PaletteState& state, boo
     const auto rows = static_cast<float>(std::clamp<std::size_t>(state.found.size(), 1, rows_shown));
     ScrollArea area(ui, "Commands", {.height = px(rows * height), .role = Role::list});
     if (state.found.empty()) label(ui, "No command of this name", {.tone = Tone::dim});
-    if (show) LineWindow::show(area, state.current, height);
+    if (show && state.current == 0) area.state().offset.y = 0;
+    if (show && area.state().view.y > 0) LineWindow::show(area, state.current, height);
     const LineWindow window(ui, area, state.found.size(), height);
     std::size_t clicked = state.found.size();
     for (std::size_t i = window.first(); i < window.last(); ++i) {
