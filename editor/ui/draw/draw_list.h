@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "ui/core/geometry.h"
@@ -106,6 +107,7 @@ struct DrawList {
     std::vector<Batch> batches;
     /// Of all above, the atlas and the images' serials: equal means the same picture, and nothing has to be drawn.
     std::uint64_t hash = 0;
+    std::string scratch;  ///< of the painter: keeps its room from frame to frame
 
     void reset(glm::ivec2 frame_size);
 };

@@ -76,23 +76,24 @@ TextStyle Painter::number_style() const {
 
 void Painter::start(glm::ivec2 size) {
     list_.reset(size);
-    clips_.clear();
-    clips_.push_back({.rect = {0, 0, static_cast<float>(size.x), static_cast<float>(size.y)}});
+    clips_[0] = {.rect = {0, 0, static_cast<float>(size.x), static_cast<float>(size.y)}};
+    clip_depth_ = 1;
 }
 
 void Painter::set_clip(const Rect& rect) {
-    if (clips_.back().rect != rect) clips_.back() = {.rect = rect};
+    if (clip() != rect) clips_[clip_depth_ - 1] = {.rect = rect};
 }
 
 void Painter::push_clip(const Rect& rect) {
-    const Clip& outer = clips_.back();
+    assert(clip_depth_ < clips_.size());
+    const Clip& outer = clips_[clip_depth_ - 1];
     const Rect inner = intersect(rect, outer.rect);
-    clips_.push_back(inner == outer.rect ? Clip(outer) : Clip{.rect = inner});
+    clips_[clip_depth_++] = inner == outer.rect ? outer : Clip{.rect = inner};
 }
 
 void Painter::pop_clip() {
-    assert(clips_.size() > 1);
-    clips_.pop_back();
+    assert(clip_depth_ > 1);
+    --clip_depth_;
 }
 
 /// Leaves a batch open that shows these images; 0: whatever it shows.
@@ -115,7 +116,7 @@ void Painter::need_batch(ImageHandle first, ImageHandle second) {
 
 /// Of clip() in the table of the open batch; opens one where there is none, or no room.
 std::uint8_t Painter::clip_index() {
-    Clip& clip = clips_.back();
+    Clip& clip = clips_[clip_depth_ - 1];
     if (clip.batch != 0 && clip.batch == list_.batches.size()) return clip.index;
     if (list_.batches.empty()) need_batch(0, 0);
     if (list_.batches.back().clips == most_clips) {
@@ -143,7 +144,7 @@ Instance& Painter::add(InstanceKind kind, Color color) {
 }
 
 void Painter::finish(const ImageStore* images) {
-    assert(clips_.size() == 1);
+    assert(clip_depth_ == 1);
     if (!list_.batches.empty()) {
         Batch& last = list_.batches.back();
         last.count = static_cast<std::uint32_t>(list_.instances.size()) - last.first;
@@ -186,12 +187,12 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
 /// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines through the
 /// smooth outer edge of its frame.
 bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
-    if (list_.batches.empty() || clips_.back().batch != list_.batches.size()) return false;
+    if (list_.batches.empty() || clips_[clip_depth_ - 1].batch != list_.batches.size()) return false;
     if (list_.instances.size() == list_.batches.back().first) return false;
     Instance& last = list_.instances.back();
     const bool same = last.kind == InstanceKind::fill && last.border == 0 && last.radius == radius &&
-                      last.clip == clips_.back().index && last.x == rect.x && last.y == rect.y && last.w == rect.w &&
-                      last.h == rect.h;
+                      last.clip == clips_[clip_depth_ - 1].index && last.x == rect.x && last.y == rect.y &&
+                      last.w == rect.w && last.h == rect.h;
     if (!same) return false;
     put_color(last.uv, 0, last.color);
     last.uv[2] = 1;
@@ -308,8 +309,8 @@ float Painter::text(const Rect& rect, std::string_view text, const Run& whole_ru
         if (dots > rect.w) return 0;
         std::string_view kept = text.substr(0, run->bytes_within(rect.w - dots));
         while (kept.ends_with(' ')) kept.remove_suffix(1);
-        elided_.assign(kept).append(ellipsis);
-        run = &fonts_.run(elided_, style);
+        list_.scratch.assign(kept).append(ellipsis);
+        run = &fonts_.run(list_.scratch, style);
     }
     const LineMetrics& metrics = metrics_of(style);
     const float space = rect.w - run->width;

@@ -2,6 +2,7 @@
 // screen. Text stands on whole pixels.
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -111,9 +112,9 @@ class Painter {
     void run(const Run& run, glm::vec2 baseline, Color color);
 
     void set_clip(const Rect& rect);   ///< in place of the innermost clip
-    void push_clip(const Rect& rect);  ///< within the clip so far
+    void push_clip(const Rect& rect);  ///< within the clip so far; 31 deep at most
     void pop_clip();
-    const Rect& clip() const { return clips_.back().rect; }
+    const Rect& clip() const { return clips_[clip_depth_ - 1].rect; }
 
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
@@ -126,7 +127,7 @@ class Painter {
     bool frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius);
     void need_batch(ImageHandle first, ImageHandle second);
     std::uint8_t clip_index();
-    bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
+    bool hidden(const Rect& rect) const { return !rect.overlaps(clips_[clip_depth_ - 1].rect); }
 
     const LineMetrics& metrics_of(const TextStyle& style);
 
@@ -141,8 +142,9 @@ class Painter {
         std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet
         std::uint8_t index = 0;
     };
-    std::vector<Clip> clips_;  ///< stack
-    std::string elided_;       ///< reused
+    static constexpr std::size_t most_clips_within = 32;
+    std::array<Clip, most_clips_within> clips_;  ///< stack
+    std::size_t clip_depth_ = 1;
 };
 
 }  // namespace lapfx::ui
