@@ -15,9 +15,9 @@ constexpr std::string_view overlay = "file dialog", question = "file dialog repl
 constexpr float width = 56, height = 36, places_width = 11;  // em
 constexpr std::size_t most_recent = 6;
 constexpr std::size_t most_crumbs = 5;  // of the path bar; the folders above are reached from the first of them
-constexpr TableColumn columns[] = {{.title = "Name", .width = 24},
+constexpr TableColumn columns[] = {{.title = "Name", .width = 23},
                                    {.title = "Size", .width = 6, .align = Align::end},
-                                   {.title = "Changed", .width = 9}};
+                                   {.title = "Changed", .width = 11}};
 
 bool same_letters(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
@@ -198,7 +198,7 @@ void FileDialog::select_from_table() {
 void FileDialog::build_name(Ui& ui) {
     const Row row(ui, {.width = grow(), .cross = Place::center});
     const std::string_view hint = count_.empty() ? std::string_view("Name, or a path") : count_;
-    if (text_field(ui, "Name", name_, {.placeholder = hint, .caption = true})) fault_.clear();
+    if (text_field(ui, "Name", name_, {.placeholder = hint})) fault_.clear();
     const Node* focused = ui.before(ui.focus());
     if (fresh_ && focused != nullptr && focused->layer == ui.last().layer) {
         ui.set_focus(ui.last().id, ui.focus_ringed());

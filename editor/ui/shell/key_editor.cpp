@@ -186,16 +186,32 @@ class SheetColumns {
     std::size_t lines_, used_ = 0;
 };
 
+bool in_group(const CommandTable& table, std::size_t i, const std::string& group) {
+    return table.chord(i) && table[i].group == group;
+}
+
 /// The first command with keys of each group tells its place.
+bool begins_group(const CommandTable& table, std::size_t i) {
+    if (!table.chord(i)) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+        if (in_group(table, k, table[i].group)) return false;
+    }
+    return true;
+}
+
+std::size_t lines_of(const CommandTable& table) {
+    std::size_t lines = 1 + std::size(fixed_keys);
+    for (std::size_t i = 0; i < table.size(); ++i)
+        lines += (table.chord(i) ? 1U : 0U) + (begins_group(table, i) ? 1U : 0U);
+    return lines;
+}
+
 void put_groups(const CommandTable& table, SheetColumns& columns) {
     for (std::size_t i = 0; i < table.size(); ++i) {
-        const auto in_group = [&](std::size_t k) { return table.chord(k) && table[k].group == table[i].group; };
-        bool first = in_group(i);
-        for (std::size_t k = 0; k < i && first; ++k) first = !in_group(k);
-        if (!first) continue;
+        if (!begins_group(table, i)) continue;
         columns.title(table[i].group.empty() ? std::string_view("Other") : table[i].group);
         for (std::size_t k = i; k < table.size(); ++k) {
-            if (in_group(k)) columns.line(table[k].title, table.chord_text(k));
+            if (in_group(table, k, table[i].group)) columns.line(table[k].title, table.chord_text(k));
         }
     }
 }
@@ -234,9 +250,11 @@ void cheat_sheet(Ui& ui, const CommandTable& table) {
     root->gap = ui.em(2);
     root->clips = true;
     ui.draw_with<draw_sheet>(*root, ui.theme().raised);
-    const float room = ui.window().y - 4 * ui.em(1);
+    const std::size_t all = lines_of(table);
+    const auto most = static_cast<std::size_t>(std::max(4.0F, (ui.window().y - 4 * ui.em(1)) / ui.row_height()));
+    const std::size_t count = (all + most - 1) / most;  // columns, all about as long
     {
-        SheetColumns columns(ui, static_cast<std::size_t>(std::max(0.0F, room / ui.row_height())));
+        SheetColumns columns(ui, std::min(most, (all + count - 1) / count + 1));
         put_groups(table, columns);
         columns.title("Everywhere");
         for (const auto& [what, keys] : fixed_keys) columns.line(what, keys);
