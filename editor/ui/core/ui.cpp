@@ -111,7 +111,8 @@ Node& Ui::add(Role role, std::string_view text, Sense sense, bool overlay) {
         label = split_label(arena().copy(text));
         if (sense != Sense::none || role == Role::panel || role == Role::group) seen = &claim(label, duplicate);
     }
-    Node& node = nodes().emplace_back();
+    static const Node empty;  // copied: clearing 256 bytes is a string instruction, three times slower
+    Node& node = nodes().emplace_back(empty);
     if (seen != nullptr) {
         node.id = seen->id;
         node.has_events = seen->events == build_;
