@@ -78,6 +78,10 @@ enum class Sense : std::uint32_t {
     wheel = 1 << 5,
     command_wheel = 1 << 6,  ///< only with Ctrl, so that scrolling never edits
     drop = 1 << 7,
+    /// The wheel while it has the keyboard, unless something else was scrolled just before.
+    focus_wheel = 1 << 22,
+    /// Its `erase` and `copying` keys under the pointer as well, unless the focus shows its ring.
+    hover_keys = 1 << 23,
     // keys it takes while it has the keyboard; all others go on to shortcuts and to moving the focus
     activate = 1 << 8,  ///< Enter and space: a click
     arrows_x = 1 << 9,
@@ -88,11 +92,9 @@ enum class Sense : std::uint32_t {
     typing = 1 << 14,    ///< what is typed, Enter
     editing = 1 << 15,   ///< a text is open: everything of a text field, Esc and Ctrl+Z among it
     escape = 1 << 16,
-    digits = 1 << 17,   ///< of what is typed, what a number can begin with; Enter
+    digits = 1 << 17,   ///< of what is typed, what a number can begin with
     copying = 1 << 18,  ///< Ctrl+C, Ctrl+V, Ctrl+X
     keys = 1 << 19,     ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
-    focus_wheel = 1 << 20,  ///< the wheel while it has the keyboard, unless something else was scrolled just before
-    hover_keys = 1 << 21,   ///< `erase` and `copying` under the pointer as well, unless the focus shows its ring
 };
 constexpr Sense operator|(Sense a, Sense b) {
     return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
