@@ -36,8 +36,9 @@ void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
     }
     if (look.entry != nullptr) return draw_entry(painter, field, *look.entry);
     draw_param_field(painter, field, lit, look.dragging);
-    if (!disabled) draw_bar(painter, field.inset(painter.hairline()), look, lit);
-    Rect inside = field.inset(painter.em(param_inner), 0);
+    const bool room = look.share > 0 || field.w >= painter.em(7);  // else the number is all that fits
+    if (!disabled && room) draw_bar(painter, field.inset(painter.hairline()), look, lit);
+    Rect inside = field.inset(painter.em(look.share > 0 ? param_inner : 0.35F), 0);
     if (look.share == 0) {
         const float number = painter.fonts().run(look.text.number, painter.number_style()).width;
         Rect prefix = inside.cut_left(std::max(0.0F, inside.w - std::ceil(number) - painter.em(0.3F)));
