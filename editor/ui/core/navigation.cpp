@@ -136,6 +136,13 @@ bool Ui::navigate(const Event& event) {
         case Key::up:
         case Key::down:
             return move_by_arrow(event.key);
+        case Key::page_up:
+        case Key::page_down:
+            if (has(event.mods, Mods::command)) return send_to_around(event, Sense::tab_keys);
+            return scroll_by_key(event.key);
+        case Key::home:
+        case Key::end:
+            return scroll_by_key(event.key);
         case Key::escape:
             if (std::any_of(overlays_.begin(), overlays_.end(),
                             [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
@@ -147,6 +154,40 @@ bool Ui::navigate(const Event& event) {
         default:
             return false;
     }
+}
+
+/// Where keys that nothing took belong to: what has the focus, else what is under the pointer.
+std::uint32_t Ui::key_place() {
+    const std::uint32_t focused = index_before(focus_);
+    return focused != no_node || !pointer_inside_ ? focused : hit(nodes_before(), pointer_, static_cast<Sense>(~0U));
+}
+
+bool Ui::send_to_around(const Event& event, Sense sense) {
+    for (std::uint32_t i = key_place(); i != no_node; i = nodes_before()[i].parent) {
+        if (!has(nodes_before()[i].sense, sense)) continue;
+        send(nodes_before()[i].id, event);
+        return true;
+    }
+    return false;
+}
+
+/// The innermost area that can go that way: by what is seen of it, or to its end.
+bool Ui::scroll_by_key(Key key) {
+    for (std::uint32_t i = key_place(); i != no_node; i = nodes_before()[i].parent) {
+        const Node& area = nodes_before()[i];
+        if (area.scroll == nullptr || !area.scrolls[1]) continue;
+        ScrollState& scroll = *area.scroll;
+        const float most = std::max(0.0F, scroll.content.y - scroll.view.y);
+        const float page = std::max(1.0F, scroll.view.y - row_height());  // a row is seen twice, so that one finds on
+        float to = key == Key::home ? 0.0F : most;
+        if (key == Key::page_up || key == Key::page_down) to = scroll.offset.y + (key == Key::page_up ? -page : page);
+        to = std::clamp(to, 0.0F, most);
+        if (to == scroll.offset.y) continue;
+        scroll.offset.y = to;
+        again_ = true;
+        return true;
+    }
+    return false;
 }
 
 /// Of the overlay that has the keyboard to itself; 0: the window.

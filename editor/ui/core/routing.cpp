@@ -27,6 +27,8 @@ bool finite(glm::vec2 v) {
 void Ui::take_events() {
     for (auto& each : routed_) each.second.paths.clear();
     routed_.clear();
+    for (const auto& [target, event] : late_) send(target, event);
+    late_.clear();
     dropped_.clear();
     moved_ = {0, 0};
     while (queue_head_ < queue_.size()) {
@@ -90,6 +92,11 @@ bool Ui::opens_entry(const Event& event) {
 
 void Ui::send(Id target, const Event& event) {
     if (target == 0) return;
+    if (building_) {  // its widget may have been built already: in the next build it is told
+        late_.emplace_back(target, event);
+        again_ = true;
+        return;
+    }
     routed_.emplace_back(target, event);
     seen_.at(target).events = build_;
 }
@@ -176,8 +183,10 @@ void Ui::route_press(Event& event) {
     }
     const Node& node = nodes_before()[index];
     active_[static_cast<int>(event.button)] = target;
-    if (node.role == Role::menu_item) {
-        // what is chosen from a menu is for what had the keyboard before
+    const std::size_t over = node.layer;
+    const bool passive = over > 0 && over <= overlays_.size() && overlays_[over - 1].kind == OverlayKind::passive;
+    if (node.role == Role::menu_item || passive) {
+        // what is chosen from a menu is for what had the keyboard before; a notice never has it
     } else if (has(node.sense, Sense::focus)) {
         set_focus(target);
     } else if (node.role != Role::scroll_bar && node.role != Role::splitter) {
@@ -212,6 +221,9 @@ void Ui::route_wheel(const Event& event) {
         ScrollState& scroll = *node.scroll;
         glm::vec2 by = event.delta * em(theme().row_height) * wheel_lines;
         if (has(event.mods, Mods::shift) && by.x == 0) by = {by.y, 0};
+        for (int a = 0; a < 2; ++a) {
+            if (!node.scrolls[a]) by[a] = 0;
+        }
         const glm::vec2 most = glm::max(scroll.content - scroll.view, glm::vec2(0));
         const glm::vec2 next = glm::clamp(scroll.offset - by, glm::vec2(0), most);
         if (next == scroll.offset) continue;
@@ -280,6 +292,12 @@ void Ui::reveal(Id id) {
 Response Ui::respond(Node& node) {
     Response r;
     const Id id = node.id;
+    const bool concerned = node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
+    if (!concerned) {  // nearly all
+        r.pointer = pointer_;
+        r.mods = mods_;
+        return r;
+    }
     if (id == 0 || has(node.is, Is::disabled)) {
         if (id != 0 && id == hot_) node.is |= Is::hovered;
         return r;
@@ -295,8 +313,7 @@ Response Ui::respond(Node& node) {
     r.pressed_at = pressed_at_;
     r.mods = mods_;
     if (r.held) r.drag = moved_;
-    const Seen* seen = seen_.find(id);
-    if (seen == nullptr || seen->events != build_) return r;
+    if (!node.has_events) return r;
     for (const auto& [target, event] : routed_) {
         if (target == id) take(r, node, event);
     }
