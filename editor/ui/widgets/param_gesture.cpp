@@ -176,7 +176,7 @@ void NumberGesture::show_cursor(const NumberState& s, const Response& r) const {
 void NumberGesture::keys(NumberState& s, const Response& r) {
     ui_.events_of(id_, [&](const Event& event) {
         if (event.kind == EventKind::text && s.typing != id_) open(s);
-        if (event.kind == EventKind::text) s.entry.type(event.codepoint);
+        if (event.kind == EventKind::text) s.entry.type(ui_, event);
         if (event.kind != EventKind::key) return;
         const bool command = has(event.mods, Mods::command);
         if (const double count = steps_of(event.key); count != 0) return step(s, event, count);

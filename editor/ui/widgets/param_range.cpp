@@ -22,9 +22,9 @@ void draw_range(Painter& painter, const Node& node, const RangeLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = look.label.disabled;
     Rect row = node.rect();
-    const Rect field = param_field_of(row, param_label_share);
+    const Rect field = field_part(row, true);
     draw_param_label(painter, row.cut_left(field.x - row.x), look.label);
-    draw_param_field(painter, field, false, false);
+    draw_field(painter, field, look.label.disabled ? Is::disabled : Is::nothing);
     const Rect bar = field.inset(painter.hairline());
     const float x[2] = {std::round(bar.w * look.place[0]), std::round(bar.w * look.place[1])};
     if (!disabled && x[1] > x[0])
@@ -45,14 +45,14 @@ void draw_range(Painter& painter, const Node& node, const RangeLook& look) {
 
 void draw_row_label(Painter& painter, const Node& node, const LabelLook& look) {
     Rect row = node.rect();
-    draw_param_label(painter, row.cut_left(std::round(row.w * param_label_share)), look);
+    draw_param_label(painter, row.cut_left(std::round(row.w * caption_share)), look);
 }
 
 /// The label of several numbers: a double click on it sets all of them to their standards.
 bool put_name(Ui& ui, const ParamOptions& o) {
     Node& node = ui.leaf(Role::label, "##name", Sense::hover | Sense::press);
     node.tip = ui.copy(o.tip);
-    node.size[0] = fraction(param_label_share);
+    node.size[0] = fraction(caption_share);
     node.size[1] = grow();
     const Response r = ui.respond(node);
     return r.pressed && r.clicks == 2;
@@ -98,9 +98,9 @@ Handle put_handle(Ui& ui, int index, float way, double& value, const ParamOption
 
 /// Over the part of the field, from..to, that is nearer to it than to the other.
 void place_handle(Ui& ui, Node& node, float from, float to) {
-    const float field = 1 - param_label_share;
+    const float field = 1 - caption_share;
     node.placed = true;
-    node.placement = ui.arena().make(Placement{.fraction = {param_label_share + field * from, 0}});
+    node.placement = ui.arena().make(Placement{.fraction = {caption_share + field * from, 0}});
     node.size[0] = fraction(field * (to - from));
     node.size[1] = fraction(1);
 }
@@ -137,7 +137,7 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
     if (to_standard && !ui.disabled()) edit |= reset(low, of_low), edit |= reset(high, of_high);
     of_low.hard_maximum = std::min(options.hard_maximum, high * options.display);
     RangeLook look{.label = {.locked = options.locked, .disabled = ui.disabled()}};
-    const float way = param_field_of(row, param_label_share).w;
+    const float way = field_part(row, true).w;
     Handle handles[2];
     handles[0] = put_handle(ui, 0, way, low, of_low, look);
     of_high.hard_minimum = std::max(options.hard_minimum, low * options.display);
