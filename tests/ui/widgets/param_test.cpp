@@ -272,7 +272,8 @@ TEST_F(Param, AValueThatIsNoNumberIsShownAndCanBeMended) {
     speed = std::nan("");
     ui.frame();
     EXPECT_EQ(ui.text("Speed"), "no number mm/s");
-    ui.key(Key::right);
+    ui.focus("Speed").key(Key::right).wheel("Speed", {0, 1}, Mods::command);
+    EXPECT_EQ(edits.changed, 0) << "no number has no next one";
     ui.drag("Speed", {13, 0});
     EXPECT_EQ(speed, 110) << "from the standard";
 }
@@ -281,6 +282,9 @@ TEST_F(Param, NothingTypedIsNoEdit) {
     speed = 1.0 / 3;
     ui.focus("Speed").key(Key::enter).key(Key::enter);
     EXPECT_EQ(speed, 1.0 / 3);
+    speed = 5000;  // by the program, beyond the hard range
+    ui.key(Key::enter).key(Key::enter);
+    EXPECT_EQ(speed, 5000);
     EXPECT_EQ(edits.began, 0);
 }
 
@@ -461,10 +465,10 @@ TEST(ParamWheel, WithTheFocusItEditsOnlyWhenNothingWasScrolledJustBefore) {
     ui.wheel("**/Speed", {0, 1});
     EXPECT_EQ(speed, 12) << "goes on at once";
     ui.move({150, 80}).send({.kind = EventKind::wheel, .delta = {0, -0.01F}});
-    ui.wheel("**/Speed", {0, -0.01F});
+    ui.wheel("**/Speed", {0, 1});
     EXPECT_EQ(speed, 12) << "half a second after scrolling";
-    ui.frame(0.4).wheel("**/Speed", {0, -0.01F});
-    EXPECT_EQ(speed, 12) << "and half a second after the last of it";
+    ui.frame(0.4).wheel("**/Speed", {0, 1});
+    EXPECT_EQ(speed, 12) << "and half a second after the last of it, though there was nothing left to scroll";
     ui.frame(0.6).wheel("**/Speed", {0, 1});
     EXPECT_EQ(speed, 13);
 }
@@ -627,9 +631,10 @@ TEST(ParamKinds, FloatsIntegersAnglesAndSharesAreWhatTheyAre) {
     float single = 0.1F;
     int whole = 3;
     double tilt = std::numbers::pi / 4, share = 0.25, delay = 1;
+    int changes = 0;
     Harness ui([&](Ui& u) {
         Column column(u, {.width = px(400)});
-        param(u, "Float", single, {.step = 0.1, .standard = 0.1});
+        changes += param(u, "Float", single, {.step = 0.1, .standard = 0.1}).changed ? 1 : 0;
         param(u, "Int", whole, {.maximum = 10});
         param(u, "Tilt", tilt, angle({.minimum = -180, .maximum = 180, .step = 1, .standard = 45.0}));
         param(u, "Share", share, percent());
@@ -641,6 +646,8 @@ TEST(ParamKinds, FloatsIntegersAnglesAndSharesAreWhatTheyAre) {
     EXPECT_EQ(ui.clipboard().text, "0.1");
     ui.type("0.7").key(Key::enter);
     EXPECT_EQ(single, 0.7F);
+    ui.type("0.70").key(Key::enter);
+    EXPECT_EQ(changes, 1) << "the same float";
     ui.focus("Int").type("2.6").key(Key::enter);
     EXPECT_EQ(whole, 3);
     ui.type("1e300").key(Key::enter);
