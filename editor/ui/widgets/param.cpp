@@ -145,17 +145,17 @@ void draw_number(Painter& painter, Rect inside, const NumberText& text, Align al
     const Color ink = disabled ? t.text_disabled : t.text, quiet = disabled ? t.text_disabled : t.text_dim;
     const TextStyle style = painter.text_style(), digits = painter.number_style();
     const bool close = text.whole.size() == text.number.size() + text.unit.size();
-    const float number = std::ceil(painter.fonts().run(text.number, digits).width);
-    const float gap = close ? 0 : painter.em(0.25F);
-    const float unit = text.unit.empty() ? 0 : std::ceil(painter.fonts().run(text.unit, style).width) + gap;
-    const bool both = unit > 0 && number + unit <= inside.w;
+    const Run& number = painter.fonts().run(text.number, digits);
+    const Run* unit = text.unit.empty() ? nullptr : &painter.fonts().run(text.unit, style);
+    const float gap = close ? 0 : painter.em(0.25F), unit_width = unit != nullptr ? std::ceil(unit->width) + gap : 0;
+    const bool both = unit != nullptr && std::ceil(number.width) + unit_width <= inside.w;
     if (align == Align::end) {
-        if (both) painter.text(inside.cut_right(unit), text.unit, style, quiet, Align::end);
-        painter.text(inside, text.number, digits, ink, Align::end);
+        if (both) painter.text(inside.cut_right(unit_width), text.unit, *unit, style, quiet, Align::end);
+        painter.text(inside, text.number, number, digits, ink, Align::end);
     } else {
-        painter.text(both ? inside.cut_left(number) : inside, text.number, digits, ink);
+        painter.text(both ? inside.cut_left(std::ceil(number.width)) : inside, text.number, number, digits, ink);
         inside.cut_left(gap);
-        if (both) painter.text(inside, text.unit, style, quiet);
+        if (both) painter.text(inside, text.unit, *unit, style, quiet);
     }
 }
 
