@@ -4,12 +4,6 @@
 
 namespace lapfx::ui {
 
-namespace {
-
-constexpr float caption_share = 0.45F;
-
-}  // namespace
-
 Rect field_part(const Rect& row, bool caption) {
     Rect part = row;
     if (caption) part.cut_left(std::round(row.w * caption_share));
