@@ -16,7 +16,7 @@ struct GradientTest : testing::Test {
         commits += edit.committed, begins += edit.began;
         all |= edit;
     }};
-    float width() { return ui.rect("Tint").w - 2 * std::round(0.6F * 14); }
+    float width() { return ui.rect("Tint").w - 2 * std::round(0.85F * 14); }
 };
 
 TEST_F(GradientTest, EachStopIsANodeWithPlaceAndColour) {
@@ -81,7 +81,7 @@ TEST_F(GradientTest, ADoublePressAddsAStopOfTheColourThere) {
     ui.click("Tint", {.clicks = 2, .at = {0.25F, 0.2F}});
     ASSERT_EQ(stops.size(), 4U);
     EXPECT_NEAR(stops[1].place, 0.25F, 0.02F);
-    EXPECT_NEAR(stops[1].color.r, 0x80, 4);
+    EXPECT_NEAR(stops[1].color.r, 0x80, 8);
     EXPECT_TRUE(ui.exists("Tint/Stop 4"));
     EXPECT_EQ(commits, 1);
 }

@@ -59,7 +59,7 @@ TEST_F(TextAreaTest, APressPlacesTheCaretInItsLine) {
     click_line(1, 0);
     ui.type(">");
     EXPECT_EQ(text, "one\n>two two\nthree");
-    click_line(3);
+    click_line(3, 200);
     ui.type("!");
     EXPECT_EQ(text, "one\n>two two\nthree!") << "below the last line is in it";
 }
@@ -67,7 +67,7 @@ TEST_F(TextAreaTest, APressPlacesTheCaretInItsLine) {
 TEST_F(TextAreaTest, UpAndDownKeepTheirPlaceOverShorterLines) {
     text = "long line\na\nlong line";
     ui.frame();
-    click_line(0, 1000);
+    click_line(0, 200);
     ui.key(Key::down).key(Key::down).type("|");
     EXPECT_EQ(text, "long line\na\nlong line|");
     ui.key(Key::up).type("b").key(Key::up).type("c");
@@ -77,7 +77,7 @@ TEST_F(TextAreaTest, UpAndDownKeepTheirPlaceOverShorterLines) {
 }
 
 TEST_F(TextAreaTest, UpInTheFirstLineGoesToTheBeginAndDownInTheLastToTheEnd) {
-    click_line(0, 1000);
+    click_line(0, 200);
     ui.key(Key::up).type("<").key(Key::end, Mods::command).key(Key::home).key(Key::down).type(">");
     EXPECT_EQ(text, "<one\ntwo two\nthree>");
 }
@@ -188,7 +188,7 @@ TEST(BreakLines, NoLineIsWiderThanAllowedAndNothingIsLost) {
             ASSERT_EQ(line.find('\n'), std::string_view::npos);
             while (line.ends_with(' ')) line.remove_suffix(1);
             if (line.size() <= 3) continue;
-            ASSERT_LE(fonts.run(line, style).width, width + 3) << line;
+            ASSERT_LE(fonts.run(line, style).width, width * 1.04F + 1) << line;
         }
         ASSERT_EQ(breaks, static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')));
     }
