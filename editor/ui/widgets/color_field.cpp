@@ -4,6 +4,7 @@
 
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
+#include "ui/widgets/param.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::ui {
@@ -248,6 +249,46 @@ void put_hex(Session& s, const ColorOptions& options) {
     s.p.hex = format_hex(hex, s.color, options.alpha);
 }
 
+/// A number that is dragged or typed; `changed(number)` sets the colour.
+template <typename Changed>
+void put_number(Session& s, std::string_view label, double number, double maximum, std::string_view unit,
+                Changed&& changed) {
+    const Edit edit = number_field(
+        s.ui, label, number,
+        {.maximum = maximum, .hard_minimum = 0, .hard_maximum = maximum, .step = 1, .unit = unit, .decimals = 0});
+    if (edit.began) s.begin();
+    if (edit.changed) changed(static_cast<float>(number));
+    if (edit.committed) s.commit();
+    if (edit.cancelled) s.cancel();
+}
+
+void put_numbers(Session& s) {
+    Ui& ui = s.ui;
+    {
+        const Row row(ui, {.width = grow(), .cross = Place::center});
+        constexpr std::uint8_t Color::*channels[] = {&Color::r, &Color::g, &Color::b};
+        constexpr std::string_view labels[] = {"R", "G", "B"};
+        for (std::size_t i = 0; i < 3; ++i) {
+            put_number(s, labels[i], s.color.*channels[i], 255, {}, [&](float v) {
+                Color next = s.color;
+                next.*channels[i] = static_cast<std::uint8_t>(std::lround(v));
+                s.set(to_hsv(next, s.p.hsv), next.a);
+            });
+        }
+    }
+    const Row row(ui, {.width = grow(), .cross = Place::center});
+    const auto set = [&](const Hsv& hsv) { s.set(hsv, s.color.a); };
+    put_number(s, "H", s.p.hsv.hue, 360, "deg", [&](float v) {
+        set({std::min(v, 359.99F), s.p.hsv.saturation, s.p.hsv.value});
+    });
+    put_number(s, "S", s.p.hsv.saturation * 100, 100, "%", [&](float v) {
+        set({s.p.hsv.hue, v / 100, s.p.hsv.value});
+    });
+    put_number(s, "V", s.p.hsv.value * 100, 100, "%", [&](float v) {
+        set({s.p.hsv.hue, s.p.hsv.saturation, v / 100});
+    });
+}
+
 int hex_digit(char c) {
     if (c >= '0' && c <= '9') return c - '0';
     const char lower = static_cast<char>(c | 0x20);
@@ -354,6 +395,7 @@ Edit color_picker(Ui& ui, Id owner, std::string_view label, Color& color, const 
         put_swatches(s, options);
         if (dropper != nullptr) pick = icon_button(ui, Icon::eyedropper, "Pick from a picture", {.quiet = true});
     }
+    put_numbers(s);
     ui.close_overlay_node();
     *s.look = {p.hsv, color};
     if (pick) {

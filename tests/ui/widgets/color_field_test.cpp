@@ -182,6 +182,32 @@ TEST_F(ColorFieldTest, AnotherFieldLeavesThePickedColourAlone) {
     EXPECT_TRUE(dropper.picked.has_value());
 }
 
+TEST_F(ColorFieldTest, NumbersShowTheColourAndAreTyped) {
+    open();
+    EXPECT_EQ(ui.value("Key picker/R"), 0x80);
+    EXPECT_EQ(ui.value("Key picker/B"), 0x20);
+    EXPECT_NEAR(ui.value("Key picker/S"), 75, 0.01);
+    ui.click("Key picker/G", {.clicks = 2}).key('A', Mods::command).type("255").key(Key::enter);
+    EXPECT_EQ(color, rgb(0x80ff20));
+    EXPECT_EQ(begins, 1);
+    EXPECT_EQ(commits, 1);
+    ui.click("Key picker/H", {.clicks = 2}).key('A', Mods::command).type("0").key(Key::enter);
+    EXPECT_EQ(to_hsv(color).hue, 0);
+    EXPECT_EQ(color.r, 0xff);
+    EXPECT_EQ(commits, 2);
+}
+
+TEST_F(ColorFieldTest, ADraggedNumberIsOneGestureAndEscapeTakesItBack) {
+    open();
+    ui.press("Key picker/R").drag_by({30, 0});
+    EXPECT_GT(color.r, 0x80);
+    EXPECT_EQ(color.g, 0x40);
+    ui.key(Key::escape);
+    EXPECT_EQ(color, rgb(0x804020));
+    EXPECT_EQ(commits, 0);
+    EXPECT_TRUE(all.cancelled);
+}
+
 TEST_F(ColorFieldTest, CopyAndPasteAsText) {
     ui.focus("Key").key('C', Mods::command);
     EXPECT_EQ(ui.clipboard().text, "#804020");
