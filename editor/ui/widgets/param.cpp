@@ -8,8 +8,6 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float inner = 0.45F;  // em between a field's edge and its text
-
 struct ParamLook {
     LabelLook label;
     NumberText text;
@@ -19,22 +17,13 @@ struct ParamLook {
     const EntryLook* entry;
 };
 
-/// The bar from the range's begin, or from 0 where that lies within, to the value.
+/// The bar from the range's begin, or from 0 where that lies within, to the value. No clips: a batch has room for few.
 void draw_bar(Painter& painter, const Rect& field, const ParamLook& look, bool lit) {
     const Theme& t = painter.theme();
     const float from = std::round(field.w * std::min(look.from, look.to));
-    const float to = std::round(field.w * std::max(look.from, look.to));
-    const float edge = 2 * painter.hairline(), place = std::round(field.w * look.to);
-    const Color mark = lit ? t.accent_hover : t.accent;
-    if (to > from) {
-        painter.push_clip({field.x + from, field.y, to - from, field.h});
-        painter.fill(field, t.accent_ground, painter.em(t.radius));
-        painter.pop_clip();
-    }
-    painter.push_clip(
-        {field.x + std::clamp(place - edge / 2, 0.0F, std::max(0.0F, field.w - edge)), field.y, edge, field.h});
-    painter.fill(field, mark, painter.em(t.radius));
-    painter.pop_clip();
+    const float to = std::round(field.w * std::max(look.from, look.to)), place = std::round(field.w * look.to);
+    if (to > from) painter.fill({field.x + from, field.y, to - from, field.h}, t.accent_ground, painter.em(t.radius));
+    draw_param_mark(painter, field, place, 2 * painter.hairline(), lit ? t.accent_hover : t.accent);
 }
 
 void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
@@ -46,14 +35,17 @@ void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
         draw_param_label(painter, column.cut_left(field.x - column.x), look.label);
     }
     if (look.entry != nullptr) return draw_entry(painter, field, *look.entry);
-    painter.fill(field, lit ? t.field_hover : t.field, painter.em(t.radius));
-    if (!disabled) draw_bar(painter, field, look, lit);
-    if (look.dragging) painter.frame(field, t.accent, painter.hairline(), painter.em(t.radius));
-    Rect inside = field.inset(painter.em(inner), 0);
+    draw_param_field(painter, field, lit, look.dragging);
+    const bool room = look.share > 0 || field.w >= painter.em(7);  // else the number is all that fits
+    if (!disabled && room) draw_bar(painter, field.inset(painter.hairline()), look, lit);
+    Rect inside = field.inset(painter.em(look.share > 0 ? param_inner : 0.35F), 0);
     if (look.share == 0) {
-        const TextStyle style = painter.text_style();
-        inside.cut_left(painter.text(inside, look.label.text, style, disabled ? t.text_disabled : t.text_dim));
-        inside.cut_left(painter.em(0.3F));
+        const float number = painter.fonts().run(look.text.number, painter.number_style()).width;
+        Rect prefix = inside.cut_left(std::max(0.0F, inside.w - std::ceil(number) - painter.em(0.3F)));
+        const float width =
+            painter.text(prefix, look.label.text, painter.text_style(), disabled ? t.text_disabled : t.text_dim);
+        prefix.cut_left(width + painter.em(0.3F));
+        inside = {prefix.x, inside.y, inside.right() - prefix.x, inside.h};
     }
     draw_number(painter, inside, look.text, Align::end, disabled);
 }
@@ -80,7 +72,7 @@ Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions
     const NumberText text = number_text(ui, o, shown);
     node.size[0] = o.width;
     node.size[1] = px(ui.row_height());
-    node.minimum[0] = ui.em(share > 0 ? 9 : 4);
+    node.minimum[0] = ui.em(share > 0 ? 9.0F : 2.5F);
     const bool whole_label = (has(node.is, Is::hovered) || has(node.is, Is::ringed)) && elided(ui, node, share);
     describe_number(ui, node, state, o, shown, text);
     if (whole_label && !has(node.is, Is::invalid))
@@ -133,32 +125,44 @@ void describe_number(Ui& ui, Node& node, const NumberState* state, const ParamOp
 
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {
     const Theme& t = painter.theme();
-    Rect mark = column.cut_right(painter.em(0.9F));
-    if (look.changed)
-        painter.icon(mark.inset(painter.em(0.1F), 0), Icon::dot, look.disabled ? t.text_disabled : t.accent);
+    column.cut_left(painter.em(0.15F));  // for the focus ring
+    const Rect dot = column.cut_right(painter.em(0.9F)).inset(painter.em(0.1F), 0);
+    if (look.changed) painter.icon(dot, Icon::dot, look.disabled ? t.text_disabled : t.accent);
     if (look.locked)
-        painter.icon(column.cut_right(painter.em(1)).inset(painter.em(0.05F), 0), Icon::lock,
-                     look.disabled ? t.text_disabled : t.text_dim);
+        painter.icon(column.cut_right(painter.em(0.9F)), Icon::lock, look.disabled ? t.text_disabled : t.text_dim);
     painter.text(column, look.text, painter.text_style(), look.disabled ? t.text_disabled : t.text);
 }
 
+void draw_param_field(Painter& painter, const Rect& field, bool lit, bool dragging) {
+    const Theme& t = painter.theme();
+    painter.fill(field, lit ? t.field_hover : t.field, painter.em(t.radius));
+    painter.frame(field, dragging ? t.accent : t.border, painter.hairline(), painter.em(t.radius));
+}
+
+void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color) {
+    const float x = std::clamp(place - std::floor(width / 2), 0.0F, std::max(0.0F, field.w - width));
+    const float height = std::round(field.h * 0.35F);  // below the digits
+    painter.fill({field.x + x, field.bottom() - height, width, height}, color);
+}
+
+/// Where there is no room for both, the unit goes.
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled) {
     const Theme& t = painter.theme();
+    const Color ink = disabled ? t.text_disabled : t.text, quiet = disabled ? t.text_disabled : t.text_dim;
     const TextStyle style = painter.text_style(), digits = painter.number_style();
     const bool close = text.whole.size() == text.number.size() + text.unit.size();
+    const float number = std::ceil(painter.fonts().run(text.number, digits).width);
     const float gap = close ? 0 : painter.em(0.25F);
+    const float unit = text.unit.empty() ? 0 : std::ceil(painter.fonts().run(text.unit, style).width) + gap;
+    const bool both = unit > 0 && number + unit <= inside.w;
     if (align == Align::end) {
-        if (!text.unit.empty()) {
-            inside.cut_right(
-                painter.text(inside, text.unit, style, disabled ? t.text_disabled : t.text_dim, Align::end));
-            inside.cut_right(gap);
-        }
-        painter.text(inside, text.number, digits, disabled ? t.text_disabled : t.text, Align::end);
-        return;
+        if (both) painter.text(inside.cut_right(unit), text.unit, style, quiet, Align::end);
+        painter.text(inside, text.number, digits, ink, Align::end);
+    } else {
+        painter.text(both ? inside.cut_left(number) : inside, text.number, digits, ink);
+        inside.cut_left(gap);
+        if (both) painter.text(inside, text.unit, style, quiet);
     }
-    inside.cut_left(painter.text(inside, text.number, digits, disabled ? t.text_disabled : t.text));
-    inside.cut_left(gap);
-    painter.text(inside, text.unit, style, disabled ? t.text_disabled : t.text_dim);
 }
 
 Edit param(Ui& ui, std::string_view label, double& value, const ParamOptions& options, ParamActions* actions) {

@@ -156,7 +156,7 @@ void NumberGesture::move(NumberState& s, float pixels, Mods mods) {
 
 void NumberGesture::wheel(NumberState& s, const Response& r) {
     if (r.wheel == 0) return;
-    if (s.wheeled != id_) s.wheeled = id_, s.wheel = 0;
+    if (s.wheeled != id_ || s.wheel * r.wheel < 0) s.wheeled = id_, s.wheel = 0;
     s.wheel += r.wheel;  // touch pads send parts of a notch
     const float notches = std::trunc(s.wheel);
     s.wheel -= notches;

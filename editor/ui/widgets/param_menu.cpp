@@ -86,7 +86,8 @@ Edit param_menu(Ui& ui, NumberState& s, Id id, const Response& r, std::string_vi
     }
     Edit edit;
     if (s.menu_of == id) {
-        if (Menu menu(ui, menu_name, label); menu) {
+        const std::string_view name = ui.join({split_label(label).name, " menu"});
+        if (Menu menu(ui, menu_name, name); menu) {
             edit = value_items(ui, value, o);
             if (actions != nullptr) action_items(ui, s, id, o, *actions);
         }

@@ -7,6 +7,7 @@
 namespace lapfx::ui {
 
 inline constexpr float param_label_share = 0.45F;  // of a row
+inline constexpr float param_inner = 0.45F;        // em between a field's edge and its text
 inline constexpr Sense number_sense = Sense::hover | Sense::press | Sense::context | Sense::focus | Sense::focus_wheel |
                                       Sense::command_wheel | Sense::arrows_x | Sense::arrows_y | Sense::pages |
                                       Sense::extremes | Sense::erase | Sense::digits | Sense::copying |
@@ -100,6 +101,9 @@ struct LabelLook {
 };
 /// In the label's column: label, padlock, dot.
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look);
+void draw_param_field(Painter& painter, const Rect& field, bool lit, bool dragging);
+/// At `place` px of the field, along its lower edge.
+void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color);
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled);
 
 }  // namespace lapfx::ui

@@ -7,7 +7,6 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float inner = 0.45F;       // em between the field's edge and its text
 constexpr float least_zone = 0.15F;  // of the field, of each handle
 constexpr std::string_view axes[] = {"X", "Y", "Z", "W"};
 
@@ -25,26 +24,21 @@ void draw_range(Painter& painter, const Node& node, const RangeLook& look) {
     Rect row = node.rect();
     const Rect field = param_field_of(row, param_label_share);
     draw_param_label(painter, row.cut_left(field.x - row.x), look.label);
-    painter.fill(field, t.field, painter.em(t.radius));
-    const float x[2] = {std::round(field.w * look.place[0]), std::round(field.w * look.place[1])};
-    if (!disabled && x[1] > x[0]) {
-        painter.push_clip({field.x + x[0], field.y, x[1] - x[0], field.h});
-        painter.fill(field, t.accent_ground, painter.em(t.radius));
-        painter.pop_clip();
-    }
-    const float grip = 3 * painter.hairline();
-    for (int i = 0; i < 2 && !disabled; ++i) {
-        const float left = std::clamp(x[i] - grip / 2, 0.0F, std::max(0.0F, field.w - grip));
-        painter.fill({std::round(field.x + left), field.y, grip, field.h}, look.lit[i] ? t.text : t.accent, grip / 2);
-    }
+    draw_param_field(painter, field, false, false);
+    const Rect bar = field.inset(painter.hairline());
+    const float x[2] = {std::round(bar.w * look.place[0]), std::round(bar.w * look.place[1])};
+    if (!disabled && x[1] > x[0])
+        painter.fill({bar.x + x[0], bar.y, x[1] - x[0], bar.h}, t.accent_ground, painter.em(t.radius));
+    for (int i = 0; i < 2 && !disabled; ++i)
+        draw_param_mark(painter, bar, x[i], 3 * painter.hairline(), look.lit[i] ? t.text : t.accent);
     for (int i = 0; i < 2; ++i) {
         Rect half = field;
         i == 0 ? half = half.cut_left(field.w / 2) : half.cut_left(field.w / 2);
         if (look.entry[i] != nullptr) {
             draw_entry(painter, half, *look.entry[i]);
         } else {
-            draw_number(painter, half.inset(painter.em(inner), 0), look.text[i], i == 0 ? Align::start : Align::end,
-                        disabled);
+            draw_number(painter, half.inset(painter.em(param_inner), 0), look.text[i],
+                        i == 0 ? Align::start : Align::end, disabled);
         }
     }
 }
