@@ -98,7 +98,7 @@ void draw_line(Painter& painter, const AreaLook& look, std::size_t index, glm::v
         if (from < to || (from <= to && beyond)) {
             const float x0 = std::round(run.x_of(from - begin));
             const float x1 = std::round(run.x_of(to - begin)) + (beyond ? painter.em(0.3F) : 0.0F);
-            painter.fill({at.x + x0, at.y, x1 - x0, look.line_height}, t.accent_ground);
+            painter.fill({at.x + x0, at.y, x1 - x0, look.line_height}, selection_color(t));
         }
     }
     painter.run(run, {at.x, at.y + metrics.ascent}, t.text);
@@ -225,7 +225,8 @@ void take_events(Ui& ui, Id id, Area& area, const Rect& rect, float line_height,
             area.show_caret = true;
         } else if (area.editing.take(ui, event, text, result)) {
             area.goal = -1;
-            area.show_caret = true;
+            const bool stays = has(event.mods, Mods::command) && (event.key == key_of('A') || event.key == key_of('C'));
+            area.show_caret |= !stays;  // what is read is not scrolled away
         }
     });
 }

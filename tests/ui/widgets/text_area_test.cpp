@@ -127,6 +127,18 @@ TEST_F(TextAreaTest, TheWheelScrollsAndTypingComesBackToTheCaret) {
     EXPECT_NE(text.substr(text.size() - 1), "p");
 }
 
+TEST_F(TextAreaTest, SelectingAllAndCopyingDoNotScroll) {
+    text.clear();
+    for (int i = 0; i < 100; ++i) text += "line\n";
+    ui.frame();
+    click_line(0, 0);
+    ui.key('A', Mods::command);
+    EXPECT_EQ(copied(), text);
+    EXPECT_EQ(ui.node("Notes").scroll->offset.y, 0);
+    ui.key('X', Mods::command);
+    EXPECT_EQ(text, "");
+}
+
 TEST_F(TextAreaTest, TheBarIsDraggedAndPressedByPages) {
     text.clear();
     for (int i = 0; i < 100; ++i) text += "line\n";

@@ -5,6 +5,7 @@
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/field.h"
 
 namespace lapfx::ui {
 namespace {
@@ -358,6 +359,13 @@ TEST_F(TextFieldTest, TheCrossEmptiesASearchFieldAndGivesItTheKeyboard) {
     EXPECT_EQ(ui.focused(), "Name");
     EXPECT_FALSE(ui.exists("Name/Clear"));
     EXPECT_EQ(ui.node("Name").role, Role::search_field);
+}
+
+TEST(TextField, SelectedTextCanBeRead) {
+    for (const Theme* theme : {&dark_theme(), &light_theme()}) {
+        EXPECT_GE(contrast(theme->text, selection_color(*theme)), 4.5);
+        EXPECT_GE(contrast(theme->field, selection_color(*theme)), 1.4) << "and seen to be selected";
+    }
 }
 
 TEST_F(TextFieldTest, ThePointerOverTheFieldIsForText) {
