@@ -150,7 +150,8 @@ struct Session {
                 state.began = state.held = state.moves = false;
                 return;
             case EventKind::key:
-                return key(i, event);
+                if (!state.held) key(i, event);  // one edit at a time
+                return;
             default:
                 return;
         }

@@ -146,6 +146,18 @@ TEST_F(ColorFieldTest, EscapeWhileTypingGoesBack) {
     EXPECT_TRUE(ui.exists("Key picker"));
 }
 
+TEST_F(ColorFieldTest, ClosingThePickerWhileTypingCommits) {
+    open();
+    ui.click("Key picker/Hex").key('A', Mods::command).type("#fff");
+    EXPECT_EQ(commits, 0);
+    ui.send({.kind = EventKind::press, .at = {630, 470}});
+    EXPECT_FALSE(ui.exists("Key picker"));
+    EXPECT_EQ(color, rgb(0xffffff));
+    EXPECT_EQ(commits, 1);
+    ui.frame().frame();
+    EXPECT_EQ(commits, 1);
+}
+
 TEST_F(ColorFieldTest, BeforeGoesBackToWhatItWasWhenOpened) {
     open();
     ui.drag("Key picker/Hue", {0, 30});

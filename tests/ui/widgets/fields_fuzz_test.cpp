@@ -26,7 +26,7 @@ struct Gestures {
         if (edit.changed) {
             EXPECT_TRUE(open || edit.began) << name << ": changed without a begin";
         }
-        open = ends ? edit.began && open : open || edit.began;
+        open = edit.began ? !ends || open : open && !ends;
     }
 };
 
