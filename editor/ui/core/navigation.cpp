@@ -44,7 +44,7 @@ bool takes(Sense sense, Key key, Mods mods) {
     if (has(sense, Sense::keys) && plain && key != Key::tab && key != Key::f6) return true;
     switch (key) {
         case Key::enter:
-            return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
+            return plain && (has(sense, Sense::activate) || has(sense, Sense::typing) || has(sense, Sense::digits));
         case Key::space:
             return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
         case Key::left:
@@ -98,6 +98,7 @@ bool moves_by_arrows(Role role) {
 void Ui::route_key(const Event& event) {
     const bool held_now = active_[0] != 0 || active_[1] != 0 || active_[2] != 0;
     if (held_now && event.key == Key::escape) return cancel_held();
+    if (takes_under_pointer(event)) return send(hot_, event);
     const Node* node = before(focus_);
     if (node != nullptr && takes(node->sense, event.key, event.mods)) {
         ringed_ = true;
@@ -110,6 +111,15 @@ void Ui::route_key(const Event& event) {
         return;
     }
     navigate(event);
+}
+
+/// Backspace and Ctrl+C are meant for what one points at, unless a ring or an open text says where the keyboard is.
+bool Ui::takes_under_pointer(const Event& event) {
+    const Node* over = before(hot_);
+    const Node* focused = before(focus_);
+    if (over == nullptr || hot_ == focus_ || ringed_ || !has(over->sense, Sense::hover_keys)) return false;
+    if (focused != nullptr && (has(focused->sense, Sense::editing) || has(focused->sense, Sense::keys))) return false;
+    return takes(over->sense & (Sense::erase | Sense::copying), event.key, event.mods);
 }
 
 bool Ui::navigate(const Event& event) {

@@ -169,6 +169,10 @@ class Ui {
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
 
+    /// Another build follows in this frame when layout gives `node` another size than it had: for what is placed inside it by its
+    /// size of before, and for pictures that are made to its size.
+    void follow_size(const Node& node) { followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data())); }
+
     /// What happened to it, and its states hovered, held, focused, ringed. Once for each node.
     Response respond(Node& node);
     /// Events of this build for `id`, in order.
@@ -272,7 +276,7 @@ class Ui {
     const FrameOutput& emit();
     std::vector<Node>& nodes() { return built_[now_]; }
     const std::vector<Node>& nodes_before() const { return built_[1 - now_]; }
-    Id claim(const Label& label, bool& duplicate);
+    const Seen& claim(const Label& label, bool& duplicate);
     Node& add(Role role, std::string_view label, Sense sense, bool overlay);
     void add_tooltip();
     void drop_overlays_not_built();
@@ -288,6 +292,7 @@ class Ui {
     void route_wheel(const Event& event);
     void route_text(const Event& event);
     void route_drop(Event& event);
+    bool opens_entry(const Event& event);
     void cancel_held();
     void send(Id target, const Event& event);
     void take(Response& response, const Node& node, const Event& event);
@@ -296,6 +301,7 @@ class Ui {
     std::uint32_t index_before(Id id);
     // navigation.cpp: keys
     void route_key(const Event& event);
+    bool takes_under_pointer(const Event& event);
     bool navigate(const Event& event);
     void move_focus(int step);
     void move_panel(int step);
@@ -319,6 +325,7 @@ class Ui {
     std::uint32_t build_ = 0;
     std::span<const Node> tree_;
     std::vector<Level> stack_;
+    std::vector<std::uint32_t> followed_;     ///< nodes of follow_size()
     std::vector<std::uint32_t> drawn_later_;  ///< nodes that draw once their children have
     StateTable seen_;
     std::unordered_map<Id, std::unique_ptr<SlotBase>> memory_;
@@ -328,11 +335,13 @@ class Ui {
     std::vector<Event> queue_;
     std::size_t queue_head_ = 0;
     std::vector<std::pair<Id, Event>> routed_;
+    std::vector<std::pair<Id, Event>> late_;  ///< sent while building, for the next build
+    bool building_ = false;
     std::string dropped_;
     Id hot_ = 0, hot_shown_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
     bool ringed_ = false, pointer_inside_ = false;
     glm::vec2 pointer_{-1, -1}, moved_{0}, pressed_at_{0}, rested_at_{-1, -1};
-    double rested_since_ = 0, last_press_ = -1e9;
+    double rested_since_ = 0, last_press_ = -1e9, scrolled_at_ = -1e9;
     Id last_pressed_ = 0;
     int clicks_ = 0;
     Mods mods_ = Mods::none;

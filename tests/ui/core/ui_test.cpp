@@ -182,6 +182,20 @@ TEST(Ui, AnOverlayOpensByNameClosesByEscapeAndGivesTheFocusBack) {
     EXPECT_FALSE(ui.exists("Box"));
 }
 
+TEST(Ui, AWidgetIsToldThatItLostTheFocusEvenIfItIsBuiltFirst) {
+    int lost = 0;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus);
+        node.size[0] = px(50), node.size[1] = px(20);
+        lost += u.respond(node).focus_out ? 1 : 0;
+        const Id field = node.id;
+        if (button(u, "Drop") && field != 0) u.set_focus(0);
+        if (u.before(field) != nullptr && u.focus() == field && u.key_down(key_of('Q'))) u.set_focus(0);
+    });
+    ui.click("Field").key('Q');
+    EXPECT_EQ(lost, 1);
+}
+
 TEST(Ui, WhatLiesUnderAModalCannotBeUsed) {
     int clicks = 0;
     bool open = true;
@@ -260,6 +274,27 @@ TEST(Ui, AWakeFromAnotherThreadAsksForAFrame) {
     EXPECT_STREQ(ui.ui().wake_reasons().empty() ? "" : ui.ui().wake_reasons().back().reason, "");
     ui.frame();
     EXPECT_EQ(ui.output().wake_at, never) << "the frame that came is what was asked for";
+}
+
+TEST(Ui, WhatFollowsASizeIsBuiltAgainBeforeItIsDrawn) {
+    Harness ui([&](Ui& u) {
+        Node& area = u.open(Role::canvas, "Area", Axis::y, Sense::press);
+        area.size[0] = grow(), area.size[1] = grow();
+        u.follow_size(area);
+        const glm::vec2 middle = u.rect_before(area.id).size() * 0.5F;
+        Node& child = u.leaf(Role::handle, "Middle", Sense::press);
+        child.size[0] = px(10), child.size[1] = px(10);
+        child.placed = true;
+        child.placement = u.arena().make(Placement{.offset = middle, .pivot = {0.5F, 0.5F}});
+        u.close();
+    });
+    EXPECT_EQ(ui.rect("Area/Middle").center(), ui.rect("Area").center());
+    ui.size = {300, 200};
+    ui.frame();
+    EXPECT_EQ(ui.rect("Area/Middle").center(), glm::vec2(150, 100));
+    const int builds = ui.ui().builds();
+    ui.frame();
+    EXPECT_EQ(ui.ui().builds(), builds + 1) << "a size that stays costs nothing";
 }
 
 TEST(Ui, AnyWindowAndScaleHold) {
