@@ -10,7 +10,7 @@ namespace {
 
 using testing::ElementsAre;
 
-/// Three in a line: 400 px hold three cells of 120 (8 em and pads of 4 px), which get 133 px each.
+/// Three in a line: 388 px beside the bar hold three cells of 120 (8 em and pads of 4 px), which get 129 px each.
 struct Presets {
     explicit Presets(std::size_t n) : count(n), ui([this](Ui& u) { build(u); }, {400, 300}) {}
     void build(Ui& u) {
@@ -42,13 +42,13 @@ struct Presets {
 
 TEST(Thumbnails, FillTheWidthInTheFirstFrame) {
     Presets t(1000);
-    EXPECT_EQ(t.ui.rect("Presets/Preset 2").x, 266);
+    EXPECT_EQ(t.ui.rect("Presets/Preset 2").x, 258);
     EXPECT_EQ(t.ui.rect("Presets/Preset 3").x, 0);
-    EXPECT_EQ(t.ui.rect("Presets/Preset 3").w, 133);
-    EXPECT_EQ(t.cells(), 9U) << "three lines of 300 px";
+    EXPECT_EQ(t.ui.rect("Presets/Preset 3").w, 129);
+    EXPECT_EQ(t.cells(), 12U) << "three lines of 97 px and a bit of a fourth";
     t.ui.size = {530, 300};
     t.ui.frame();
-    EXPECT_EQ(t.ui.rect("Presets/Preset 3").x, 396);
+    EXPECT_EQ(t.ui.rect("Presets/Preset 3").x, 387);
 }
 
 TEST(Thumbnails, TellWhatTheyAre) {
