@@ -188,7 +188,7 @@ Edit edit_angle(Ui& ui, const View& view, glm::dvec2 pivot, glm::dvec2 place, Co
 }
 
 Edit edit_wipe(Ui& ui, const View& view, CompareState& state) {
-    const float margin = ui.row_height() / 2;
+    const float margin = handle_side(ui) / 2;
     const WipeLine line(view, state.angle);
     const glm::dvec2 middle(view.area.center());
     const glm::dvec2 at = kept_in(line.nearest(state.position, middle), view.area, margin);

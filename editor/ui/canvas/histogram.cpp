@@ -18,7 +18,7 @@ struct Parts {
 };
 Parts parts_of(Rect rect, float em, float row, bool handles) {
     Parts parts;
-    rect = rect.inset(row / 2, 0);  // so that handles at the ends stay inside
+    rect = rect.inset(2 * std::ceil(row / 2), 0);  // low's grip stands before the axis, high's behind
     parts.axis = rect.cut_bottom(em * 1.3F);
     if (handles) parts.handles = rect.cut_bottom(row);
     rect.cut_top(em * 0.3F);
@@ -124,14 +124,14 @@ std::string_view percent(Ui& ui, double share) {
 std::string_view bin_text(Ui& ui, const HistogramData& data, int bin, double total, std::string_view unit) {
     char value[32], count[32];
     const auto bins = static_cast<double>(data.bins.size());
-    const double width = (data.maximum - data.minimum) / bins;
     // Of code values bin i holds exactly i; of anything else the middle of the bin says most.
-    const double at =
-        data.minimum + (data.maximum - data.minimum) *
-                           (bins == data.maximum + 1 && data.minimum == 0 ? bin / data.maximum : (bin + 0.5) / bins);
+    const bool codes = data.minimum == 0 && bins == data.maximum + 1;
+    const double width = (data.maximum - data.minimum) / bins;
+    const double at = codes ? bin : data.minimum + (bin + 0.5) * width;
+    const int decimals = codes || width <= 0 ? 0 : static_cast<int>(std::clamp(1 - std::log10(width), 0.0, 9.0));
     const auto n = static_cast<double>(data.bins[static_cast<std::size_t>(bin)]);
-    return ui.join({format_number(value, at, decimals_of(width < 1 ? width : 1)), unit, "   ",
-                    format_number(count, n, 0), "   ", percent(ui, total > 0 ? n / total : 0)});
+    return ui.join({format_number(value, at, decimals), unit, "   ", format_number(count, n, 0), "   ",
+                    percent(ui, total > 0 ? n / total : 0)});
 }
 
 /// Colours say which is which: what becomes black, half and white.
@@ -146,17 +146,22 @@ struct Grips {
     Parts parts;
     glm::vec2 origin;
 
+    /// Low's grip lies left of its value and high's right, so that neither covers the other where they meet.
     HandleMoves put(std::string_view label, double place, int which, std::string_view tip) const {
+        const glm::vec2 pivot(which == 0 ? 1 : which == 1 ? 0 : 0.5F, 0.5F);
         const HandleMoves moves =
             put_handle(ui, {.label = label,
                             .tip = tip,
                             .at = glm::vec2(x_of(parts.plot, place), parts.handles.center().y) - origin,
+                            .pivot = pivot,
                             .cursor = Cursor::resize_x});
-        ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = knob_color(ui.theme(), which), .size = {0.6F, 1.1F}});
+        ui.draw_with<draw_knob>(ui.last(),
+                                KnobLook{.color = knob_color(ui.theme(), which), .size = {0.6F, 1.1F}, .pivot = pivot});
         return moves;
     }
     double place_at(const HandleMoves& moves) const {
-        return static_cast<double>((moves.to.x + origin.x - parts.plot.x) / std::max(parts.plot.w, 1.0F));
+        return static_cast<double>(moves.to.x + origin.x - parts.plot.x) /
+               std::max(1.0, static_cast<double>(parts.plot.w));
     }
     void tell(double value, double minimum, double maximum, double step, std::string_view unit) const {
         char buffer[32];

@@ -170,7 +170,7 @@ std::string_view chroma_text(Ui& ui, glm::vec2 chroma) {
 Edit edit_radius(Ui& ui, const ChromaMap& map, glm::vec2 key, float angle, const HandleOptions& handle,
                  const HandleRange& range, Color color, double& radius) {
     const Rect before = map.square;
-    const glm::vec2 toward = key == glm::vec2(0) ? glm::vec2(1, 0) : -glm::normalize(glm::vec2(key.x, -key.y));
+    const glm::vec2 toward = glm::length(key) < 1 ? glm::vec2(1, 0) : -glm::normalize(glm::vec2(key.x, -key.y));
     const glm::vec2 way(toward.x * std::cos(angle) - toward.y * std::sin(angle),
                         toward.x * std::sin(angle) + toward.y * std::cos(angle));
     const glm::vec2 place = map.at(key) + way * static_cast<float>(radius) * map.px_per_code;
