@@ -133,7 +133,7 @@ void draw_knob(Painter& painter, const Node& node, const KnobLook& look) {
     const float radius = std::min(size.x, size.y) / 2;
     painter.shadow(knob, t.shadow, painter.em(0.2F), radius);
     painter.fill(knob, disabled ? t.control : look.color, radius);
-    painter.frame(knob, lit ? t.text : t.canvas, painter.hairline() * (lit ? 2 : 1), radius);
+    painter.frame(knob, lit ? t.focus : mix(look.color, t.text_dim, 0.6F), painter.hairline() * (lit ? 2 : 1), radius);
 }
 
 }  // namespace lapfx::ui

@@ -38,6 +38,11 @@ struct HandleRange {
 Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, double steps, double dragged,
                     double& value);
 
+/// Canvases are dark in every theme: what is drawn on one is between it (0) and white (1).
+inline Color canvas_ink(const Theme& theme, float strength = 0.9F) {
+    return mix(theme.canvas, theme.text_on_accent, strength);
+}
+
 /// A round knob at the handle's pivot, lit when hovered or held.
 struct KnobLook {
     Color color;

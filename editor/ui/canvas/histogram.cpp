@@ -59,7 +59,7 @@ void draw_bars(Painter& painter, const Rect& plot, const HistogramLook& look) {
         const float right = std::round(plot.x + plot.w * static_cast<float>(c + 1) / static_cast<float>(columns));
         const bool hovered = look.hovered >= static_cast<int>(from) && look.hovered < static_cast<int>(to);
         painter.fill({left, plot.bottom() - height, right - left, height},
-                     hovered ? painter.theme().text : mix(painter.theme().text_dim, painter.theme().canvas, 0.25F));
+                     canvas_ink(painter.theme(), hovered ? 0.9F : 0.5F));
     }
 }
 
@@ -71,7 +71,7 @@ void draw_axis(Painter& painter, const Parts& parts, const HistogramData& data, 
         const double value = marks.first + i * marks.step;
         const float x = std::round(x_of(parts.plot, place_of(data, value)));
         if (lines) {
-            painter.fill({x, parts.plot.y, painter.hairline(), parts.plot.h}, t.grid);
+            painter.fill({x, parts.plot.y, painter.hairline(), parts.plot.h}, canvas_ink(t, 0.14F));
             continue;
         }
         char buffer[32];
@@ -90,12 +90,13 @@ void draw_levels(Painter& painter, const Parts& parts, const HistogramLook& look
     const float low = std::round(x_of(plot, low_place)), high = std::round(x_of(plot, high_place));
     painter.fill({plot.x, plot.y, low - plot.x, plot.h}, with_alpha(t.canvas, 0.65F));
     painter.fill({high, plot.y, plot.right() - high, plot.h}, with_alpha(t.accent, 0.3F));
-    const float line = painter.hairline(), down = parts.handles.center().y - plot.y;
-    painter.fill({low, plot.y, line, down}, t.text_dim);
-    painter.fill({high, plot.y, line, down}, t.text_dim);
-    if (!look.gamma) return;
+    const auto mark = [&](float x, float strength) {
+        painter.fill({x, plot.y, painter.hairline(), plot.h}, canvas_ink(t, strength));
+        painter.fill({x, plot.bottom(), painter.hairline(), painter.em(0.4F)}, t.text_dim);  // down to the grip
+    };
+    mark(low, 0.7F), mark(high, 0.7F);
     const double middle = low_place + (high_place - low_place) * gamma_place(look.levels.gamma);
-    painter.fill({std::round(x_of(plot, middle)), plot.y, line, down}, with_alpha(t.text_dim, 0.6F));
+    if (look.gamma) mark(std::round(x_of(plot, middle)), 0.4F);
 }
 
 void draw_histogram(Painter& painter, const Node& node, const HistogramLook& look) {
@@ -107,12 +108,12 @@ void draw_histogram(Painter& painter, const Node& node, const HistogramLook& loo
     draw_bars(painter, parts.plot, look);
     if (look.has_levels) draw_levels(painter, parts, look);
     const float mark = painter.em(0.25F);
-    if (look.clipped_low) painter.fill({parts.plot.x, parts.plot.y, mark, parts.plot.h}, t.warning);
-    if (look.clipped_high) painter.fill({parts.plot.right() - mark, parts.plot.y, mark, parts.plot.h}, t.warning);
+    if (look.clipped_low) painter.fill({parts.plot.x, parts.plot.y, mark, parts.plot.h}, t.series[1]);
+    if (look.clipped_high) painter.fill({parts.plot.right() - mark, parts.plot.y, mark, parts.plot.h}, t.series[1]);
     draw_axis(painter, parts, look.data, false);
     if (look.hovered < 0) return;
     Rect line = parts.plot.inset(painter.em(0.6F), painter.em(0.2F));
-    painter.text(line.cut_top(painter.em(1.3F)), look.readout, painter.number_style(), t.text);
+    painter.text(line.cut_top(painter.em(1.3F)), look.readout, painter.number_style(), canvas_ink(t));
 }
 
 /// "17.4 %".
@@ -136,7 +137,7 @@ std::string_view bin_text(Ui& ui, const HistogramData& data, int bin, double tot
 
 /// Colours say which is which: what becomes black, half and white.
 Color knob_color(const Theme& t, int which) {
-    return which == 0 ? t.control : which == 1 ? t.text : t.text_disabled;
+    return canvas_ink(t, which == 0 ? 0.1F : which == 1 ? 1.0F : 0.5F);
 }
 
 struct Grips {
@@ -201,8 +202,7 @@ struct Grips {
 };
 
 Edit put_log_switch(Ui& ui, bool& on, const Parts& parts, glm::vec2 origin) {
-    const Edit edit =
-        toggle(ui, "Log", on, {.tip = "Show rare values: heights follow the logarithm of counts", .quiet = true});
+    const Edit edit = toggle(ui, "Log", on, {.tip = "Show rare values: heights follow the logarithm of counts"});
     Node& node = ui.last();
     node.placed = true;
     node.placement =

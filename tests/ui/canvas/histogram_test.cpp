@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "ui/canvas/drag_handle.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 
@@ -183,7 +184,7 @@ TEST(Histogram, FullEndsAreMarkedAndTold) {
     Shown s;
     const auto warned = [&] {
         int count = 0;
-        for (const Instance& each : s.ui.output().list->instances) count += each.color == s.ui.ui().theme().warning;
+        for (const Instance& each : s.ui.output().list->instances) count += each.color == s.ui.ui().theme().series[1];
         return count;
     };
     EXPECT_EQ(warned(), 0);
@@ -224,7 +225,7 @@ TEST(Histogram, MoreBinsThanPixelsLoseNoPeak) {
     s.bins[77777] = 5;
     s.data.bins = s.bins;
     s.ui.frame();
-    const Color bar = mix(s.ui.ui().theme().text_dim, s.ui.ui().theme().canvas, 0.25F);
+    const Color bar = canvas_ink(s.ui.ui().theme(), 0.5F);
     std::vector<Rect> bars;
     for (const Instance& each : s.ui.output().list->instances) {
         if (each.color == bar) bars.push_back({each.x, each.y, each.w, each.h});

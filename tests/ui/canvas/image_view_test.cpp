@@ -123,7 +123,7 @@ TEST(ImageView, ThePixelGridComesWithLargePixelsAndSmoothingGoes) {
     const std::size_t before = v.drawn(InstanceKind::fill);
     v.state.zoom = 8;
     v.ui.frame();
-    EXPECT_GE(v.drawn(InstanceKind::fill), before + 50 + 37) << "400 / 8 columns, 300 / 8 rows";
+    EXPECT_GE(v.drawn(InstanceKind::fill), before + 2 * (50 + 37)) << "400 / 8 columns, 300 / 8 rows";
     for (const Instance& each : v.ui.output().list->instances) {
         if (each.kind == InstanceKind::image) {
             EXPECT_EQ(each.border, 1);
