@@ -133,6 +133,12 @@ void Curve::set_point(std::size_t i, const CurvePoint& point) {
     update();
 }
 
+void Curve::set_points(std::span<const CurvePoint> points) {
+    assert(valid(points));
+    points_.assign(points.begin(), points.end());
+    update();
+}
+
 void Curve::make_free(std::size_t i) {
     points_[i].slope_in = slopes_in_[i], points_[i].slope_out = slopes_out_[i];
     points_[i].handle = CurveHandle::free;

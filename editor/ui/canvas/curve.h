@@ -57,6 +57,8 @@ class Curve {
     void erase(std::size_t i);
     /// x must be between its neighbours (assert); all finite (assert).
     void set_point(std::size_t i, const CurvePoint& point);
+    /// All of them anew; valid() (assert).
+    void set_points(std::span<const CurvePoint> points);
     /// Free, with the slopes it has now.
     void make_free(std::size_t i);
 
