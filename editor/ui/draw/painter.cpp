@@ -186,7 +186,8 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
 /// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines through the
 /// smooth outer edge of its frame.
 bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
-    if (list_.instances.empty() || clips_.back().batch != list_.batches.size()) return false;
+    if (list_.batches.empty() || clips_.back().batch != list_.batches.size()) return false;
+    if (list_.instances.size() == list_.batches.back().first) return false;
     Instance& last = list_.instances.back();
     const bool same = last.kind == InstanceKind::fill && last.border == 0 && last.radius == radius &&
                       last.clip == clips_.back().index && last.x == rect.x && last.y == rect.y && last.w == rect.w &&
