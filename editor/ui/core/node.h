@@ -186,7 +186,8 @@ struct ScrollState {
 
 inline constexpr std::uint32_t no_node = 0xffffffffU;
 
-struct Node {
+/// Of 256 bytes: the index of one is found by a shift.
+struct alignas(64) Node {
     using Draw = void (*)(Painter&, const Node&, const void* arg);
     using HeightForWidth = float (*)(Ui&, const Node&, float width);
 
@@ -234,5 +235,6 @@ struct Node {
     }
     Rect seen() const { return intersect(rect(), clip); }
 };
+static_assert(sizeof(Node) == 256);
 
 }  // namespace lapfx::ui

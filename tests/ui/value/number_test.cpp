@@ -97,6 +97,22 @@ TEST(FormatNumber, AlwaysFitsIn32BytesAndIsNearTheValue) {
     EXPECT_EQ(format_number(small, 1234, 0), "");
 }
 
+TEST(FormatNumber, ShortNumbersAreThoseOfToChars) {
+    std::mt19937_64 random(7);
+    std::uniform_real_distribution<double> exponent(-9, 9), mantissa(-10, 10);
+    char mine[32], theirs[64];
+    for (int i = 0; i < 200000; ++i) {
+        const int decimals = static_cast<int>(random() % 8);
+        double value = mantissa(random) * std::pow(10.0, exponent(random));
+        if (i % 3 == 0) value = std::round(value * 8) / 8;  // halves that have to go to the even digit
+        const auto end = std::to_chars(theirs, theirs + sizeof theirs, value, std::chars_format::fixed, decimals).ptr;
+        std::string expected(theirs, end);
+        if (expected.find_first_of("123456789") == expected.npos && expected.starts_with('-')) expected.erase(0, 1);
+        if (std::abs(value) < 1e-9 && value != 0) continue;  // written with an exponent
+        ASSERT_EQ(format_number(mine, value, decimals), expected) << decimals;
+    }
+}
+
 TEST(FormatExact, ReadsBackToTheSameNumberInFewDigits) {
     EXPECT_EQ(exact(0.1), "0.1");
     EXPECT_EQ(exact(100000), "100000");
