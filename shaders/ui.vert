@@ -26,7 +26,7 @@ out vec4 v_place;  // xy: px from the middle of the shape; zw: in the texture
 
 const uint fill_kind = 0u, glyph_kind = 1u, line_kind = 2u, image_kind = 3u, gradient_kind = 4u, checker_kind = 5u,
            shadow_kind = 6u, compare_kind = 7u;
-const float no_border = 1e6;
+const float endless = 1e6, no_border = 1e8;  // px; a border wider than any shape leaves nothing inside
 
 vec4 clip;
 vec2 corner;
@@ -68,7 +68,7 @@ void put_fill(float radius, float border) {
         v_color += v_inside * (1.0 - v_color.a);
     }
     if (radius == 0.0 && border == 0.0 && fract(low) == vec2(0.0) && fract(high) == vec2(0.0)) {
-        v_shape = vec4(1e6, 1e6, 0.0, no_border);  // the quad's own edges are the shape's
+        v_shape = vec4(endless, endless, 0.0, no_border);  // the quad's own edges are the shape's
     } else {
         vec2 half_size = thicken(0.5 * a_rect.zw);
         v_shape = vec4(half_size, min(radius, min(half_size.x, half_size.y)), border > 0.0 ? border : no_border);
@@ -103,7 +103,7 @@ void put_glyph() {
     // Blended in sRGB, light text on dark looks thinner than dark on light does: half-covered pixels are made up to 0.1 stronger
     // by how light the text is. Looked at with 14 px: 0 is spindly on dark, 0.8 half-bold; dark text stays as it is.
     float light = dot(a_color.rgb, vec3(0.2126, 0.7152, 0.0722));
-    v_shape = vec4(1e6, 1e6, 0.0, 0.4 * light);
+    v_shape = vec4(endless, endless, 0.0, 0.4 * light);
     v_glyph = 1.0;
     v_place = vec4(0.0);
     v_place.zw = put_corner(a_rect.xy, a_rect.xy + a_rect.zw) - a_rect.xy + vec2(a_uv.xy);

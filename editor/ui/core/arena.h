@@ -1,7 +1,9 @@
 // Memory of one frame: taken in steps, given back all at once. Keeps its blocks, so a steady frame allocates nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
 #include <cstring>
 #include <memory>
 #include <new>
@@ -14,13 +16,11 @@ namespace lapfx::ui {
 class Arena {
   public:
     void* take(std::size_t bytes, std::size_t alignment = alignof(std::max_align_t)) {
-        std::size_t at = (used_ + alignment - 1) & ~(alignment - 1);
-        if (block_ >= blocks_.size() || at + bytes > blocks_[block_].size) {
-            next_block(bytes);
-            at = 0;
-        }
-        used_ = at + bytes;
-        return blocks_[block_].data.get() + at;
+        const std::uintptr_t at = (cursor_ + alignment - 1) & ~std::uintptr_t{alignment - 1};
+        if (at + bytes > limit_) [[unlikely]]
+            return next_block(bytes);
+        cursor_ = at + bytes;
+        return reinterpret_cast<void*>(at);
     }
     template <typename T>
     T* make(const T& value) {
@@ -33,7 +33,10 @@ class Arena {
         std::memcpy(to, text.data(), text.size());
         return {to, text.size()};
     }
-    void reset() { block_ = 0, used_ = 0; }
+    void reset() {
+        block_ = 0;
+        if (!blocks_.empty()) enter(0);
+    }
     std::size_t capacity() const {
         std::size_t all = 0;
         for (const Block& block : blocks_) all += block.size;
@@ -45,18 +48,27 @@ class Arena {
         std::unique_ptr<std::byte[]> data;
         std::size_t size = 0;
     };
-    void next_block(std::size_t bytes) {
-        const std::size_t next = blocks_.empty() ? 0 : block_ + 1;
-        used_ = 0;
-        for (block_ = next; block_ < blocks_.size(); ++block_) {
-            if (blocks_[block_].size >= bytes) return;
+    void enter(std::size_t block) {
+        block_ = block;
+        cursor_ = reinterpret_cast<std::uintptr_t>(blocks_[block].data.get());
+        limit_ = cursor_ + blocks_[block].size;
+    }
+    /// Memory of `new[]` is aligned for everything.
+    void* next_block(std::size_t bytes) {
+        std::size_t next = blocks_.empty() ? 0 : block_ + 1;
+        while (next < blocks_.size() && blocks_[next].size < bytes) ++next;
+        if (next == blocks_.size()) {
+            const std::size_t size = std::max<std::size_t>(bytes, 64 << 10);
+            blocks_.push_back({std::make_unique_for_overwrite<std::byte[]>(size), size});
         }
-        const std::size_t size = std::max<std::size_t>(bytes, 64 << 10);
-        blocks_.push_back({std::make_unique_for_overwrite<std::byte[]>(size), size});
+        enter(next);
+        cursor_ += bytes;
+        return blocks_[next].data.get();
     }
 
     std::vector<Block> blocks_;
-    std::size_t block_ = 0, used_ = 0;
+    std::size_t block_ = 0;
+    std::uintptr_t cursor_ = 0, limit_ = 0;  ///< of the block in use
 };
 
 }  // namespace lapfx::ui

@@ -144,13 +144,15 @@ void put_overlay(std::span<Node> nodes, Node& node, std::uint32_t anchor, int a,
 
 bool keep_scroll(Node& node, int a, float inside) {
     ScrollState& scroll = *node.scroll;
+    // what was built knew another size: which rows there are, whether a scroll bar is needed
+    const bool resized = std::abs(scroll.content[a] - node.content[a]) > 0.5F || scroll.view[a] != inside;
     scroll.content[a] = node.content[a];
     scroll.view[a] = inside;
     const float most = std::max(0.0F, node.content[a] - inside);
     const float kept = node.scrolls[a] ? std::clamp(scroll.offset[a], 0.0F, most) : 0.0F;
     const bool moved = kept != scroll.offset[a];
     scroll.offset[a] = kept;
-    return moved;
+    return moved || resized;
 }
 
 std::uint32_t find_before(std::span<const Node> nodes, std::uint32_t index, Id id) {
@@ -168,9 +170,9 @@ bool put(std::span<Node> nodes, int a, float window) {
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         Node& node = nodes[i];
         if (node.overlay) put_overlay(nodes, node, find_before(nodes, i, node.placement->anchor), a, window);
-        if (node.first == no_node) continue;
         const float inside = std::max(0.0F, node.extent[a] - pads(node, a));
         if (node.scroll != nullptr) moved |= keep_scroll(node, a, inside);
+        if (node.first == no_node) continue;
         if (static_cast<int>(node.axis) == a) {
             share_out(nodes, node, a, inside);
             put_along(nodes, node, a, inside);

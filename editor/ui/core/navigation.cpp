@@ -44,7 +44,7 @@ bool takes(Sense sense, Key key, Mods mods) {
     if (has(sense, Sense::keys) && plain && key != Key::tab && key != Key::f6) return true;
     switch (key) {
         case Key::enter:
-            return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
+            return plain && (has(sense, Sense::activate) || has(sense, Sense::typing) || has(sense, Sense::digits));
         case Key::space:
             return plain && (has(sense, Sense::activate) || has(sense, Sense::typing));
         case Key::left:
@@ -98,6 +98,7 @@ bool moves_by_arrows(Role role) {
 void Ui::route_key(const Event& event) {
     const bool held_now = active_[0] != 0 || active_[1] != 0 || active_[2] != 0;
     if (held_now && event.key == Key::escape) return cancel_held();
+    if (takes_under_pointer(event)) return send(hot_, event);
     const Node* node = before(focus_);
     if (node != nullptr && takes(node->sense, event.key, event.mods)) {
         ringed_ = true;
@@ -110,6 +111,15 @@ void Ui::route_key(const Event& event) {
         return;
     }
     navigate(event);
+}
+
+/// Backspace and Ctrl+C are meant for what one points at, unless a ring or an open text says where the keyboard is.
+bool Ui::takes_under_pointer(const Event& event) {
+    const Node* over = before(hot_);
+    const Node* focused = before(focus_);
+    if (over == nullptr || hot_ == focus_ || ringed_ || !has(over->sense, Sense::hover_keys)) return false;
+    if (focused != nullptr && (has(focused->sense, Sense::editing) || has(focused->sense, Sense::keys))) return false;
+    return takes(over->sense & (Sense::erase | Sense::copying), event.key, event.mods);
 }
 
 bool Ui::navigate(const Event& event) {
@@ -126,6 +136,13 @@ bool Ui::navigate(const Event& event) {
         case Key::up:
         case Key::down:
             return move_by_arrow(event.key);
+        case Key::page_up:
+        case Key::page_down:
+            if (has(event.mods, Mods::command)) return send_to_around(event, Sense::tab_keys);
+            return scroll_by_key(event.key);
+        case Key::home:
+        case Key::end:
+            return scroll_by_key(event.key);
         case Key::escape:
             if (std::any_of(overlays_.begin(), overlays_.end(),
                             [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
@@ -137,6 +154,40 @@ bool Ui::navigate(const Event& event) {
         default:
             return false;
     }
+}
+
+/// Where keys that nothing took belong to: what has the focus, else what is under the pointer.
+std::uint32_t Ui::key_place() {
+    const std::uint32_t focused = index_before(focus_);
+    return focused != no_node || !pointer_inside_ ? focused : hit(nodes_before(), pointer_, static_cast<Sense>(~0U));
+}
+
+bool Ui::send_to_around(const Event& event, Sense sense) {
+    for (std::uint32_t i = key_place(); i != no_node; i = nodes_before()[i].parent) {
+        if (!has(nodes_before()[i].sense, sense)) continue;
+        send(nodes_before()[i].id, event);
+        return true;
+    }
+    return false;
+}
+
+/// The innermost area that can go that way: by what is seen of it, or to its end.
+bool Ui::scroll_by_key(Key key) {
+    for (std::uint32_t i = key_place(); i != no_node; i = nodes_before()[i].parent) {
+        const Node& area = nodes_before()[i];
+        if (area.scroll == nullptr || !area.scrolls[1]) continue;
+        ScrollState& scroll = *area.scroll;
+        const float most = std::max(0.0F, scroll.content.y - scroll.view.y);
+        const float page = std::max(1.0F, scroll.view.y - row_height());  // a row is seen twice, so that one finds on
+        float to = key == Key::home ? 0.0F : most;
+        if (key == Key::page_up || key == Key::page_down) to = scroll.offset.y + (key == Key::page_up ? -page : page);
+        to = std::clamp(to, 0.0F, most);
+        if (to == scroll.offset.y) continue;
+        scroll.offset.y = to;
+        again_ = true;
+        return true;
+    }
+    return false;
 }
 
 /// Of the overlay that has the keyboard to itself; 0: the window.

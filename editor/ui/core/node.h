@@ -88,9 +88,12 @@ enum class Sense : std::uint32_t {
     typing = 1 << 14,    ///< what is typed, Enter
     editing = 1 << 15,   ///< a text is open: everything of a text field, Esc and Ctrl+Z among it
     escape = 1 << 16,
-    digits = 1 << 17,   ///< of what is typed, what a number can begin with
-    copying = 1 << 18,  ///< Ctrl+C, Ctrl+V, Ctrl+X
-    keys = 1 << 19,     ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
+    digits = 1 << 17,       ///< of what is typed, what a number can begin with; Enter
+    copying = 1 << 18,      ///< Ctrl+C, Ctrl+V, Ctrl+X
+    keys = 1 << 19,         ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
+    focus_wheel = 1 << 20,  ///< the wheel while it has the keyboard, unless something else was scrolled just before
+    hover_keys = 1 << 21,   ///< `erase` and `copying` under the pointer as well, unless the focus shows its ring
+    tab_keys = 1 << 22,     ///< Ctrl+PageUp and Ctrl+PageDown from anything inside it that does not take them
 };
 constexpr Sense operator|(Sense a, Sense b) {
     return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -214,6 +217,7 @@ struct alignas(64) Node {
     // made by layout
     std::uint32_t in_flow = 0;  ///< children that are not placed by hand
     bool has_placed = false;
+    bool has_events = false;  ///< some of this build are for it
     float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
     Rect clip;
 

@@ -50,6 +50,22 @@ void Ui::close_top_overlay() {
     }
 }
 
+bool Ui::close_overlays_over(std::string_view name) {
+    const auto at =
+        std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
+    if (at == overlays_.end()) return false;
+    const auto over =
+        std::count_if(at + 1, overlays_.end(), [](const Overlay& o) { return o.kind != OverlayKind::passive; });
+    for (auto i = over; i > 0; --i) close_top_overlay();
+    return over > 0;
+}
+
+bool Ui::overlay_on_top(std::string_view name) const {
+    const auto top = std::find_if(overlays_.rbegin(), overlays_.rend(),
+                                  [](const Overlay& o) { return o.kind != OverlayKind::passive; });
+    return top != overlays_.rend() && top->key == key_of(name);
+}
+
 bool Ui::overlay_open(std::string_view name) const {
     return std::any_of(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
 }

@@ -11,6 +11,7 @@ namespace {
 constexpr double double_click = 0.4;  // s between presses
 constexpr float same_place = 4;       // px at scale 1 that a double click may move
 constexpr float wheel_lines = 3;      // rows a notch
+constexpr double scroll_ends = 0.5;   // s without the wheel
 
 Sense sense_of(Button button) {
     return button == Button::left ? Sense::press : button == Button::middle ? Sense::middle : Sense::context;
@@ -26,12 +27,14 @@ bool finite(glm::vec2 v) {
 void Ui::take_events() {
     for (auto& each : routed_) each.second.paths.clear();
     routed_.clear();
+    for (const auto& [target, event] : late_) send(target, event);
+    late_.clear();
     dropped_.clear();
     moved_ = {0, 0};
     while (queue_head_ < queue_.size()) {
         Event& event = queue_[queue_head_++];
         const bool discrete = event.kind == EventKind::press || event.kind == EventKind::release ||
-                              event.kind == EventKind::key || event.kind == EventKind::drop;
+                              event.kind == EventKind::key || event.kind == EventKind::drop || opens_entry(event);
         route(event);
         if (discrete) break;
     }
@@ -59,9 +62,11 @@ void Ui::route(Event& event) {
         case EventKind::key:
             if (std::find(keys_down_.begin(), keys_down_.end(), event.key) == keys_down_.end())
                 keys_down_.push_back(event.key);
+            typed_for_ = focus_, key_came_ = true;
             return route_key(event);
         case EventKind::key_up:
             std::erase(keys_down_, event.key);
+            key_came_ = false;
             return;
         case EventKind::pointer_out:
             pointer_inside_ = false;
@@ -79,8 +84,19 @@ bool Ui::key_down(Key key) const {
     return std::find(keys_down_.begin(), keys_down_.end(), key) != keys_down_.end();
 }
 
+/// The first of what is typed: the next is for a text that is open.
+bool Ui::opens_entry(const Event& event) {
+    const Node* node = event.kind == EventKind::text ? before(focus_) : nullptr;
+    return node != nullptr && !has(node->sense, Sense::editing);
+}
+
 void Ui::send(Id target, const Event& event) {
     if (target == 0) return;
+    if (building_) {  // its widget may have been built already: in the next build it is told
+        late_.emplace_back(target, event);
+        again_ = true;
+        return;
+    }
     routed_.emplace_back(target, event);
     seen_.at(target).events = build_;
 }
@@ -161,10 +177,17 @@ void Ui::route_press(Event& event) {
     last_pressed_ = target;
     pressed_at_ = event.at;
     moved_ = {0, 0};
-    if (target == 0) return set_focus(0);
+    if (target == 0) {  // beside everything; within a menu or a dialog the keyboard stays where it is
+        if (focus_layer() == 0) set_focus(0);
+        return;
+    }
     const Node& node = nodes_before()[index];
     active_[static_cast<int>(event.button)] = target;
-    if (has(node.sense, Sense::focus)) {
+    const std::size_t over = node.layer;
+    const bool passive = over > 0 && over <= overlays_.size() && overlays_[over - 1].kind == OverlayKind::passive;
+    if (node.role == Role::menu_item || passive) {
+        // what is chosen from a menu is for what had the keyboard before; a notice never has it
+    } else if (has(node.sense, Sense::focus)) {
         set_focus(target);
     } else if (node.role != Role::scroll_bar && node.role != Role::splitter) {
         set_focus(0);
@@ -181,17 +204,26 @@ void Ui::route_release(const Event& event) {
 
 /// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its end.
 void Ui::route_wheel(const Event& event) {
+    const bool scrolling = event.time - scrolled_at_ < scroll_ends;
+    const double scrolled_before = std::exchange(scrolled_at_, event.time);
     const std::uint32_t over =
         hit(nodes_before(), pointer_, Sense::hover | Sense::press | Sense::wheel | Sense::command_wheel);
     for (std::uint32_t i = over; i != no_node; i = nodes_before()[i].overlay ? no_node : nodes_before()[i].parent) {
         const Node& node = nodes_before()[i];
-        const bool wants =
-            has(node.sense, Sense::wheel) || (has(node.sense, Sense::command_wheel) && has(event.mods, Mods::command));
-        if (wants && node.scroll == nullptr) return send(node.id, event);
+        const bool by_focus = has(node.sense, Sense::focus_wheel) && node.id == focus_ && !scrolling;
+        const bool wants = has(node.sense, Sense::wheel) || by_focus ||
+                           (has(node.sense, Sense::command_wheel) && has(event.mods, Mods::command));
+        if (wants && node.scroll == nullptr) {
+            if (by_focus) scrolled_at_ = scrolled_before;
+            return send(node.id, event);
+        }
         if (node.scroll == nullptr || has(event.mods, Mods::command)) continue;
         ScrollState& scroll = *node.scroll;
         glm::vec2 by = event.delta * em(theme().row_height) * wheel_lines;
         if (has(event.mods, Mods::shift) && by.x == 0) by = {by.y, 0};
+        for (int a = 0; a < 2; ++a) {
+            if (!node.scrolls[a]) by[a] = 0;
+        }
         const glm::vec2 most = glm::max(scroll.content - scroll.view, glm::vec2(0));
         const glm::vec2 next = glm::clamp(scroll.offset - by, glm::vec2(0), most);
         if (next == scroll.offset) continue;
@@ -202,6 +234,8 @@ void Ui::route_wheel(const Event& event) {
 }
 
 void Ui::route_text(const Event& event) {
+    // The key moved the focus, as a shortcut or as the space that chose: its letter is not meant for what has it now.
+    if (std::exchange(key_came_, false) && typed_for_ != focus_) return;
     const Node* node = before(focus_);
     if (node == nullptr) return;
     const char32_t c = event.codepoint;
@@ -258,6 +292,12 @@ void Ui::reveal(Id id) {
 Response Ui::respond(Node& node) {
     Response r;
     const Id id = node.id;
+    const bool concerned = node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
+    if (!concerned) {  // nearly all
+        r.pointer = pointer_;
+        r.mods = mods_;
+        return r;
+    }
     if (id == 0 || has(node.is, Is::disabled)) {
         if (id != 0 && id == hot_) node.is |= Is::hovered;
         return r;
@@ -273,8 +313,7 @@ Response Ui::respond(Node& node) {
     r.pressed_at = pressed_at_;
     r.mods = mods_;
     if (r.held) r.drag = moved_;
-    const Seen* seen = seen_.find(id);
-    if (seen == nullptr || seen->events != build_) return r;
+    if (!node.has_events) return r;
     for (const auto& [target, event] : routed_) {
         if (target == id) take(r, node, event);
     }

@@ -71,6 +71,7 @@ void Ui::begin(const FrameInput& input) {
     nodes().clear();
     arena().reset();
     stack_.clear();
+    followed_.clear();
     overlay_roots_.assign(overlays_.size(), no_node);
     disabled_ = 0;
     duplicates_now_ = 0;
@@ -79,11 +80,12 @@ void Ui::begin(const FrameInput& input) {
     again_ = false;
     woken_.store(nullptr);
     take_events();
+    building_ = true;
     stack_.push_back({no_node, root_seed, 0});
     open(Role::window, {}, Axis::y);
 }
 
-Id Ui::claim(const Label& label, bool& duplicate) {
+const Seen& Ui::claim(const Label& label, bool& duplicate) {
     Id id = hash_bytes(stack_.back().seed, label.key);
     Seen* seen = &seen_.at(id);
     for (std::uint64_t ordinal = 1; seen->build == build_;
@@ -96,21 +98,24 @@ Id Ui::claim(const Label& label, bool& duplicate) {
     seen->before = seen->node;
     seen->build = build_;
     seen->node = static_cast<std::uint32_t>(nodes().size());
-    return id;
+    return *seen;
 }
 
 Node& Ui::add(Role role, std::string_view text, Sense sense, bool overlay) {
     const auto index = static_cast<std::uint32_t>(nodes().size());
     const Level level = stack_.back();
-    Id id = 0;
     bool duplicate = false;
     Label label{};
+    const Seen* seen = nullptr;
     if (!text.empty()) {
         label = split_label(arena().copy(text));
-        if (sense != Sense::none || role == Role::panel || role == Role::group) id = claim(label, duplicate);
+        if (sense != Sense::none || role == Role::panel || role == Role::group) seen = &claim(label, duplicate);
     }
     Node& node = nodes().emplace_back();
-    node.id = id;
+    if (seen != nullptr) {
+        node.id = seen->id;
+        node.has_events = seen->events == build_;
+    }
     node.role = role;
     node.sense = sense;
     node.label = label.name;
@@ -233,10 +238,12 @@ void Ui::add_tooltip() {
 
 bool Ui::end() {
     close();  // the window's own node
+    building_ = false;
     assert(stack_.size() == 1 && "open() without close()");
     drop_overlays_not_built();
     add_tooltip();
     again_ |= lay_out(*this, nodes(), window());
+    for (const std::uint32_t i : followed_) again_ |= nodes()[i].rect().size() != rect_before(nodes()[i].id).size();
     duplicates_ = duplicates_now_;
     const auto alive = [this](Id id) {
         const Seen* seen = id == 0 ? nullptr : seen_.find(id);

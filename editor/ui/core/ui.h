@@ -163,9 +163,15 @@ class Ui {
     void push_seed(std::string_view key);
     void push_seed(std::uint64_t key);
     void pop_seed() { stack_.pop_back(); }
+    /// The id that a node with this label would have here: for what must be known of it before it is built.
+    Id id_of(std::string_view label) const { return hash_bytes(stack_.back().seed, split_label(label).key); }
     void push_disabled(bool disabled);
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
+
+    /// Another build follows in this frame when layout gives `node` another size than it had: for what is placed inside it by its
+    /// size of before, and for pictures that are made to its size.
+    void follow_size(const Node& node) { followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data())); }
 
     /// What happened to it, and its states hovered, held, focused, ringed. Once for each node.
     Response respond(Node& node);
@@ -221,6 +227,8 @@ class Ui {
     Clipboard* clipboard() const { return options_.clipboard; }
     /// Scrolls every area around it so that it can be seen; from the next build on.
     void reveal(Id id);
+    /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has changed since.
+    void build_again() { again_ = true; }
     /// Files dropped where no node wanted them, one a line; empty: none in this build.
     std::string_view dropped() const { return dropped_; }
 
@@ -228,7 +236,11 @@ class Ui {
     void open_overlay(std::string_view name, OverlayKind kind, const Placement& placement);
     void close_overlay(std::string_view name);
     void close_top_overlay();
+    /// Those over it that can have the keyboard, the top one first; gives whether there were any.
+    bool close_overlays_over(std::string_view name);
     bool overlay_open(std::string_view name) const;
+    /// Open, and no other that can have the keyboard lies over it.
+    bool overlay_on_top(std::string_view name) const;
     /// Opens its node when the overlay is open (then close_overlay_node() must follow), else gives null. An overlay that is
     /// not built in a frame is closed. `label`: what it is called in the tree.
     Node* open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis);
@@ -264,7 +276,7 @@ class Ui {
     const FrameOutput& emit();
     std::vector<Node>& nodes() { return built_[now_]; }
     const std::vector<Node>& nodes_before() const { return built_[1 - now_]; }
-    Id claim(const Label& label, bool& duplicate);
+    const Seen& claim(const Label& label, bool& duplicate);
     Node& add(Role role, std::string_view label, Sense sense, bool overlay);
     void add_tooltip();
     void drop_overlays_not_built();
@@ -280,6 +292,7 @@ class Ui {
     void route_wheel(const Event& event);
     void route_text(const Event& event);
     void route_drop(Event& event);
+    bool opens_entry(const Event& event);
     void cancel_held();
     void send(Id target, const Event& event);
     void take(Response& response, const Node& node, const Event& event);
@@ -288,10 +301,14 @@ class Ui {
     std::uint32_t index_before(Id id);
     // navigation.cpp: keys
     void route_key(const Event& event);
+    bool takes_under_pointer(const Event& event);
     bool navigate(const Event& event);
     void move_focus(int step);
     void move_panel(int step);
     bool move_by_arrow(Key key);
+    bool scroll_by_key(Key key);
+    bool send_to_around(const Event& event, Sense sense);
+    std::uint32_t key_place();
     std::uint8_t focus_layer() const;
 
     Fonts& fonts_;
@@ -308,6 +325,7 @@ class Ui {
     std::uint32_t build_ = 0;
     std::span<const Node> tree_;
     std::vector<Level> stack_;
+    std::vector<std::uint32_t> followed_;     ///< nodes of follow_size()
     std::vector<std::uint32_t> drawn_later_;  ///< nodes that draw once their children have
     StateTable seen_;
     std::unordered_map<Id, std::unique_ptr<SlotBase>> memory_;
@@ -317,18 +335,22 @@ class Ui {
     std::vector<Event> queue_;
     std::size_t queue_head_ = 0;
     std::vector<std::pair<Id, Event>> routed_;
+    std::vector<std::pair<Id, Event>> late_;  ///< sent while building, for the next build
+    bool building_ = false;
     std::string dropped_;
     Id hot_ = 0, hot_shown_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
     bool ringed_ = false, pointer_inside_ = false;
     glm::vec2 pointer_{-1, -1}, moved_{0}, pressed_at_{0}, rested_at_{-1, -1};
-    double rested_since_ = 0, last_press_ = -1e9;
+    double rested_since_ = 0, last_press_ = -1e9, scrolled_at_ = -1e9;
     Id last_pressed_ = 0;
     int clicks_ = 0;
     Mods mods_ = Mods::none;
     std::vector<Key> keys_down_;
-    bool again_ = false;  ///< another build is wanted before drawing
-    bool fresh_ = true;   ///< the next build is the first of its frame
-    int settled_ = 0;     ///< builds of this frame that no event asked for
+    Id typed_for_ = 0;       ///< had the keyboard when the newest key went down
+    bool key_came_ = false;  ///< and no text or key_up since
+    bool again_ = false;     ///< another build is wanted before drawing
+    bool fresh_ = true;      ///< the next build is the first of its frame
+    int settled_ = 0;        ///< builds of this frame that no event asked for
 
     std::vector<Overlay> overlays_;
     std::vector<std::uint32_t> overlay_roots_;  ///< node of each overlay built, in order of overlays_

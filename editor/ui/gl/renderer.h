@@ -39,7 +39,7 @@ class Renderer {
     bool reload(std::string_view vertex, std::string_view fragment, std::string& fault);
 
     /// `framebuffer` is at least as large as the list; its lower left corner is drawn. Sends what changed of the atlas and of the
-    /// images in use; an image that is no more, or null `images`, shows black. Steady frames allocate nothing.
+    /// images in use, so one renderer serves one Fonts and one store; an image that is no more, or null `images`, shows black. Steady frames allocate nothing.
     void draw(const DrawList& list, Fonts& fonts, const ImageStore* images, unsigned framebuffer);
     const RenderStatistics& last() const { return last_; }
 

@@ -182,6 +182,20 @@ TEST(Ui, AnOverlayOpensByNameClosesByEscapeAndGivesTheFocusBack) {
     EXPECT_FALSE(ui.exists("Box"));
 }
 
+TEST(Ui, AWidgetIsToldThatItLostTheFocusEvenIfItIsBuiltFirst) {
+    int lost = 0;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus);
+        node.size[0] = px(50), node.size[1] = px(20);
+        lost += u.respond(node).focus_out ? 1 : 0;
+        const Id field = node.id;
+        if (button(u, "Drop") && field != 0) u.set_focus(0);
+        if (u.before(field) != nullptr && u.focus() == field && u.key_down(key_of('Q'))) u.set_focus(0);
+    });
+    ui.click("Field").key('Q');
+    EXPECT_EQ(lost, 1);
+}
+
 TEST(Ui, WhatLiesUnderAModalCannotBeUsed) {
     int clicks = 0;
     bool open = true;
@@ -199,6 +213,45 @@ TEST(Ui, WhatLiesUnderAModalCannotBeUsed) {
     EXPECT_TRUE(ui.exists("Ask"));
     ui.key(Key::escape).send({.kind = EventKind::press, .at = at}).send({.kind = EventKind::release, .at = at});
     EXPECT_EQ(clicks, 1);
+}
+
+TEST(Ui, AKeyThatMovesTheFocusDoesNotTypeThere) {
+    std::u32string typed;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus | Sense::typing);
+        node.size[0] = node.size[1] = px(30);
+        const Id field = node.id;
+        u.events_of(field, [&](const Event& e) {
+            if (e.kind == EventKind::text) typed += e.codepoint;
+        });
+        if (button(u, "To the field")) u.set_focus(field);
+    });
+    ui.focus("To the field").type(" ");
+    EXPECT_EQ(ui.focused(), "Field");
+    EXPECT_EQ(typed, U"");
+    ui.type("a b");
+    ui.send({.kind = EventKind::text, .codepoint = U'é'});  // of an input method: no key before it
+    EXPECT_EQ(typed, U"a bé");
+}
+
+TEST(Ui, OverlaysOverOneAreClosedAndPassiveOnesStay) {
+    bool start = true;
+    Harness ui([&](Ui& u) {
+        if (std::exchange(start, false)) {
+            u.open_overlay("low", OverlayKind::popup, {.side = Placement::Side::center});
+            u.open_overlay("note", OverlayKind::passive, {.side = Placement::Side::bottom_right});
+            u.open_overlay("high", OverlayKind::submenu, {.side = Placement::Side::center});
+        }
+        for (const char* name : {"low", "note", "high"}) {
+            if (u.open_overlay_node(name, Role::menu, name, Axis::y) != nullptr) u.close_overlay_node();
+        }
+    });
+    EXPECT_TRUE(ui.ui().overlay_on_top("high"));
+    EXPECT_TRUE(ui.ui().close_overlays_over("low"));
+    EXPECT_TRUE(ui.ui().overlay_on_top("low"));
+    EXPECT_FALSE(ui.ui().close_overlays_over("low"));
+    EXPECT_TRUE(ui.ui().overlay_open("note"));
+    EXPECT_FALSE(ui.ui().overlay_open("high"));
 }
 
 TEST(Ui, AStillFrameIsTheSamePictureAndAsksForNothing) {
@@ -221,6 +274,27 @@ TEST(Ui, AWakeFromAnotherThreadAsksForAFrame) {
     EXPECT_STREQ(ui.ui().wake_reasons().empty() ? "" : ui.ui().wake_reasons().back().reason, "");
     ui.frame();
     EXPECT_EQ(ui.output().wake_at, never) << "the frame that came is what was asked for";
+}
+
+TEST(Ui, WhatFollowsASizeIsBuiltAgainBeforeItIsDrawn) {
+    Harness ui([&](Ui& u) {
+        Node& area = u.open(Role::canvas, "Area", Axis::y, Sense::press);
+        area.size[0] = grow(), area.size[1] = grow();
+        u.follow_size(area);
+        const glm::vec2 middle = u.rect_before(area.id).size() * 0.5F;
+        Node& child = u.leaf(Role::handle, "Middle", Sense::press);
+        child.size[0] = px(10), child.size[1] = px(10);
+        child.placed = true;
+        child.placement = u.arena().make(Placement{.offset = middle, .pivot = {0.5F, 0.5F}});
+        u.close();
+    });
+    EXPECT_EQ(ui.rect("Area/Middle").center(), ui.rect("Area").center());
+    ui.size = {300, 200};
+    ui.frame();
+    EXPECT_EQ(ui.rect("Area/Middle").center(), glm::vec2(150, 100));
+    const int builds = ui.ui().builds();
+    ui.frame();
+    EXPECT_EQ(ui.ui().builds(), builds + 1) << "a size that stays costs nothing";
 }
 
 TEST(Ui, AnyWindowAndScaleHold) {

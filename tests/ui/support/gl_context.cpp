@@ -8,19 +8,33 @@ namespace lapfx::ui::test {
 
 namespace {
 
-/// Never undone: the process ends with it.
-std::string make_context() {
-    const EGLDisplay display = eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
-    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) {
-        return "EGL has no display without a window";
-    }
-    eglBindAPI(EGL_OPENGL_API);
-    const EGLint attributes[] = {
+EGLDisplay surfaceless_display() {
+    return eglGetPlatformDisplay(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr);
+}
+
+/// Of a driver that is not Mesa.
+EGLDisplay device_display() {
+    const auto query = reinterpret_cast<PFNEGLQUERYDEVICESEXTPROC>(eglGetProcAddress("eglQueryDevicesEXT"));
+    EGLDeviceEXT device = nullptr;
+    EGLint count = 0;
+    if (query == nullptr || query(1, &device, &count) != EGL_TRUE || count == 0) return EGL_NO_DISPLAY;
+    return eglGetPlatformDisplay(EGL_PLATFORM_DEVICE_EXT, device, nullptr);
+}
+
+bool make_current(EGLDisplay display) {
+    if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE) return false;
+    const EGLint core[] = {
         EGL_CONTEXT_MAJOR_VERSION,           4,       EGL_CONTEXT_MINOR_VERSION, 5, EGL_CONTEXT_OPENGL_PROFILE_MASK,
         EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT, EGL_NONE};
-    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
-    if (context == EGL_NO_CONTEXT || eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
-        return "the driver gives no OpenGL 4.5 core context";
+    eglBindAPI(EGL_OPENGL_API);
+    const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, core);
+    return context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) == EGL_TRUE;
+}
+
+/// Never undone: the process ends with it.
+std::string make_context() {
+    if (!make_current(surfaceless_display()) && !make_current(device_display())) {
+        return "EGL gives no OpenGL 4.5 core context without a window";
     }
     return gladLoadGL(eglGetProcAddress) != 0 ? "" : "OpenGL's functions are not there";
 }

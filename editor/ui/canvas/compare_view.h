@@ -1,0 +1,46 @@
+// Two pictures of one size against each other: beside, divided by a line, mixed, or their difference.
+#pragma once
+
+#include "ui/canvas/pixels.h"
+
+namespace lapfx::ui {
+
+enum class CompareKind : std::uint8_t { wipe, side_by_side, onion, difference };
+
+/// Kept by the program; every part may also be set by other controls.
+struct CompareState {
+    CompareKind kind = CompareKind::wipe;
+    double position = 0.5;  ///< wipe: as CompareLook::position
+    double angle = 0;       ///< wipe, rad, -pi to pi: as CompareLook::angle
+    double mix = 0.5;       ///< onion: share of B
+    double gain = 4;        ///< difference, 1 to 100
+    bool swapped = false;   ///< B is shown as the first
+    ViewState view;         ///< of both
+};
+
+struct CompareOptions {
+    std::string_view first_label = "A", second_label = "B";
+    bool nearest = false;
+    bool grid = true;
+    bool readout = true;
+    int sample_box = 1;
+    int decimals = 1;
+    std::string_view tip = {};
+    Size width = grow(), height = grow();
+};
+
+struct CompareResult {
+    bool view_changed = false;
+    bool flicker = false;  ///< F is held: only the second is shown
+    bool has_pick = false;
+    glm::ivec2 pick{0};
+    glm::vec4 first{0}, second{0};  ///< at the pick, means of the sample box
+    Edit edit;                      ///< of position, angle, mix, gain or swapped
+};
+
+/// As image_view, and: F held shows the second picture alone, X swaps them, page keys change gain or mix. The line of the wipe has
+/// two handles, "Wipe" to move it and "Wipe angle" to turn it about the first. Beside each other means below where that is larger.
+CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first, const Picture& second,
+                           CompareState& state, const CompareOptions& options = {});
+
+}  // namespace lapfx::ui

@@ -1,0 +1,46 @@
+// A grip on a canvas (a threshold, a corner, the line of a wipe): a node of its own, so that Tab, tests and screen readers find it.
+#pragma once
+
+#include "ui/core/ui.h"
+
+namespace lapfx::ui {
+
+struct HandleOptions {
+    std::string_view label;
+    std::string_view tip = {};
+    glm::vec2 at{0};  ///< px from the parent's upper left corner: its middle
+    Cursor cursor = Cursor::move;
+};
+
+/// What was done with it since the last build.
+struct HandleMoves {
+    Id id = 0;
+    bool dragged = false, released = false, cancelled = false;
+    bool reset = false;  ///< double click, Backspace or Delete
+    bool whole = false;  ///< Ctrl: whole steps
+    glm::vec2 to{
+        0};  ///< px from the parent's upper left: where the drag takes its middle; with Shift a tenth of the way
+    glm::dvec2 steps{0};  ///< arrows, right and up positive: 1, with Shift 0.1; page keys: 10 in y
+    int extreme = 0;      ///< Home -1, End 1
+    bool hovered = false, held = false;
+};
+
+/// A child of the open node, as large as a control is high; the caller sets text, number and drawing of ui.last().
+HandleMoves put_handle(Ui& ui, const HandleOptions& options);
+
+struct HandleRange {
+    double minimum = 0, maximum = 1, step = 0.01;
+    double reset = 0;
+};
+/// Makes an edit of one number from it; clamps. `dragged`: the value where moves.to is; `steps`: those of the axes that count.
+Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, double steps, double dragged,
+                    double& value);
+
+/// A round knob in the middle of the handle, lit when hovered or held.
+struct KnobLook {
+    Color color;
+    glm::vec2 size{0.8F, 0.8F};  ///< em
+};
+void draw_knob(Painter& painter, const Node& node, const KnobLook& look);
+
+}  // namespace lapfx::ui

@@ -1,0 +1,40 @@
+// A picture to look at closely: pan, zoom, exact values of pixels, an eyedropper, a rectangle of interest.
+#pragma once
+
+#include "ui/canvas/pixels.h"
+
+namespace lapfx::ui {
+
+/// Whole pixels of a picture.
+struct PixelRect {
+    glm::ivec2 at{0}, size{0};
+    friend bool operator==(const PixelRect&, const PixelRect&) = default;
+};
+
+struct ImageViewOptions {
+    bool nearest = false;     ///< else smooth below grid_zoom
+    bool grid = true;         ///< between pixels from grid_zoom on
+    bool readout = true;      ///< the box beside the pointer
+    bool magnifier = false;   ///< in it
+    bool eyedropper = false;  ///< a click, or Enter, takes a colour instead of panning
+    int sample_box = 1;       ///< 1, 3, 5 or 11 pixels a side are averaged
+    int decimals = 1;         ///< of values that are not whole
+    std::string_view tip = {};
+    Size width = grow(), height = grow();
+};
+
+struct ImageViewResult {
+    bool view_changed = false;
+    bool has_pick = false;  ///< the pixel below: under the pointer or chosen by keys
+    glm::ivec2 pick{0};
+    glm::vec4 value{0};   ///< mean of the sample box
+    bool picked = false;  ///< the eyedropper took `value` at `pick`
+    Edit region;
+};
+
+/// `region`: a rectangle with corners to drag (arrows move them by a pixel, Shift by ten); null: none. It stays inside the picture,
+/// one pixel at least.
+ImageViewResult image_view(Ui& ui, std::string_view label, const Picture& picture, ViewState& state,
+                           const ImageViewOptions& options = {}, PixelRect* region = nullptr);
+
+}  // namespace lapfx::ui

@@ -1,0 +1,148 @@
+#include "ui/shell/dialog.h"
+
+#include <algorithm>
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr Id dialogs = 0x6469616c6f672e73ULL;
+constexpr float shade = 0.5F;  // over what waits below
+
+struct DialogState {
+    bool open = false;   ///< in the last build
+    bool fresh = false;  ///< the keyboard has not yet been given to the standard button
+};
+
+DialogState& state_of(Ui& ui, std::string_view name) {
+    return ui.memory<DialogState>(hash_bytes(dialogs, name));
+}
+
+struct DialogLook {
+    Color ground;
+};
+
+void draw_dialog(Painter& painter, const Node& node, const DialogLook& look) {
+    const Theme& t = painter.theme();
+    const float radius = painter.em(2 * t.radius);
+    painter.fill(painter.clip(), with_alpha(t.shadow, shade));
+    painter.shadow(node.rect(), t.shadow, painter.em(1.5F), radius);
+    painter.fill(node.rect(), look.ground, radius);
+    painter.frame(node.rect(), t.border, painter.hairline(), radius);
+}
+
+struct TitleLook {
+    Icon icon;
+    Color tint;
+    TextStyle style;
+};
+
+void draw_title(Painter& painter, const Node& node, const TitleLook& look) {
+    Rect rect = node.rect();
+    if (look.icon != Icon::none) {
+        painter.icon(rect.cut_left(painter.em(1.2F)), look.icon, look.tint);
+        rect.cut_left(painter.em(0.6F));
+    }
+    painter.text(rect, node.text, look.style, painter.theme().text);
+}
+
+void put_title(Ui& ui, std::string_view title, const DialogOptions& options) {
+    Node& node = ui.leaf(Role::heading, title);
+    node.text = node.shown;
+    node.size[0] = grow();
+    node.size[1] = px(ui.row_height());
+    const TextStyle style = ui.text_style(1.15F, Weight::bold);
+    ui.draw_with<draw_title>(node, TitleLook{options.icon, color_of(ui.theme(), options.tone), style});
+}
+
+/// Enter where a text was typed.
+bool entered(Ui& ui) {
+    const Node* node = ui.before(ui.focus());
+    if (node == nullptr || node->role != Role::text_field) return false;
+    bool enter = false;
+    ui.events_of(ui.focus(), [&](const Event& e) { enter |= e.kind == EventKind::key && e.key == Key::enter; });
+    return enter;
+}
+
+}  // namespace
+
+void open_dialog(Ui& ui, std::string_view name) {
+    ui.open_overlay(name, OverlayKind::modal, {.side = Placement::Side::center});
+    state_of(ui, name).fresh = true;
+}
+
+Dialog::Dialog(Ui& ui, std::string_view name, std::string_view title, const DialogOptions& options)
+    : ui_(ui), name_(ui.copy(name)) {
+    DialogState& state = state_of(ui, name);
+    Node* node = ui.open_overlay_node(name, Role::dialog, title, Axis::y);
+    open_ = node != nullptr;
+    cancelled_ = !open_ && state.open;
+    state.open = open_;
+    if (!open_) return;
+    node->size[0] = px(std::min(ui.em(options.width), ui.window().x));
+    if (options.height > 0) node->size[1] = px(std::min(ui.em(options.height), ui.window().y));
+    for (std::uint8_t& pad : node->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(1), 255.0F));
+    node->gap = ui.em(0.8F);
+    node->clips = true;
+    ui.draw_with<draw_dialog>(*node, DialogLook{ui.theme().raised});
+    put_title(ui, title, options);
+}
+
+Dialog::~Dialog() {
+    if (open_) ui_.close_overlay_node();
+}
+
+void Dialog::close() {
+    ui_.close_overlays_over(name_);
+    ui_.close_overlay(name_);
+    state_of(ui_, name_).open = false;
+}
+
+std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bool stays) {
+    if (!open_) return std::nullopt;
+    std::optional<std::size_t> pressed;
+    Id first = 0, standard = 0;
+    {
+        Row row(ui_, {.width = grow(), .main = Place::end});
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            ui_.push_disabled(!all[i].enabled);
+            if (button(ui_, all[i].label, {.tip = all[i].tip, .primary = all[i].standard})) pressed = i;
+            ui_.pop_disabled();
+            Node& node = ui_.last();
+            node.minimum[0] = ui_.em(6);
+            if (!all[i].enabled) continue;
+            if (first == 0) first = node.id;
+            if (all[i].standard) standard = node.id;
+            if (all[i].standard && !pressed && entered(ui_) && ui_.overlay_on_top(name_)) pressed = i;
+        }
+    }
+    DialogState& state = state_of(ui_, name_);
+    const Node* focused = ui_.before(ui_.focus());
+    if (state.fresh && focused != nullptr && focused->layer == ui_.parent().layer) {
+        // a dialog of buttons alone begins at the standard one
+        if (focused->id == first && standard != 0) ui_.set_focus(standard, ui_.focus_ringed());
+        state.fresh = false;
+    }
+    if (pressed && !stays) close();
+    return pressed;
+}
+
+std::optional<std::size_t> ask(Ui& ui, std::string_view name, std::string_view title, std::string_view question,
+                               std::span<const DialogButton> buttons, Tone tone) {
+    const Icon icon = tone == Tone::error     ? Icon::error
+                      : tone == Tone::warning ? Icon::warning
+                      : tone == Tone::good    ? Icon::check
+                                              : Icon::none;
+    Dialog dialog(ui, name, title, {.icon = icon, .tone = tone});
+    if (!dialog) {
+        const auto cancel =
+            std::find_if(buttons.begin(), buttons.end(), [](const DialogButton& b) { return b.cancel; });
+        if (!dialog.cancelled() || cancel == buttons.end()) return std::nullopt;
+        return static_cast<std::size_t>(cancel - buttons.begin());
+    }
+    label(ui, question, {.wrap = true});
+    space(ui, 0.4F);
+    return dialog.buttons(buttons);
+}
+
+}  // namespace lapfx::ui

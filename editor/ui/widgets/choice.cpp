@@ -1,0 +1,127 @@
+// One of a few: side by side in one piece, or each with a round mark. Tab comes to the one that is chosen, arrows go on from it.
+#include "ui/widgets/basic.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+struct ChoiceLook {
+    bool chosen, first, last;
+};
+
+void draw_segment(Painter& painter, const Node& node, const ChoiceLook& look) {
+    const Theme& t = painter.theme();
+    const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
+    const float radius = painter.em(t.radius);
+    Color ground = hovered ? t.control_hover : t.control, ink = t.text;
+    if (look.chosen) ground = hovered ? t.accent_hover : t.accent, ink = t.text_on_accent;
+    if (disabled) ground = look.chosen ? t.control : t.field, ink = t.text_disabled;
+    // Only the outer corners are round: the inner ones lie outside of what is drawn.
+    Rect rect = node.rect();
+    painter.push_clip(rect);
+    if (!look.first) rect.x -= radius, rect.w += radius;
+    if (!look.last) rect.w += radius;
+    painter.fill(rect, ground, radius);
+    painter.pop_clip();
+    if (!look.first && !look.chosen) {
+        Rect edge = node.rect().inset(0, painter.em(0.35F));
+        painter.fill(edge.cut_left(painter.hairline()), t.border);
+    }
+    painter.text(node.rect().inset(painter.em(0.4F), 0), node.shown, painter.text_style(), ink, Align::center);
+}
+
+void draw_radio(Painter& painter, const Node& node, const ChoiceLook& look) {
+    const Theme& t = painter.theme();
+    const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
+    Rect rect = node.rect();
+    const float side = painter.em(1.1F);
+    const Rect mark{rect.x, std::round(rect.center().y - side / 2), side, side};
+    const Color on = hovered ? t.accent_hover : t.accent;
+    painter.fill(mark, look.chosen && !disabled ? on : hovered ? t.field_hover : t.field, side / 2);
+    if (!look.chosen || disabled) painter.frame(mark, hovered ? t.text_dim : t.border, painter.hairline(), side / 2);
+    if (look.chosen) {
+        const Rect dot = mark.inset(std::round(side * 0.32F));
+        painter.fill(dot, disabled ? t.text_disabled : t.text_on_accent, dot.w / 2);
+    }
+    rect.cut_left(painter.em(1.6F));
+    painter.text(rect, node.shown, painter.text_style(), disabled ? t.text_disabled : t.text);
+}
+
+/// Where a key leads from choice `at` of `count`; arrows go round.
+int step(Key key, int at, int count) {
+    switch (key) {
+        case Key::left:
+        case Key::up:
+            return (at + count - 1) % count;
+        case Key::right:
+        case Key::down:
+            return (at + 1) % count;
+        case Key::home:
+            return 0;
+        case Key::end:
+            return count - 1;
+        default:
+            return at;
+    }
+}
+
+void lay_segment(Ui& ui, Node& node) {
+    node.size[0] = grow();
+    node.minimum[0] = std::ceil(ui.text_width(node.shown)) + 2 * ui.em(0.6F);
+}
+void lay_radio(Ui& ui, Node& node) {
+    node.size[0] = px(std::ceil(ui.em(1.6F) + ui.text_width(node.shown)));
+}
+
+template <auto Draw, auto Lay>
+Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
+    const int count = static_cast<int>(choices.size());
+    if (count == 0) return {};
+    chosen = std::clamp(chosen, 0, count - 1);
+    int next = chosen;
+    Id* ids = static_cast<Id*>(ui.arena().take(choices.size() * sizeof(Id), alignof(Id)));
+    bool by_key = false;
+    for (int i = 0; i < count; ++i) {
+        // One stop for Tab: what is chosen.
+        Sense sense = Sense::hover | Sense::press | Sense::activate;
+        if (i == chosen) sense = sense | Sense::focus | Sense::arrows_x | Sense::arrows_y | Sense::extremes;
+        Node& node = ui.leaf(Role::radio, choices[static_cast<std::size_t>(i)], sense);
+        node.size[1] = px(ui.row_height());
+        Lay(ui, node);
+        ids[i] = node.id;
+        node.is |= when(i == chosen, Is::checked);
+        if (ui.respond(node).clicked) next = i;
+        if (!has(node.is, Is::disabled)) {
+            ui.events_of(node.id, [&](const Event& event) {
+                if (event.kind != EventKind::key) return;
+                next = step(event.key, i, count);
+                by_key = true;
+            });
+        }
+        ui.draw_with<Draw>(node, ChoiceLook{i == chosen, i == 0, i == count - 1});
+    }
+    if (next == chosen) return {};
+    chosen = next;
+    ui.set_focus(ids[next], by_key);  // and another build, which shows it
+    return Edit::once();
+}
+
+}  // namespace
+
+Edit segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices) {
+    Node& node = ui.open(Role::group, label, Axis::x);
+    node.size[0] = grow();
+    const Edit edit = choose<draw_segment, lay_segment>(ui, chosen, choices);
+    ui.close();
+    return edit;
+}
+
+Edit radio(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices) {
+    Node& node = ui.open(Role::group, label, Axis::y);
+    node.cross = Place::start;
+    const Edit edit = choose<draw_radio, lay_radio>(ui, chosen, choices);
+    ui.close();
+    return edit;
+}
+
+}  // namespace lapfx::ui

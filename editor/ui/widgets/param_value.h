@@ -1,0 +1,67 @@
+// What a param does to its number, without a UI: limits, steps, drags, how it is written. Pure functions. All numbers are those
+// that are shown (the value times ParamOptions::display).
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "ui/core/event.h"
+#include "ui/core/node.h"
+#include "ui/value/number.h"
+
+namespace lapfx::ui {
+
+/// All numbers here are in what is shown.
+struct ParamOptions {
+    double minimum = 0, maximum = 1;  ///< soft: of the bar, of dragging and stepping
+    double hard_minimum = -std::numeric_limits<double>::infinity();
+    double hard_maximum = std::numeric_limits<double>::infinity();  ///< of whatever is done, typing and pasting too
+    double step = 0;             ///< of arrows, wheel and Ctrl; 0: something round, about a hundredth of the range
+    std::string_view unit = {};  ///< as in ExpressionContext
+    ValueScale scale = ValueScale::linear;
+    double smallest = 0;                  ///< as in ValueRange
+    std::optional<double> standard = {};  ///< the default, or the preset's value
+    int decimals = -1;                    ///< -1: those of the step, and up to two more where the value needs them
+    std::string_view tip = {};
+    double display = 1;  ///< shown is the value times this: 180/pi for an angle kept in rad
+    bool integer = false;
+    bool single = false;     ///< the value is kept as a float: no more digits than that are meant
+    bool locked = false;     ///< held fast for the fit; can still be edited
+    bool favourite = false;  ///< for the context menu
+    Size width = grow();
+};
+
+/// An angle kept in rad, shown and limited in degrees.
+ParamOptions angle(ParamOptions degrees = {.minimum = -180, .maximum = 180, .step = 1});
+/// A share kept as 0 to 1, shown and limited in per cent.
+ParamOptions percent(ParamOptions percents = {.minimum = 0, .maximum = 100, .step = 1});
+/// s. Typed in ms or min just as well.
+ParamOptions seconds(ParamOptions options);
+
+struct ParamLimits {
+    double low, high;
+};
+/// Where dragging and stepping may go: the soft range, within the hard one; from a value outside of it, back to it.
+ParamLimits limits_of(const ParamOptions& options, double from);
+
+/// Of `options`, or a round one. Scales that are not linear have one at each place: the power of ten below `value`.
+double step_of(const ParamOptions& options, double value);
+/// `count` steps on, a tenth of a step each when `fine`.
+double stepped(const ParamOptions& options, double value, double count, bool fine);
+
+/// One move of a drag. `raw` is where the drag stands exactly, and goes on by `pixels` of the `way` px that the soft range is long;
+/// it is kept within `limits`. Given is what to show for it: the roundest number within half a pixel, or with Ctrl (command) the
+/// next step. Shift: a tenth of the way, a tenth of the step. Whatever changes between two moves, the value does not jump.
+double dragged(const ParamOptions& options, double& raw, double pixels, double way, Mods mods,
+               const ParamLimits& limits);
+
+bool is_standard(const ParamOptions& options, double value);
+/// Without what rounding has put at its end: 0.1F is 0.1, and an angle of pi/4 is 45.
+double cleaned(const ParamOptions& options, double value);
+int decimals_for(const ParamOptions& options, double value);
+/// As it is shown, without its unit. `buffer`: 32 bytes.
+std::string_view format_param(std::span<char> buffer, const ParamOptions& options, double value);
+/// As it is copied and as typing begins: all of it.
+std::string_view format_whole(std::span<char> buffer, const ParamOptions& options, double value);
+
+}  // namespace lapfx::ui

@@ -1,0 +1,59 @@
+// A table: a header, rows of text of which those in sight are built, a selection, an order.
+//
+//     const ui::TableColumn columns[] = {{"Name", 14}, {"Length", 6, ui::Align::end}};
+//     const auto events = ui::table(u, "Clips", state, columns, clips.size(), [&](std::size_t row, std::size_t column) {
+//         return ui::TableCell{.text = column == 0 ? clips[row].name : clips[row].length};
+//     });
+//     if (events.sorted) sort(clips, state.sort_column, state.descending);
+//
+// A click on a header sorts by it, another one turns the order round. Its right edge is dragged to make the column wider or, by a
+// double click, as wide as what is in sight of it needs. With the keyboard: Tab to a header, arrows to the next, Enter sorts,
+// Shift+Left and Shift+Right resize, Backspace brings the standard width back.
+#pragma once
+
+#include "ui/widgets/basic.h"
+#include "ui/widgets/rows.h"
+
+namespace lapfx::ui {
+
+struct TableColumn {
+    std::string_view title;
+    float width = 8;  ///< em, to begin with
+    Align align = Align::start;
+    bool sortable = true;
+    std::string_view tip = {};
+};
+
+struct TableCell {
+    std::string_view text;
+    Icon icon = Icon::none;
+    Tone tone = Tone::normal;
+    bool number = false;  ///< digits of one width
+};
+
+/// Of the program: may be kept in its settings.
+struct TableState {
+    Selection selection;
+    int sort_column = -1;  ///< -1: as the rows come
+    bool descending = false;
+    std::vector<float> widths;  ///< em, one a column; any other number of them: the standard ones
+};
+
+struct TableOptions {
+    bool multiple = false;
+    Size width = grow(), height = grow();
+    /// Of a row, for selection and ids; null: its number.
+    const RowList::KeyOf* key_of = nullptr;
+};
+
+struct TableEvents : RowEvents {
+    bool sorted = false;   ///< sort_column or descending has changed: the program sorts
+    bool resized = false;  ///< widths have changed
+};
+
+/// `cell(row, column)`: its text is copied. The first column names the row in the semantic tree.
+TableEvents table(Ui& ui, std::string_view label, TableState& state, std::span<const TableColumn> columns,
+                  std::size_t count, const FunctionRef<TableCell(std::size_t, std::size_t)>& cell,
+                  const TableOptions& options = {});
+
+}  // namespace lapfx::ui

@@ -1,0 +1,306 @@
+#include "ui/canvas/image_view.h"
+
+#include <gmock/gmock.h>
+
+#include "ui/support/count_allocations.h"
+#include "ui/support/harness.h"
+
+namespace lapfx::ui {
+namespace {
+
+/// Red is the column, green the row, blue half a code, alpha full.
+struct Ramp : PickSource {
+    glm::vec4 pixel(glm::ivec2 at) const override { return {at.x, at.y, 0.5F, 255}; }
+};
+const Ramp ramp;
+
+TEST(MeanOf, AveragesWhatIsInside) {
+    const glm::ivec2 size(20, 10);
+    EXPECT_EQ(mean_of(ramp, size, {5, 4}, 1), glm::vec4(5, 4, 0.5F, 255));
+    EXPECT_EQ(mean_of(ramp, size, {5, 4}, 3), glm::vec4(5, 4, 0.5F, 255));
+    EXPECT_EQ(mean_of(ramp, size, {0, 0}, 3), glm::vec4(0.5F, 0.5F, 0.5F, 255));
+    EXPECT_EQ(mean_of(ramp, size, {19, 9}, 5), glm::vec4(18, 8, 0.5F, 255));
+    EXPECT_EQ(mean_of(ramp, size, {10, 5}, 11), glm::vec4(10, 4.5F, 0.5F, 255)) << "rows 0 to 9";
+    EXPECT_EQ(mean_of(ramp, size, {-50, 5}, 3), glm::vec4(0));
+}
+
+/// 200 x 100 pixels in 400 x 300 px: fitted at 2, upper left at 0, 50.
+struct Viewed {
+    ViewState state;
+    Picture picture{.image = 7, .size = {200, 100}, .pixels = &ramp};
+    ImageViewOptions options{.width = px(400), .height = px(300)};
+    bool with_region = false, disabled = false;
+    PixelRect region{{50, 20}, {100, 60}};
+    ImageViewResult last;
+    int picked = 0, began = 0, committed = 0, cancelled = 0;
+    glm::vec4 taken{0};
+    Harness ui{[this](Ui& u) {
+        u.push_disabled(disabled);
+        last = image_view(u, "Clip", picture, state, options, with_region ? &region : nullptr);
+        u.pop_disabled();
+        if (last.picked) ++picked, taken = last.value;
+        began += last.region.began, committed += last.region.committed, cancelled += last.region.cancelled;
+    }};
+    std::size_t drawn(InstanceKind kind) const {
+        std::size_t count = 0;
+        for (const Instance& each : ui.output().list->instances) count += each.kind == kind ? 1 : 0;
+        return count;
+    }
+};
+
+TEST(ImageView, ShowsAllOfThePictureAndSaysItsZoom) {
+    Viewed v;
+    EXPECT_EQ(v.ui.value("Clip"), 2);
+    EXPECT_EQ(v.ui.node("Clip").role, Role::image);
+    ASSERT_EQ(v.drawn(InstanceKind::image), 1U);
+    for (const Instance& each : v.ui.output().list->instances) {
+        if (each.kind != InstanceKind::image) continue;
+        EXPECT_EQ((Rect{each.x, each.y, each.w, each.h}), (Rect{0, 50, 400, 200}));
+        EXPECT_EQ(each.border, 0) << "smooth";
+    }
+}
+
+TEST(ImageView, GivesTheExactValueUnderThePointer) {
+    Viewed v;
+    v.ui.move({101, 91});
+    EXPECT_TRUE(v.last.has_pick);
+    EXPECT_EQ(v.last.pick, glm::ivec2(50, 20));
+    EXPECT_EQ(v.last.value, glm::vec4(50, 20, 0.5F, 255));
+    EXPECT_EQ(v.ui.text("Clip"), "50, 20   R 50  G 20  B 0.5  A 255");
+    v.ui.move({101, 20});
+    EXPECT_FALSE(v.last.has_pick) << "beside the picture";
+    v.ui.move({101, 91});
+    v.ui.send({.kind = EventKind::pointer_out});
+    EXPECT_FALSE(v.last.has_pick);
+}
+
+TEST(ImageView, AveragesASampleBox) {
+    Viewed v;
+    v.options.sample_box = 3;
+    v.ui.move({0, 50});
+    EXPECT_EQ(v.last.value, glm::vec4(0.5F, 0.5F, 0.5F, 255));
+}
+
+TEST(ImageView, ArrowsMoveThePickByAPixel) {
+    Viewed v;
+    v.ui.focus("Clip").move({101, 91});
+    v.ui.key(Key::right).key(Key::down);
+    EXPECT_EQ(v.last.pick, glm::ivec2(51, 21));
+    v.ui.key(Key::left, Mods::shift).key(Key::up);
+    EXPECT_EQ(v.last.pick, glm::ivec2(41, 20));
+    v.ui.frame();
+    EXPECT_TRUE(v.last.has_pick) << "it stays while the pointer does";
+    v.ui.move({103, 91});
+    EXPECT_EQ(v.last.pick, glm::ivec2(51, 20));
+}
+
+TEST(ImageView, TheFirstArrowShowsThePickInTheMiddleAndEscapeTakesItAway) {
+    Viewed v;
+    v.ui.focus("Clip").key(Key::right);
+    EXPECT_EQ(v.last.pick, glm::ivec2(100, 50));
+    v.ui.key(Key::escape);
+    EXPECT_FALSE(v.last.has_pick);
+}
+
+TEST(ImageView, ThePickStaysInThePictureAndInSight) {
+    Viewed v;
+    v.state = {.fitted = false, .zoom = 16};
+    v.ui.frame().focus("Clip").key(Key::right);
+    for (int i = 0; i < 5; ++i) v.ui.key(Key::right, Mods::shift);
+    EXPECT_EQ(v.last.pick, glm::ivec2(150, 50));
+    EXPECT_TRUE(v.last.view_changed);
+    const Rect pixel = view_of(v.state, {0, 0, 400, 300}, {200, 100}).pixel_rect({150, 50}, {1, 1});
+    EXPECT_LE(pixel.right(), 400);
+    for (int i = 0; i < 10; ++i) v.ui.key(Key::right, Mods::shift);
+    EXPECT_EQ(v.last.pick, glm::ivec2(199, 50));
+}
+
+TEST(ImageView, ThePixelGridComesWithLargePixelsAndSmoothingGoes) {
+    Viewed v;
+    v.state = {.fitted = false, .zoom = 7.9};
+    v.ui.frame();
+    const std::size_t before = v.drawn(InstanceKind::fill);
+    v.state.zoom = 8;
+    v.ui.frame();
+    EXPECT_GE(v.drawn(InstanceKind::fill), before + 50 + 37) << "400 / 8 columns, 300 / 8 rows";
+    for (const Instance& each : v.ui.output().list->instances) {
+        if (each.kind == InstanceKind::image) {
+            EXPECT_EQ(each.border, 1);
+        }
+    }
+    v.options.grid = false;
+    v.ui.frame();
+    EXPECT_EQ(v.drawn(InstanceKind::fill), before);
+}
+
+TEST(ImageView, NearestAndCheckerboardOnRequest) {
+    Viewed v;
+    EXPECT_EQ(v.drawn(InstanceKind::checker), 0U);
+    v.options.nearest = true;
+    v.picture.transparent = true;
+    v.ui.frame();
+    EXPECT_EQ(v.drawn(InstanceKind::checker), 1U);
+    for (const Instance& each : v.ui.output().list->instances) {
+        if (each.kind == InstanceKind::image) {
+            EXPECT_EQ(each.border, 1);
+        }
+    }
+}
+
+TEST(ImageView, TheMagnifierIsASecondImage) {
+    Viewed v;
+    v.options.magnifier = true;
+    v.ui.move({101, 91});
+    EXPECT_EQ(v.drawn(InstanceKind::image), 2U);
+    v.options.readout = false;
+    v.ui.frame();
+    EXPECT_EQ(v.drawn(InstanceKind::image), 1U);
+    EXPECT_TRUE(v.last.has_pick);
+}
+
+TEST(ImageView, WithoutAPictureItSaysSoAndPicksNothing) {
+    Viewed v;
+    v.picture = {};
+    v.ui.frame().move({200, 150});
+    EXPECT_FALSE(v.last.has_pick);
+    EXPECT_EQ(v.drawn(InstanceKind::image), 0U);
+}
+
+TEST(ImageView, TheEyedropperTakesAColourByClickAndEnter) {
+    Viewed v;
+    v.options.eyedropper = true;
+    v.ui.send({.kind = EventKind::pointer, .at = {101, 91}});
+    EXPECT_EQ(v.ui.output().cursor, Cursor::crosshair);
+    v.ui.send({.kind = EventKind::press, .at = {101, 91}});
+    EXPECT_EQ(v.picked, 1);
+    EXPECT_EQ(v.taken, glm::vec4(50, 20, 0.5F, 255));
+    v.ui.send({.kind = EventKind::pointer, .at = {151, 91}});
+    v.ui.send({.kind = EventKind::release, .at = {151, 91}});
+    EXPECT_EQ(v.picked, 1);
+    EXPECT_EQ(v.state, ViewState{}) << "the left button does not pan";
+    v.ui.key(Key::right).key(Key::enter);
+    EXPECT_EQ(v.picked, 2);
+    EXPECT_EQ(v.taken.x, 76);
+}
+
+TEST(ImageView, WithoutTheEyedropperAClickTakesNothing) {
+    Viewed v;
+    v.ui.click("Clip").key(Key::enter);
+    EXPECT_EQ(v.picked, 0);
+}
+
+TEST(ImageView, CornersOfTheRegionAreDragged) {
+    Viewed v;
+    v.with_region = true;
+    v.ui.frame();
+    EXPECT_EQ(v.ui.rect("Clip/Upper left").center(), glm::vec2(100, 90));
+    EXPECT_EQ(v.ui.rect("Clip/Lower right").center(), glm::vec2(300, 210));
+    v.ui.drag("Clip/Upper left", {-20, 10});
+    EXPECT_EQ(v.region, (PixelRect{{40, 25}, {110, 55}}));
+    v.ui.drag("Clip/Upper right", {20, -10});
+    EXPECT_EQ(v.region, (PixelRect{{40, 20}, {120, 60}}));
+    v.ui.drag("Clip/Lower left", {20, 10});
+    EXPECT_EQ(v.region, (PixelRect{{50, 20}, {110, 65}}));
+    v.ui.drag("Clip/Lower right", {1000, 1000});
+    EXPECT_EQ(v.region, (PixelRect{{50, 20}, {150, 80}}));
+    EXPECT_EQ(v.began, 4);
+    EXPECT_EQ(v.committed, 4);
+    EXPECT_EQ(v.state, ViewState{}) << "the picture stays";
+}
+
+TEST(ImageView, TheRegionIsMovedWholeAndStaysInside) {
+    Viewed v;
+    v.with_region = true;
+    v.ui.frame().drag("Clip/Move", {20, 10});
+    EXPECT_EQ(v.region, (PixelRect{{60, 25}, {100, 60}}));
+    v.ui.drag("Clip/Move", {-1000, -1000});
+    EXPECT_EQ(v.region, (PixelRect{{0, 0}, {100, 60}}));
+}
+
+TEST(ImageView, CornersNeverPassEachOther) {
+    Viewed v;
+    v.with_region = true;
+    v.ui.frame().drag("Clip/Upper left", {1000, 1000});
+    EXPECT_EQ(v.region, (PixelRect{{149, 79}, {1, 1}}));
+}
+
+TEST(ImageView, ArrowsMoveACornerByAPixelOrTen) {
+    Viewed v;
+    v.with_region = true;
+    v.ui.frame().focus("Clip/Upper left").key(Key::right).key(Key::down);
+    EXPECT_EQ(v.region, (PixelRect{{51, 21}, {99, 59}}));
+    v.ui.key(Key::left, Mods::shift);
+    EXPECT_EQ(v.region, (PixelRect{{41, 21}, {109, 59}}));
+    EXPECT_EQ(v.ui.text("Clip/Upper left"), "41, 21   109, 59");
+    EXPECT_EQ(v.committed, 3);
+}
+
+TEST(ImageView, EscapePutsTheRegionBack) {
+    Viewed v;
+    v.with_region = true;
+    v.ui.frame().press("Clip/Upper left").drag_by({-20, 10}).key(Key::escape);
+    EXPECT_EQ(v.region, (PixelRect{{50, 20}, {100, 60}}));
+    EXPECT_EQ(v.cancelled, 1);
+    EXPECT_EQ(v.committed, 0);
+}
+
+TEST(ImageView, ARegionFromOutsideIsBroughtInside) {
+    Viewed v;
+    v.with_region = true;
+    v.region = {{190, -5}, {0, 500}};
+    v.ui.frame();
+    EXPECT_EQ(v.region, (PixelRect{{190, 0}, {1, 100}}));
+}
+
+TEST(ImageView, LinkedViewsMoveTogether) {
+    ViewState state;
+    const Picture picture{.image = 7, .size = {200, 100}, .pixels = &ramp};
+    Harness ui([&](Ui& u) {
+        Row row(u);
+        for (const char* name : {"Left", "Right"})
+            image_view(u, name, picture, state, {.width = px(200), .height = px(200)});
+    });
+    ui.wheel("Left", {0, 2});
+    EXPECT_EQ(ui.value("Left"), 2);
+    ui.frame();
+    EXPECT_EQ(ui.value("Right"), 2);
+}
+
+TEST(ImageView, DisabledItNeitherMovesNorPicks) {
+    Viewed v;
+    v.disabled = true;
+    v.ui.frame().wheel("Clip", {0, 2}).drag("Clip", {50, 0});
+    EXPECT_EQ(v.state, ViewState{});
+    EXPECT_FALSE(v.last.has_pick);
+}
+
+TEST(ImageView, NothingIsUnnamedAndATipIsShown) {
+    Viewed v;
+    v.with_region = true;
+    v.options.tip = "The clip as filmed";
+    v.ui.frame();
+    EXPECT_THAT(faults_of(v.ui.ui().tree()), testing::IsEmpty());
+    EXPECT_EQ(v.ui.tip("Clip"), "The clip as filmed");
+}
+
+TEST(ImageView, SteadyFramesAndDragsAllocateNothing) {
+    Viewed v;
+    v.with_region = true;
+    v.options.magnifier = true;
+    v.state = {.fitted = false, .zoom = 10};
+    v.ui.move({200, 150}).frame();
+    const auto steps = [&] {
+        for (int i = 0; i < 50; ++i) {
+            v.ui.ui().push({.kind = EventKind::pointer, .at = {200 + i % 7, 150}});
+            v.ui.frame();
+        }
+    };
+    v.ui.send({.kind = EventKind::press, .button = Button::middle, .at = {200, 150}});
+    steps();
+    const std::size_t before = test::allocations_so_far();
+    steps();
+    EXPECT_EQ(test::allocations_so_far(), before);
+}
+
+}  // namespace
+}  // namespace lapfx::ui

@@ -1,0 +1,116 @@
+#include "ui/shell/dialog.h"
+
+#include <gmock/gmock.h>
+
+#include "ui/support/harness.h"
+
+namespace lapfx::ui {
+namespace {
+
+class DialogTest : public testing::Test {
+  protected:
+    std::vector<std::size_t> answers;
+    std::vector<std::size_t> pressed;
+    int cancelled = 0, below = 0;
+    bool can_create = true;
+    Harness ui{[this](Ui& u) {
+        below += button(u, "Below") ? 1 : 0;
+        if (button(u, "Quit")) open_dialog(u, "quit");
+        if (button(u, "New")) open_dialog(u, "new");
+        const auto answer =
+            ask(u, "quit", "Quit?", "There are changes that are not saved.",
+                {{.label = "Discard"}, {.label = "Cancel", .cancel = true}, {.label = "Save", .standard = true}},
+                Tone::warning);
+        if (answer) answers.push_back(*answer);
+        Dialog dialog(u, "new", "New preset");
+        cancelled += dialog.cancelled() ? 1 : 0;
+        if (!dialog) return;
+        Node& field = u.leaf(Role::text_field, "Name", Sense::press | Sense::focus | Sense::typing);
+        field.size[1] = px(u.row_height());
+        u.respond(field);
+        const auto index = dialog.buttons({{.label = "Cancel", .cancel = true, .tip = "Makes none"},
+                                           {.label = "Create", .standard = true, .enabled = can_create}});
+        if (index) pressed.push_back(*index);
+    }};
+};
+
+TEST_F(DialogTest, AnAnswerIsGivenOnceAndClosesIt) {
+    ui.click("Quit").click("Quit?/Discard");
+    ui.frame();
+    EXPECT_THAT(answers, testing::ElementsAre(0));
+    EXPECT_FALSE(ui.exists("Quit?"));
+    EXPECT_EQ(ui.focused(), "Quit");
+}
+
+TEST_F(DialogTest, AQuestionBeginsAtTheStandardButtonAndEnterPressesIt) {
+    ui.focus("Quit").key(Key::enter);
+    EXPECT_EQ(ui.focused(), "Quit?/Save");
+    EXPECT_TRUE(ui.is("Quit?/Save", Is::ringed));
+    ui.key(Key::enter);
+    EXPECT_THAT(answers, testing::ElementsAre(2));
+}
+
+TEST_F(DialogTest, EscapeIsTheCancelButton) {
+    ui.click("Quit").key(Key::escape);
+    ui.frame().frame();
+    EXPECT_THAT(answers, testing::ElementsAre(1));
+}
+
+TEST_F(DialogTest, TheKeyboardStaysInsideAndWhatIsBelowWaits) {
+    ui.click("Quit");
+    EXPECT_TRUE(ui.is("Quit?", Is::modal));
+    std::vector<std::string> reached;
+    for (int i = 0; i < 4; ++i) reached.push_back(ui.key(Key::tab).focused());
+    EXPECT_THAT(reached, testing::ElementsAre("Quit?/Discard", "Quit?/Cancel", "Quit?/Save", "Quit?/Discard"));
+    const glm::vec2 at = ui.rect("Below").center();
+    ui.send({.kind = EventKind::press, .at = at}).send({.kind = EventKind::release, .at = at});
+    EXPECT_EQ(below, 0);
+    EXPECT_TRUE(ui.exists("Quit?"));
+    const glm::vec2 ground = ui.rect("Quit?").at() + 3.0F;
+    ui.send({.kind = EventKind::press, .at = ground}).send({.kind = EventKind::release, .at = ground});
+    EXPECT_EQ(ui.focused(), "Quit?/Discard") << "a press on its ground takes the keyboard from nobody";
+}
+
+TEST_F(DialogTest, EnterInATextFieldIsTheStandardButton) {
+    ui.click("New");
+    EXPECT_EQ(ui.focused(), "New preset/Name") << "content comes first";
+    ui.key(Key::enter);
+    EXPECT_THAT(pressed, testing::ElementsAre(1));
+    EXPECT_FALSE(ui.exists("New preset"));
+    EXPECT_EQ(cancelled, 0);
+}
+
+TEST_F(DialogTest, AStandardButtonThatIsDisabledIsNotPressed) {
+    can_create = false;
+    ui.click("New").key(Key::enter).click("New preset/Create");
+    EXPECT_THAT(pressed, testing::ElementsAre());
+    EXPECT_TRUE(ui.exists("New preset"));
+}
+
+TEST_F(DialogTest, EscapeIsToldAndClosesOnlyTheTop) {
+    ui.click("New").key(Key::escape);
+    EXPECT_EQ(cancelled, 1);
+    EXPECT_EQ(ui.frame().focused(), "New");
+    EXPECT_EQ(cancelled, 1);
+}
+
+TEST_F(DialogTest, ItLiesInTheMiddleWithItsButtonsAtTheRight) {
+    ui.click("New");
+    const Rect rect = ui.rect("New preset"), create = ui.rect("New preset/Create");
+    EXPECT_NEAR(rect.center().x, 320, 1);
+    EXPECT_NEAR(rect.center().y, 240, 1);
+    EXPECT_EQ(create.right(), rect.right() - 14);
+    EXPECT_EQ(ui.tip("New preset/Cancel"), "Makes none");
+    EXPECT_TRUE(faults_of(ui.ui().tree()).empty());
+}
+
+TEST_F(DialogTest, ASmallWindowHoldsIt) {
+    ui.click("Quit");
+    ui.size = {200, 120};
+    ui.frame();
+    EXPECT_LE(ui.rect("Quit?").w, 200);
+    EXPECT_GE(ui.rect("Quit?").x, 0);
+}
+
+}  // namespace
+}  // namespace lapfx::ui
