@@ -26,8 +26,7 @@ struct Options {
     bool bare = false, reduced_motion = false, statistics = false;
 };
 
-gallery::State first_state(const Options& o) {
-    gallery::State state;
+void set_up(gallery::State& state, const Options& o) {
     state.page = gallery::page_named(o.page);
     if (state.page < 0) {
         std::string names;
@@ -40,7 +39,6 @@ gallery::State first_state(const Options& o) {
     state.light = o.theme == "light";
     state.bare = o.bare;
     state.reduced_motion = o.reduced_motion;
-    return state;
 }
 
 /// As JSON where the name says so, else a line for each node.
@@ -51,8 +49,8 @@ void write_dump(const std::string& file, std::span<const ui::Node> tree) {
 /// A UI without a window, with a clock that goes by frames: the same picture every time.
 class Still {
   public:
-    Still(const Options& o, gallery::State state, glm::ivec2 size)
-        : state_(state), size_(size), scale_(o.scale > 0 ? o.scale : 1.0F) {
+    Still(const Options& o, glm::ivec2 size) : size_(size), scale_(o.scale > 0 ? o.scale : 1.0F) {
+        set_up(state_, o);
         state_.reduced_motion = true;
         state_.scale = scale_;
         settle();
@@ -100,38 +98,41 @@ class Still {
         }
     }
 
-    gallery::State state_;
+    ui::ImageStore images_;
+    gallery::State state_{images_};
     glm::ivec2 size_;
     float scale_;
     double time_ = 0;
     ui::Fonts fonts_{{.hinting = ui::Hinting::slight}};  // whatever the host prefers
-    ui::ImageStore images_;
-    ui::Ui ui_{fonts_, {.images = &images_}};
+    ui::Ui ui_{fonts_, {.images = &images_, .shortcuts = &state_.commands}};
     const ui::FrameOutput* output_ = nullptr;
 };
 
-void make_files(const Options& o, const gallery::State& state) {
+void make_files(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
     for (const std::string& file : {o.screenshot, o.dump}) {
         if (!file.empty()) check_folder(file);
     }
     if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
         throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
-    Still still(o, state, size);
+    Still still(o, size);
     if (!o.dump.empty()) write_dump(o.dump, still.tree());
     if (o.screenshot.empty()) return;
     const Context context = Context::create(parse_backend(o.backend));
     write_png(o.screenshot, still.picture());
 }
 
-void show_window(const Options& o, gallery::State state) {
-    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
+void show_window(const Options& o) {
     ui::ImageStore images;
+    gallery::State state(images);
+    set_up(state, o);
+    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
     window::UiWindow window({.title = "lapfx gallery",
                              .size = parse_size(o.size),
                              .scale = o.scale,
                              .theme = state.light ? &ui::light_theme() : &ui::dark_theme(),
                              .reduced_motion = o.reduced_motion,
+                             .shortcuts = &state.commands,
                              .images = &images,
                              .log = o.statistics ? &std::cerr : nullptr});
     window.run([&](ui::Ui& u) {
@@ -147,9 +148,8 @@ void show_window(const Options& o, gallery::State state) {
 }
 
 void run(const Options& o) {
-    const gallery::State state = first_state(o);
-    if (o.screenshot.empty() && o.dump.empty()) return show_window(o, state);
-    make_files(o, state);
+    if (o.screenshot.empty() && o.dump.empty()) return show_window(o);
+    make_files(o);
 }
 
 }  // namespace

@@ -5,7 +5,7 @@ namespace lapfx::gallery {
 
 namespace {
 
-void some_buttons(ui::Ui& ui, State& state) {
+void some_buttons(ui::Ui& ui, BasicState& state) {
     if (ui::button(ui, "Normal")) ++state.clicks;
     ui::button(ui, "Primary", {.tip = "What one came for", .primary = true});
     ui::button(ui, "Quiet", {.quiet = true});
@@ -15,7 +15,7 @@ void some_buttons(ui::Ui& ui, State& state) {
     ui::icon_button(ui, ui::Icon::reset, "Reset", {.quiet = true});
 }
 
-void buttons(ui::Ui& ui, State& state) {
+void buttons(ui::Ui& ui, BasicState& state) {
     const Part part(ui, "Buttons");
     {
         const Line line(ui, "enabled");
@@ -41,7 +41,7 @@ void buttons(ui::Ui& ui, State& state) {
     }
 }
 
-void some_switches(ui::Ui& ui, State& state) {
+void some_switches(ui::Ui& ui, BasicState& state) {
     ui::toggle(ui, "Off", state.off);
     ui::toggle(ui, "On", state.on);
     ui::toggle(ui, "Loop", state.on, {.icon = ui::Icon::loop, .quiet = true});
@@ -51,7 +51,7 @@ void some_switches(ui::Ui& ui, State& state) {
     ui::checkbox(ui, "Mixed", state.some);
 }
 
-void switches(ui::Ui& ui, State& state) {
+void switches(ui::Ui& ui, BasicState& state) {
     const Part part(ui, "Toggles and checkboxes");
     {
         const Line line(ui, "enabled");
@@ -101,8 +101,8 @@ void labels(ui::Ui& ui) {
 }  // namespace
 
 void basic_page(ui::Ui& ui, State& state) {
-    buttons(ui, state);
-    switches(ui, state);
+    buttons(ui, state.basic);
+    switches(ui, state.basic);
     labels(ui);
 }
 

@@ -5,15 +5,18 @@
 #include <cctype>
 
 #include "gallery/parts.h"
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::gallery {
 
 namespace {
 
 constexpr std::array all_pages = {
-    Page{"Overview", overview_page}, Page{"Basic", basic_page},    Page{"Text", text_page},
-    Page{"Icons", icons_page},       Page{"Colours", colors_page}, Page{"Layout", layout_page},
-    Page{"Overlays", overlays_page},
+    Page{"Overview", overview_page}, Page{"Basic", basic_page}, Page{"Fields", fields_page},
+    Page{"Params", params_page},     Page{"Lists", lists_page}, Page{"Panels", panels_page},
+    Page{"Pictures", pictures_page}, Page{"Shell", shell_page}, Page{"Overlays", overlays_page},
+    Page{"Layout", layout_page},     Page{"Text", text_page},   Page{"Icons", icons_page},
+    Page{"Colours", colors_page},
 };
 
 struct PageLook {
@@ -59,17 +62,17 @@ void switches(ui::Ui& ui, State& state) {
 void shown_page(ui::Ui& ui, State& state) {
     const Page& page = all_pages[static_cast<std::size_t>(state.page)];
     ui::Panel panel(ui, "Page", {.width = ui::grow(), .height = ui::grow()});
-    ui::Node& area = ui.open(ui::Role::scroll_area, page.name, ui::Axis::y, ui::Sense::wheel);
-    area.size[0] = area.size[1] = ui::grow();
-    area.rigid = false;
-    area.clips = true;
-    area.scrolls[1] = true;
-    area.scroll = &ui.memory<ui::ScrollState>(area.id);
-    {
-        ui::Column column(ui, {.gap = 1, .padding = 0.8F});
-        page.build(ui, state);
-    }
-    ui.close();
+    const ui::ScrollArea area(ui, page.name);
+    const ui::Column column(ui, {.gap = 1, .padding = 0.8F});
+    page.build(ui, state);
+}
+
+void whole_window(ui::Ui& ui, State& state) {
+    ui::Column window(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F});
+    switches(ui, state);
+    ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F, .cross = ui::Place::stretch});
+    page_list(ui, state);
+    shown_page(ui, state);
 }
 
 }  // namespace
@@ -90,14 +93,19 @@ int page_named(std::string_view name) {
 
 void build(ui::Ui& ui, State& state) {
     state.page = std::clamp(state.page, 0, static_cast<int>(all_pages.size()) - 1);
+    const int page = state.page;
+    const bool light = state.light;
     ui.set_theme(state.light ? ui::light_theme() : ui::dark_theme());
     ui.set_reduced_motion(state.reduced_motion);
-    if (state.bare) return shown_page(ui, state);
-    ui::Column window(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F});
-    switches(ui, state);
-    ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F, .cross = ui::Place::stretch});
-    page_list(ui, state);
-    shown_page(ui, state);
+    if (state.bare) {
+        shown_page(ui, state);
+    } else {
+        whole_window(ui, state);
+    }
+    state.shell.toasts.build(ui);
+    // What has been chosen now changes what was built before it.
+    if (state.page != page || state.light != light || state.reduced_motion != ui.options().reduced_motion)
+        ui.wake("gallery");
 }
 
 }  // namespace lapfx::gallery

@@ -6,7 +6,7 @@ namespace lapfx::gallery {
 
 namespace {
 
-void buttons(ui::Ui& ui, State& state) {
+void buttons(ui::Ui& ui, BasicState& state) {
     const Part part(ui, "Buttons");
     {
         const ui::Row row(ui);
@@ -45,7 +45,7 @@ void overview_page(ui::Ui& ui, State& state) {
     const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::Place::start});
     {
         const ui::Column column(ui, {.width = ui::grow()});
-        buttons(ui, state);
+        buttons(ui, state.basic);
     }
     const ui::Column column(ui, {.width = ui::grow()});
     texts(ui);

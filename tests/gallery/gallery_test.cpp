@@ -24,12 +24,14 @@ using ui::Sense;
 constexpr float scales[] = {0.75F, 1.0F, 2.0F, 3.0F};
 
 struct Shown {
-    explicit Shown(int page, float scale = 1, glm::ivec2 size = {1280, 800}) : ui(build(page), size, scale) {}
+    explicit Shown(int page, float scale = 1, glm::ivec2 size = {1280, 800})
+        : ui(build(page), size, scale, &state.commands) {}
     std::function<void(ui::Ui&)> build(int page) {
         state.page = page;
         return [this](ui::Ui& u) { gallery::build(u, state); };
     }
-    State state;
+    ui::ImageStore images;
+    State state{images};
     Harness ui;
 };
 
