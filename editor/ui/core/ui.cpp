@@ -262,6 +262,7 @@ bool Ui::end() {
 }
 
 const FrameOutput& Ui::emit() {
+    std::swap(list_, shown_);
     Painter painter(list_, fonts_, theme(), input_.scale);
     painter.start(input_.size);
     painter.clear({0, 0, window().x, window().y}, theme().window);
@@ -271,9 +272,7 @@ const FrameOutput& Ui::emit() {
         if (root != no_node) emit_layer(root, nodes()[root].end, nodes()[root].layer, painter);
     }
     painter.finish(options_.images);
-    output_.changed = !shown_once_ || list_.hash != shown_hash_;
-    shown_hash_ = list_.hash;
-    shown_once_ = true;
+    output_.changed = !same_picture(list_, shown_);
     if (queue_head_ < queue_.size()) wake_at(time(), "events left");
     if (const char* reason = woken_.exchange(nullptr); reason != nullptr) wake_at(time(), reason);
     tree_ = nodes();
