@@ -10,6 +10,7 @@
 #include <memory>
 #include <new>
 #include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -108,6 +109,13 @@ struct Clear {
     friend bool operator==(const Clear&, const Clear&) = default;
 };
 
+/// Where the painter is clipping.
+struct ClipLevel {
+    Rect rect;
+    std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet
+    std::uint8_t index = 0;
+};
+
 struct DrawList {
     glm::ivec2 size{0};         ///< px of the framebuffer
     std::vector<Clear> clears;  ///< opaque backgrounds, first of all, in order: far cheaper than instances on llvmpipe
@@ -116,6 +124,9 @@ struct DrawList {
     std::vector<Batch> batches;
     std::vector<std::uint32_t>
         serials;  ///< of the atlas and of the images shown: they grow when what is in them changes
+
+    std::vector<ClipLevel> clip_stack;  ///< of the painter, as is `elided`: kept, so that steady frames allocate nothing
+    std::string elided;
 
     void reset(glm::ivec2 frame_size);
 };

@@ -28,7 +28,12 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
 }  // namespace
 
 Painter::Painter(DrawList& list, Fonts& fonts, const Theme& theme, float scale)
-    : list_(list), fonts_(fonts), theme_(theme), scale_(scale) {}
+    : list_(list),
+      fonts_(fonts),
+      theme_(theme),
+      scale_(scale),
+      clips_(list.clip_stack),
+      elided_(list.elided) {}
 
 TextStyle Painter::text_style(float relative_size, Weight weight) const {
     return {.size = em(relative_size), .weight = weight};
@@ -51,9 +56,9 @@ void Painter::set_clip(const Rect& rect) {
 }
 
 void Painter::push_clip(const Rect& rect) {
-    const Clip& outer = clips_.back();
+    const ClipLevel& outer = clips_.back();
     const Rect inner = intersect(rect, outer.rect);
-    clips_.push_back(inner == outer.rect ? Clip(outer) : Clip{.rect = inner});
+    clips_.push_back(inner == outer.rect ? ClipLevel(outer) : ClipLevel{.rect = inner});
 }
 
 void Painter::pop_clip() {
@@ -81,7 +86,7 @@ void Painter::need_batch(ImageHandle first, ImageHandle second) {
 
 /// Of clip() in the table of the open batch; opens one where there is none, or no room.
 std::uint8_t Painter::clip_index() {
-    Clip& clip = clips_.back();
+    ClipLevel& clip = clips_.back();
     if (clip.batch != 0 && clip.batch == list_.batches.size()) return clip.index;
     if (list_.batches.empty()) need_batch(0, 0);
     if (list_.batches.back().clips == most_clips) {

@@ -136,13 +136,8 @@ class Painter {
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;
-    struct Clip {
-        Rect rect;
-        std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet
-        std::uint8_t index = 0;
-    };
-    std::vector<Clip> clips_;  ///< stack
-    std::string elided_;       ///< reused
+    std::vector<ClipLevel>& clips_;  ///< stack
+    std::string& elided_;
 };
 
 }  // namespace lapfx::ui
