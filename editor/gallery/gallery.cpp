@@ -19,6 +19,8 @@ constexpr std::array all_pages = {
     Page{"Colours", colors_page},
 };
 
+constexpr float least_page_width = 52;  // em
+
 struct PageLook {
     const ui::Run* run;
 };
@@ -32,8 +34,7 @@ void draw_page_name(ui::Painter& painter, const ui::Node& node, const PageLook& 
 
 void page_list(ui::Ui& ui, State& state) {
     ui::Panel panel(ui, "Pages", {.width = ui::px(ui.em(9)), .height = ui::grow(), .gap = 0.1F, .padding = 0.4F});
-    ui::Node& list = ui.open(ui::Role::list, "List", ui::Axis::y);
-    list.size[1] = ui::grow();
+    const ui::ScrollArea list(ui, "List", {.role = ui::Role::list});
     for (std::size_t i = 0; i < all_pages.size(); ++i) {
         ui::Node& node = ui.leaf(ui::Role::list_item, all_pages[i].name,
                                  ui::Sense::hover | ui::Sense::press | ui::Sense::focus | ui::Sense::activate);
@@ -42,7 +43,6 @@ void page_list(ui::Ui& ui, State& state) {
         node.is |= when(state.page == static_cast<int>(i), ui::Is::selected);
         ui.draw_with<draw_page_name>(node, PageLook{&ui.fonts().run(node.shown, ui.text_style())});
     }
-    ui.close();
 }
 
 void switches(ui::Ui& ui, State& state) {
@@ -62,8 +62,9 @@ void switches(ui::Ui& ui, State& state) {
 void shown_page(ui::Ui& ui, State& state) {
     const Page& page = all_pages[static_cast<std::size_t>(state.page)];
     ui::Panel panel(ui, "Page", {.width = ui::grow(), .height = ui::grow()});
-    const ui::ScrollArea area(ui, page.name);
-    const ui::Column column(ui, {.gap = 1, .padding = 0.8F});
+    const ui::ScrollArea area(ui, page.name, {.sideways = true});
+    const ui::Column column(ui, {.width = ui::grow(), .gap = 1, .padding = 0.8F});
+    ui.parent().minimum[0] = ui.em(least_page_width);
     page.build(ui, state);
 }
 

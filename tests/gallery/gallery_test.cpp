@@ -44,9 +44,11 @@ INSTANTIATE_TEST_SUITE_P(Gallery, EveryPage, testing::Range(0, static_cast<int>(
 
 TEST_P(EveryPage, HasNamesForAllThatTakesTheKeyboardAndNoneTwice) {
     for (const float scale : scales) {
-        Shown shown(GetParam(), scale);
-        EXPECT_THAT(ui::faults_of(shown.ui.ui().tree()), testing::IsEmpty()) << "scale " << scale;
-        EXPECT_EQ(shown.ui.ui().duplicates(), 0U);
+        for (const glm::ivec2 size : {glm::ivec2(1280, 800), glm::ivec2(300, 200)}) {
+            Shown shown(GetParam(), scale, size);
+            EXPECT_THAT(ui::faults_of(shown.ui.ui().tree()), testing::IsEmpty()) << "scale " << scale;
+            EXPECT_EQ(shown.ui.ui().duplicates(), 0U);
+        }
     }
 }
 
@@ -124,7 +126,7 @@ TEST_P(EveryPage, AllocatesNothingInSteadyFrames) {
 TEST_P(EveryPage, AsksForNoFrameWhenNothingHappens) {
     Shown shown(GetParam());
     shown.state.reduced_motion = true;
-    shown.ui.settle();
+    shown.ui.frame().settle();
     shown.ui.frame();
     EXPECT_GE(shown.ui.output().wake_at, ui::never) << shown.ui.ui().wake_reasons().back().reason;
     EXPECT_FALSE(shown.ui.output().changed);
