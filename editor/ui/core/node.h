@@ -218,7 +218,8 @@ struct alignas(64) Node {
     // made by layout
     std::uint32_t in_flow = 0;  ///< children that are not placed by hand
     bool has_placed = false;
-    bool has_events = false;  ///< some of this build are for it
+    bool flexible[2] = {false, false};  ///< some of them share what is left, or have a part of it
+    bool has_events = false;            ///< some of this build are for it
     float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
     Rect clip;
 

@@ -25,44 +25,15 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
     uv[at + 1] = static_cast<std::uint16_t>(c.b | c.a << 8);
 }
 
-/// Two lanes, so that the processor has two multiplications under way at once. Both halves of each product count, so that no bit
-/// of what comes in is lost.
-class Hash {
-  public:
-    template <class List>
-    void add(const List& all) {
-        static_assert(std::is_trivially_copyable_v<std::remove_cvref_t<decltype(*all.data())>>);
-        add_word(all.size());
-        const auto* from = reinterpret_cast<const unsigned char*>(all.data());
-        std::size_t left = all.size() * sizeof(*all.data());
-        for (; left >= 32; left -= 32, from += 32) block(from);
-        if (left == 0) return;
-        unsigned char last[32] = {};
-        std::memcpy(last, from, left);
-        block(last);
-    }
-    void add_word(std::uint64_t word) { a_ = product(a_ ^ word, 0x9E3779B97F4A7C15ULL); }
-    std::uint64_t value() const { return product(a_ ^ 0x243F6A8885A308D3ULL, b_ ^ 0x13198A2E03707344ULL); }
-
-  private:
-    static std::uint64_t product(std::uint64_t a, std::uint64_t b) {
-        __extension__ using Wide = unsigned __int128;
-        const Wide all = static_cast<Wide>(a) * b;
-        return static_cast<std::uint64_t>(all) ^ static_cast<std::uint64_t>(all >> 64);
-    }
-    void block(const unsigned char* from) {
-        std::uint64_t w[4];
-        std::memcpy(w, from, 32);
-        a_ = product(w[0] ^ a_, w[1] ^ 0xA4093822299F31D0ULL) + a_;  // the sum: a product that is 0 must not forget
-        b_ = product(w[2] ^ b_, w[3] ^ 0x082EFA98EC4E6C89ULL) + b_ * 3;
-    }
-    std::uint64_t a_ = 0x452821E638D01377ULL, b_ = 0xBE5466CF34E90C6CULL;
-};
-
 }  // namespace
 
 Painter::Painter(DrawList& list, Fonts& fonts, const Theme& theme, float scale)
-    : list_(list), fonts_(fonts), theme_(theme), scale_(scale) {}
+    : list_(list),
+      fonts_(fonts),
+      theme_(theme),
+      scale_(scale),
+      clips_(list.clip_stack),
+      elided_(list.elided) {}
 
 TextStyle Painter::text_style(float relative_size, Weight weight) const {
     return {.size = em(relative_size), .weight = weight};
@@ -76,24 +47,23 @@ TextStyle Painter::number_style() const {
 
 void Painter::start(glm::ivec2 size) {
     list_.reset(size);
-    clips_[0] = {.rect = {0, 0, static_cast<float>(size.x), static_cast<float>(size.y)}};
-    clip_depth_ = 1;
+    clips_.clear();
+    clips_.push_back({.rect = {0, 0, static_cast<float>(size.x), static_cast<float>(size.y)}});
 }
 
 void Painter::set_clip(const Rect& rect) {
-    if (clip() != rect) clips_[clip_depth_ - 1] = {.rect = rect};
+    if (clips_.back().rect != rect) clips_.back() = {.rect = rect};
 }
 
 void Painter::push_clip(const Rect& rect) {
-    assert(clip_depth_ < clips_.size());
-    const Clip& outer = clips_[clip_depth_ - 1];
+    const ClipLevel& outer = clips_.back();
     const Rect inner = intersect(rect, outer.rect);
-    clips_[clip_depth_++] = inner == outer.rect ? outer : Clip{.rect = inner};
+    clips_.push_back(inner == outer.rect ? ClipLevel(outer) : ClipLevel{.rect = inner});
 }
 
 void Painter::pop_clip() {
-    assert(clip_depth_ > 1);
-    --clip_depth_;
+    assert(clips_.size() > 1);
+    clips_.pop_back();
 }
 
 /// Leaves a batch open that shows these images; 0: whatever it shows.
@@ -116,7 +86,7 @@ void Painter::need_batch(ImageHandle first, ImageHandle second) {
 
 /// Of clip() in the table of the open batch; opens one where there is none, or no room.
 std::uint8_t Painter::clip_index() {
-    Clip& clip = clips_[clip_depth_ - 1];
+    ClipLevel& clip = clips_.back();
     if (clip.batch != 0 && clip.batch == list_.batches.size()) return clip.index;
     if (list_.batches.empty()) need_batch(0, 0);
     if (list_.batches.back().clips == most_clips) {
@@ -144,22 +114,18 @@ Instance& Painter::add(InstanceKind kind, Color color) {
 }
 
 void Painter::finish(const ImageStore* images) {
-    assert(clip_depth_ == 1);
+    assert(clips_.size() == 1);
     if (!list_.batches.empty()) {
         Batch& last = list_.batches.back();
         last.count = static_cast<std::uint32_t>(list_.instances.size()) - last.first;
     }
-    Hash hash;
-    hash.add_word(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
-    hash.add(list_.clears), hash.add(list_.instances), hash.add(list_.clips), hash.add(list_.batches);
-    hash.add_word(fonts_.atlas().serial);
+    list_.serials.push_back(fonts_.atlas().serial);
     for (const Batch& batch : list_.batches) {
         for (const ImageHandle image : batch.images) {
             const StoredImage* stored = images != nullptr ? images->find(image) : nullptr;
-            hash.add_word(stored != nullptr ? stored->serial : 0);
+            if (stored != nullptr) list_.serials.push_back(stored->serial);
         }
     }
-    list_.hash = hash.value();
 }
 
 // --- shapes ---
@@ -187,12 +153,12 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
 /// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines through the
 /// smooth outer edge of its frame.
 bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
-    if (list_.batches.empty() || clips_[clip_depth_ - 1].batch != list_.batches.size()) return false;
+    if (list_.batches.empty() || clips_.back().batch != list_.batches.size()) return false;
     if (list_.instances.size() == list_.batches.back().first) return false;
     Instance& last = list_.instances.back();
     const bool same = last.kind == InstanceKind::fill && last.border == 0 && last.radius == radius &&
-                      last.clip == clips_[clip_depth_ - 1].index && last.x == rect.x && last.y == rect.y &&
-                      last.w == rect.w && last.h == rect.h;
+                      last.clip == clips_.back().index && last.x == rect.x && last.y == rect.y && last.w == rect.w &&
+                      last.h == rect.h;
     if (!same) return false;
     put_color(last.uv, 0, last.color);
     last.uv[2] = 1;
@@ -203,7 +169,7 @@ bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border
 
 void Painter::frame(const Rect& rect, Color color, float width, float radius) {
     if (color.a == 0 || hidden(rect)) return;
-    const float border = std::max(1.0F, std::round(width));
+    const float border = std::max(1.0F, whole(width));
     if (2 * border >= std::min(rect.w, rect.h)) return fill(rect, color, radius);
     if (frame_last_fill(rect, color, whole_byte(border), whole_byte(radius))) return;
     // A large one would have its whole empty middle shaded for nothing: four bars then.
@@ -309,8 +275,8 @@ float Painter::text(const Rect& rect, std::string_view text, const Run& whole_ru
         if (dots > rect.w) return 0;
         std::string_view kept = text.substr(0, run->bytes_within(rect.w - dots));
         while (kept.ends_with(' ')) kept.remove_suffix(1);
-        list_.scratch.assign(kept).append(ellipsis);
-        run = &fonts_.run(list_.scratch, style);
+        elided_.assign(kept).append(ellipsis);
+        run = &fonts_.run(elided_, style);
     }
     const LineMetrics& metrics = metrics_of(style);
     const float space = rect.w - run->width;

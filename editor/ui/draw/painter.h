@@ -2,7 +2,6 @@
 // screen. Text stands on whole pixels.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 
@@ -112,14 +111,14 @@ class Painter {
     void run(const Run& run, glm::vec2 baseline, Color color);
 
     void set_clip(const Rect& rect);   ///< in place of the innermost clip
-    void push_clip(const Rect& rect);  ///< within the clip so far; 31 deep at most
+    void push_clip(const Rect& rect);  ///< within the clip so far
     void pop_clip();
-    const Rect& clip() const { return clips_[clip_depth_ - 1].rect; }
+    const Rect& clip() const { return clips_.back().rect; }
 
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
     void start(glm::ivec2 size);
-    /// Closes the last batch, makes the hash. What is inside a host's textures is not part of it: the host asks for a frame itself.
+    /// Closes the last batch, notes the serials of what is shown.
     void finish(const ImageStore* images);
 
   private:
@@ -127,7 +126,7 @@ class Painter {
     bool frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius);
     void need_batch(ImageHandle first, ImageHandle second);
     std::uint8_t clip_index();
-    bool hidden(const Rect& rect) const { return !rect.overlaps(clips_[clip_depth_ - 1].rect); }
+    bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
 
     const LineMetrics& metrics_of(const TextStyle& style);
 
@@ -137,14 +136,8 @@ class Painter {
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;
-    struct Clip {
-        Rect rect;
-        std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet
-        std::uint8_t index = 0;
-    };
-    static constexpr std::size_t most_clips_within = 32;
-    std::array<Clip, most_clips_within> clips_;  ///< stack
-    std::size_t clip_depth_ = 1;
+    std::vector<ClipLevel>& clips_;  ///< stack
+    std::string& elided_;
 };
 
 }  // namespace lapfx::ui
