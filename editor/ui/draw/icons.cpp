@@ -54,7 +54,7 @@ const char* drawing_of(Icon icon) {
         "F88ll Lg8g3333g8g",                                          // copy
         "F33ll D882 Dcc2 Dgg2",                                       // dice
         "A7c46i L78a8 L7gag Ahc4iu Le8h8 Leghg L8cgc",                // link
-        "Occ7 Dcc3 Lc2c4 Lckcm L2c4c Lkcmc L5566 Liijj Lj5i6 L6i5j",  // gear
+        "Occ7 Dcc2 Lc2c5 Lcjcm L2c5c Ljcmc L5577 Lhhjj Lj5h7 L7h5j",  // gear
         "F34lk L4i9cdggdki Dg92",                                     // image
         "Lc3cl L88c3h8 L8gclgg",                                      // drag_up_down
         "P5gc8jg",                                                    // sort_up
@@ -77,7 +77,8 @@ class IconPen {
         origin_ = glm::round(rect.center() - side_ / 2);
         unit_ = side_ / grid;
         whole_stroke_ = std::max(1.0F, std::round(0.09F * side_));
-        stroke_ = std::max(1.2F, (0.09F * side_ + whole_stroke_) / 2);  // slanted ones need no whole px, but the same weight
+        stroke_ =
+            std::max(1.2F, (0.09F * side_ + whole_stroke_) / 2);  // slanted ones need no whole px, but the same weight
     }
 
     void part(char kind, std::span<const int> v) {

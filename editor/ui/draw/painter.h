@@ -118,7 +118,7 @@ class Painter {
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
     void start(glm::ivec2 size);
-    /// Closes the last batch, makes the hash. What is inside a host's textures is not part of it: the host asks for a frame itself.
+    /// Closes the last batch, notes the serials of what is shown.
     void finish(const ImageStore* images);
 
   private:

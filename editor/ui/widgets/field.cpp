@@ -27,6 +27,10 @@ void draw_field(Painter& painter, const Rect& rect, Is is) {
     painter.frame(rect, edge, painter.hairline(), painter.em(t.radius));
 }
 
+Color selection_color(const Theme& theme) {
+    return mix(theme.field, theme.focus, 0.35F);
+}
+
 void draw_popup(Painter& painter, const Node& node, const bool&) {
     const Theme& t = painter.theme();
     painter.shadow(node.rect(), t.shadow, painter.em(0.6F), painter.em(t.radius));

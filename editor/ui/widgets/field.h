@@ -12,6 +12,9 @@ void draw_caption(Painter& painter, const Node& node, bool caption);
 /// `is`: of the node; an invalid field has a red edge, one that has the keyboard a bright one.
 void draw_field(Painter& painter, const Rect& rect, Is is);
 
+/// Behind selected text.
+Color selection_color(const Theme& theme);
+
 /// The ground of what drops down from a field. Nothing is asked of `look`.
 void draw_popup(Painter& painter, const Node& node, const bool& look);
 /// Of an overlay that belongs to one widget.
