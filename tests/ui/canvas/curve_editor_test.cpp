@@ -91,8 +91,6 @@ TEST_F(CurveEditorTest, EscapeAndTheOtherButtonGiveBack) {
 
 TEST_F(CurveEditorTest, ShiftMovesATenthAndCtrlInSteps) {
     ui.drag("Curve/Point 2", way(0.1, 0.2), Mods::shift);
-    EXPECT_EQ(curve, standard) << "Shift+press takes it out of the selection again";
-    ui.press("Curve/Point 2").drag_by(way(0.1, 0.2), Mods::shift).release();
     EXPECT_NEAR(curve.point(1).x, 0.26, 1e-6);
     EXPECT_NEAR(curve.point(1).y, 0.52, 1e-6);
     options.x_step = options.y_step = 0.1;

@@ -178,7 +178,7 @@ TEST_F(TimelineTest, EndsCatchWhatIsNearUnlessCtrlIsHeld) {
     ui.press("Time/Events/Cut").drag_by({95, 0}).release();
     EXPECT_DOUBLE_EQ(cut().end, 6) << "the start of the next one, 5 px away";
     EXPECT_DOUBLE_EQ(cut().start, 4);
-    ui.press("Time/Events/Cut").drag_by({-45, 0}, Mods::command).release();
+    ui.press("Time/Events/Cut").drag_by({-45, 0}, Mods::command).release(Mods::command);
     EXPECT_DOUBLE_EQ(cut().start, 3.12);
     state.time = 2.5;
     ui.press("Time/Events/Cut").drag_by({-26, 0}).release();
