@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
     lapfx::commands::add_check(app);
     lapfx::commands::add_migrate(app);
     lapfx::commands::add_bench(app);
+    lapfx::commands::add_gallery(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& done) {  // --help, --version

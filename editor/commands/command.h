@@ -13,5 +13,6 @@ void add_check(CLI::App& app);
 void add_inspect(CLI::App& app);
 void add_migrate(CLI::App& app);
 void add_bench(CLI::App& app);
+void add_gallery(CLI::App& app);
 
 }  // namespace lapfx::commands

@@ -1,6 +1,7 @@
 // The GLFW window and its OpenGL 4.5 context: made, current, and destroyed in order.
 #pragma once
 
+#define GLFW_INCLUDE_NONE  // OpenGL is glad's
 #include <GLFW/glfw3.h>
 
 #include <glm/glm.hpp>

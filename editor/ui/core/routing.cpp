@@ -292,7 +292,8 @@ void Ui::reveal(Id id) {
 Response Ui::respond(Node& node) {
     Response r;
     const Id id = node.id;
-    const bool concerned = node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
+    const bool concerned =
+        node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
     if (!concerned) {  // nearly all
         r.pointer = pointer_;
         r.mods = mods_;

@@ -66,8 +66,8 @@ enum class Cursor : std::uint8_t { arrow, text, hand, resize_x, resize_y, move, 
 inline constexpr double never = 1e300;
 
 struct FrameOutput {
-    const DrawList* list = nullptr;
-    bool changed = true;  ///< the picture differs from the last one
+    const DrawList* list = nullptr;  ///< until the next frame
+    bool changed = true;             ///< the picture differs from the last one
     Cursor cursor = Cursor::arrow;
     bool pointer_locked = false;  ///< hide the pointer and let it go on without bounds; put it back afterwards
     Rect caret{};                 ///< where text is typed, for input methods; empty: nowhere
@@ -315,9 +315,7 @@ class Ui {
     UiOptions options_;
     FrameInput input_;
     FrameOutput output_;
-    DrawList list_;
-    std::uint64_t shown_hash_ = 0;
-    bool shown_once_ = false;
+    DrawList list_, shown_;  ///< of this frame and of the one before
 
     std::vector<Node> built_[2];
     Arena arenas_[2];

@@ -11,8 +11,15 @@ void Instances::grow(std::size_t least) {
 
 void DrawList::reset(glm::ivec2 frame_size) {
     size = frame_size;
-    clears.clear(), instances.clear(), clips.clear(), batches.clear();
-    hash = 0;
+    clears.clear(), instances.clear(), clips.clear(), batches.clear(), serials.clear();
+}
+
+bool same_picture(const DrawList& a, const DrawList& b) {
+    const bool same_glyphs = a.instances.size() == b.instances.size() &&
+                             (a.instances.empty() || std::memcmp(a.instances.data(), b.instances.data(),
+                                                                 a.instances.size() * sizeof(Instance)) == 0);
+    return same_glyphs && a.size == b.size && a.clears == b.clears && a.clips == b.clips && a.batches == b.batches &&
+           a.serials == b.serials;
 }
 
 }  // namespace lapfx::ui

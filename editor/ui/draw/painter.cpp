@@ -25,44 +25,15 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
     uv[at + 1] = static_cast<std::uint16_t>(c.b | c.a << 8);
 }
 
-/// Two lanes, so that the processor has two multiplications under way at once. Both halves of each product count, so that no bit
-/// of what comes in is lost.
-class Hash {
-  public:
-    template <class List>
-    void add(const List& all) {
-        static_assert(std::is_trivially_copyable_v<std::remove_cvref_t<decltype(*all.data())>>);
-        add_word(all.size());
-        const auto* from = reinterpret_cast<const unsigned char*>(all.data());
-        std::size_t left = all.size() * sizeof(*all.data());
-        for (; left >= 32; left -= 32, from += 32) block(from);
-        if (left == 0) return;
-        unsigned char last[32] = {};
-        std::memcpy(last, from, left);
-        block(last);
-    }
-    void add_word(std::uint64_t word) { a_ = product(a_ ^ word, 0x9E3779B97F4A7C15ULL); }
-    std::uint64_t value() const { return product(a_ ^ 0x243F6A8885A308D3ULL, b_ ^ 0x13198A2E03707344ULL); }
-
-  private:
-    static std::uint64_t product(std::uint64_t a, std::uint64_t b) {
-        __extension__ using Wide = unsigned __int128;
-        const Wide all = static_cast<Wide>(a) * b;
-        return static_cast<std::uint64_t>(all) ^ static_cast<std::uint64_t>(all >> 64);
-    }
-    void block(const unsigned char* from) {
-        std::uint64_t w[4];
-        std::memcpy(w, from, 32);
-        a_ = product(w[0] ^ a_, w[1] ^ 0xA4093822299F31D0ULL) + a_;  // the sum: a product that is 0 must not forget
-        b_ = product(w[2] ^ b_, w[3] ^ 0x082EFA98EC4E6C89ULL) + b_ * 3;
-    }
-    std::uint64_t a_ = 0x452821E638D01377ULL, b_ = 0xBE5466CF34E90C6CULL;
-};
-
 }  // namespace
 
 Painter::Painter(DrawList& list, Fonts& fonts, const Theme& theme, float scale)
-    : list_(list), fonts_(fonts), theme_(theme), scale_(scale) {}
+    : list_(list),
+      fonts_(fonts),
+      theme_(theme),
+      scale_(scale),
+      clips_(list.clip_stack),
+      elided_(list.elided) {}
 
 TextStyle Painter::text_style(float relative_size, Weight weight) const {
     return {.size = em(relative_size), .weight = weight};
@@ -85,9 +56,9 @@ void Painter::set_clip(const Rect& rect) {
 }
 
 void Painter::push_clip(const Rect& rect) {
-    const Clip& outer = clips_.back();
+    const ClipLevel& outer = clips_.back();
     const Rect inner = intersect(rect, outer.rect);
-    clips_.push_back(inner == outer.rect ? Clip(outer) : Clip{.rect = inner});
+    clips_.push_back(inner == outer.rect ? ClipLevel(outer) : ClipLevel{.rect = inner});
 }
 
 void Painter::pop_clip() {
@@ -115,7 +86,7 @@ void Painter::need_batch(ImageHandle first, ImageHandle second) {
 
 /// Of clip() in the table of the open batch; opens one where there is none, or no room.
 std::uint8_t Painter::clip_index() {
-    Clip& clip = clips_.back();
+    ClipLevel& clip = clips_.back();
     if (clip.batch != 0 && clip.batch == list_.batches.size()) return clip.index;
     if (list_.batches.empty()) need_batch(0, 0);
     if (list_.batches.back().clips == most_clips) {
@@ -148,17 +119,13 @@ void Painter::finish(const ImageStore* images) {
         Batch& last = list_.batches.back();
         last.count = static_cast<std::uint32_t>(list_.instances.size()) - last.first;
     }
-    Hash hash;
-    hash.add_word(static_cast<std::uint64_t>(list_.size.x) << 32 | static_cast<std::uint32_t>(list_.size.y));
-    hash.add(list_.clears), hash.add(list_.instances), hash.add(list_.clips), hash.add(list_.batches);
-    hash.add_word(fonts_.atlas().serial);
+    list_.serials.push_back(fonts_.atlas().serial);
     for (const Batch& batch : list_.batches) {
         for (const ImageHandle image : batch.images) {
             const StoredImage* stored = images != nullptr ? images->find(image) : nullptr;
-            hash.add_word(stored != nullptr ? stored->serial : 0);
+            if (stored != nullptr) list_.serials.push_back(stored->serial);
         }
     }
-    list_.hash = hash.value();
 }
 
 // --- shapes ---
@@ -202,7 +169,7 @@ bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border
 
 void Painter::frame(const Rect& rect, Color color, float width, float radius) {
     if (color.a == 0 || hidden(rect)) return;
-    const float border = std::max(1.0F, std::round(width));
+    const float border = std::max(1.0F, whole(width));
     if (2 * border >= std::min(rect.w, rect.h)) return fill(rect, color, radius);
     if (frame_last_fill(rect, color, whole_byte(border), whole_byte(radius))) return;
     // A large one would have its whole empty middle shaded for nothing: four bars then.

@@ -118,7 +118,7 @@ class Painter {
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
     void start(glm::ivec2 size);
-    /// Closes the last batch, makes the hash. What is inside a host's textures is not part of it: the host asks for a frame itself.
+    /// Closes the last batch, notes the serials of what is shown.
     void finish(const ImageStore* images);
 
   private:
@@ -136,13 +136,8 @@ class Painter {
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;
-    struct Clip {
-        Rect rect;
-        std::size_t batch = 0;  ///< number of the batch, from 1, whose table it is in; 0: none yet
-        std::uint8_t index = 0;
-    };
-    std::vector<Clip> clips_;  ///< stack
-    std::string elided_;       ///< reused
+    std::vector<ClipLevel>& clips_;  ///< stack
+    std::string& elided_;
 };
 
 }  // namespace lapfx::ui

@@ -121,8 +121,10 @@ Id Making::tab(int index, std::string_view name) {
 void Making::menu(Id key, std::span<const std::string_view> names) {
     const std::string_view name = ui.join({"tabs of ", {reinterpret_cast<const char*>(&key), sizeof key}});
     if (strip.overflow) {
+        ui.push_seed(key);  // several strips side by side have one each
         const bool clicked = icon_button(ui, Icon::chevron_down, "All tabs", {.quiet = true});
         if (clicked) open_menu(ui, name, {.side = Placement::Side::below, .anchor = ui.last().id});
+        ui.pop_seed();
     }
     if (Menu all(ui, name, "All tabs"); all) {
         for (int i = 0; i < count; ++i) {

@@ -1,0 +1,182 @@
+// lapfx gallery: the UI toolkit's widgets in a window, as a picture, or as the tree that tests and screen readers see.
+#include "gallery/gallery.h"
+
+#include <glad/gl.h>
+
+#include <algorithm>
+#include <iostream>
+
+#include "commands/command.h"
+#include "commands/options.h"
+#include "commands/output.h"
+#include "lapfx/context.h"
+#include "lapfx/file.h"
+#include "ui/core/tree.h"
+#include "ui/gl/renderer.h"
+#include "window/ui_window.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+struct Options {
+    std::string screenshot, dump, dump_on_close, page = "Overview", theme = "dark", size = "1280x800", backend = "auto",
+                                                 focus;
+    float scale = 0;
+    bool bare = false, reduced_motion = false, statistics = false;
+};
+
+void set_up(gallery::State& state, const Options& o) {
+    state.page = gallery::page_named(o.page);
+    if (state.page < 0) {
+        std::string names;
+        for (const gallery::Page& page : gallery::pages())
+            names += (names.empty() ? "" : ", ") + std::string(page.name);
+        throw wrong_option("--page", "\"" + o.page + "\" is none of " + names);
+    }
+    if (o.theme != "dark" && o.theme != "light")
+        throw wrong_option("--theme", "\"" + o.theme + "\" is neither dark nor light");
+    state.light = o.theme == "light";
+    state.bare = o.bare;
+    state.reduced_motion = o.reduced_motion;
+}
+
+/// As JSON where the name says so, else a line for each node.
+void write_dump(const std::string& file, std::span<const ui::Node> tree) {
+    write_file(file, file.ends_with(".json") ? ui::dump_json(tree) + "\n" : ui::dump_text(tree));
+}
+
+/// A UI without a window, with a clock that goes by frames: the same picture every time.
+class Still {
+  public:
+    Still(const Options& o, glm::ivec2 size) : size_(size), scale_(o.scale > 0 ? o.scale : 1.0F) {
+        set_up(state_, o);
+        state_.reduced_motion = true;
+        state_.scale = scale_;
+        settle();
+        if (o.focus.empty()) return;
+        try {
+            ui_.set_focus(ui_.tree()[ui::find(ui_.tree(), o.focus)].id, true);
+        } catch (const std::invalid_argument& error) {
+            throw wrong_option("--focus", error.what());
+        }
+        settle();
+    }
+
+    std::span<const ui::Node> tree() const { return ui_.tree(); }
+
+    /// With a current context.
+    Image picture() {
+        unsigned texture = 0, framebuffer = 0;
+        glCreateTextures(GL_TEXTURE_2D, 1, &texture);
+        glTextureStorage2D(texture, 1, GL_RGBA8, size_.x, size_.y);
+        glCreateFramebuffers(1, &framebuffer);
+        glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
+        ui::Renderer().draw(*output_->list, fonts_, &images_, framebuffer);
+        Image image{.width = size_.x, .height = size_.y, .pixels = {}, .name = ""};
+        const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
+        std::vector<std::uint8_t> bottom_up(row * static_cast<std::size_t>(size_.y));
+        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
+        glPixelStorei(GL_PACK_ALIGNMENT, 1);
+        glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.data());
+        for (std::size_t y = bottom_up.size(); y > 0; y -= row)
+            image.pixels.insert(image.pixels.end(), bottom_up.begin() + static_cast<std::ptrdiff_t>(y - row),
+                                bottom_up.begin() + static_cast<std::ptrdiff_t>(y));
+        glDeleteFramebuffers(1, &framebuffer);
+        glDeleteTextures(1, &texture);
+        return image;
+    }
+
+  private:
+    /// Until no frame is asked for soon; what asks for ever is shown as it is then.
+    void settle() {
+        for (int i = 0; i < 20; ++i) {
+            time_ += 1.0 / 60;
+            output_ = &ui_.frame({.size = size_, .scale = scale_, .time = time_},
+                                 [&](ui::Ui& u) { gallery::build(u, state_); });
+            if (output_->wake_at > time_ + 0.1) return;
+        }
+    }
+
+    ui::ImageStore images_;
+    gallery::State state_{images_};
+    glm::ivec2 size_;
+    float scale_;
+    double time_ = 0;
+    ui::Fonts fonts_{{.hinting = ui::Hinting::slight}};  // whatever the host prefers
+    ui::Ui ui_{fonts_, {.images = &images_, .shortcuts = &state_.commands}};
+    const ui::FrameOutput* output_ = nullptr;
+};
+
+void make_files(const Options& o) {
+    const glm::ivec2 size = parse_size(o.size);
+    for (const std::string& file : {o.screenshot, o.dump}) {
+        if (!file.empty()) check_folder(file);
+    }
+    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
+        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
+    Still still(o, size);
+    if (!o.dump.empty()) write_dump(o.dump, still.tree());
+    if (o.screenshot.empty()) return;
+    const Context context = Context::create(parse_backend(o.backend));
+    write_png(o.screenshot, still.picture());
+}
+
+void show_window(const Options& o) {
+    ui::ImageStore images;
+    gallery::State state(images);
+    set_up(state, o);
+    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
+    window::UiWindow window({.title = "lapfx gallery",
+                             .size = parse_size(o.size),
+                             .scale = o.scale,
+                             .theme = state.light ? &ui::light_theme() : &ui::dark_theme(),
+                             .reduced_motion = o.reduced_motion,
+                             .shortcuts = &state.commands,
+                             .images = &images,
+                             .log = o.statistics ? &std::cerr : nullptr});
+    window.run([&](ui::Ui& u) {
+        state.scale = window.scale();
+        gallery::build(u, state);
+        if (state.scale != window.scale()) window.set_scale(state.scale);
+        if (state.close) window.close();
+    });
+    if (!o.dump_on_close.empty()) write_dump(o.dump_on_close, window.ui().tree());
+    const window::WindowStatistics& s = window.statistics();
+    if (o.statistics)
+        std::cerr << "lapfx: " << s.frames << " frames, " << s.drawn << " drawn, " << s.waits << " waits\n";
+}
+
+void run(const Options& o) {
+    if (o.screenshot.empty() && o.dump.empty()) return show_window(o);
+    make_files(o);
+}
+
+}  // namespace
+
+void add_gallery(CLI::App& app) {
+    auto o = std::make_shared<Options>();
+    CLI::App* verb = app.add_subcommand("gallery", "Show the widgets of the user interface, each in all its states");
+    verb->add_option("--page", o->page, "The page to show")->capture_default_str();
+    verb->add_option("--theme", o->theme, "dark or light")->capture_default_str();
+    verb->add_option("--scale", o->scale, "0.75 to 3; the screen's, in a file 1, if not given")
+        ->check(finite_number())
+        ->check(CLI::Range(0.75, 3.0));
+    verb->add_option("--size", o->size, "WxH in pixels; of a window, at scale 1")->capture_default_str();
+    verb->add_flag("--bare", o->bare, "The page alone, without the list of pages and the switches");
+    verb->add_flag("--reduced-motion", o->reduced_motion, "Nothing moves of itself");
+    verb->add_option("--screenshot", o->screenshot, "Write a PNG instead of opening a window");
+    verb->add_option(
+        "--dump", o->dump,
+        "Write what there is, with names, values and places, instead of opening a window: .json, or a line "
+        "for each widget");
+    verb->add_option("--focus", o->focus, "In these files, the widget with this path has the keyboard");
+    verb->add_option("--backend", o->backend, "Of --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
+        ->capture_default_str();
+    verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
+    verb->add_flag("--statistics", o->statistics, "A line on stderr for every frame that the window makes, and why");
+    verb->footer("Example: lapfx gallery --page Text --scale 2 --theme light --screenshot text.png");
+    verb->callback([o] { run(*o); });
+}
+
+}  // namespace lapfx::commands

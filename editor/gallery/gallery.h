@@ -1,0 +1,43 @@
+// Every widget in every state, to look at and to test against: `lapfx gallery`. Knows nothing of windows and of the effects core.
+//
+//     ui::ImageStore images;
+//     gallery::State state(images);
+//     ui::Ui ui(fonts, {.images = &images, .shortcuts = &state.commands});
+//     ui.frame(input, [&](ui::Ui& u) { gallery::build(u, state); });
+//
+// A page is a function in a file of its own; gallery.cpp lists them.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "gallery/state.h"
+
+namespace lapfx::gallery {
+
+struct Page {
+    std::string_view name;
+    void (*build)(ui::Ui&, State&);
+};
+std::span<const Page> pages();
+/// -1: there is none of this name; case does not matter.
+int page_named(std::string_view name);
+
+void build(ui::Ui& ui, State& state);
+
+void overview_page(ui::Ui& ui, State& state);
+void basic_page(ui::Ui& ui, State& state);
+void text_page(ui::Ui& ui, State& state);
+void icons_page(ui::Ui& ui, State& state);
+void colors_page(ui::Ui& ui, State& state);
+void layout_page(ui::Ui& ui, State& state);
+void fields_page(ui::Ui& ui, State& state);
+void params_page(ui::Ui& ui, State& state);
+void lists_page(ui::Ui& ui, State& state);
+void panels_page(ui::Ui& ui, State& state);
+void pictures_page(ui::Ui& ui, State& state);
+void shell_page(ui::Ui& ui, State& state);
+void overlays_page(ui::Ui& ui, State& state);
+
+}  // namespace lapfx::gallery

@@ -1,0 +1,155 @@
+#include "gallery/state.h"
+
+#include <cmath>
+
+#include "gallery/gallery.h"
+
+namespace lapfx::gallery {
+
+namespace {
+
+std::uint8_t byte_of(float v) {
+    return static_cast<std::uint8_t>(std::clamp(v, 0.0F, 255.0F));
+}
+
+/// Smoke, grey and soft, over red tissue, in front of a green screen at the right. `smoke`: how much.
+TestPicture make_picture(ui::ImageStore& images, glm::ivec2 size, float smoke) {
+    TestPicture picture;
+    picture.size = size;
+    for (int y = 0; y < size.y; ++y) {
+        for (int x = 0; x < size.x; ++x) {
+            const glm::vec2 at = glm::vec2(x, y) / glm::vec2(size);
+            const float waves =
+                0.5F + 0.25F * std::sin(at.x * 31 + 3 * std::sin(at.y * 9)) + 0.25F * std::sin(at.y * 23);
+            const bool screen = at.x > 0.72F;
+            glm::vec3 color = screen ? glm::vec3(40, 170, 70) - 18 * at.y : glm::vec3(150, 62, 54) + 46 * waves;
+            const float away = glm::distance(at, glm::vec2(0.55F, 0.45F));
+            const float density = smoke * std::exp(-9 * away * away) * (0.55F + 0.45F * waves);
+            color = glm::mix(color, glm::vec3(205, 208, 212), density);
+            for (int c = 0; c < 3; ++c) picture.pixels.push_back(byte_of(color[c]));
+            picture.pixels.push_back(255);
+        }
+    }
+    picture.image = images.add(size, picture.pixels);
+    return picture;
+}
+
+std::vector<ui::TreeItem> make_parts() {
+    using ui::Icon;
+    return {{"Liver", 0, Icon::folder, Icon::eye, "Hide"},
+            {"Left lobe", 1, Icon::image, Icon::eye, "Hide"},
+            {"Right lobe", 1, Icon::image, Icon::eye, "Hide"},
+            {"Segment V, with a name that does not fit", 2, Icon::image, Icon::eye, "Hide"},
+            {"Segment VI", 2, Icon::image, Icon::eye_off, "Show", true},
+            {"Gallbladder", 0, Icon::folder, Icon::eye, "Hide"},
+            {"Fundus", 1, Icon::image, Icon::lock, "Unlock"},
+            {"Cystic duct", 1, Icon::image, Icon::eye, "Hide"},
+            {"Fat", 0, Icon::image, Icon::eye, "Hide"}};
+}
+
+}  // namespace
+
+FieldsState::FieldsState() {
+    for (int i = 0; i < 12; ++i) long_notes += "Line " + std::to_string(i + 1) + ": " + long_line + "\n";
+    for (int i = 0; i < 10000; ++i) frame_names.push_back("frame " + std::to_string(i));
+    frames.assign(frame_names.begin(), frame_names.end());
+}
+
+ListsState::ListsState(ui::ImageStore& images) : parts(make_parts()) {
+    constexpr std::array names = {"plume_left", "plume_right", "haze", "specks",
+                                  "fog_slow",   "burst",       "wisp", "curtain"};
+    constexpr std::array codecs = {"ProRes 4444", "H.264", "PNG"};
+    for (int i = 0; i < 200; ++i) {
+        const int tenths = 17 + (i * 37) % 140;
+        clips.push_back(
+            {.name = std::string(names[static_cast<std::size_t>(i) % names.size()]) + "_" + std::to_string(i),
+             .length = std::to_string(tenths / 10) + "." + std::to_string(tenths % 10) + " s",
+             .codec = codecs[static_cast<std::size_t>(i) % codecs.size()],
+             .seconds = tenths / 10.0,
+             .keyed = i % 3 != 1,
+             .star = i % 5 == 2});
+        order.push_back(static_cast<std::size_t>(i));
+        if (i < 24 && i % 7 != 6)  // some are not here yet
+            clips.back().image = make_picture(images, {96, 54}, static_cast<float>(i % 8) / 7).image;
+    }
+    table.selection.only(2);
+    tree.selection.only(2);
+    presets.only(1);
+}
+
+PanelsState::PanelsState()
+    : layout(ui::dock_split(
+          ui::Axis::x, 0.6F, ui::dock_tabs({"View", "Compare"}),
+          ui::dock_split(ui::Axis::y, 0.5F, ui::dock_tabs({"Parameters"}), ui::dock_tabs({"Scopes", "Log"})))) {}
+
+glm::vec4 TestPicture::pixel(glm::ivec2 at) const {
+    const std::size_t i = static_cast<std::size_t>(at.y * size.x + at.x) * 4;
+    return {pixels[i], pixels[i + 1], pixels[i + 2], pixels[i + 3]};
+}
+
+PicturesState::PicturesState(ui::ImageStore& images)
+    : clean(make_picture(images, {320, 200}, 0)),
+      smoky(make_picture(images, {320, 200}, 1)),
+      luma(256),
+      vectors(images),
+      waves(images) {
+    for (std::size_t i = 0; i < smoky.pixels.size(); i += 4) {
+        const glm::vec3 code(smoky.pixels[i], smoky.pixels[i + 1], smoky.pixels[i + 2]);
+        ++luma[static_cast<std::size_t>(std::lround(ui::luma_chroma(code, ui::Matrix::bt601).x))];
+    }
+    const ui::ScopeSource source{.bytes = smoky.pixels, .size = smoky.size, .channels = 4};
+    vectors.update_chroma(source, ui::Matrix::bt601);
+    waves.update_luma(source, ui::Matrix::bt601);
+}
+
+State::State(ui::ImageStore& images) : lists(images), pictures(images) {
+    using ui::Key;
+    using ui::key_of;
+    using ui::Mods;
+    commands.add({.id = "file.new",
+                  .title = "New preset",
+                  .group = "File",
+                  .chord = {key_of('N'), Mods::command},
+                  .icon = ui::Icon::file,
+                  .run = [this] { shell.answer = "new"; }});
+    commands.add(
+        {.id = "file.save", .title = "Save", .group = "File", .chord = {key_of('S'), Mods::command}, .run = [this] {
+             shell.toasts.add({.kind = ui::ToastKind::good, .text = "Saved"});
+         }});
+    commands.add({.id = "file.close",
+                  .title = "Close the window",
+                  .group = "File",
+                  .chord = {key_of('Q'), Mods::command},
+                  .run = [this] { close = true; }});
+    commands.add({.id = "edit.undo",
+                  .title = "Undo",
+                  .group = "Edit",
+                  .chord = {key_of('Z'), Mods::command},
+                  .icon = ui::Icon::undo,
+                  .run = [] {},
+                  .enabled = [] { return false; }});
+    commands.add({.id = "view.light",
+                  .title = "Light theme",
+                  .group = "View",
+                  .chord = {key_of('L'), Mods::command},
+                  .run = [this] { light = !light; },
+                  .checked = [this] { return light; }});
+    commands.add({.id = "view.motion",
+                  .title = "Reduced motion",
+                  .group = "View",
+                  .run = [this] { reduced_motion = !reduced_motion; },
+                  .checked = [this] { return reduced_motion; }});
+    commands.add({.id = "view.grid",
+                  .title = "Grid",
+                  .group = "View",
+                  .chord = {key_of('G'), Mods::command},
+                  .run = [this] { shell.grid = !shell.grid; },
+                  .checked = [this] { return shell.grid; }});
+    for (std::size_t i = 0; i < pages().size(); ++i)
+        commands.add({.id = "page." + std::string(pages()[i].name),
+                      .title = std::string(pages()[i].name),
+                      .group = "Page",
+                      .run = [this, i] { page = static_cast<int>(i); }});
+}
+
+}  // namespace lapfx::gallery

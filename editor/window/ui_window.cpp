@@ -1,0 +1,293 @@
+#include "window/ui_window.h"
+
+#include <glad/gl.h>
+
+#include <cstdlib>
+#include <ostream>
+
+namespace lapfx::window {
+
+namespace {
+
+constexpr double look_for_results = 0.25;  // s, while a job runs: an event posted by another thread can be missed
+constexpr double least_between_frames =
+    0.004;                           // s, of frames that only time asks for: some drivers swap without waiting
+constexpr double a_long_time = 1e6;  // s: as good as never
+constexpr GLuint64 longest_queue_wait = 100'000'000;  // ns
+
+int glfw_shape(ui::Cursor cursor) {
+    switch (cursor) {
+        case ui::Cursor::text:
+            return GLFW_IBEAM_CURSOR;
+        case ui::Cursor::hand:
+        case ui::Cursor::move:  // GLFW 3.3 has no shape of its own for it
+            return GLFW_HAND_CURSOR;
+        case ui::Cursor::resize_x:
+            return GLFW_HRESIZE_CURSOR;
+        case ui::Cursor::resize_y:
+            return GLFW_VRESIZE_CURSOR;
+        case ui::Cursor::crosshair:
+            return GLFW_CROSSHAIR_CURSOR;
+        default:
+            return GLFW_ARROW_CURSOR;
+    }
+}
+
+bool is_modifier(int key) {
+    return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER;
+}
+
+}  // namespace
+
+std::string UiWindow::SystemClipboard::get() {
+    const char* text = glfwGetClipboardString(window);
+    return text == nullptr ? "" : text;
+}
+
+void UiWindow::SystemClipboard::set(const std::string& text) {
+    glfwSetClipboardString(window, text.c_str());
+}
+
+UiWindow::UiWindow(const UiWindowOptions& options)
+    : options_(options),
+      window_(options.size, options.title),
+      context_(Context::external(glfwGetProcAddress)),
+      ui_(fonts_, {.theme = options.theme,
+                   .clipboard = &clipboard_,
+                   .images = options.images,
+                   .shortcuts = options.shortcuts,
+                   .reduced_motion = options.reduced_motion}) {
+    clipboard_.window = window_.get();
+    glm::vec2 screen(1);
+    glfwGetWindowContentScale(window_.get(), &screen.x, &screen.y);
+    screen_scale_ = screen.x;
+    set_scale(options.scale);
+    if (scale_ != 1) {
+        const glm::ivec2 size(glm::vec2(options.size) * scale_);
+        glfwSetWindowSize(window_.get(), size.x, size.y);
+    }
+    ui_.set_waker([this] {
+        woken_ = true;
+        glfwPostEmptyEvent();
+    });
+    measure();
+    connect();
+}
+
+UiWindow::~UiWindow() {
+    if (queued_ != nullptr) glDeleteSync(static_cast<GLsync>(queued_));
+}
+
+void UiWindow::connect() {
+    GLFWwindow* w = window_.get();
+    glfwSetWindowUserPointer(w, this);
+    glfwSetInputMode(w, GLFW_LOCK_KEY_MODS, GLFW_TRUE);  // NumLock
+    glfwSetCursorPosCallback(w, [](GLFWwindow* window, double x, double y) {
+        UiWindow& self = of(window);
+        self.pointer_ = glm::vec2(glm::dvec2(x, y) * self.px_per_unit_);
+        self.push({.kind = ui::EventKind::pointer}, "pointer");
+    });
+    glfwSetCursorEnterCallback(w, [](GLFWwindow* window, int entered) {
+        if (entered == GLFW_FALSE) of(window).push({.kind = ui::EventKind::pointer_out}, "pointer left");
+    });
+    glfwSetMouseButtonCallback(w, [](GLFWwindow* window, int button, int action, int bits) {
+        of(window).mods_ = mods_from(bits);
+        of(window).take_button(button, action == GLFW_PRESS);
+    });
+    glfwSetScrollCallback(w, [](GLFWwindow* window, double x, double y) {
+        of(window).push({.kind = ui::EventKind::wheel, .delta = {x, y}}, "wheel");
+    });
+    glfwSetKeyCallback(w, [](GLFWwindow* window, int key, int scancode, int action, int bits) {
+        of(window).take_key(key, scancode, action, bits);
+    });
+    glfwSetCharCallback(w, [](GLFWwindow* window, unsigned codepoint) {
+        of(window).push({.kind = ui::EventKind::text, .codepoint = codepoint}, "text");
+    });
+    glfwSetDropCallback(w,
+                        [](GLFWwindow* window, int count, const char** paths) { of(window).take_drop(count, paths); });
+    glfwSetWindowFocusCallback(w, [](GLFWwindow* window, int focused) {
+        if (focused == GLFW_TRUE) return;
+        of(window).mods_ = ui::Mods::none;
+        of(window).push({.kind = ui::EventKind::focus_lost}, "focus lost");
+    });
+    glfwSetWindowIconifyCallback(w, [](GLFWwindow* window, int iconified) {
+        of(window).iconified_ = iconified == GLFW_TRUE;
+        of(window).want("shown or hidden");
+    });
+    glfwSetWindowContentScaleCallback(w, [](GLFWwindow* window, float x, float) {
+        of(window).screen_scale_ = x;
+        of(window).set_scale(of(window).options_.scale);
+    });
+    glfwSetFramebufferSizeCallback(w, [](GLFWwindow* window, int, int) {
+        of(window).measure();
+        of(window).want("size");
+    });
+    // Some systems hold the loop while the window is resized: what is to be seen then is drawn here.
+    glfwSetWindowRefreshCallback(w, [](GLFWwindow* window) {
+        UiWindow& self = of(window);
+        self.stale_ = true;
+        self.want("uncovered");
+        self.measure();
+        try {
+            self.frame();
+        } catch (...) {
+            self.fault_ = std::current_exception();
+        }
+    });
+}
+
+void UiWindow::measure() {
+    const glm::ivec2 size = window_.framebuffer_size();
+    if (size.x < 1 || size.y < 1) return;
+    stale_ |= size != size_;
+    size_ = size;
+    px_per_unit_ = window_.to_pixels({1, 1});
+}
+
+void UiWindow::push(ui::Event event, const char* reason) {
+    event.mods = mods_;
+    event.at = pointer_;
+    event.time = glfwGetTime();
+    ui_.push(std::move(event));
+    want(reason);
+}
+
+void UiWindow::take_key(int key, int scancode, int action, int bits) {
+    const bool down = action != GLFW_RELEASE;
+    mods_ = mods_from(bits, key, down);
+    if (is_modifier(key)) return push({.kind = ui::EventKind::none}, "modifier");
+    const ui::Key ours = key_from(key, glfwGetKeyName(key, scancode), (bits & GLFW_MOD_NUM_LOCK) != 0);
+    if (ours == ui::Key::none || (down && take_scale_key(ours))) return;
+    push({.kind = down ? ui::EventKind::key : ui::EventKind::key_up, .key = ours, .repeat = action == GLFW_REPEAT},
+         "key");
+}
+
+bool UiWindow::take_scale_key(ui::Key key) {
+    if (!has(mods_, ui::Mods::command) || has(mods_, ui::Mods::alt)) return false;
+    if (key == ui::key_of('0')) {
+        set_scale(options_.scale);
+    } else if (key == ui::key_of('=') || key == ui::key_of('-')) {
+        set_scale(next_scale(scale_, key == ui::key_of('=') ? 1 : -1));
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void UiWindow::take_button(int button, bool down) {
+    constexpr ui::Button buttons[] = {ui::Button::left, ui::Button::right, ui::Button::middle};
+    if (button > GLFW_MOUSE_BUTTON_MIDDLE) return;
+    push({.kind = down ? ui::EventKind::press : ui::EventKind::release, .button = buttons[button]}, "button");
+}
+
+void UiWindow::take_drop(int count, const char** paths) {
+    std::string lines;
+    for (int i = 0; i < count; ++i) lines += std::string(i == 0 ? "" : "\n") + paths[i];
+    glm::dvec2 at(0);
+    glfwGetCursorPos(window_.get(), &at.x, &at.y);  // no move is told while something is dragged in
+    pointer_ = glm::vec2(at * px_per_unit_);
+    push({.kind = ui::EventKind::drop, .paths = std::move(lines)}, "drop");
+}
+
+void UiWindow::set_scale(float scale) {
+    const float next = choose_scale(scale, std::getenv("LAPFX_SCALE"), screen_scale_);
+    if (next == scale_) return;
+    scale_ = next;
+    want("scale");
+}
+
+void UiWindow::close() {
+    glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
+}
+
+void UiWindow::run(const std::function<void(ui::Ui&)>& build) {
+    build_ = &build;
+    frame();
+    while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE) {
+        wait();
+        if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
+        if (reason_ != nullptr) frame();
+    }
+    build_ = nullptr;
+}
+
+/// Returns when there may be something to do; `reason_` then says what, or is null.
+void UiWindow::wait() {
+    ++statistics_.waits;
+    const double now = glfwGetTime();
+    double until = iconified_ ? ui::never : std::max(wake_at_, last_frame_ + least_between_frames);
+    if (busy_) until = std::min(until, now + look_for_results);
+    if (reason_ != nullptr || woken_ || until <= now) {
+        glfwPollEvents();
+    } else if (until - now > a_long_time) {
+        glfwWaitEvents();
+    } else {
+        glfwWaitEventsTimeout(until - now);
+    }
+    if (woken_.exchange(false)) want("woken");
+    if (reason_ == nullptr && !iconified_ && glfwGetTime() >= wake_at_)
+        want(ui_.wake_reasons().empty() ? "time" : ui_.wake_reasons().back().reason);
+    if (reason_ == nullptr && busy_ && glfwGetTime() >= until) want("job");
+}
+
+void UiWindow::frame() {
+    if (build_ == nullptr || in_frame_) return;
+    in_frame_ = true;
+    const char* reason = std::exchange(reason_, nullptr);
+    if (queued_ != nullptr) {  // one picture at most is on its way: what is shown is never older
+        glClientWaitSync(static_cast<GLsync>(queued_), GL_SYNC_FLUSH_COMMANDS_BIT, longest_queue_wait);
+        glDeleteSync(static_cast<GLsync>(std::exchange(queued_, nullptr)));
+    }
+    last_frame_ = glfwGetTime();
+    const ui::FrameOutput* output = nullptr;
+    try {
+        output = &ui_.frame({.size = size_, .scale = scale_, .time = last_frame_}, *build_);
+    } catch (...) {
+        in_frame_ = false;
+        throw;
+    }
+    in_frame_ = false;
+    ++statistics_.frames;
+    wake_at_ = output->wake_at;
+    show_pointer(*output);
+    stale_ |= output->changed;
+    const bool drawn = stale_ && !iconified_;
+    if (drawn) draw(*output->list);
+    if (options_.log != nullptr)
+        *options_.log << "frame " << statistics_.frames << " at " << last_frame_
+                      << " s: " << (reason == nullptr ? "asked for" : reason) << (drawn ? ", drawn" : "") << std::endl;
+}
+
+void UiWindow::draw(const ui::DrawList& list) {
+    renderer_.draw(list, fonts_, options_.images, 0);
+    glfwSwapBuffers(window_.get());
+    queued_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
+    stale_ = false;
+    ++statistics_.drawn;
+}
+
+/// Its shape, and whether it may go on without bounds; GLFW puts it back to where it was.
+void UiWindow::show_pointer(const ui::FrameOutput& output) {
+    GLFWwindow* w = window_.get();
+    if (output.pointer_locked != locked_) {
+        locked_ = output.pointer_locked;
+        glfwSetInputMode(w, GLFW_CURSOR, locked_ ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        cursor_ = ui::Cursor::arrow;
+        glfwSetCursor(w, nullptr);
+        if (!locked_) {
+            glm::dvec2 at(0);
+            glfwGetCursorPos(w, &at.x, &at.y);
+            pointer_ = glm::vec2(at * px_per_unit_);
+            push({.kind = ui::EventKind::pointer}, "pointer back");
+        }
+    }
+    if (locked_ || output.cursor == cursor_) return;
+    if ((output.cursor == ui::Cursor::none) != (cursor_ == ui::Cursor::none))
+        glfwSetInputMode(w, GLFW_CURSOR, output.cursor == ui::Cursor::none ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
+    cursor_ = output.cursor;
+    GLFWcursor*& shape = cursors_[static_cast<int>(cursor_)];
+    if (shape == nullptr) shape = glfwCreateStandardCursor(glfw_shape(cursor_));  // glfwTerminate destroys them
+    glfwSetCursor(w, shape);
+}
+
+}  // namespace lapfx::window
