@@ -201,13 +201,13 @@ def case_pointer_over_nothing(open_gallery):
 def case_click(open_gallery):
     """A click is seen, in at most two pictures for each event."""
     with open_gallery() as gallery:
-        x, y = gallery.middle("Page/Overview/Buttons/Follow the tool")
+        x, y = gallery.middle("Page/Overview/Follow the tool")
         gallery.act("mousemove", "--window", gallery.window, str(x), str(y))
         drawn = len(gallery.drawn(0))
         gallery.act("click", "1")
         assert len(gallery.drawn(0)) - drawn <= 4, gallery.drawn(0)[drawn:]
         tree = gallery.close()
-        assert "checked" not in node(tree, "Page/Overview/Buttons/Follow the tool").get("states", ())
+        assert "checked" not in node(tree, "Page/Overview/Follow the tool").get("states", ())
 
 
 def case_keys(open_gallery):
