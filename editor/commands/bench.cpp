@@ -1,7 +1,12 @@
 // lapfx bench: figures that compare within one run.
 #include "commands/bench.h"
 
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
 #include <ctime>
+#include <filesystem>
 #include <fstream>
 #include <iomanip>
 #include <iostream>
@@ -10,6 +15,7 @@
 
 #include "commands/command.h"
 #include "commands/options.h"
+#include "lapfx/error.h"
 #include "lapfx/file.h"
 
 namespace lapfx::commands {
@@ -35,6 +41,24 @@ void run(Bench bench, const BenchOptions& options) {
 }
 
 }  // namespace
+
+/// The comparison with Dear ImGui is a program of its own beside this one: the product links no other toolkit.
+static void run_bench_ui(const BenchOptions& options) {
+    if (!options.json.empty()) check_folder(options.json);
+    const std::filesystem::path program =
+        std::filesystem::read_symlink("/proc/self/exe").parent_path() / "lapfx_bench_ui";
+    if (!std::filesystem::exists(program))
+        throw Error(Failure::runtime, Fault{.file = program.string(),
+                                            .place = "",
+                                            .reason = "not built: `bench ui` needs it; configure with LAPFX_TESTS=ON"});
+    std::cout.flush();
+    if (options.json.empty()) {
+        execl(program.c_str(), program.c_str(), static_cast<char*>(nullptr));
+    } else {
+        execl(program.c_str(), program.c_str(), "--json", options.json.c_str(), static_cast<char*>(nullptr));
+    }
+    throw Error(Failure::runtime, Fault{.file = program.string(), .place = "", .reason = std::strerror(errno)});
+}
 
 double thread_seconds() {
     timespec now{};
@@ -93,6 +117,10 @@ void add_bench(CLI::App& app) {
     };
     add("bleeding", "CPU time and bytes per frame of blood on small and large organs", bench_bleeding);
     add("frame", "What 15 smoke clips add to a frame, and what a haptic thread notices of them", bench_frame);
+    auto ui_options = std::make_shared<BenchOptions>();
+    CLI::App* ui = verb->add_subcommand("ui", "The editor's UI toolkit beside Dear ImGui on the same screens");
+    ui->add_option("--json", ui_options->json, "Write the figures to this file too");
+    ui->callback([ui_options] { run_bench_ui(*ui_options); });
     const auto [streaming, options] =
         add("streaming", "Smoke clips by the paper's schemes and ours, as its table 2, and FFmpeg beside them",
             bench_streaming);

@@ -39,12 +39,12 @@ glm::dvec2 kept_in(glm::dvec2 at, const Rect& area, float margin) {
 
 /// Two halves: whichever way shows the pictures larger.
 void split(const Rect& area, glm::ivec2 size, float gap, Rect (&halves)[2]) {
-    Rect rest = area, below = area;
-    const Rect left = rest.cut_left(std::floor((area.w - gap) / 2)),
-               upper = below.cut_top(std::floor((area.h - gap) / 2));
-    rest.cut_left(gap), below.cut_top(gap);
+    Rect right = area, below = area;
+    const Rect left = right.cut_left(std::floor((area.w - gap) / 2));
+    const Rect upper = below.cut_top(std::floor((area.h - gap) / 2));
+    right = right.cut_right(left.w), below = below.cut_bottom(upper.h);  // of one size, to the pixel
     const bool stacked = fit_zoom(upper, size) > fit_zoom(left, size);
-    halves[0] = stacked ? upper : left, halves[1] = stacked ? below : rest;
+    halves[0] = stacked ? upper : left, halves[1] = stacked ? below : right;
 }
 
 struct ComparedLook {
@@ -55,6 +55,7 @@ struct ComparedLook {
     Pick pick;
     bool flicker, nearest, grid;
     int side;
+    int half;  ///< that the pointer is in: where the readout goes
     Readout readout;
 };
 
@@ -78,7 +79,7 @@ void draw_line(Painter& painter, const View& view, const CompareState& state) {
     const glm::dvec2 way = line.along() * static_cast<double>(view.area.w + view.area.h);
     painter.push_clip(seen);
     painter.line(glm::vec2(on - way), glm::vec2(on + way), 3 * painter.hairline(), with_alpha(t.canvas, 0.6F));
-    painter.line(glm::vec2(on - way), glm::vec2(on + way), painter.hairline(), t.text);
+    painter.line(glm::vec2(on - way), glm::vec2(on + way), painter.hairline(), canvas_ink(t));
     painter.pop_clip();
 }
 
@@ -132,7 +133,7 @@ void draw_compared_readout(Painter& painter, const Node& node, const void* arg) 
     Rect halves[2] = {node.rect(), node.rect()};
     if (look.state.kind == CompareKind::side_by_side && !look.flicker)
         split(node.rect(), look.pictures[0].size, 2 * painter.hairline(), halves);
-    View view = view_of(look.state.view, halves[0], look.pictures[0].size);
+    View view = view_of(look.state.view, halves[look.half], look.pictures[0].size);
     view.area = node.rect();
     draw_readout(painter, view, look.readout);
 }
@@ -158,7 +159,7 @@ Edit edit_position(Ui& ui, const View& view, glm::dvec2 place, CompareState& sta
     const Edit edit = edit_by_handle(ui, moves, {.step = 0.01, .reset = 0.5}, steps,
                                      line.position_at(glm::dvec2(moves.to + origin)), state.position);
     ui.last().number = ui.number(state.position, 0, 1, 0.01);
-    ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = ui.theme().text, .size = glm::vec2(0.9F)});
+    ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = canvas_ink(ui.theme()), .size = glm::vec2(0.9F)});
     return edit;
 }
 
@@ -183,12 +184,12 @@ Edit edit_angle(Ui& ui, const View& view, glm::dvec2 pivot, glm::dvec2 place, Co
         memory.turning = (memory.turning || edit.began) && !edit.committed && !edit.cancelled;
     }
     ui.last().number = ui.number(glm::degrees(state.angle), -180, 180, 15);
-    ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = ui.theme().text_dim, .size = glm::vec2(0.7F)});
+    ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = canvas_ink(ui.theme(), 0.6F), .size = glm::vec2(0.7F)});
     return edit;
 }
 
 Edit edit_wipe(Ui& ui, const View& view, CompareState& state) {
-    const float margin = ui.row_height() / 2;
+    const float margin = handle_side(ui) / 2;
     const WipeLine line(view, state.angle);
     const glm::dvec2 middle(view.area.center());
     const glm::dvec2 at = kept_in(line.nearest(state.position, middle), view.area, margin);
@@ -258,9 +259,9 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
     Rect halves[2] = {area, area};
     const bool beside = state.kind == CompareKind::side_by_side && !result.flicker;
     if (beside) split(area, size, 2 * std::max(1.0F, std::round(ui.scale())), halves);
-    const Rect under = halves[1].contains(ui.pointer()) ? halves[1] : halves[0];
+    const int half = beside && halves[1].contains(ui.pointer()) ? 1 : 0;
     const ViewState view_before = state.view;
-    steer(ui, node, state.view, under, size, true);
+    steer(ui, node, state.view, halves[half], size, true);
     const View views[2] = {view_of(state.view, halves[0], size), view_of(state.view, halves[1], size)};
     Pick& pick = ui.memory<Pick>(id);
     move_pick(ui, node, r, pick, std::span(views, beside ? 2 : 1), state.view);
@@ -291,6 +292,7 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
                                                     .nearest = options.nearest,
                                                     .grid = options.grid,
                                                     .side = options.sample_box,
+                                                    .half = half,
                                                     .readout = readout});
     whole.draw_over = draw_compared_readout;
     ui.close();

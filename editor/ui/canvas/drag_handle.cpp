@@ -7,7 +7,7 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float fine = 0.1F;
+constexpr double fine = 0.1;
 constexpr Sense handle_sense = Sense::hover | Sense::press | Sense::focus | Sense::arrows_x | Sense::arrows_y |
                                Sense::pages | Sense::extremes | Sense::erase;
 
@@ -19,7 +19,7 @@ struct HandleMemory {
 };
 
 void take_key(HandleMoves& moves, const Event& event) {
-    const double step = has(event.mods, Mods::shift) ? static_cast<double>(fine) : 1.0;
+    const double step = has(event.mods, Mods::shift) ? fine : 1.0;
     switch (event.key) {
         case Key::left:
         case Key::right:
@@ -67,19 +67,23 @@ void take(HandleMoves& moves, HandleMemory& memory, const HandleOptions& options
             break;
     }
     if (way == glm::vec2(0)) return;
-    memory.to += has(event.mods, Mods::shift) ? way * fine : way;
+    memory.to += has(event.mods, Mods::shift) ? way * static_cast<float>(fine) : way;
     moves.dragged = true;
     moves.whole = has(event.mods, Mods::command);
 }
 
 }  // namespace
 
+float handle_side(const Ui& ui) {
+    return 2 * std::ceil(ui.row_height() / 2);
+}
+
 HandleMoves put_handle(Ui& ui, const HandleOptions& options) {
     Node& node = ui.leaf(Role::handle, options.label, handle_sense);
-    const float side = ui.row_height();
+    const float side = handle_side(ui);
     node.size[0] = px(side), node.size[1] = px(side);
     node.placed = true;
-    node.placement = ui.arena().make(Placement{.offset = options.at, .pivot = {0.5F, 0.5F}});
+    node.placement = ui.arena().make(Placement{.offset = options.at, .pivot = options.pivot});
     node.tip = ui.copy(options.tip);
     const Response r = ui.respond(node);
     if (r.hovered || r.held) ui.set_cursor(options.cursor);
@@ -124,12 +128,12 @@ void draw_knob(Painter& painter, const Node& node, const KnobLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = has(node.is, Is::disabled), lit = !disabled && (has(node.is, Is::hovered | Is::held));
     const glm::vec2 size(painter.em(look.size.x), painter.em(look.size.y));
-    const glm::vec2 corner = glm::floor(node.rect().center() - size / 2.0F);
+    const glm::vec2 corner = glm::floor(node.rect().at() + (node.rect().size() - size) * look.pivot);
     const Rect knob{corner.x, corner.y, size.x, size.y};
     const float radius = std::min(size.x, size.y) / 2;
     painter.shadow(knob, t.shadow, painter.em(0.2F), radius);
     painter.fill(knob, disabled ? t.control : look.color, radius);
-    painter.frame(knob, lit ? t.text : t.canvas, painter.hairline() * (lit ? 2 : 1), radius);
+    painter.frame(knob, lit ? t.focus : mix(look.color, t.text_dim, 0.6F), painter.hairline() * (lit ? 2 : 1), radius);
 }
 
 }  // namespace lapfx::ui

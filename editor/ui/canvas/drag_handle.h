@@ -8,7 +8,8 @@ namespace lapfx::ui {
 struct HandleOptions {
     std::string_view label;
     std::string_view tip = {};
-    glm::vec2 at{0};  ///< px from the parent's upper left corner: its middle
+    glm::vec2 at{0};              ///< px from the parent's upper left corner: where it points to
+    glm::vec2 pivot{0.5F, 0.5F};  ///< of its rectangle: what lies there
     Cursor cursor = Cursor::move;
 };
 
@@ -16,15 +17,16 @@ struct HandleOptions {
 struct HandleMoves {
     Id id = 0;
     bool dragged = false, released = false, cancelled = false;
-    bool reset = false;  ///< double click, Backspace or Delete
-    bool whole = false;  ///< Ctrl: whole steps
-    glm::vec2 to{
-        0};  ///< px from the parent's upper left: where the drag takes its middle; with Shift a tenth of the way
+    bool reset = false;   ///< double click, Backspace or Delete
+    bool whole = false;   ///< Ctrl: whole steps
+    glm::vec2 to{0};      ///< px from the parent's upper left: where the drag takes `at`; with Shift a tenth of the way
     glm::dvec2 steps{0};  ///< arrows, right and up positive: 1, with Shift 0.1; page keys: 10 in y
     int extreme = 0;      ///< Home -1, End 1
     bool hovered = false, held = false;
 };
 
+/// px: even, so that a pivot in the middle lies on a whole px.
+float handle_side(const Ui& ui);
 /// A child of the open node, as large as a control is high; the caller sets text, number and drawing of ui.last().
 HandleMoves put_handle(Ui& ui, const HandleOptions& options);
 
@@ -36,10 +38,16 @@ struct HandleRange {
 Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, double steps, double dragged,
                     double& value);
 
-/// A round knob in the middle of the handle, lit when hovered or held.
+/// Canvases are dark in every theme: what is drawn on one is between it (0) and white (1).
+inline Color canvas_ink(const Theme& theme, float strength = 0.9F) {
+    return mix(theme.canvas, theme.text_on_accent, strength);
+}
+
+/// A round knob at the handle's pivot, lit when hovered or held.
 struct KnobLook {
     Color color;
     glm::vec2 size{0.8F, 0.8F};  ///< em
+    glm::vec2 pivot{0.5F, 0.5F};
 };
 void draw_knob(Painter& painter, const Node& node, const KnobLook& look);
 

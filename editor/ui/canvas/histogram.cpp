@@ -18,7 +18,7 @@ struct Parts {
 };
 Parts parts_of(Rect rect, float em, float row, bool handles) {
     Parts parts;
-    rect = rect.inset(row / 2, 0);  // so that handles at the ends stay inside
+    rect = rect.inset(2 * std::ceil(row / 2), 0);  // low's grip stands before the axis, high's behind
     parts.axis = rect.cut_bottom(em * 1.3F);
     if (handles) parts.handles = rect.cut_bottom(row);
     rect.cut_top(em * 0.3F);
@@ -59,7 +59,7 @@ void draw_bars(Painter& painter, const Rect& plot, const HistogramLook& look) {
         const float right = std::round(plot.x + plot.w * static_cast<float>(c + 1) / static_cast<float>(columns));
         const bool hovered = look.hovered >= static_cast<int>(from) && look.hovered < static_cast<int>(to);
         painter.fill({left, plot.bottom() - height, right - left, height},
-                     hovered ? painter.theme().text : mix(painter.theme().text_dim, painter.theme().canvas, 0.25F));
+                     canvas_ink(painter.theme(), hovered ? 0.9F : 0.5F));
     }
 }
 
@@ -71,7 +71,7 @@ void draw_axis(Painter& painter, const Parts& parts, const HistogramData& data, 
         const double value = marks.first + i * marks.step;
         const float x = std::round(x_of(parts.plot, place_of(data, value)));
         if (lines) {
-            painter.fill({x, parts.plot.y, painter.hairline(), parts.plot.h}, t.grid);
+            painter.fill({x, parts.plot.y, painter.hairline(), parts.plot.h}, canvas_ink(t, 0.14F));
             continue;
         }
         char buffer[32];
@@ -90,12 +90,13 @@ void draw_levels(Painter& painter, const Parts& parts, const HistogramLook& look
     const float low = std::round(x_of(plot, low_place)), high = std::round(x_of(plot, high_place));
     painter.fill({plot.x, plot.y, low - plot.x, plot.h}, with_alpha(t.canvas, 0.65F));
     painter.fill({high, plot.y, plot.right() - high, plot.h}, with_alpha(t.accent, 0.3F));
-    const float line = painter.hairline(), down = parts.handles.center().y - plot.y;
-    painter.fill({low, plot.y, line, down}, t.text_dim);
-    painter.fill({high, plot.y, line, down}, t.text_dim);
-    if (!look.gamma) return;
+    const auto mark = [&](float x, float strength) {
+        painter.fill({x, plot.y, painter.hairline(), plot.h}, canvas_ink(t, strength));
+        painter.fill({x, plot.bottom(), painter.hairline(), painter.em(0.4F)}, t.text_dim);  // down to the grip
+    };
+    mark(low, 0.7F), mark(high, 0.7F);
     const double middle = low_place + (high_place - low_place) * gamma_place(look.levels.gamma);
-    painter.fill({std::round(x_of(plot, middle)), plot.y, line, down}, with_alpha(t.text_dim, 0.6F));
+    if (look.gamma) mark(std::round(x_of(plot, middle)), 0.4F);
 }
 
 void draw_histogram(Painter& painter, const Node& node, const HistogramLook& look) {
@@ -107,12 +108,12 @@ void draw_histogram(Painter& painter, const Node& node, const HistogramLook& loo
     draw_bars(painter, parts.plot, look);
     if (look.has_levels) draw_levels(painter, parts, look);
     const float mark = painter.em(0.25F);
-    if (look.clipped_low) painter.fill({parts.plot.x, parts.plot.y, mark, parts.plot.h}, t.warning);
-    if (look.clipped_high) painter.fill({parts.plot.right() - mark, parts.plot.y, mark, parts.plot.h}, t.warning);
+    if (look.clipped_low) painter.fill({parts.plot.x, parts.plot.y, mark, parts.plot.h}, t.series[1]);
+    if (look.clipped_high) painter.fill({parts.plot.right() - mark, parts.plot.y, mark, parts.plot.h}, t.series[1]);
     draw_axis(painter, parts, look.data, false);
     if (look.hovered < 0) return;
     Rect line = parts.plot.inset(painter.em(0.6F), painter.em(0.2F));
-    painter.text(line.cut_top(painter.em(1.3F)), look.readout, painter.number_style(), t.text);
+    painter.text(line.cut_top(painter.em(1.3F)), look.readout, painter.number_style(), canvas_ink(t));
 }
 
 /// "17.4 %".
@@ -124,19 +125,19 @@ std::string_view percent(Ui& ui, double share) {
 std::string_view bin_text(Ui& ui, const HistogramData& data, int bin, double total, std::string_view unit) {
     char value[32], count[32];
     const auto bins = static_cast<double>(data.bins.size());
-    const double width = (data.maximum - data.minimum) / bins;
     // Of code values bin i holds exactly i; of anything else the middle of the bin says most.
-    const double at =
-        data.minimum + (data.maximum - data.minimum) *
-                           (bins == data.maximum + 1 && data.minimum == 0 ? bin / data.maximum : (bin + 0.5) / bins);
+    const bool codes = data.minimum == 0 && bins == data.maximum + 1;
+    const double width = (data.maximum - data.minimum) / bins;
+    const double at = codes ? bin : data.minimum + (bin + 0.5) * width;
+    const int decimals = codes || width <= 0 ? 0 : static_cast<int>(std::clamp(1 - std::log10(width), 0.0, 9.0));
     const auto n = static_cast<double>(data.bins[static_cast<std::size_t>(bin)]);
-    return ui.join({format_number(value, at, decimals_of(width < 1 ? width : 1)), unit, "   ",
-                    format_number(count, n, 0), "   ", percent(ui, total > 0 ? n / total : 0)});
+    return ui.join({format_number(value, at, decimals), unit, "   ", format_number(count, n, 0), "   ",
+                    percent(ui, total > 0 ? n / total : 0)});
 }
 
 /// Colours say which is which: what becomes black, half and white.
 Color knob_color(const Theme& t, int which) {
-    return which == 0 ? t.control : which == 1 ? t.text : t.text_disabled;
+    return canvas_ink(t, which == 0 ? 0.1F : which == 1 ? 1.0F : 0.5F);
 }
 
 struct Grips {
@@ -146,17 +147,22 @@ struct Grips {
     Parts parts;
     glm::vec2 origin;
 
+    /// Low's grip lies left of its value and high's right, so that neither covers the other where they meet.
     HandleMoves put(std::string_view label, double place, int which, std::string_view tip) const {
+        const glm::vec2 pivot(which == 0 ? 1 : which == 1 ? 0 : 0.5F, 0.5F);
         const HandleMoves moves =
             put_handle(ui, {.label = label,
                             .tip = tip,
                             .at = glm::vec2(x_of(parts.plot, place), parts.handles.center().y) - origin,
+                            .pivot = pivot,
                             .cursor = Cursor::resize_x});
-        ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = knob_color(ui.theme(), which), .size = {0.6F, 1.1F}});
+        ui.draw_with<draw_knob>(ui.last(),
+                                KnobLook{.color = knob_color(ui.theme(), which), .size = {0.6F, 1.1F}, .pivot = pivot});
         return moves;
     }
     double place_at(const HandleMoves& moves) const {
-        return static_cast<double>((moves.to.x + origin.x - parts.plot.x) / std::max(parts.plot.w, 1.0F));
+        return static_cast<double>(moves.to.x + origin.x - parts.plot.x) /
+               std::max(1.0, static_cast<double>(parts.plot.w));
     }
     void tell(double value, double minimum, double maximum, double step, std::string_view unit) const {
         char buffer[32];
@@ -196,8 +202,7 @@ struct Grips {
 };
 
 Edit put_log_switch(Ui& ui, bool& on, const Parts& parts, glm::vec2 origin) {
-    const Edit edit =
-        toggle(ui, "Log", on, {.tip = "Show rare values: heights follow the logarithm of counts", .quiet = true});
+    const Edit edit = toggle(ui, "Log", on, {.tip = "Show rare values: heights follow the logarithm of counts"});
     Node& node = ui.last();
     node.placed = true;
     node.placement =

@@ -32,7 +32,7 @@ void draw_image(Painter& painter, const Node& node, const ImageOverLook& look) {
     painter.fill({whole.x, hole.bottom(), whole.w, whole.bottom() - hole.bottom()}, shade);
     painter.fill({whole.x, hole.y, hole.x - whole.x, hole.h}, shade);
     painter.fill({hole.right(), hole.y, whole.right() - hole.right(), hole.h}, shade);
-    painter.frame(inner, t.text, painter.hairline());
+    painter.frame(inner, canvas_ink(t), painter.hairline());
 }
 
 void draw_readout_over(Painter& painter, const Node& node, const void* arg) {
@@ -105,7 +105,7 @@ Edit edit_corner(Ui& ui, const View& view, const Corner& corner, PixelRect& regi
     const glm::dvec2 place = place_of(region, corner);
     const HandleMoves moves = put_handle(ui, {.label = corner.label, .at = glm::vec2(view.to_screen(place)) - origin});
     ui.last().text = ui.join({place_text(ui, region.at), "   ", place_text(ui, region.size)});
-    ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = ui.theme().control, .size = glm::vec2(0.7F)});
+    ui.draw_with<draw_knob>(ui.last(), KnobLook{.color = canvas_ink(ui.theme()), .size = glm::vec2(0.7F)});
     Edit edit;
     if (moves.id == 0) return edit;
     RegionMemory& memory = ui.memory<RegionMemory>(moves.id);

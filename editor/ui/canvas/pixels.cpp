@@ -1,5 +1,6 @@
 #include "ui/canvas/pixels.h"
 
+#include "ui/canvas/drag_handle.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {
@@ -7,7 +8,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr int magnified = 11;             // pixels across the magnifier
-constexpr float magnified_pixel = 0.75F;  // em
+constexpr float magnified_pixel = 0.55F;  // em
 
 /// Where the pointer moved to since the last build, if it did and is over the node.
 bool pointer_moved(const Node& node, const Response& response, Ui& ui) {
@@ -41,17 +42,21 @@ std::string_view number_text(Ui& ui, float value, int decimals) {
     return ui.copy(format_number(buffer, static_cast<double>(value), whole ? 0 : decimals));
 }
 
+/// A dark line and a light one: one of them is seen on any picture.
 void draw_grid(Painter& painter, const View& view, const Rect& seen) {
-    const Color line = with_alpha(mix(painter.theme().text, painter.theme().canvas, 0.5F), 0.4F);
+    const Color dark = with_alpha(painter.theme().canvas, 0.35F),
+                light = with_alpha(painter.theme().text_on_accent, 0.15F);
     const glm::ivec2 low = glm::max(view.pixel_at(seen.at()), glm::ivec2(0));
     const glm::ivec2 high = glm::min(view.pixel_at(seen.at() + seen.size()) + 1, view.size);
     for (int x = low.x; x <= high.x; ++x) {
         const auto at = static_cast<float>(std::round(view.to_screen({x, 0}).x));
-        painter.fill({at, seen.y, 1, seen.h}, line);
+        painter.fill({at - 1, seen.y, 1, seen.h}, dark);
+        painter.fill({at, seen.y, 1, seen.h}, light);
     }
     for (int y = low.y; y <= high.y; ++y) {
         const auto at = static_cast<float>(std::round(view.to_screen({0, y}).y));
-        painter.fill({seen.x, at, seen.w, 1}, line);
+        painter.fill({seen.x, at - 1, seen.w, 1}, dark);
+        painter.fill({seen.x, at, seen.w, 1}, light);
     }
 }
 
@@ -59,7 +64,7 @@ void draw_grid(Painter& painter, const View& view, const Rect& seen) {
 void draw_box(Painter& painter, const Rect& box) {
     const float line = painter.hairline();
     painter.frame(box.inset(-line), painter.theme().canvas, line);
-    painter.frame(box, painter.theme().text, line);
+    painter.frame(box, canvas_ink(painter.theme()), line);
 }
 
 void draw_magnifier(Painter& painter, const Rect& place, const Readout& readout) {
@@ -129,7 +134,9 @@ Color color_of(const glm::vec4& code_value) {
 void draw_readout(Painter& painter, const View& view, const Readout& readout) {
     const Theme& t = painter.theme();
     const TextStyle style = painter.number_style();
-    const float pad = painter.em(0.4F), row = painter.em(1.35F), away = painter.em(1);
+    const float pad = painter.em(0.4F), row = painter.em(1.35F);
+    const auto box_reach = static_cast<float>(view.zoom * readout.side / 2);
+    const float away = painter.em(0.8F) + std::min(box_reach, painter.em(4));
     const float swatch = readout.swatch.a > 0 ? row + pad : 0;
     float width = 0;
     for (int i = 0; i < readout.line_count; ++i)
@@ -169,7 +176,7 @@ void draw_picture(Painter& painter, const View& view, const PictureLook& look) {
     const Rect rect = view.rect(), seen = intersect(rect, view.area);
     painter.push_clip(view.area);
     if (look.picture.image == 0) {
-        painter.text(view.area, "No picture", painter.text_style(), t.text_dim, Align::center);
+        painter.text(view.area, "No picture", painter.text_style(), canvas_ink(t, 0.6F), Align::center);
         return painter.pop_clip();
     }
     const bool pixels = view.zoom >= grid_zoom;

@@ -118,9 +118,9 @@ void draw_targets(Painter& painter, const ChromaMap& map, Matrix matrix) {
         const glm::vec3 at = luma_chroma(target.code, matrix);
         const glm::vec2 place = map.at({at.y, at.z});
         const float side = painter.em(0.8F);
-        painter.frame({std::round(place.x - side / 2), std::round(place.y - side / 2), side, side}, t.text_dim,
+        painter.frame({std::round(place.x - side / 2), std::round(place.y - side / 2), side, side}, canvas_ink(t, 0.6F),
                       painter.hairline());
-        painter.text({place.x + side, place.y - side, 2 * side, 2 * side}, target.name, style, t.text_dim);
+        painter.text({place.x + side, place.y - side, 2 * side, 2 * side}, target.name, style, canvas_ink(t, 0.6F));
     }
 }
 
@@ -135,7 +135,7 @@ void draw_key(Painter& painter, const ChromaMap& map, const VectorscopeLook& loo
     const Rect mark{std::round(at.x - side / 2), std::round(at.y - side / 2), side, side};
     painter.fill(mark, {code_of(look.key.color.r), code_of(look.key.color.g), code_of(look.key.color.b), 255},
                  side / 2);
-    painter.frame(mark, t.text, painter.hairline(), side / 2);
+    painter.frame(mark, canvas_ink(t), painter.hairline(), side / 2);
 }
 
 void draw_vectorscope(Painter& painter, const Node& node, const VectorscopeLook& look) {
@@ -145,16 +145,16 @@ void draw_vectorscope(Painter& painter, const Node& node, const VectorscopeLook&
     painter.fill(square, t.canvas);
     painter.push_clip(square);
     const glm::vec2 zero = glm::round(map.at({0, 0}));
-    painter.fill({square.x, zero.y, square.w, painter.hairline()}, t.grid);
-    painter.fill({zero.x, square.y, painter.hairline(), square.h}, t.grid);
-    draw_circle(painter, map.at({0, 0}), 64 * map.px_per_code, painter.hairline(), t.grid);
-    draw_circle(painter, map.at({0, 0}), 127.5F * map.px_per_code, painter.hairline(), t.grid);
+    painter.fill({square.x, zero.y, square.w, painter.hairline()}, canvas_ink(t, 0.16F));
+    painter.fill({zero.x, square.y, painter.hairline(), square.h}, canvas_ink(t, 0.16F));
+    draw_circle(painter, map.at({0, 0}), 64 * map.px_per_code, painter.hairline(), canvas_ink(t, 0.16F));
+    draw_circle(painter, map.at({0, 0}), 127.5F * map.px_per_code, painter.hairline(), canvas_ink(t, 0.16F));
     painter.image(map.image(), look.image, map.px_per_code >= 4);
     draw_targets(painter, map, look.matrix);
     if (look.has_key) draw_key(painter, map, look);
     painter.pop_clip();
     Rect corner = square.inset(painter.em(0.5F), painter.em(0.3F));
-    painter.text(corner.cut_bottom(painter.em(1.3F)), look.readout, painter.number_style(), t.text);
+    painter.text(corner.cut_bottom(painter.em(1.3F)), look.readout, painter.number_style(), canvas_ink(t));
 }
 
 std::string_view chroma_text(Ui& ui, glm::vec2 chroma) {
@@ -170,7 +170,7 @@ std::string_view chroma_text(Ui& ui, glm::vec2 chroma) {
 Edit edit_radius(Ui& ui, const ChromaMap& map, glm::vec2 key, float angle, const HandleOptions& handle,
                  const HandleRange& range, Color color, double& radius) {
     const Rect before = map.square;
-    const glm::vec2 toward = key == glm::vec2(0) ? glm::vec2(1, 0) : -glm::normalize(glm::vec2(key.x, -key.y));
+    const glm::vec2 toward = glm::length(key) < 1 ? glm::vec2(1, 0) : -glm::normalize(glm::vec2(key.x, -key.y));
     const glm::vec2 way(toward.x * std::cos(angle) - toward.y * std::sin(angle),
                         toward.x * std::sin(angle) + toward.y * std::cos(angle));
     const glm::vec2 place = map.at(key) + way * static_cast<float>(radius) * map.px_per_code;
@@ -229,17 +229,17 @@ void draw_waveform(Painter& painter, const Node& node, const WaveformLook& look)
     style.size = painter.em(0.85F);
     for (const int luma : {0, 64, 128, 192, 255}) {
         const float y = std::round(area.bottom() - area.h * (static_cast<float>(luma) + 0.5F) / scope_side);
-        painter.fill({area.x, y, area.w, painter.hairline()}, t.grid);
+        painter.fill({area.x, y, area.w, painter.hairline()}, canvas_ink(t, 0.16F));
         char buffer[32];
         painter.text({node.rect().x, y - painter.em(0.6F), painter.em(1.9F), painter.em(1.2F)},
-                     format_number(buffer, luma, 0), style, t.text_dim, Align::end);
+                     format_number(buffer, luma, 0), style, canvas_ink(t, 0.6F), Align::end);
     }
     painter.image(area, look.image);
     if (look.hovered < 0) return;
     const float y = std::round(area.bottom() - area.h * (look.hovered + 0.5F) / scope_side);
-    painter.fill({area.x, y, area.w, painter.hairline()}, t.text);
+    painter.fill({area.x, y, area.w, painter.hairline()}, canvas_ink(t));
     Rect line = area.inset(painter.em(0.4F), 0);
-    painter.text(line.cut_top(painter.em(1.3F)), look.readout, painter.number_style(), t.text);
+    painter.text(line.cut_top(painter.em(1.3F)), look.readout, painter.number_style(), canvas_ink(t));
 }
 
 }  // namespace

@@ -26,6 +26,8 @@ void wish(std::span<Node> nodes, int a) {
             continue;
         }
         if (a == 0) ++parent.in_flow;
+        const SizeKind kind = node.size[a].kind;
+        parent.flexible[a] |= kind == SizeKind::grow || kind == SizeKind::fraction;
         float& sum = parent.content[a];
         sum = static_cast<int>(parent.axis) == a ? sum + node.extent[a] : std::max(sum, node.extent[a]);
     }
@@ -174,7 +176,7 @@ bool put(std::span<Node> nodes, int a, float window) {
         if (node.scroll != nullptr) moved |= keep_scroll(node, a, inside);
         if (node.first == no_node) continue;
         if (static_cast<int>(node.axis) == a) {
-            share_out(nodes, node, a, inside);
+            if (node.flexible[a] || (node.content[a] > inside && !node.scrolls[a])) share_out(nodes, node, a, inside);
             put_along(nodes, node, a, inside);
         } else {
             put_across(nodes, node, a, inside);

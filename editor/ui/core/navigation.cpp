@@ -40,6 +40,7 @@ bool takes_when_editing(Key key, Mods mods) {
 /// Whether a node that senses so wants this key for itself.
 bool takes(Sense sense, Key key, Mods mods) {
     const bool plain = !has(mods, Mods::command) && !has(mods, Mods::alt);
+    if (has(sense, Sense::every_key)) return true;
     if (has(sense, Sense::editing)) return takes_when_editing(key, mods);
     if (has(sense, Sense::keys) && plain && key != Key::tab && key != Key::f6) return true;
     switch (key) {

@@ -94,6 +94,7 @@ enum class Sense : std::uint32_t {
     focus_wheel = 1 << 20,  ///< the wheel while it has the keyboard, unless something else was scrolled just before
     hover_keys = 1 << 21,   ///< `erase` and `copying` under the pointer as well, unless the focus shows its ring
     tab_keys = 1 << 22,     ///< Ctrl+PageUp and Ctrl+PageDown from anything inside it that does not take them
+    every_key = 1 << 23,    ///< whatever it is: a chord is being recorded
 };
 constexpr Sense operator|(Sense a, Sense b) {
     return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));
@@ -217,7 +218,8 @@ struct alignas(64) Node {
     // made by layout
     std::uint32_t in_flow = 0;  ///< children that are not placed by hand
     bool has_placed = false;
-    bool has_events = false;  ///< some of this build are for it
+    bool flexible[2] = {false, false};  ///< some of them share what is left, or have a part of it
+    bool has_events = false;            ///< some of this build are for it
     float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
     Rect clip;
 

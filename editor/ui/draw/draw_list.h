@@ -125,7 +125,8 @@ struct DrawList {
     std::vector<std::uint32_t>
         serials;  ///< of the atlas and of the images shown: they grow when what is in them changes
 
-    std::vector<ClipLevel> clip_stack;  ///< of the painter, as is `elided`: kept, so that steady frames allocate nothing
+    std::vector<ClipLevel>
+        clip_stack;  ///< of the painter, as is `elided`: kept, so that steady frames allocate nothing
     std::string elided;
 
     void reset(glm::ivec2 frame_size);

@@ -169,7 +169,7 @@ bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border
 
 void Painter::frame(const Rect& rect, Color color, float width, float radius) {
     if (color.a == 0 || hidden(rect)) return;
-    const float border = std::max(1.0F, std::round(width));
+    const float border = std::max(1.0F, whole(width));
     if (2 * border >= std::min(rect.w, rect.h)) return fill(rect, color, radius);
     if (frame_last_fill(rect, color, whole_byte(border), whole_byte(radius))) return;
     // A large one would have its whole empty middle shaded for nothing: four bars then.

@@ -55,10 +55,10 @@ void put_title(Ui& ui, std::string_view title, const DialogOptions& options) {
     ui.draw_with<draw_title>(node, TitleLook{options.icon, color_of(ui.theme(), options.tone), style});
 }
 
-/// Enter where a text was typed.
+/// Enter where a text was typed, in this dialog: the one that opened it may have got it in this very build.
 bool entered(Ui& ui) {
     const Node* node = ui.before(ui.focus());
-    if (node == nullptr || node->role != Role::text_field) return false;
+    if (node == nullptr || node->role != Role::text_field || node->layer != ui.parent().layer) return false;
     bool enter = false;
     ui.events_of(ui.focus(), [&](const Event& e) { enter |= e.kind == EventKind::key && e.key == Key::enter; });
     return enter;

@@ -153,8 +153,9 @@ void Toasts::build(Ui& ui) {
     time_ = ui.time();
     hovered_ = false;
     if (std::exchange(added_, false))  // on top of what may have been opened since
-        ui.open_overlay(overlay, OverlayKind::passive,
-                        {.side = Placement::Side::bottom_right, .offset = glm::vec2(ui.em(0.8F))});
+        ui.open_overlay(
+            overlay, OverlayKind::passive,
+            {.side = Placement::Side::bottom_right, .offset = {ui.em(0.8F), ui.row_height() + ui.em(0.8F)}});
     if (all_.empty()) return ui.close_overlay(overlay);
     Node* root = ui.open_overlay_node(overlay, Role::group, "Notices", Axis::y);
     if (root == nullptr) return;

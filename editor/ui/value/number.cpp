@@ -15,7 +15,10 @@ constexpr double smallest_power = 1e-290;  // below, powers of ten have no inver
 
 /// `digits` times ten to `exponent`; the double nearest to that decimal number while both parts are exact.
 double decimal(double digits, int exponent) {
-    return exponent < 0 ? digits / std::pow(10.0, -exponent) : digits * std::pow(10.0, exponent);
+    constexpr double exact[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+    const int size = std::abs(exponent);
+    const double power = size < 10 ? exact[size] : std::pow(10.0, size);
+    return exponent < 0 ? digits / power : digits * power;
 }
 
 std::string_view written(std::span<char> buffer, std::to_chars_result result) {

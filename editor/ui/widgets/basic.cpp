@@ -29,8 +29,8 @@ float wrapped_height(Ui& ui, const Node& node, float width) {
 void draw_separator(Painter& painter, const Node& node, const Axis& across) {
     Rect rect = node.rect();
     const float line = painter.hairline();
-    across == Axis::x ? rect = {rect.x, std::round(rect.center().y), rect.w, line}
-                      : rect = {std::round(rect.center().x), rect.y, line, rect.h};
+    across == Axis::x ? rect = {rect.x, whole(rect.center().y), rect.w, line}
+                      : rect = {whole(rect.center().x), rect.y, line, rect.h};
     painter.fill(rect, painter.theme().border);
 }
 
@@ -89,7 +89,7 @@ void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
     const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
     Rect rect = node.rect();
     Rect box = rect.cut_left(painter.em(1.1F));
-    box = {box.x, std::round(box.center().y - painter.em(1.1F) / 2), painter.em(1.1F), painter.em(1.1F)};
+    box = {box.x, whole(box.center().y - painter.em(1.1F) / 2), painter.em(1.1F), painter.em(1.1F)};
     const bool filled = look.state != Tristate::off;
     const Color ground = filled ? (hovered ? t.accent_hover : t.accent) : (hovered ? t.field_hover : t.field);
     painter.fill(box, disabled ? t.field : ground, painter.em(0.25F));

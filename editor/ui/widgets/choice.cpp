@@ -35,12 +35,12 @@ void draw_radio(Painter& painter, const Node& node, const ChoiceLook& look) {
     const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
     Rect rect = node.rect();
     const float side = painter.em(1.1F);
-    const Rect mark{rect.x, std::round(rect.center().y - side / 2), side, side};
+    const Rect mark{rect.x, whole(rect.center().y - side / 2), side, side};
     const Color on = hovered ? t.accent_hover : t.accent;
     painter.fill(mark, look.chosen && !disabled ? on : hovered ? t.field_hover : t.field, side / 2);
     if (!look.chosen || disabled) painter.frame(mark, hovered ? t.text_dim : t.border, painter.hairline(), side / 2);
     if (look.chosen) {
-        const Rect dot = mark.inset(std::round(side * 0.32F));
+        const Rect dot = mark.inset(whole(side * 0.32F));
         painter.fill(dot, disabled ? t.text_disabled : t.text_on_accent, dot.w / 2);
     }
     rect.cut_left(painter.em(1.6F));

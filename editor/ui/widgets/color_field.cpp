@@ -1,9 +1,11 @@
 #include "ui/widgets/color_field.h"
 
 #include <charconv>
+#include <utility>
 
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
+#include "ui/widgets/param.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::ui {
@@ -18,9 +20,16 @@ struct Picking {
     Color start;   ///< when the drag began
     Hsv start_hsv;
     bool began = false;
+    std::string_view part;  ///< of the picker that began it; a literal
     std::string hex;
     Id hex_field = 0;
 };
+
+/// The picker whose edit has begun and not ended: it may be closed in the midst of typing.
+struct Unfinished {
+    Id owner = 0;
+};
+constexpr Id unfinished_key = 0x636f6c6f7572ULL;
 
 struct ColorLook {
     Color color;
@@ -118,16 +127,18 @@ struct Session {
         p.began = edit.changed = true;
         color = next;
     }
-    void commit() {
+    void begin(std::string_view part) {
+        commit(p.part);
+        p.part = part;
+        p.start = color, p.start_hsv = p.hsv;
+    }
+    void commit(std::string_view part) {
+        if (part != p.part) return;
         edit.committed |= p.began;
         p.began = false;
     }
-    void begin() {
-        commit();
-        p.start = color, p.start_hsv = p.hsv;
-    }
-    void cancel() {
-        if (!p.began) return;
+    void cancel(std::string_view part) {
+        if (!p.began || part != p.part) return;
         color = p.shown = p.start;
         p.hsv = p.start_hsv;
         p.began = false;
@@ -138,26 +149,26 @@ struct Session {
 /// A square or a bar: a press goes to the pointer, a drag follows it. `moved(place)` with 0..1 from the upper left; arrows by
 /// hundredths, with Shift thousandths, with Ctrl tenths.
 template <typename Moved>
-void drag_pad(Session& s, Node& node, glm::vec2 place, Moved&& moved) {
+void drag_pad(Session& s, std::string_view part, Node& node, glm::vec2 place, Moved&& moved) {
     const Response r = s.ui.respond(node);
     const Rect rect = s.ui.rect_before(node.id);
-    if (r.pressed) s.begin();
+    if (r.pressed) s.begin(part);
     const bool follows = r.pressed || ((r.held || r.released) && r.drag != glm::vec2(0));
     if (follows && r.button == Button::left && !rect.empty())
         moved(glm::clamp((r.pointer - rect.at()) / glm::max(rect.size() - 1.0F, 1.0F), 0.0F, 1.0F));
-    if (r.released) s.commit();
-    if (r.cancelled) s.cancel();
+    if (r.released) s.commit(part);
+    if (r.cancelled) s.cancel(part);
     s.ui.events_of(node.id, [&](const Event& event) {
-        if (event.kind != EventKind::key) return;
+        if (event.kind != EventKind::key || r.held) return;  // one edit at a time
         glm::vec2 by{0};
         if (event.key == Key::left) by.x = -1;
         if (event.key == Key::right) by.x = 1;
         if (event.key == Key::up) by.y = -1;
         if (event.key == Key::down) by.y = 1;
         const float step = has(event.mods, Mods::shift) ? 0.001F : has(event.mods, Mods::command) ? 0.1F : 0.01F;
-        s.begin();
+        s.begin(part);
         moved(glm::clamp(place + by * step, 0.0F, 1.0F));
-        s.commit();
+        s.commit(part);
     });
 }
 
@@ -174,7 +185,7 @@ void put_square(Session& s) {
     Node& node = ui.leaf(Role::canvas, "Saturation and value", pad_sense | Sense::arrows_x);
     node.size[0] = node.size[1] = px(ui.em(12));
     const Hsv hsv = s.p.hsv;
-    drag_pad(s, node, {hsv.saturation, 1 - hsv.value}, [&](glm::vec2 at) {
+    drag_pad(s, "Saturation and value", node, {hsv.saturation, 1 - hsv.value}, [&](glm::vec2 at) {
         s.set({s.p.hsv.hue, at.x, 1 - at.y}, s.color.a);
     });
     node.text = ui.join({percent(ui, s.p.hsv.saturation), ", ", percent(ui, s.p.hsv.value)});
@@ -185,7 +196,7 @@ void put_hue(Session& s) {
     Ui& ui = s.ui;
     Node& node = ui.leaf(Role::slider, "Hue", pad_sense);
     node.size[0] = px(ui.em(1.4F)), node.size[1] = px(ui.em(12));
-    drag_pad(s, node, {0, s.p.hsv.hue / 360}, [&](glm::vec2 at) {
+    drag_pad(s, "Hue", node, {0, s.p.hsv.hue / 360}, [&](glm::vec2 at) {
         s.set({std::min(at.y * 360, 359.99F), s.p.hsv.saturation, s.p.hsv.value}, s.color.a);
     });
     node.number = ui.number(s.p.hsv.hue, 0, 360, 1);
@@ -197,16 +208,16 @@ void put_alpha(Session& s) {
     Node& node = ui.leaf(Role::slider, "Alpha", pad_sense);
     node.size[0] = px(ui.em(1.4F)), node.size[1] = px(ui.em(12));
     const float alpha = static_cast<float>(s.color.a) / 255;
-    drag_pad(s, node, {0, 1 - alpha},
+    drag_pad(s, "Alpha", node, {0, 1 - alpha},
              [&](glm::vec2 at) { s.set(s.p.hsv, static_cast<std::uint8_t>(std::lround((1 - at.y) * 255))); });
     node.number = ui.number(static_cast<double>(s.color.a) / 255, 0, 1, 0.01);
     ui.draw_with<draw_alpha>(node, s.look);
 }
 
 void take_over(Session& s, Color color) {
-    s.begin();
+    s.begin("Before");
     s.set(to_hsv(color, s.p.hsv), color.a);
-    s.commit();
+    s.commit("Before");
 }
 
 /// What it was when the picker opened, a click goes back to it; beside it what it is now.
@@ -236,16 +247,56 @@ void put_hex(Session& s, const ColorOptions& options) {
     s.p.hex_field = ui.last().id;
     const std::optional<Color> color = parse_hex(s.p.hex);
     if (!color) ui.last().is |= Is::invalid;
-    if (typed.began) s.begin();
+    if (typed.began) s.begin("Hex");
     if (typed.changed && color) {
         Color next = *color;
         if (!options.alpha) next.a = s.color.a;
         s.set(to_hsv(next, s.p.hsv), next.a);
     }
-    if (typed.cancelled) s.cancel();
+    if (typed.cancelled) s.cancel("Hex");
     if (!typed.committed) return;
-    s.commit();
+    s.commit("Hex");
     s.p.hex = format_hex(hex, s.color, options.alpha);
+}
+
+/// A number that is dragged or typed; `changed(number)` sets the colour.
+template <typename Changed>
+void put_number(Session& s, std::string_view label, double number, double maximum, std::string_view unit,
+                Changed&& changed) {
+    const Edit edit = number_field(
+        s.ui, label, number,
+        {.maximum = maximum, .hard_minimum = 0, .hard_maximum = maximum, .step = 1, .unit = unit, .decimals = 0});
+    if (edit.began) s.begin(label);
+    if (edit.changed) changed(static_cast<float>(number));
+    if (edit.committed) s.commit(label);
+    if (edit.cancelled) s.cancel(label);
+}
+
+void put_numbers(Session& s) {
+    Ui& ui = s.ui;
+    {
+        const Row row(ui, {.width = grow(), .cross = Place::center});
+        constexpr std::uint8_t Color::*channels[] = {&Color::r, &Color::g, &Color::b};
+        constexpr std::string_view labels[] = {"R", "G", "B"};
+        for (std::size_t i = 0; i < 3; ++i) {
+            put_number(s, labels[i], s.color.*channels[i], 255, {}, [&](float v) {
+                Color next = s.color;
+                next.*channels[i] = static_cast<std::uint8_t>(std::lround(v));
+                s.set(to_hsv(next, s.p.hsv), next.a);
+            });
+        }
+    }
+    const Row row(ui, {.width = grow(), .cross = Place::center});
+    const auto set = [&](const Hsv& hsv) { s.set(hsv, s.color.a); };
+    put_number(s, "H", s.p.hsv.hue, 360, "deg", [&](float v) {
+        set({std::min(v, 359.99F), s.p.hsv.saturation, s.p.hsv.value});
+    });
+    put_number(s, "S", s.p.hsv.saturation * 100, 100, "%", [&](float v) {
+        set({s.p.hsv.hue, v / 100, s.p.hsv.value});
+    });
+    put_number(s, "V", s.p.hsv.value * 100, 100, "%", [&](float v) {
+        set({s.p.hsv.hue, s.p.hsv.saturation, v / 100});
+    });
 }
 
 int hex_digit(char c) {
@@ -331,11 +382,16 @@ Edit color_picker(Ui& ui, Id owner, std::string_view label, Color& color, const 
         color = picked;
         return Edit::once();
     }
-    if (ui.overlay_count() == 0) return {};
+    Id& unfinished = ui.memory<Unfinished>(unfinished_key).owner;
+    if (ui.overlay_count() == 0 && unfinished != owner) return {};
     const std::string_view name = overlay_name(ui, "color ", owner);
     Node* root = ui.open_overlay_node(name, Role::group, ui.join({label, " picker"}), Axis::y);
-    if (root == nullptr) return {};
+    if (root == nullptr && unfinished != owner) return {};
     Picking& p = ui.memory<Picking>(owner);
+    if (root == nullptr) {
+        unfinished = 0;
+        return {.committed = std::exchange(p.began, false)};
+    }
     if (p.shown != color) p.hsv = to_hsv(color, p.hsv), p.shown = color;  // changed by the program
     for (std::uint8_t& pad : root->padding) pad = static_cast<std::uint8_t>(std::min(255.0F, ui.em(0.7F)));
     root->gap = ui.em(0.6F);
@@ -354,8 +410,10 @@ Edit color_picker(Ui& ui, Id owner, std::string_view label, Color& color, const 
         put_swatches(s, options);
         if (dropper != nullptr) pick = icon_button(ui, Icon::eyedropper, "Pick from a picture", {.quiet = true});
     }
+    put_numbers(s);
     ui.close_overlay_node();
     *s.look = {p.hsv, color};
+    if (p.began || unfinished == owner) unfinished = p.began ? owner : 0;
     if (pick) {
         *dropper = {.wanted_by = owner, .picked = std::nullopt};
         ui.close_overlay(name);

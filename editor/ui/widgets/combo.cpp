@@ -23,6 +23,7 @@ struct Choosing {
     std::size_t filtered_count = 0;
     int at = -1;  ///< in `shown`: what Enter takes
     float width = 0;
+    Id keys = 0;            ///< the node that has the keyboard
     glm::vec2 pointer{-1};  ///< where it was last: only a pointer that moves takes the mark from the keys
 };
 
@@ -186,6 +187,15 @@ bool take_list_key(Ui& ui, Choosing& c, const Event& event, std::span<const std:
     return false;
 }
 
+/// A pointer that moves takes the mark from the keys; one that rests does not.
+void mark_by_pointer(Ui& ui, Choosing& c, const Rect& list) {
+    const bool moved = ui.pointer() != c.pointer;
+    c.pointer = ui.pointer();
+    if (!moved || !list.contains(c.pointer) || ui.held() != 0) return;
+    const auto row = static_cast<std::size_t>((c.pointer.y - list.y + std::round(c.scroll.offset.y)) / ui.row_height());
+    if (row < c.shown.size()) c.at = static_cast<int>(row);
+}
+
 /// Only the rows that are seen; above and below them room for the others. Gives whether one was clicked.
 bool put_rows(Ui& ui, Choosing& c, int chosen, std::span<const std::string_view> choices) {
     const float row = ui.row_height(), view = list_height(ui, c.shown.size());
@@ -193,8 +203,6 @@ bool put_rows(Ui& ui, Choosing& c, int chosen, std::span<const std::string_view>
     const float offset = std::clamp(c.scroll.offset.y, 0.0F, std::max(0.0F, all - view));
     const auto first = static_cast<std::size_t>(offset / row);
     const std::size_t end = std::min(c.shown.size(), first + static_cast<std::size_t>(view / row) + 2);
-    const bool pointer_moved = ui.pointer() != c.pointer;
-    c.pointer = ui.pointer();
     const auto room = [&](std::size_t rows) { ui.leaf(Role::none, {}).size[1] = px(row * static_cast<float>(rows)); };
     bool clicked = false;
     room(first);
@@ -206,7 +214,7 @@ bool put_rows(Ui& ui, Choosing& c, int chosen, std::span<const std::string_view>
         ui.pop_seed();
         node.size[0] = grow(), node.size[1] = px(row);
         const Response r = ui.respond(node);
-        if (r.hovered && pointer_moved) c.at = static_cast<int>(i);
+        if (r.pressed) ui.set_focus(c.keys);
         if (r.clicked) c.at = static_cast<int>(i), clicked = true;
         node.is |= when(static_cast<int>(index) == chosen, Is::checked);
         node.is |= when(static_cast<int>(i) == c.at, Is::selected);
@@ -249,7 +257,8 @@ bool put_list(Ui& ui, Choosing& c, Node& root, int chosen, std::span<const std::
             refilter(c, choices);
             reveal_row(ui, c);
         }
-        ui.events_of(ui.last().id, take);
+        c.keys = ui.last().id;
+        ui.events_of(c.keys, take);
     }
     refilter(c, choices);
     const Sense keys = Sense::focus | Sense::arrows_y | Sense::pages | Sense::extremes | Sense::typing;
@@ -257,10 +266,13 @@ bool put_list(Ui& ui, Choosing& c, Node& root, int chosen, std::span<const std::
     list.size[0] = grow(), list.size[1] = px(list_height(ui, c.shown.size()));
     list.clips = list.scrolls[1] = true;
     list.scroll = &c.scroll;
+    const Id list_id = list.id;
     if (!filters) {
+        c.keys = list_id;
         ui.respond(list);
         ui.events_of(list.id, take);
     }
+    mark_by_pointer(ui, c, ui.rect_before(list_id));
     taken |= put_rows(ui, c, chosen, choices);
     put_bar(ui, c);
     ui.close();

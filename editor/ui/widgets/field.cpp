@@ -4,12 +4,6 @@
 
 namespace lapfx::ui {
 
-namespace {
-
-constexpr float caption_share = 0.45F;
-
-}  // namespace
-
 Rect field_part(const Rect& row, bool caption) {
     Rect part = row;
     if (caption) part.cut_left(std::round(row.w * caption_share));
@@ -31,6 +25,10 @@ void draw_field(Painter& painter, const Rect& rect, Is is) {
     painter.fill(rect, hovered ? t.field_hover : t.field, painter.em(t.radius));
     const Color edge = has(is, Is::invalid) ? t.error : has(is, Is::focused) ? t.focus : t.border;
     painter.frame(rect, edge, painter.hairline(), painter.em(t.radius));
+}
+
+Color selection_color(const Theme& theme) {
+    return mix(theme.field, theme.focus, 0.35F);
 }
 
 void draw_popup(Painter& painter, const Node& node, const bool&) {

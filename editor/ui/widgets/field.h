@@ -5,11 +5,15 @@
 
 namespace lapfx::ui {
 
+inline constexpr float caption_share = 0.45F;  ///< of a row, where it has a caption
 /// The field of a row: what is right of the caption, or all of it when there is none.
 Rect field_part(const Rect& row, bool caption);
 void draw_caption(Painter& painter, const Node& node, bool caption);
 /// `is`: of the node; an invalid field has a red edge, one that has the keyboard a bright one.
 void draw_field(Painter& painter, const Rect& rect, Is is);
+
+/// Behind selected text.
+Color selection_color(const Theme& theme);
 
 /// The ground of what drops down from a field. Nothing is asked of `look`.
 void draw_popup(Painter& painter, const Node& node, const bool& look);

@@ -7,7 +7,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float bar_height = 1.5F, handle_height = 1.2F;  // em
-constexpr float side = 0.6F;                              // em beside the bar, so that handles at its ends are whole
+constexpr float side = 0.85F;                             // em beside the bar, so that handles at its ends are whole
 
 /// Kept for each bar.
 struct Gradient {
@@ -150,7 +150,8 @@ struct Session {
                 state.began = state.held = state.moves = false;
                 return;
             case EventKind::key:
-                return key(i, event);
+                if (!state.held) key(i, event);  // one edit at a time
+                return;
             default:
                 return;
         }
@@ -168,7 +169,7 @@ void put_handle(Session& s, std::size_t i, const GradientStop* look) {
     node.placed = true;
     node.placement = ui.arena().make(Placement{
         .fraction = {place, 1}, .offset = {std::round(ui.em(1) * side) * (1 - 2 * place), 0}, .pivot = {0.5F, 1}});
-    node.size[0] = px(ui.em(1.2F)), node.size[1] = px(ui.row_height());
+    node.size[0] = px(2 * std::round(ui.em(1) * side)), node.size[1] = px(ui.row_height());
     node.number = ui.number(place, 0, 1, 0.01);
     node.text = ui.copy(format_hex(hex, s.stops[i].color, s.options.alpha));
     ui.respond(node);

@@ -1,11 +1,8 @@
 // Typing into a number: a text in a field that is an expression all the while. Shared by all that shows numbers (param.h).
 #pragma once
 
-#include <optional>
-
-#include "ui/core/ui.h"
 #include "ui/value/expression.h"
-#include "ui/value/text_edit.h"
+#include "ui/widgets/editing.h"
 
 namespace lapfx::ui {
 
@@ -23,35 +20,32 @@ class NumberEntry {
   public:
     enum class Outcome : std::uint8_t { goes_on, taken, given_up };
 
-    /// Begins with `text`, all of it selected; `unchanged` is then what modified() compares with.
+    /// Begins with `text`, all of it selected.
     void open(Ui& ui, std::string_view text);
-    /// Keys, text and pointer of this build for the node `id`, whose text stands in `field`.
+    /// Keys, text and pointer of this build for the node `id`, whose text stands in `field`. What is wrong is not taken.
     Outcome take(Ui& ui, Id id, const Rect& field, const ExpressionContext& context);
-    void type(char32_t codepoint) { edit_.insert(codepoint); }
+    /// A typed character or a key that is about text.
+    void type(Ui& ui, const Event& event);
     /// Evaluates the text if it is another one, and brings the caret into sight.
     void refresh(Ui& ui, const Rect& field, const ExpressionContext& context);
 
-    bool modified() const { return edit_.text() != begun_with_; }
+    bool modified() const { return text_ != begun_with_; }
     bool valid() const { return reason_.empty(); }
     double value() const { return value_; }
-    const std::string& text() const { return edit_.text(); }
+    const std::string& text() const { return text_; }
     const std::string& reason() const { return reason_; }  ///< why it cannot be taken; else empty
     /// For draw_entry(), in the frame's arena; asks for the frame in which the caret blinks.
     EntryLook look(Ui& ui) const;
 
   private:
-    Outcome key(Ui& ui, const Event& event);
     void pointer(Ui& ui, const Event& event, const Rect& field);
     void evaluate_once(const ExpressionContext& context);
 
-    TextEdit edit_{{}, {.bytes = 256, .lines = false}};
-    std::string begun_with_, evaluated_, reason_;
-    double value_ = 0, active_at_ = 0;
+    Editing editing_;
+    std::string text_, begun_with_, evaluated_, reason_;
+    double value_ = 0;
     float scroll_ = 0;
     bool evaluated_once_ = false, selecting_ = false;
 };
-
-/// What a key does to text; nothing for keys that are not about it, the clipboard's among them.
-std::optional<TextCommand> text_command_of(Key key, Mods mods);
 
 }  // namespace lapfx::ui

@@ -8,67 +8,60 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float inner = 0.45F;  // em between a field's edge and its text
-
 struct ParamLook {
     LabelLook label;
     NumberText text;
-    float share;     ///< of the label's column; 0: the label is inside the field
+    bool caption;    ///< else the label is inside the field
     float from, to;  ///< the bar, 0 to 1 of the field
     bool dragging;
     const EntryLook* entry;
 };
 
-/// The bar from the range's begin, or from 0 where that lies within, to the value.
+/// The bar from the range's begin, or from 0 where that lies within, to the value. No clips: a batch has room for few.
 void draw_bar(Painter& painter, const Rect& field, const ParamLook& look, bool lit) {
     const Theme& t = painter.theme();
     const float from = std::round(field.w * std::min(look.from, look.to));
-    const float to = std::round(field.w * std::max(look.from, look.to));
-    const float edge = 2 * painter.hairline(), place = std::round(field.w * look.to);
-    const Color mark = lit ? t.accent_hover : t.accent;
-    if (to > from) {
-        painter.push_clip({field.x + from, field.y, to - from, field.h});
-        painter.fill(field, t.accent_ground, painter.em(t.radius));
-        painter.pop_clip();
-    }
-    painter.push_clip(
-        {field.x + std::clamp(place - edge / 2, 0.0F, std::max(0.0F, field.w - edge)), field.y, edge, field.h});
-    painter.fill(field, mark, painter.em(t.radius));
-    painter.pop_clip();
+    const float to = std::round(field.w * std::max(look.from, look.to)), place = std::round(field.w * look.to);
+    if (to > from) painter.fill({field.x + from, field.y, to - from, field.h}, t.accent_ground, painter.em(t.radius));
+    draw_param_mark(painter, field, place, 2 * painter.hairline(), lit ? t.accent_hover : t.accent);
 }
 
 void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = look.label.disabled, lit = !disabled && (has(node.is, Is::hovered) || look.dragging);
-    const Rect field = param_field_of(node.rect(), look.share);
-    if (look.share > 0) {
+    const Rect field = field_part(node.rect(), look.caption);
+    if (look.caption) {
         Rect column = node.rect();
         draw_param_label(painter, column.cut_left(field.x - column.x), look.label);
     }
     if (look.entry != nullptr) return draw_entry(painter, field, *look.entry);
-    painter.fill(field, lit ? t.field_hover : t.field, painter.em(t.radius));
-    if (!disabled) draw_bar(painter, field, look, lit);
+    draw_field(painter, field, node.is);
     if (look.dragging) painter.frame(field, t.accent, painter.hairline(), painter.em(t.radius));
-    Rect inside = field.inset(painter.em(inner), 0);
-    if (look.share == 0) {
-        const TextStyle style = painter.text_style();
-        inside.cut_left(painter.text(inside, look.label.text, style, disabled ? t.text_disabled : t.text_dim));
-        inside.cut_left(painter.em(0.3F));
+    const bool room = look.caption || field.w >= painter.em(7);  // else the number is all that fits
+    if (!disabled && room) draw_bar(painter, field.inset(painter.hairline()), look, lit);
+    Rect inside = field.inset(painter.em(look.caption ? param_inner : 0.35F), 0);
+    if (!look.caption) {
+        const float number = painter.fonts().run(look.text.number, painter.number_style()).width;
+        Rect prefix = inside.cut_left(std::max(0.0F, inside.w - std::ceil(number) - painter.em(0.3F)));
+        const float width =
+            painter.text(prefix, look.label.text, painter.text_style(), disabled ? t.text_disabled : t.text_dim);
+        prefix.cut_left(width + painter.em(0.3F));
+        inside = {prefix.x, inside.y, inside.right() - prefix.x, inside.h};
     }
     draw_number(painter, inside, look.text, Align::end, disabled);
 }
 
-bool elided(Ui& ui, const Node& node, float share) {
-    const float column = std::round(ui.rect_before(node.id).w * share) - ui.em(1);
-    return share > 0 && column > 0 && ui.text_width(node.shown) > column;
+bool elided(Ui& ui, const Node& node) {
+    const float column = std::round(ui.rect_before(node.id).w * caption_share) - ui.em(0.9F);
+    return column > 0 && ui.text_width(node.shown) > column;
 }
 
 /// One number, with its label beside it or inside.
-Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions& o, float share,
+Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions& o, bool caption,
                ParamActions* actions) {
     Node& node = ui.leaf(Role::slider, label, number_sense);
     const Id id = node.id;
-    const Rect field = param_field_of(ui.rect_before(id), share);
+    const Rect field = field_part(ui.rect_before(id), caption);
     NumberState* const state = number_state(ui, id);
     Response r;
     Edit edit;
@@ -80,8 +73,8 @@ Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions
     const NumberText text = number_text(ui, o, shown);
     node.size[0] = o.width;
     node.size[1] = px(ui.row_height());
-    node.minimum[0] = ui.em(share > 0 ? 9 : 4);
-    const bool whole_label = (has(node.is, Is::hovered) || has(node.is, Is::ringed)) && elided(ui, node, share);
+    node.minimum[0] = ui.em(caption ? 9.0F : 2.5F);
+    const bool whole_label = (has(node.is, Is::hovered) || has(node.is, Is::ringed)) && caption && elided(ui, node);
     describe_number(ui, node, state, o, shown, text);
     if (whole_label && !has(node.is, Is::invalid))
         node.tip = node.tip.empty() ? node.shown : ui.join({node.shown, "\n", node.tip});
@@ -90,7 +83,7 @@ Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions
     ui.draw_with<draw_param>(
         node, ParamLook{.label = {node.shown, has(node.is, Is::changed), o.locked, has(node.is, Is::disabled)},
                         .text = text,
-                        .share = share,
+                        .caption = caption,
                         .from = around_zero ? place_of_param(o, 0) : 0,
                         .to = place_of_param(o, shown),
                         .dragging = state != nullptr && state->held == id && state->dragging,
@@ -133,43 +126,48 @@ void describe_number(Ui& ui, Node& node, const NumberState* state, const ParamOp
 
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {
     const Theme& t = painter.theme();
-    Rect mark = column.cut_right(painter.em(0.9F));
-    if (look.changed)
-        painter.icon(mark.inset(painter.em(0.1F), 0), Icon::dot, look.disabled ? t.text_disabled : t.accent);
+    const Rect dot = column.cut_right(painter.em(0.9F)).inset(painter.em(0.1F), 0);
+    if (look.changed) painter.icon(dot, Icon::dot, look.disabled ? t.text_disabled : t.accent);
     if (look.locked)
-        painter.icon(column.cut_right(painter.em(1)).inset(painter.em(0.05F), 0), Icon::lock,
-                     look.disabled ? t.text_disabled : t.text_dim);
+        painter.icon(column.cut_right(painter.em(0.9F)), Icon::lock, look.disabled ? t.text_disabled : t.text_dim);
     painter.text(column, look.text, painter.text_style(), look.disabled ? t.text_disabled : t.text);
 }
 
+void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color) {
+    const float x = std::clamp(place - std::floor(width / 2), 0.0F, std::max(0.0F, field.w - width));
+    const float height = std::round(field.h * 0.35F);  // below the digits
+    painter.fill({field.x + x, field.bottom() - height, width, height}, color);
+}
+
+/// Where there is no room for both, the unit goes.
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled) {
     const Theme& t = painter.theme();
+    const Color ink = disabled ? t.text_disabled : t.text, quiet = disabled ? t.text_disabled : t.text_dim;
     const TextStyle style = painter.text_style(), digits = painter.number_style();
     const bool close = text.whole.size() == text.number.size() + text.unit.size();
-    const float gap = close ? 0 : painter.em(0.25F);
+    const Run& number = painter.fonts().run(text.number, digits);
+    const Run* unit = text.unit.empty() ? nullptr : &painter.fonts().run(text.unit, style);
+    const float gap = close ? 0 : painter.em(0.25F), unit_width = unit != nullptr ? std::ceil(unit->width) + gap : 0;
+    const bool both = unit != nullptr && std::ceil(number.width) + unit_width <= inside.w;
     if (align == Align::end) {
-        if (!text.unit.empty()) {
-            inside.cut_right(
-                painter.text(inside, text.unit, style, disabled ? t.text_disabled : t.text_dim, Align::end));
-            inside.cut_right(gap);
-        }
-        painter.text(inside, text.number, digits, disabled ? t.text_disabled : t.text, Align::end);
-        return;
+        if (both) painter.text(inside.cut_right(unit_width), text.unit, *unit, style, quiet, Align::end);
+        painter.text(inside, text.number, number, digits, ink, Align::end);
+    } else {
+        painter.text(both ? inside.cut_left(std::ceil(number.width)) : inside, text.number, number, digits, ink);
+        inside.cut_left(gap);
+        if (both) painter.text(inside, text.unit, *unit, style, quiet);
     }
-    inside.cut_left(painter.text(inside, text.number, digits, disabled ? t.text_disabled : t.text));
-    inside.cut_left(gap);
-    painter.text(inside, text.unit, style, disabled ? t.text_disabled : t.text_dim);
 }
 
 Edit param(Ui& ui, std::string_view label, double& value, const ParamOptions& options, ParamActions* actions) {
-    return put_param(ui, label, value, options, param_label_share, actions);
+    return put_param(ui, label, value, options, true, actions);
 }
 
 Edit param(Ui& ui, std::string_view label, float& value, const ParamOptions& options, ParamActions* actions) {
     ParamOptions single = options;
     single.single = true;
     double v = static_cast<double>(value);
-    const Edit edit = put_param(ui, label, v, single, param_label_share, actions);
+    const Edit edit = put_param(ui, label, v, single, true, actions);
     if (edit) value = static_cast<float>(v);
     return edit;
 }
@@ -181,13 +179,13 @@ Edit param(Ui& ui, std::string_view label, int& value, const ParamOptions& optio
     whole.hard_minimum = std::max<double>(options.hard_minimum, Limits::min());
     whole.hard_maximum = std::min<double>(options.hard_maximum, Limits::max());
     double v = value;
-    const Edit edit = put_param(ui, label, v, whole, param_label_share, actions);
+    const Edit edit = put_param(ui, label, v, whole, true, actions);
     if (edit) value = static_cast<int>(std::lround(v));
     return edit;
 }
 
 Edit number_field(Ui& ui, std::string_view label, double& value, const ParamOptions& options) {
-    return put_param(ui, label, value, options, 0, nullptr);
+    return put_param(ui, label, value, options, false, nullptr);
 }
 
 }  // namespace lapfx::ui

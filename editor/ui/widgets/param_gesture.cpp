@@ -156,7 +156,7 @@ void NumberGesture::move(NumberState& s, float pixels, Mods mods) {
 
 void NumberGesture::wheel(NumberState& s, const Response& r) {
     if (r.wheel == 0) return;
-    if (s.wheeled != id_) s.wheeled = id_, s.wheel = 0;
+    if (s.wheeled != id_ || s.wheel * r.wheel < 0) s.wheeled = id_, s.wheel = 0;
     s.wheel += r.wheel;  // touch pads send parts of a notch
     const float notches = std::trunc(s.wheel);
     s.wheel -= notches;
@@ -176,7 +176,7 @@ void NumberGesture::show_cursor(const NumberState& s, const Response& r) const {
 void NumberGesture::keys(NumberState& s, const Response& r) {
     ui_.events_of(id_, [&](const Event& event) {
         if (event.kind == EventKind::text && s.typing != id_) open(s);
-        if (event.kind == EventKind::text) s.entry.type(event.codepoint);
+        if (event.kind == EventKind::text) s.entry.type(ui_, event);
         if (event.kind != EventKind::key) return;
         const bool command = has(event.mods, Mods::command);
         if (const double count = steps_of(event.key); count != 0) return step(s, event, count);

@@ -47,20 +47,13 @@ void action_items(Ui& ui, NumberState& s, Id id, const ParamOptions& o, ParamAct
     }
 }
 
-void draw_range_box(Painter& painter, const Node& node, const Color& ground) {
-    const float radius = painter.em(painter.theme().radius);
-    painter.shadow(node.rect(), painter.theme().shadow, painter.em(0.9F), radius);
-    painter.fill(node.rect(), ground, radius);
-    painter.frame(node.rect(), painter.theme().border, painter.hairline(), radius);
-}
-
 void range_box(Ui& ui, const NumberState& s, const ParamOptions& o, ParamActions& actions) {
     Node* box = ui.open_overlay_node(range_name, Role::dialog, "Range", Axis::y);
     if (box == nullptr) return;
     box->size[0] = px(ui.em(18));
     box->gap = ui.em(ui.theme().gap);
     for (std::uint8_t& pad : box->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(ui.theme().padding), 255.0F));
-    ui.draw_with<draw_range_box>(*box, ui.theme().raised);
+    ui.draw_with<draw_popup>(*box, true);
     ParamLimits range{o.minimum, o.maximum};
     ParamOptions low{.minimum = s.range_shown.low, .maximum = s.range_shown.high, .step = o.step, .unit = o.unit};
     low.integer = o.integer, low.hard_minimum = o.hard_minimum, low.hard_maximum = o.hard_maximum;
@@ -86,7 +79,8 @@ Edit param_menu(Ui& ui, NumberState& s, Id id, const Response& r, std::string_vi
     }
     Edit edit;
     if (s.menu_of == id) {
-        if (Menu menu(ui, menu_name, label); menu) {
+        const std::string_view name = ui.join({split_label(label).name, " menu"});
+        if (Menu menu(ui, menu_name, name); menu) {
             edit = value_items(ui, value, o);
             if (actions != nullptr) action_items(ui, s, id, o, *actions);
         }

@@ -1,23 +1,19 @@
 // What params are made of; of widgets/param*.cpp alone.
 #pragma once
 
+#include "ui/widgets/field.h"
 #include "ui/widgets/number_field.h"
 #include "ui/widgets/param.h"
 
 namespace lapfx::ui {
 
-inline constexpr float param_label_share = 0.45F;  // of a row
+inline constexpr float param_inner = 0.45F;  // em between a field's edge and its text
 inline constexpr Sense number_sense = Sense::hover | Sense::press | Sense::context | Sense::focus | Sense::focus_wheel |
                                       Sense::command_wheel | Sense::arrows_x | Sense::arrows_y | Sense::pages |
                                       Sense::extremes | Sense::erase | Sense::digits | Sense::copying |
                                       Sense::hover_keys;
 
 inline constexpr Sense entry_sense = Sense::hover | Sense::press | Sense::focus | Sense::editing;
-
-inline Rect param_field_of(Rect row, float label_share) {
-    row.cut_left(std::round(row.w * label_share));
-    return row;
-}
 
 /// What lasts of the one number that is dragged, stepped or typed into: one is enough for the whole UI.
 struct NumberState {
@@ -100,6 +96,8 @@ struct LabelLook {
 };
 /// In the label's column: label, padlock, dot.
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look);
+/// At `place` px of the field, along its lower edge.
+void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color);
 void draw_number(Painter& painter, Rect inside, const NumberText& text, Align align, bool disabled);
 
 }  // namespace lapfx::ui

@@ -7,7 +7,6 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float inner = 0.45F;       // em between the field's edge and its text
 constexpr float least_zone = 0.15F;  // of the field, of each handle
 constexpr std::string_view axes[] = {"X", "Y", "Z", "W"};
 
@@ -23,42 +22,37 @@ void draw_range(Painter& painter, const Node& node, const RangeLook& look) {
     const Theme& t = painter.theme();
     const bool disabled = look.label.disabled;
     Rect row = node.rect();
-    const Rect field = param_field_of(row, param_label_share);
+    const Rect field = field_part(row, true);
     draw_param_label(painter, row.cut_left(field.x - row.x), look.label);
-    painter.fill(field, t.field, painter.em(t.radius));
-    const float x[2] = {std::round(field.w * look.place[0]), std::round(field.w * look.place[1])};
-    if (!disabled && x[1] > x[0]) {
-        painter.push_clip({field.x + x[0], field.y, x[1] - x[0], field.h});
-        painter.fill(field, t.accent_ground, painter.em(t.radius));
-        painter.pop_clip();
-    }
-    const float grip = 3 * painter.hairline();
-    for (int i = 0; i < 2 && !disabled; ++i) {
-        const float left = std::clamp(x[i] - grip / 2, 0.0F, std::max(0.0F, field.w - grip));
-        painter.fill({std::round(field.x + left), field.y, grip, field.h}, look.lit[i] ? t.text : t.accent, grip / 2);
-    }
+    draw_field(painter, field, look.label.disabled ? Is::disabled : Is::nothing);
+    const Rect bar = field.inset(painter.hairline());
+    const float x[2] = {std::round(bar.w * look.place[0]), std::round(bar.w * look.place[1])};
+    if (!disabled && x[1] > x[0])
+        painter.fill({bar.x + x[0], bar.y, x[1] - x[0], bar.h}, t.accent_ground, painter.em(t.radius));
+    for (int i = 0; i < 2 && !disabled; ++i)
+        draw_param_mark(painter, bar, x[i], 3 * painter.hairline(), look.lit[i] ? t.text : t.accent);
     for (int i = 0; i < 2; ++i) {
         Rect half = field;
         i == 0 ? half = half.cut_left(field.w / 2) : half.cut_left(field.w / 2);
         if (look.entry[i] != nullptr) {
             draw_entry(painter, half, *look.entry[i]);
         } else {
-            draw_number(painter, half.inset(painter.em(inner), 0), look.text[i], i == 0 ? Align::start : Align::end,
-                        disabled);
+            draw_number(painter, half.inset(painter.em(param_inner), 0), look.text[i],
+                        i == 0 ? Align::start : Align::end, disabled);
         }
     }
 }
 
 void draw_row_label(Painter& painter, const Node& node, const LabelLook& look) {
     Rect row = node.rect();
-    draw_param_label(painter, row.cut_left(std::round(row.w * param_label_share)), look);
+    draw_param_label(painter, row.cut_left(std::round(row.w * caption_share)), look);
 }
 
 /// The label of several numbers: a double click on it sets all of them to their standards.
 bool put_name(Ui& ui, const ParamOptions& o) {
     Node& node = ui.leaf(Role::label, "##name", Sense::hover | Sense::press);
     node.tip = ui.copy(o.tip);
-    node.size[0] = fraction(param_label_share);
+    node.size[0] = fraction(caption_share);
     node.size[1] = grow();
     const Response r = ui.respond(node);
     return r.pressed && r.clicks == 2;
@@ -104,9 +98,9 @@ Handle put_handle(Ui& ui, int index, float way, double& value, const ParamOption
 
 /// Over the part of the field, from..to, that is nearer to it than to the other.
 void place_handle(Ui& ui, Node& node, float from, float to) {
-    const float field = 1 - param_label_share;
+    const float field = 1 - caption_share;
     node.placed = true;
-    node.placement = ui.arena().make(Placement{.fraction = {param_label_share + field * from, 0}});
+    node.placement = ui.arena().make(Placement{.fraction = {caption_share + field * from, 0}});
     node.size[0] = fraction(field * (to - from));
     node.size[1] = fraction(1);
 }
@@ -143,7 +137,7 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
     if (to_standard && !ui.disabled()) edit |= reset(low, of_low), edit |= reset(high, of_high);
     of_low.hard_maximum = std::min(options.hard_maximum, high * options.display);
     RangeLook look{.label = {.locked = options.locked, .disabled = ui.disabled()}};
-    const float way = param_field_of(row, param_label_share).w;
+    const float way = field_part(row, true).w;
     Handle handles[2];
     handles[0] = put_handle(ui, 0, way, low, of_low, look);
     of_high.hard_minimum = std::max(options.hard_minimum, low * options.display);

@@ -104,7 +104,8 @@ int decimals_for(const ParamOptions& o, double value) {
     if (steps_follow_scale(o) && magnitude > 0 && std::isfinite(magnitude))
         return std::clamp(2 - static_cast<int>(std::floor(std::log10(magnitude))), 0, 9);
     int decimals = decimals_of(step_of(o, value));
-    double digits = magnitude * std::pow(10.0, decimals);
+    constexpr double powers[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9};
+    double digits = magnitude * powers[decimals];
     for (int more = 0; more < 2 && decimals < 9 && std::abs(digits - std::round(digits)) > 1e-3; ++more)
         ++decimals, digits *= 10;
     return decimals;

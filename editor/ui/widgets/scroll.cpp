@@ -91,6 +91,8 @@ ScrollArea::ScrollArea(Ui& ui, Node& node, const ScrollOptions& options)
     for (std::uint8_t& pad : node.padding)
         pad = static_cast<std::uint8_t>(std::clamp(ui.em(options.padding), 0.0F, 255.0F));
     node.padding[1] = static_cast<std::uint8_t>(std::clamp(node.padding[1] + options.top, 0.0F, 255.0F));
+    const bool barred = state_.content.y - state_.view.y >= 1;  // what can be clicked is not to lie under the bar
+    node.padding[2] = static_cast<std::uint8_t>(std::min(255.0F, node.padding[2] + (barred ? ui.em(bar_em) : 0.0F)));
     node.rigid = false;
     node.clips = true;
     node.scrolls[0] = options.sideways;

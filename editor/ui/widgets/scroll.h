@@ -6,7 +6,8 @@
 //     ui::virtual_rows(u, "Frames", 10000, u.row_height(), [&](std::size_t row) { ui::label(u, names[row]); });
 //
 // The wheel scrolls (with Shift sideways), and so do PageUp, PageDown, Home and End when nothing that has the focus takes them.
-// Bars lie over the content and are there only when there is something to scroll.
+// Bars are thin and there only when there is something to scroll; the upright one has room of its own, the other lies over the
+// content.
 #pragma once
 
 #include "ui/core/ui.h"

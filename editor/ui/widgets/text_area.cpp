@@ -49,7 +49,7 @@ struct Area {
 struct AreaLook {
     Area* area;
     std::string_view placeholder;
-    float line_height, height;
+    float line_height;
     bool editing, caret;
 };
 
@@ -63,7 +63,7 @@ Rect track_of(const Rect& rect, float em) {
     return inside.cut_right(std::round(bar_width * em));
 }
 
-/// Called by the layout once the width is known.
+/// Called by the layout once the width is known: the height of all lines.
 float lay_out_area(Ui& ui, const Node& node, float width) {
     const AreaLook& look = *static_cast<const AreaLook*>(node.arg);
     Area& area = *look.area;
@@ -72,9 +72,7 @@ float lay_out_area(Ui& ui, const Node& node, float width) {
         area.width = within;
         break_lines(ui.fonts(), area.text, area.style, within, area.begins);
     }
-    area.scroll.content.y =
-        std::round(2 * above * ui.em(1)) + look.line_height * static_cast<float>(area.begins.size());
-    return look.height;
+    return std::round(2 * above * ui.em(1)) + look.line_height * static_cast<float>(area.begins.size());
 }
 
 /// The lines of what is in the field now, in the width that it had last.
@@ -100,7 +98,7 @@ void draw_line(Painter& painter, const AreaLook& look, std::size_t index, glm::v
         if (from < to || (from <= to && beyond)) {
             const float x0 = std::round(run.x_of(from - begin));
             const float x1 = std::round(run.x_of(to - begin)) + (beyond ? painter.em(0.3F) : 0.0F);
-            painter.fill({at.x + x0, at.y, x1 - x0, look.line_height}, t.accent_ground);
+            painter.fill({at.x + x0, at.y, x1 - x0, look.line_height}, selection_color(t));
         }
     }
     painter.run(run, {at.x, at.y + metrics.ascent}, t.text);
@@ -227,7 +225,8 @@ void take_events(Ui& ui, Id id, Area& area, const Rect& rect, float line_height,
             area.show_caret = true;
         } else if (area.editing.take(ui, event, text, result)) {
             area.goal = -1;
-            area.show_caret = true;
+            const bool stays = has(event.mods, Mods::command) && (event.key == key_of('A') || event.key == key_of('C'));
+            area.show_caret |= !stays;  // what is read is not scrolled away
         }
     });
 }
@@ -270,18 +269,21 @@ void break_lines(Fonts& fonts, std::string_view text, const TextStyle& style, fl
             x += w, since_space = 0, space = at;
             continue;
         }
-        if (x + w > width + 0.5F && at - bytes > begins.back()) {
-            const bool at_space = space > begins.back();
-            begins.push_back(static_cast<std::uint32_t>(at_space ? space : at - bytes));
-            x = at_space ? since_space : 0.0F;
-            since_space = x;
+        const std::size_t here = at - bytes;
+        if (x + w > width + 0.5F && space > begins.back()) {
+            begins.push_back(static_cast<std::uint32_t>(space));
+            x = since_space;
+        }
+        if (x + w > width + 0.5F && here > begins.back()) {  // a word longer than a line
+            begins.push_back(static_cast<std::uint32_t>(here));
+            x = since_space = 0;
         }
         x += w, since_space += w;
     }
 }
 
 Edit text_area(Ui& ui, std::string_view label, std::string& text, const TextAreaOptions& options) {
-    Node& node = ui.leaf(Role::text_area, label, Sense::hover | Sense::press | Sense::focus | Sense::typing);
+    Node& node = ui.open(Role::text_area, label, Axis::y, Sense::hover | Sense::press | Sense::focus | Sense::typing);
     TextStyle style = ui.text_style();
     style.monospace = options.monospace;
     const float line_height = ui.fonts().metrics(style).height, pad = std::round(above * ui.em(1));
@@ -320,10 +322,15 @@ Edit text_area(Ui& ui, std::string_view label, std::string& text, const TextArea
             text_part(rect, ui.em(1)).w);
     if (r.focused && area.show_caret) show_caret(area, line_height, pad);
     node.scroll = &area.scroll;
+    node.scrolls[1] = true;
     node.text = ui.copy(std::string_view(area.text).substr(0, spoken_bytes));
-    ui.draw_with<draw_text_area>(node,
-                                 AreaLook{&area, ui.copy(options.placeholder), line_height, height, r.focused, caret});
-    node.height_for_width = lay_out_area;
+    ui.draw_with<draw_text_area>(node, AreaLook{&area, ui.copy(options.placeholder), line_height, r.focused, caret});
+    const void* look = node.arg;
+    Node& lines = ui.leaf(Role::none, {});  // as high as all of them, so that there is something to scroll
+    lines.arg = look;
+    lines.height_for_width = lay_out_area;
+    lines.size[0] = grow();
+    ui.close();
     return result;
 }
 

@@ -65,7 +65,7 @@ void draw_text_field(Painter& painter, const Node& node, const FieldLook& look) 
     painter.push_clip({part.x - painter.hairline(), field.y, part.w + 2 * painter.hairline(), field.h});
     if (look.from != look.to)
         painter.fill({left + std::round(look.from), top, std::round(look.to) - std::round(look.from), metrics.height},
-                     t.accent_ground);
+                     selection_color(t));
     const float ascent = top + std::round((metrics.height - metrics.ascent - metrics.descent) / 2) + metrics.ascent;
     painter.run(run, {left, ascent}, t.text);
     if (look.caret) painter.fill({left + std::round(look.caret_x), top, painter.hairline(), metrics.height}, t.text);

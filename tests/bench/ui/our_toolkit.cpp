@@ -5,6 +5,9 @@
 #include "ui/gl/renderer.h"
 #include "ui/value/number.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
+#include "ui/widgets/text_field.h"
 
 namespace lapfx::bench {
 
@@ -50,27 +53,55 @@ class OurToolkit : public Toolkit {
                 return mixed(20);
             case Screen::mixed_1000:
                 return mixed(200);
-            default:
-                return;
+            case Screen::rows_10000:
+                return rows();
+            case Screen::plots:
+                return plots();
+            case Screen::sliders_368:
+                return sliders();
         }
     }
 
     void mixed(int rows) {
         for (int i = 0; i < rows; ++i) {
+            const auto at = static_cast<std::size_t>(i);
             ui_.push_seed(static_cast<std::uint64_t>(i));
             {
                 Row row(ui_);
                 button(ui_, "Button");
-                button(ui_, "Speed");
-                bool on = flags_[static_cast<std::size_t>(i)] != 0;
+                param(ui_, "Speed", values_[at], {.maximum = 1, .step = 0.001});
+                ui_.last().size[0] = px(300);
+                bool on = flags_[at] != 0;
                 checkbox(ui_, "Visible", on);
-                flags_[static_cast<std::size_t>(i)] = on ? 1 : 0;
-                button(ui_, "Name");
+                flags_[at] = on ? 1 : 0;
+                text_field(ui_, "Name", texts_[at], {.width = px(300)});
                 char number[2][32];
-                label(ui_, ui_.join({format_number(number[0], i, 0), ": ",
-                                     format_number(number[1], values_[static_cast<std::size_t>(i)], 3), " mm"}));
+                label(ui_, ui_.join({format_number(number[0], i, 0), ": ", format_number(number[1], values_[at], 3),
+                                     " mm"}));
             }
             ui_.pop_seed();
+        }
+    }
+
+    void rows() {
+        virtual_rows(ui_, "list", 10000, ui_.row_height(), [&](std::size_t row) {
+            char number[32];
+            label(ui_, ui_.join({"row ", format_number(number, static_cast<double>(row), 0), " of ten thousand"}));
+        });
+    }
+
+    void plots() {}
+
+    void sliders() {
+        Row columns(ui_, {.width = grow(), .height = grow(), .cross = Place::start});
+        for (int column = 0; column < 8; ++column) {
+            Column one(ui_, {.width = grow(), .gap = 0});
+            for (int i = 0; i < 46; ++i) {
+                const int at = column * 46 + i;
+                ui_.push_seed(static_cast<std::uint64_t>(at));
+                param(ui_, "Speed", values_[static_cast<std::size_t>(at)], {.maximum = 1, .step = 0.001});
+                ui_.pop_seed();
+            }
         }
     }
 

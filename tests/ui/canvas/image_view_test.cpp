@@ -32,12 +32,13 @@ struct Viewed {
     bool with_region = false, disabled = false;
     PixelRect region{{50, 20}, {100, 60}};
     ImageViewResult last;
-    int picked = 0, began = 0, committed = 0, cancelled = 0;
+    int moved = 0, picked = 0, began = 0, committed = 0, cancelled = 0;
     glm::vec4 taken{0};
     Harness ui{[this](Ui& u) {
         u.push_disabled(disabled);
         last = image_view(u, "Clip", picture, state, options, with_region ? &region : nullptr);
         u.pop_disabled();
+        moved += last.view_changed;
         if (last.picked) ++picked, taken = last.value;
         began += last.region.began, committed += last.region.committed, cancelled += last.region.cancelled;
     }};
@@ -108,7 +109,7 @@ TEST(ImageView, ThePickStaysInThePictureAndInSight) {
     v.ui.frame().focus("Clip").key(Key::right);
     for (int i = 0; i < 5; ++i) v.ui.key(Key::right, Mods::shift);
     EXPECT_EQ(v.last.pick, glm::ivec2(150, 50));
-    EXPECT_TRUE(v.last.view_changed);
+    EXPECT_GT(v.moved, 0);
     const Rect pixel = view_of(v.state, {0, 0, 400, 300}, {200, 100}).pixel_rect({150, 50}, {1, 1});
     EXPECT_LE(pixel.right(), 400);
     for (int i = 0; i < 10; ++i) v.ui.key(Key::right, Mods::shift);
@@ -122,7 +123,7 @@ TEST(ImageView, ThePixelGridComesWithLargePixelsAndSmoothingGoes) {
     const std::size_t before = v.drawn(InstanceKind::fill);
     v.state.zoom = 8;
     v.ui.frame();
-    EXPECT_GE(v.drawn(InstanceKind::fill), before + 50 + 37) << "400 / 8 columns, 300 / 8 rows";
+    EXPECT_GE(v.drawn(InstanceKind::fill), before + 2 * (50 + 37)) << "400 / 8 columns, 300 / 8 rows";
     for (const Instance& each : v.ui.output().list->instances) {
         if (each.kind == InstanceKind::image) {
             EXPECT_EQ(each.border, 1);
@@ -297,9 +298,9 @@ TEST(ImageView, SteadyFramesAndDragsAllocateNothing) {
     };
     v.ui.send({.kind = EventKind::press, .button = Button::middle, .at = {200, 150}});
     steps();
-    const std::size_t before = test::allocations_so_far();
+    const std::size_t before = lapfx::test::allocations_so_far();
     steps();
-    EXPECT_EQ(test::allocations_so_far(), before);
+    EXPECT_EQ(lapfx::test::allocations_so_far(), before);
 }
 
 }  // namespace

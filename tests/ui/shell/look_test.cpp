@@ -4,7 +4,10 @@
 #include "ui/gl/renderer.h"
 #include "ui/shell/commands.h"
 #include "ui/shell/dialog.h"
+#include "ui/shell/file_dialog.h"
+#include "ui/shell/key_editor.h"
 #include "ui/shell/menu.h"
+#include "ui/shell/palette.h"
 #include "ui/shell/progress.h"
 #include "ui/shell/status_bar.h"
 #include "ui/shell/toast.h"
@@ -78,6 +81,53 @@ TEST_F(ShellLook, AQuestion) {
             Tone::warning);
     });
     show(ui, "question");
+}
+
+CommandTable some_commands() {
+    CommandTable table;
+    const auto add = [&](const char* id, const char* group, const char* title, Chord chord, Icon icon = Icon::none) {
+        table.add({.id = id, .title = title, .group = group, .chord = chord, .icon = icon, .run = [] {}});
+    };
+    add("open", "File", "Open", {key_of('O'), Mods::command}, Icon::folder);
+    add("save", "File", "Save", {key_of('S'), Mods::command}, Icon::file);
+    add("save as", "File", "Save as", {key_of('S'), Mods::command | Mods::shift});
+    add("play", "Timeline", "Play", {key_of('K'), Mods::none}, Icon::play);
+    add("next", "Timeline", "Next frame", {Key::right, Mods::none}, Icon::step_forward);
+    add("scopes", "View", "Show scopes", {});
+    add("grid", "View", "Grid", {key_of('G'), Mods::none});
+    return table;
+}
+
+TEST_F(ShellLook, ThePaletteAndTheKeys) {
+    CommandTable table = some_commands();
+    Harness ui([&](Ui& u) {
+        {
+            Panel panel(u, "Keys of commands");
+            key_editor(u, table);
+        }
+        palette(u, table);
+        cheat_sheet(u, table);
+    });
+    ui.frame().click("**/Keys of View: Grid").key('S', Mods::command);
+    show(ui, "key_editor");
+    open_palette(ui.ui());
+    ui.frame().type("s");
+    show(ui, "palette");
+    ui.key(Key::escape);
+    toggle_cheat_sheet(ui.ui());
+    show(ui.frame(), "cheat_sheet");
+}
+
+TEST_F(ShellLook, TheFileDialog) {
+    FileDialog dialog(system_files());
+    Harness ui([&](Ui& u) { dialog.build(u); }, {1000, 640});
+    dialog.set_recent({"/usr/include", "/usr/lib"});
+    dialog.open(ui.ui(), {.task = FileTask::open,
+                          .title = "Open a plate",
+                          .folder = LAPFX_SOURCE_DIR,
+                          .filters = {{"Text", {".md", ".txt"}}}});
+    ui.frame().click("**/README.md");
+    show(ui, "file_dialog");
 }
 
 }  // namespace

@@ -104,7 +104,7 @@ TEST_F(ToastTest, ItLiesInTheLowerRightCornerAndALongTextIsBroken) {
     ui.frame();
     const float line = ui.rect("Notices/Short").h;
     EXPECT_NEAR(ui.rect("Notices/Short").right(), 640 - 11, 1);
-    EXPECT_NEAR(ui.rect("Notices/Short").bottom(), 480 - 11, 1);
+    EXPECT_NEAR(ui.rect("Notices/Short").bottom(), 480 - 11 - 25, 1);
     std::string text = "long";
     for (int i = 0; i < 30; ++i) text += " and longer";
     toasts.add({.text = text});

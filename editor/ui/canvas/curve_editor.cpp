@@ -1,0 +1,660 @@
+#include "ui/canvas/curve_editor.h"
+
+#include <cassert>
+
+#include "ui/value/expression.h"
+#include "ui/value/utf8.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr double least_distance = 1e-4;  // of two points, of the range of x
+constexpr std::size_t no_point = static_cast<std::size_t>(-1);
+
+/// What lasts from frame to frame.
+struct Memory {
+    enum class Drag : std::uint8_t { none, points, box, slope };
+    Drag drag = Drag::none;
+    bool began = false;  ///< the curve has been changed by this drag
+    bool both = false;   ///< slope: of both sides
+    std::size_t grabbed = 0;
+    int side = 0;  ///< slope: 0 in, 1 out
+    glm::vec2 from{0}, last{0}, way{0};
+    Curve before;
+    std::vector<std::uint8_t> selected, selected_before;  ///< of each point
+    std::vector<CurvePoint> scratch;
+    std::vector<Id> ids;  ///< of the points, as built last
+    Id slope_ids[2] = {};
+    std::size_t slopes_of = no_point;
+    std::size_t entering = no_point;  ///< the point that is typed at
+    bool invalid = false;
+    std::string entry;
+};
+
+struct Frame {
+    Rect graph, x_labels, y_labels;
+    Axis1 x, y;
+    float left, top, right, bottom;  ///< px around the graph
+};
+template <typename Em>
+Frame frame_of(const Em& measure, Rect rect, const CurveEditorOptions& o) {
+    Frame f;
+    f.left = measure.em(3), f.right = measure.em(0.9F), f.bottom = measure.em(1.6F);
+    f.top = measure.em(o.tools || !o.y_name.empty() ? 2.2F : 0.9F);
+    f.graph = {rect.x + f.left, rect.y + f.top, std::max(0.0F, rect.w - f.left - f.right),
+               std::max(0.0F, rect.h - f.top - f.bottom)};
+    f.x_labels = {f.graph.x, f.graph.bottom(), f.graph.w + f.right, f.bottom};
+    f.y_labels = {rect.x, f.graph.y, f.left, f.graph.h};
+    f.x = {o.x, f.graph.x, f.graph.right()};
+    f.y = {o.y, f.graph.bottom(), f.graph.y};
+    return f;
+}
+glm::vec2 place_of(const Frame& f, const CurvePoint& p) {
+    const Span &x = f.x.span, &y = f.y.span;  // what lies outside is shown at the edge, where it can be grabbed
+    return {f.x.px_of(std::clamp(p.x, x.low, x.high)), f.y.px_of(std::clamp(p.y, y.low, y.high))};
+}
+/// Of the handle of a slope, from its point, px.
+glm::vec2 slope_way(const Frame& f, double slope, int side, float length) {
+    glm::vec2 way(f.x.scale(), slope * f.y.scale());
+    return glm::normalize(way) * (side == 0 ? -length : length);
+}
+
+Curve scaled(const Curve& unit, const CurveEditorOptions& o, bool monotone) {
+    std::vector<CurvePoint> points(unit.points().begin(), unit.points().end());
+    const double slope = o.y.length() / o.x.length();
+    for (CurvePoint& p : points) {
+        p.x = o.x.low + p.x * o.x.length(), p.y = o.y.low + p.y * o.y.length();
+        p.slope_in *= slope, p.slope_out *= slope;
+    }
+    return Curve(std::move(points), monotone);
+}
+
+class Editing {
+  public:
+    Editing(Ui& ui, Memory& memory, Curve& curve, const CurveEditorOptions& options, const Frame& frame)
+        : ui_(ui), m_(memory), curve_(curve), o_(options), f_(frame) {
+        m_.selected.resize(curve.size());
+        if (m_.grabbed >= curve.size()) m_.drag = Memory::Drag::none;  // the program has made the curve anew
+        if (m_.entering >= curve.size()) m_.entering = no_point;
+    }
+    Edit edit;
+
+    void ground(const Event& e) {
+        if (e.kind == EventKind::press) {
+            m_.from = m_.last = e.at;
+            m_.selected_before = m_.selected;
+            m_.drag = Memory::Drag::box, m_.grabbed = 0;
+            if (!has(e.mods, Mods::shift)) select_none();
+            if (e.clicks == 2) insert_and_drag(e);
+            return;
+        }
+        if (e.kind == EventKind::key) return keys(no_point, e);
+        drag(e);
+    }
+    void point(std::size_t i, const Event& e) {
+        switch (e.kind) {
+            case EventKind::press:
+                return press(e);
+            case EventKind::key:
+                return keys(i, e);
+            case EventKind::text:
+                return typed(i, e.codepoint);
+            case EventKind::focus_out:
+                if (m_.entering == i) take_entry(), m_.entering = no_point;
+                return;
+            case EventKind::focus_in:
+                return;
+            default:
+                return drag(e);
+        }
+    }
+    void slope(int side, const Event& e) {
+        if (e.kind == EventKind::press) {
+            m_.grabbed = m_.slopes_of, m_.side = side;
+            start(Memory::Drag::slope, e);
+            m_.from = place_of(f_, curve_.point(m_.grabbed));
+        }
+        m_.both = !has(e.mods, Mods::alt);
+        drag(e);
+    }
+    void use_preset(CurvePreset preset) {
+        curve_ = scaled(Curve::preset(preset), o_, curve_.monotone());
+        m_.selected.assign(curve_.size(), 0);
+        m_.entering = no_point;
+        edit |= Edit::once();
+    }
+    void use_handle(CurveHandle handle, std::size_t focused = no_point) {
+        for (std::size_t i = 0; i < curve_.size(); ++i) {
+            if (!acted_on(i, focused) || curve_.point(i).handle == handle) continue;
+            if (handle == CurveHandle::free) {
+                curve_.make_free(i);
+            } else {
+                CurvePoint p = curve_.point(i);
+                p.handle = handle;
+                curve_.set_point(i, p);
+            }
+            edit |= Edit::once();
+        }
+    }
+
+  private:
+    bool acted_on(std::size_t i, std::size_t focused) const {
+        return focused != no_point && m_.selected[focused] == 0 ? i == focused : m_.selected[i] != 0;
+    }
+    void select_none() { std::fill(m_.selected.begin(), m_.selected.end(), std::uint8_t{0}); }
+    void select_only(std::size_t i) {
+        select_none();
+        m_.selected[i] = 1;
+    }
+
+    void start(Memory::Drag drag, const Event& e) {
+        m_.drag = drag, m_.began = false;
+        m_.before = curve_;
+        m_.from = m_.last = e.at, m_.way = {0, 0};
+    }
+    void press(const Event& e) {
+        std::size_t nearest = 0;  // two points may share the place that was pressed
+        for (std::size_t i = 1; i < curve_.size(); ++i) {
+            if (glm::distance(place_of(f_, curve_.point(i)), e.at) <
+                glm::distance(place_of(f_, curve_.point(nearest)), e.at))
+                nearest = i;
+        }
+        if (nearest < m_.ids.size()) ui_.set_focus(m_.ids[nearest]);
+        if (e.clicks == 2) return open_entry(nearest);
+        if (has(e.mods, Mods::shift)) {
+            m_.selected[nearest] ^= 1;
+        } else if (m_.selected[nearest] == 0) {
+            select_only(nearest);
+        }
+        m_.grabbed = nearest;
+        start(Memory::Drag::points, e);
+    }
+    void insert_and_drag(const Event& e) {
+        start(Memory::Drag::points, e);
+        const auto in = [](const Span& s, double v) { return std::clamp(v, s.low, s.high); };
+        const auto i = insert(in(o_.x, f_.x.value_at(e.at.x)), in(o_.y, f_.y.value_at(e.at.y)));
+        if (!i) {
+            m_.drag = Memory::Drag::none;
+            return;
+        }
+        m_.grabbed = *i;
+        m_.scratch.assign(curve_.points().begin(), curve_.points().end());
+        m_.began = edit.began = edit.changed = true;
+    }
+    std::optional<std::size_t> insert(double x, double y) {
+        const auto i = curve_.insert(x, y);
+        if (!i) return i;
+        m_.selected.assign(curve_.size(), 0);
+        m_.selected[*i] = 1;
+        m_.entering = no_point;
+        return i;
+    }
+
+    void drag(const Event& e) {
+        if (m_.drag == Memory::Drag::none) return;
+        if (e.kind == EventKind::cancel) return cancel();
+        if (e.kind != EventKind::pointer && e.kind != EventKind::release) return;
+        m_.way += (e.at - m_.last) * (has(e.mods, Mods::shift) ? 0.1F : 1.0F);
+        m_.last = e.at;
+        if (m_.drag == Memory::Drag::box) select_box(has(e.mods, Mods::shift));
+        if (m_.drag == Memory::Drag::slope) turn(e.at);
+        if (m_.drag == Memory::Drag::points && (m_.began || glm::distance(e.at, m_.from) > 3 * ui_.scale()))
+            move(has(e.mods, Mods::command));
+        if (e.kind != EventKind::release) return;
+        if (m_.began) edit.committed = true;
+        m_.drag = Memory::Drag::none, m_.began = false;
+    }
+    void cancel() {
+        if (m_.drag == Memory::Drag::box) m_.selected = m_.selected_before;
+        if (m_.began) {
+            curve_ = m_.before;
+            m_.selected.resize(curve_.size());
+            edit.changed = edit.cancelled = true;
+        }
+        m_.selected.resize(curve_.size());
+        m_.drag = Memory::Drag::none, m_.began = false;
+    }
+    void report() {
+        if (!m_.began) edit.began = true;
+        m_.began = edit.changed = true;
+    }
+    void select_box(bool add) {
+        const glm::vec2 low = glm::min(m_.from, m_.last), high = glm::max(m_.from, m_.last);
+        for (std::size_t i = 0; i < curve_.size(); ++i) {
+            const glm::vec2 at = place_of(f_, curve_.point(i));
+            const bool inside = at.x >= low.x && at.y >= low.y && at.x <= high.x && at.y <= high.y;
+            const bool kept = add && i < m_.selected_before.size() && m_.selected_before[i] != 0;
+            m_.selected[i] = inside || kept ? 1 : 0;
+        }
+    }
+    void turn(glm::vec2 at) {
+        const glm::vec2 way = (at - m_.from) * (m_.side == 0 ? -1.0F : 1.0F);
+        const double x = std::max(1.0, static_cast<double>(way.x)) / f_.x.scale();
+        const double slope = (way.y / f_.y.scale()) / x;
+        CurvePoint p = curve_.point(m_.grabbed);
+        if (m_.side == 0 || m_.both) p.slope_in = slope;
+        if (m_.side == 1 || m_.both) p.slope_out = slope;
+        if (p == curve_.point(m_.grabbed)) return;
+        curve_.set_point(m_.grabbed, p);
+        report();
+    }
+
+    /// Moves what is selected from where it was when the drag began (an inserted point: from where it came to be).
+    void move(bool in_steps) {
+        const bool inserted = m_.before.size() != curve_.size();
+        if (!inserted) m_.scratch.assign(m_.before.points().begin(), m_.before.points().end());
+        if (m_.scratch.size() != curve_.size()) return;
+        const CurvePoint& p = m_.scratch[m_.grabbed];
+        double dx = m_.way.x / f_.x.scale(), dy = m_.way.y / f_.y.scale();
+        if (in_steps) dx = snap(p.x + dx, o_.x_step) - p.x, dy = snap(p.y + dy, o_.y_step) - p.y;
+        if (shift_points(dx, dy, m_.grabbed)) report();
+    }
+    /// m_.scratch, moved as far as neighbours and ranges allow, becomes the curve. Gives whether it changed.
+    bool shift_points(double dx, double dy, std::size_t focused) {
+        const auto& points = m_.scratch;
+        const double apart = least_distance * o_.x.length();
+        double x_low = -1e300, x_high = 1e300, y_low = -1e300, y_high = 1e300;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (!acted_on(i, focused)) continue;
+            const CurvePoint& p = points[i];
+            const bool left = i > 0 && !acted_on(i - 1, focused);
+            const bool right = i + 1 < points.size() && !acted_on(i + 1, focused);
+            x_low = std::max(x_low, std::max(o_.x.low, left ? points[i - 1].x + apart : o_.x.low) - p.x);
+            x_high = std::min(x_high, std::min(o_.x.high, right ? points[i + 1].x - apart : o_.x.high) - p.x);
+            y_low = std::max(y_low, o_.y.low - p.y), y_high = std::min(y_high, o_.y.high - p.y);
+        }
+        dx = x_low <= x_high ? std::clamp(dx, x_low, x_high)
+                             : 0;  // else it lies outside already, or between two close ones
+        dy = y_low <= y_high ? std::clamp(dy, y_low, y_high) : 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (acted_on(i, focused)) m_.scratch[i].x += dx, m_.scratch[i].y += dy;
+        }
+        const bool good = Curve::valid(m_.scratch);
+        const bool changed =
+            good && !std::equal(points.begin(), points.end(), curve_.points().begin(), curve_.points().end());
+        if (changed) curve_.set_points(m_.scratch);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            if (acted_on(i, focused)) m_.scratch[i].x -= dx, m_.scratch[i].y -= dy;
+        }
+        return changed;
+    }
+
+    void keys(std::size_t focused, const Event& e) {
+        if (m_.entering != no_point && focused == m_.entering) return entry_keys(e);
+        const double factor = has(e.mods, Mods::shift) ? 0.1 : has(e.mods, Mods::command) ? 10 : 1;
+        switch (e.key) {
+            case Key::left:
+                return nudge(focused, -factor, 0);
+            case Key::right:
+                return nudge(focused, factor, 0);
+            case Key::down:
+                return nudge(focused, 0, -factor);
+            case Key::up:
+                return nudge(focused, 0, factor);
+            case Key::del:
+            case Key::backspace:
+                return erase(focused);
+            default:
+                break;
+        }
+        if (focused == no_point) return;
+        if (e.key == Key::enter) open_entry(focused);
+        if (e.key == Key::space) m_.selected[focused] ^= 1;
+        if (e.key == key_of('A')) use_handle(CurveHandle::automatic, focused);
+        if (e.key == key_of('F')) use_handle(CurveHandle::free, focused);
+        if (e.key == key_of('L')) use_handle(CurveHandle::linear, focused);
+        if (e.key == key_of('S')) use_handle(CurveHandle::step, focused);
+        if (e.key == key_of('I')) insert_after(focused);
+    }
+    void nudge(std::size_t focused, double x, double y) {
+        m_.scratch.assign(curve_.points().begin(), curve_.points().end());
+        if (shift_points(x * o_.x_step, y * o_.y_step, focused)) edit |= Edit::once();
+    }
+    void erase(std::size_t focused) {
+        const std::size_t count = curve_.size();
+        for (std::size_t i = count; i-- > 0;) {
+            if (acted_on(i, focused)) curve_.erase(i);
+        }
+        if (curve_.size() == count) return;
+        m_.selected.assign(curve_.size(), 0);
+        if (focused != no_point) ui_.set_focus(m_.ids[std::min(focused, curve_.size() - 1)], true);
+        edit |= Edit::once();
+    }
+    void insert_after(std::size_t i) {
+        const std::size_t a = i + 1 < curve_.size() ? i : i - 1;
+        if (curve_.size() < 2) return;
+        const double x = (curve_.point(a).x + curve_.point(a + 1).x) / 2;
+        if (insert(x, curve_.evaluate(x))) edit |= Edit::once();
+    }
+
+    // --- what is typed ---
+    void open_entry(std::size_t i) {
+        m_.entering = i, m_.invalid = false;
+        m_.entry.clear();
+    }
+    void typed(std::size_t i, char32_t c) {
+        const bool number = (c >= U'0' && c <= U'9') || c == U'-' || c == U'.' || c == U',' || c == U'(';
+        if (m_.entering != i) {
+            if (!number) return;
+            open_entry(i);
+        }
+        if (c < 32 || c > 126 || m_.entry.size() >= 64) return;
+        m_.entry += static_cast<char>(c);
+        m_.invalid = false;
+    }
+    void entry_keys(const Event& e) {
+        if (e.key == Key::escape) m_.entering = no_point;
+        if (e.key == Key::backspace && !m_.entry.empty()) m_.entry.pop_back();
+        if (e.key != Key::enter) return;
+        if (m_.entry.empty() || take_entry()) {
+            m_.entering = no_point;
+        } else {
+            m_.invalid = true;
+        }
+    }
+    bool take_entry() {
+        const std::size_t i = m_.entering;
+        if (i >= curve_.size() || m_.entry.empty()) return false;
+        const CurvePoint& p = curve_.point(i);
+        const std::string_view text = m_.entry;
+        const std::size_t split = text.find(';');
+        const auto number = [](std::string_view part, std::string_view unit, double current) {
+            return evaluate(part, {.unit = unit, .current = current});
+        };
+        const auto y = number(split == text.npos ? text : text.substr(split + 1), o_.y_unit, p.y);
+        const auto x = split == text.npos ? std::variant<double, ExpressionError>(p.x)
+                                          : number(text.substr(0, split), o_.x_unit, p.x);
+        if (!std::holds_alternative<double>(x) || !std::holds_alternative<double>(y)) return false;
+        const double dx = std::get<double>(x) - p.x, dy = std::get<double>(y) - p.y;
+        select_only(i);
+        m_.scratch.assign(curve_.points().begin(), curve_.points().end());
+        if (shift_points(dx, dy, i)) edit |= Edit::once();
+        return true;
+    }
+
+    Ui& ui_;
+    Memory& m_;
+    Curve& curve_;
+    const CurveEditorOptions& o_;
+    const Frame& f_;
+};
+
+// --- drawing ---
+
+struct Look {
+    const Curve* curve;
+    CurveEditorOptions options;
+    Rect box;
+    std::size_t slopes_of, entering;
+    std::string_view entry;
+    bool invalid;
+};
+
+void draw_curve(Painter& p, const Frame& f, const Curve& curve, float width, Color color) {
+    const auto at = [&](double x, double y) { return glm::vec2(f.x.px_of(x), f.y.px_of(y)); };
+    const CurvePoint &first = curve.point(0), &last = curve.point(curve.size() - 1);
+    p.line(at(f.x.span.low, first.y), at(first.x, first.y), width, color);
+    p.line(at(last.x, last.y), at(f.x.span.high, last.y), width, color);
+    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
+        const CurvePoint &a = curve.point(i), &b = curve.point(i + 1);
+        glm::vec2 from = at(a.x, a.y);
+        const glm::vec2 to = at(b.x, b.y);
+        if (a.handle == CurveHandle::step) {
+            p.line(from, {to.x, from.y}, width, color);
+            p.line({to.x, from.y}, to, width, color);
+            continue;
+        }
+        const double straight = (b.y - a.y) / (b.x - a.x);
+        const bool is_straight = curve.slope_out(i) == straight && curve.slope_in(i + 1) == straight;
+        const int parts = is_straight ? 1 : std::clamp(static_cast<int>((to.x - from.x) / 3), 4, 128);
+        for (int k = 1; k <= parts; ++k) {
+            const double x = a.x + (b.x - a.x) * k / parts;
+            const glm::vec2 next = at(x, k == parts ? b.y : curve.evaluate(x));
+            p.line(from, next, width, color);
+            from = next;
+        }
+    }
+}
+
+void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
+    const Theme& t = p.theme();
+    char buffer[32];
+    const Ticks x = ticks(o.x.low, o.x.high, std::max(1, static_cast<int>(f.graph.w / p.em(4))));
+    for (int i = 0; i < x.count; ++i) {
+        const double value = x.first + x.step * i;
+        const float at = whole(f.x.px_of(value));
+        p.fill({at, f.graph.y, p.hairline(), f.graph.h}, t.grid);
+        const Rect place{at - p.em(2), f.x_labels.y, p.em(4), f.x_labels.h};
+        p.text(place, format_number(buffer, value, x.decimals), p.number_style(), t.text_dim, Align::center);
+    }
+    const Ticks y = ticks(o.y.low, o.y.high, std::max(1, static_cast<int>(f.graph.h / p.em(2))));
+    for (int i = 0; i < y.count; ++i) {
+        const double value = y.first + y.step * i;
+        const float at = whole(f.y.px_of(value));
+        p.fill({f.graph.x, at, f.graph.w, p.hairline()}, t.grid);
+        const Rect place{f.y_labels.x, at - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
+        p.text(place, format_number(buffer, value, y.decimals), p.number_style(), t.text_dim, Align::end);
+    }
+    ShortText name;
+    name.add(o.x_name).add_unit(o.x_unit);
+    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_bottom(p.em(1.4F)), name.view(), p.text_style(), t.text_dim,
+           Align::end);
+    name = {};
+    name.add(o.y_name).add_unit(o.y_unit);
+    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_top(p.em(1.4F)), name.view(), p.text_style(), t.text_dim);
+}
+
+void draw_ground(Painter& p, const Node& node, const Look& look) {
+    const Theme& t = p.theme();
+    const CurveEditorOptions& o = look.options;
+    const Frame f = frame_of(p, node.rect(), o);
+    p.fill(node.rect(), t.panel);
+    p.fill(f.graph, t.canvas);
+    draw_axes(p, f, o);
+    p.frame(f.graph, t.border, p.hairline());
+    p.push_clip(f.graph.inset(-p.em(0.2F)));
+    const bool disabled = has(node.is, Is::disabled);
+    if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), with_alpha(t.text_dim, 0.45F));
+    draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? t.text_disabled : t.series[0]);
+    if (look.slopes_of < look.curve->size()) {
+        const glm::vec2 at = place_of(f, look.curve->point(look.slopes_of));
+        for (int side = 0; side < 2; ++side) {
+            const std::size_t i = look.slopes_of;
+            const double slope = side == 0 ? look.curve->slope_in(i) : look.curve->slope_out(i);
+            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), t.text_dim);
+        }
+    }
+    if (!std::isnan(o.live)) {
+        const glm::vec2 at{f.x.px_of(o.live), f.y.px_of(look.curve->evaluate(o.live))};
+        p.fill({whole(at.x), f.graph.y, p.hairline(), f.graph.h}, with_alpha(t.good, 0.35F));
+        p.line(at, at, p.em(0.55F), t.good);
+    }
+    p.pop_clip();
+    if (!look.box.empty()) {
+        p.fill(look.box, with_alpha(t.focus, 0.15F));
+        p.frame(look.box, t.focus, p.hairline());
+    }
+}
+
+/// Above the points: what is typed.
+void draw_entry(Painter& p, const Node& node, const void* arg) {
+    const Look& look = *static_cast<const Look*>(arg);
+    if (look.entering >= look.curve->size()) return;
+    const Theme& t = p.theme();
+    const Frame f = frame_of(p, node.rect(), look.options);
+    const glm::vec2 at = place_of(f, look.curve->point(look.entering));
+    const TextStyle style = p.number_style();
+    const float typed = std::ceil(p.fonts().run(look.entry, style).width);
+    Rect box{at.x + p.em(1), at.y - p.em(2.4F), std::max(p.em(6), typed + p.em(1.4F)), p.em(1.75F)};
+    if (box.right() > node.rect().right()) box.x = at.x - p.em(1) - box.w;
+    box.y = std::max(node.rect().y, box.y);
+    p.fill(box, t.field, p.em(t.radius));
+    p.frame(box, look.invalid ? t.error : t.focus, p.hairline(), p.em(t.radius));
+    const Rect inside = box.inset(p.em(0.5F), 0);
+    if (look.entry.empty()) p.text(inside, "y, or x; y", p.text_style(), t.text_disabled);
+    p.text(inside, look.entry, style, t.text);
+    p.fill({inside.x + typed, box.y + p.em(0.35F), p.hairline(), box.h - p.em(0.7F)}, t.text);
+}
+
+void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
+    const Theme& t = p.theme();
+    const glm::vec2 at = node.rect().center();
+    const bool disabled = has(node.is, Is::disabled), selected = has(node.is, Is::selected);
+    const bool hovered = (has(node.is, Is::hovered) || has(node.is, Is::held)) && !disabled;
+    const float size = p.em(hovered ? 0.8F : 0.65F);
+    const Color color = disabled ? t.text_disabled : selected ? t.accent_hover : t.text;
+    const bool round = handle == CurveHandle::automatic || handle == CurveHandle::free;
+    if (round) {
+        p.line(at, at, size + 2 * p.hairline(), t.canvas);
+        p.line(at, at, size, color);
+        return;
+    }
+    const Rect square{whole(at.x - size / 2), whole(at.y - size / 2), size, size};
+    p.fill(square.inset(-p.hairline()), t.canvas);
+    p.fill(square, color);
+}
+
+void draw_slope_handle(Painter& p, const Node& node, const bool&) {
+    const glm::vec2 at = node.rect().center();
+    const bool hovered = has(node.is, Is::hovered) || has(node.is, Is::held);
+    p.line(at, at, p.em(0.5F), hovered ? p.theme().text : p.theme().text_dim);
+}
+
+// --- nodes ---
+
+/// The middle of `node` at the place of a point plus `by` px, whatever the size of the graph turns out to be.
+void put_at(Ui& ui, Node& node, const Frame& f, const CurvePoint& point, glm::vec2 by) {
+    const auto part = [](const Span& s, double v) {
+        return static_cast<float>((std::clamp(v, s.low, s.high) - s.low) / s.length());
+    };
+    const float u = part(f.x.span, point.x), v = 1 - part(f.y.span, point.y);
+    const glm::vec2 offset{f.left - (f.left + f.right) * u + by.x, f.top - (f.top + f.bottom) * v + by.y};
+    node.placed = true;
+    node.placement = ui.arena().make(Placement{.fraction = {u, v}, .offset = offset, .pivot = {0.5F, 0.5F}});
+    node.size[0] = node.size[1] = px(ui.row_height());
+}
+
+void put_point(Ui& ui, Memory& m, const Curve& curve, const CurveEditorOptions& o, const Frame& f, std::size_t i) {
+    ShortText name;
+    name.add("Point ").add(static_cast<double>(i + 1), 0);
+    Sense sense =
+        Sense::hover | Sense::press | Sense::focus | Sense::arrows_x | Sense::arrows_y | Sense::erase | Sense::typing;
+    if (m.entering == i) sense = sense | Sense::escape;
+    Node& node = ui.leaf(Role::handle, name.view(), sense);
+    m.ids.push_back(node.id);
+    const CurvePoint& p = curve.point(i);
+    put_at(ui, node, f, p, {0, 0});
+    ShortText text;
+    text.add(p.x, decimals_of(o.x_step) + 1).add_unit(o.x_unit).add("; ");
+    text.add(p.y, decimals_of(o.y_step) + 1).add_unit(o.y_unit);
+    node.text = ui.copy(text.view());
+    node.tip = node.text;
+    node.number = ui.number(p.y, o.y.low, o.y.high, o.y_step);
+    const Response r = ui.respond(node);
+    if (r.hovered || r.held) ui.set_cursor(Cursor::move);
+    node.is |= when(m.selected[i] != 0, Is::selected) | when(m.entering == i && m.invalid, Is::invalid);
+    ui.draw_with<draw_point>(node, p.handle);
+}
+
+/// Handles of the slopes of the one free point that is selected.
+void put_slopes(Ui& ui, Memory& m, const Curve& curve, const Frame& f) {
+    m.slopes_of = no_point;
+    std::size_t count = 0, found = 0;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        if (m.selected[i] != 0) ++count, found = i;
+    }
+    m.slope_ids[0] = m.slope_ids[1] = 0;
+    if (count != 1 || curve.point(found).handle != CurveHandle::free || f.graph.empty()) return;
+    m.slopes_of = found;
+    for (int side = 0; side < 2; ++side) {
+        Node& node = ui.leaf(Role::handle, side == 0 ? "Slope in" : "Slope out", Sense::hover | Sense::press);
+        m.slope_ids[side] = node.id;
+        const double slope = side == 0 ? curve.slope_in(found) : curve.slope_out(found);
+        put_at(ui, node, f, curve.point(found), slope_way(f, slope, side, ui.em(3)));
+        node.size[0] = node.size[1] = px(ui.em(1.2F));
+        node.number = ui.number(slope, -1e9, 1e9);
+        ui.respond(node);
+        ui.draw_with<draw_slope_handle>(node, true);
+    }
+}
+
+void put_tools(Ui& ui, Editing& editing, Memory& m, Curve& curve) {
+    Node& row = ui.open(Role::none, {}, Axis::x);
+    row.placed = true;
+    row.placement = ui.arena().make(Placement{.offset = {ui.em(3), ui.em(0.15F)}});
+    row.gap = ui.em(0.1F);
+    row.size[1] = px(ui.row_height());
+    const bool any = std::find(m.selected.begin(), m.selected.end(), 1) != m.selected.end();
+    const ButtonOptions quiet{.quiet = true};
+    if (any) {
+        if (button(ui, "Automatic", quiet)) editing.use_handle(CurveHandle::automatic);
+        if (button(ui, "Free", quiet)) editing.use_handle(CurveHandle::free);
+        if (button(ui, "Straight", quiet)) editing.use_handle(CurveHandle::linear);
+        if (button(ui, "Hold", quiet)) editing.use_handle(CurveHandle::step);
+    } else {
+        if (button(ui, "Linear", quiet)) editing.use_preset(CurvePreset::linear);
+        if (button(ui, "Ease", quiet)) editing.use_preset(CurvePreset::ease);
+        if (button(ui, "S", quiet)) editing.use_preset(CurvePreset::s);
+        if (button(ui, "Step", quiet)) editing.use_preset(CurvePreset::step);
+        if (button(ui, "Pulse", quiet)) editing.use_preset(CurvePreset::pulse);
+    }
+    bool monotone = curve.monotone();
+    if (const Edit edit = toggle(ui, "Monotone", monotone, {.tip = "No more than the points", .quiet = true}); edit) {
+        curve.set_monotone(monotone);
+        editing.edit |= edit;
+    }
+    ui.close();
+}
+
+}  // namespace
+
+Edit curve_editor(Ui& ui, std::string_view label, Curve& curve, const CurveEditorOptions& options) {
+    assert(options.x.length() > 0 && options.y.length() > 0);
+    Node& node = ui.open(Role::curve, label, Axis::x,
+                         Sense::hover | Sense::press | Sense::focus | Sense::erase | Sense::arrows_x | Sense::arrows_y);
+    const Id id = node.id;
+    node.size[0] = options.width.kind == SizeKind::fit ? px(ui.em(24)) : options.width;
+    node.size[1] = options.height.kind == SizeKind::fit ? px(ui.em(14)) : options.height;
+    node.tip = ui.copy(options.tip);
+    ui.respond(node);
+    Memory& m = ui.memory<Memory>(id);
+    const Frame f = frame_of(ui, ui.rect_before(id), options);
+    Editing editing(ui, m, curve, options, f);
+    if (!f.graph.empty()) {  // all that happened, before anything is built
+        if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
+        for (std::size_t i = 0; i < m.ids.size() && i < curve.size(); ++i) {
+            if (ui.has_events(m.ids[i])) ui.events_of(m.ids[i], [&](const Event& e) { editing.point(i, e); });
+        }
+        for (int side = 0; side < 2 && m.slopes_of < curve.size(); ++side) {
+            if (m.slope_ids[side] != 0 && ui.has_events(m.slope_ids[side]))
+                ui.events_of(m.slope_ids[side], [&](const Event& e) { editing.slope(side, e); });
+        }
+    }
+    if (options.tools) put_tools(ui, editing, m, curve);
+    put_slopes(ui, m, curve, f);
+    m.ids.clear();
+    for (std::size_t i = 0; i < curve.size(); ++i) put_point(ui, m, curve, options, f, i);
+
+    Look look{&curve, options, {}, m.slopes_of, m.entering, ui.copy(m.entry), m.invalid};
+    look.options.x_name = ui.copy(options.x_name), look.options.x_unit = ui.copy(options.x_unit);
+    look.options.y_name = ui.copy(options.y_name), look.options.y_unit = ui.copy(options.y_unit);
+    if (m.drag == Memory::Drag::box) {
+        const glm::vec2 low = glm::min(m.from, m.last), high = glm::max(m.from, m.last);
+        look.box = intersect({low.x, low.y, high.x - low.x, high.y - low.y}, f.graph);
+    }
+    Node& me = ui.parent();
+    ShortText text;
+    text.add(static_cast<double>(curve.size()), 0).add(curve.size() == 1 ? " point" : " points");
+    me.text = ui.copy(text.view());
+    if (!std::isnan(options.live))
+        me.number = ui.number(curve.evaluate(options.live), options.y.low, options.y.high, options.y_step);
+    me.is |= when(options.standard != nullptr && !(*options.standard == curve), Is::changed);
+    ui.draw_with<draw_ground>(me, look);
+    me.draw_over = draw_entry;
+    ui.close();
+    return editing.edit;
+}
+
+}  // namespace lapfx::ui

@@ -1,0 +1,606 @@
+#include "ui/canvas/plot.h"
+
+#include <charconv>
+#include <limits>
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+constexpr int most_series = 64;  // that can be hidden
+constexpr double zoom_by_key = 0.8, pan_step = 0.1;
+
+bool hidden(const PlotState& state, std::size_t i) {
+    return i < most_series && (state.hidden >> i & 1) != 0;
+}
+
+Color color_of(const Theme& theme, const PlotSeries& series, std::size_t i) {
+    if (series.reference) return theme.text_dim;
+    return theme.series[(series.color >= 0 ? static_cast<std::size_t>(series.color) : i) % 8];
+}
+
+/// On the y axis; NaN: has no place there.
+double placed(const PlotState& state, double y) {
+    if (!std::isfinite(y)) return nothing;
+    return !state.log_y ? y : y > 0 ? std::log10(y) : nothing;
+}
+
+/// Where the parts of a plot lie; `Em` is ui or painter.
+struct Frame {
+    Rect title, plot, x_labels, y_labels, residual;
+    Axis1 x, y;
+};
+template <typename Em>
+Frame frame_of(const Em& measure, Rect rect, const PlotState& state, bool with_residual) {
+    Frame f;
+    rect = rect.inset(measure.em(0.3F), 0);
+    f.title = rect.cut_top(measure.em(1.75F));
+    f.x_labels = rect.cut_bottom(measure.em(1.6F));
+    f.y_labels = rect.cut_left(measure.em(3.6F));
+    f.x_labels.cut_left(f.y_labels.w);
+    rect.cut_right(measure.em(0.6F));
+    if (with_residual) {
+        f.residual = rect.cut_bottom(std::floor(rect.h * 0.22F));
+        rect.cut_bottom(measure.em(0.4F));
+    }
+    f.plot = rect;
+    f.x = {state.x, rect.x, rect.right()};
+    f.y = {state.y, rect.bottom(), rect.y};
+    return f;
+}
+
+// --- what is in sight ---
+
+Span padded(const Extremes& e, double margin) {
+    if (!e.any) return {0, 1};
+    double length = e.high - e.low;
+    if (!(length > 1e-12 * std::max(std::abs(e.low), std::abs(e.high)))) {
+        length = std::max(1.0, std::abs(e.low) * 0.1);
+        return {e.low - length / 2, e.low + length / 2};
+    }
+    return {e.low - length * margin, e.high + length * margin};
+}
+
+/// All of the series that are shown.
+void fitted_spans(const PlotState& state, std::span<const PlotSeries> series, Span& x, Span& y) {
+    Extremes all_x, all_y;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        const PlotData& data = *series[i].data;
+        if (hidden(state, i) || data.size() == 0) continue;
+        const bool bars = series[i].kind == PlotKind::bars;
+        const double low = data.x(0), high = data.x(data.size() - 1);
+        const double half = bars && data.size() > 1 ? (data.x(1) - low) / 2 : 0;
+        all_x.add(low - half), all_x.add(high + half);
+        Extremes own = data.extremes();
+        if (bars && !state.log_y) own.add(0.0);
+        if (state.log_y && own.any && own.low <= 0) own.low = std::min(1.0, own.high * 1e-3);
+        if (!own.any || (state.log_y && own.high <= 0)) continue;
+        all_y.add(placed(state, own.low)), all_y.add(placed(state, own.high));
+    }
+    x = padded(all_x, 0);
+    y = padded(all_y, 0.06);
+}
+
+class Gestures {
+  public:
+    enum class Drag : std::uint8_t { none, pan, box, range };
+    struct Memory {
+        PlotState own, before;  ///< `before`: when the drag began
+        Drag drag = Drag::none;
+        bool x = true, y = true;  ///< the axes it is about
+        glm::vec2 from{0}, to{0};
+    };
+
+    Gestures(Memory& memory, PlotState& state, const Frame& frame, std::span<const PlotSeries> series)
+        : m_(memory), state_(state), frame_(frame), series_(series) {}
+
+    void take(Ui& ui, Id id, const Response& r) {
+        if (r.pressed && r.clicks == 2) fit();
+        if (r.held && m_.drag == Drag::none) begin(r);
+        if (m_.drag != Drag::none) drag(r);
+        if (r.wheel != 0) {
+            const bool on_y = frame_.y_labels.contains(r.pointer);
+            const bool on_x = !on_y && frame_.x_labels.contains(r.pointer);
+            zoom(zoom_of(r.wheel), !on_y, !on_x, r.pointer);
+        }
+        if (!ui.has_events(id)) return;
+        ui.events_of(id, [&](const Event& e) {
+            if (e.kind == EventKind::key) key(ui, e);
+            if (e.kind == EventKind::text && (e.codepoint == U'+' || e.codepoint == U'-'))
+                zoom(e.codepoint == U'+' ? zoom_by_key : 1 / zoom_by_key, true, true, frame_.plot.center());
+        });
+    }
+    PlotResult result;
+
+  private:
+    void fit() {
+        state_.fitted = true;
+        result.moved = true;
+    }
+    void begin(const Response& r) {
+        if (r.button == Button::right) return;
+        m_.before = state_;
+        m_.from = m_.to = r.pressed_at;
+        const bool on_y = frame_.y_labels.contains(r.pressed_at);
+        const bool on_x = !on_y && frame_.x_labels.contains(r.pressed_at);
+        m_.x = !on_y, m_.y = !on_x;
+        m_.drag = Drag::pan;
+        if (r.button != Button::left) return;
+        if (has(r.mods, Mods::shift)) m_.drag = Drag::box;
+        if (has(r.mods, Mods::command)) m_.drag = Drag::range;
+    }
+    void drag(const Response& r) {
+        if (r.cancelled) {
+            const bool ranged = m_.drag == Drag::range, panned = m_.drag == Drag::pan;
+            m_.drag = Drag::none;
+            state_ = m_.before;
+            result.range_changed |= ranged, result.moved |= panned;
+            return;
+        }
+        m_.to = r.pointer;
+        const glm::vec2 way = m_.to - m_.from;
+        if (m_.drag == Drag::pan && way != glm::vec2(0)) pan(way);
+        if (m_.drag == Drag::range && way.x != 0) {
+            state_.range = sorted(frame_.x.value_at(m_.from.x), frame_.x.value_at(m_.to.x));
+            state_.has_range = result.range_changed = true;
+        }
+        if (r.held && !r.released) return;
+        if (m_.drag == Drag::box) zoom_to_box();
+        m_.drag = Drag::none;
+    }
+    static Span sorted(double a, double b) { return a < b ? Span{a, b} : Span{b, a}; }
+
+    /// Neither so narrow that doubles run out nor so wide that the data is lost.
+    void show(const Span& x, const Span& y) {
+        Span all_x, all_y;
+        fitted_spans(state_, series_, all_x, all_y);
+        const auto sane = [](const Span& s, const Span& all) {
+            const double most = std::max(std::abs(s.low), std::abs(s.high));
+            return std::isfinite(most) && s.length() > 1e-9 * all.length() && s.length() > 1e-12 * most &&
+                   s.length() < 1e4 * all.length() && most < 1e6 * (all.length() + std::abs(all.low));
+        };
+        if (!sane(x, all_x) || !sane(y, all_y)) return;
+        state_.x = x, state_.y = y;
+        state_.fitted = false;
+        result.moved = true;
+    }
+    void pan(glm::vec2 way) {
+        Span x = m_.before.x, y = m_.before.y;
+        if (m_.x) x.pan(-way.x / frame_.x.scale());
+        if (m_.y) y.pan(-way.y / frame_.y.scale());
+        show(x, y);
+    }
+    void zoom(double factor, bool x_too, bool y_too, glm::vec2 at) {
+        Span x = state_.x, y = state_.y;
+        if (x_too) x.zoom(factor, frame_.x.value_at(at.x));
+        if (y_too) y.zoom(factor, frame_.y.value_at(at.y));
+        show(x, y);
+    }
+    void zoom_to_box() {
+        const glm::vec2 way = glm::abs(m_.to - m_.from);
+        if ((m_.x && way.x < 4) || (m_.y && way.y < 4)) return;
+        Span x = state_.x, y = state_.y;
+        if (m_.x) x = sorted(frame_.x.value_at(m_.from.x), frame_.x.value_at(m_.to.x));
+        if (m_.y) y = sorted(frame_.y.value_at(m_.from.y), frame_.y.value_at(m_.to.y));
+        show(x, y);
+    }
+    void pan_by_key(double x_part, double y_part) {
+        Span x = state_.x, y = state_.y;
+        x.pan(x_part * pan_step * x.length());
+        y.pan(y_part * pan_step * y.length());
+        show(x, y);
+    }
+    void key(Ui& ui, const Event& e) {
+        if (e.key == Key::left) pan_by_key(-1, 0);
+        if (e.key == Key::right) pan_by_key(1, 0);
+        if (e.key == Key::down) pan_by_key(0, -1);
+        if (e.key == Key::up) pan_by_key(0, 1);
+        if (e.key == Key::home || (e.key == key_of('F'))) fit();
+        if (e.key == key_of('L')) {
+            state_.log_y = !state_.log_y;
+            Span x;
+            fitted_spans(state_, series_, x, state_.y);
+            result.moved = true;
+        }
+        if (e.key == Key::escape && state_.has_range) state_.has_range = false, result.range_changed = true;
+        if (e.key == key_of('C') && has(e.mods, Mods::command) && ui.clipboard() != nullptr)
+            ui.clipboard()->set(plot_csv(series_, "x", state_.x.low, state_.x.high));
+    }
+
+    Memory& m_;
+    PlotState& state_;
+    const Frame& frame_;
+    std::span<const PlotSeries> series_;
+};
+
+// --- drawing ---
+
+struct Look {
+    std::span<const PlotSeries> series;
+    PlotState state;
+    PlotOptions options;
+    Rect box;                             ///< being dragged; empty: none
+    int cursor_series;                    ///< -1: none
+    double cursor_x, cursor_y;            ///< of its sample, y on the axis
+    std::string_view cursor, statistics;  ///< texts
+};
+
+/// A mark of an axis: where labels are not long numbers.
+std::string_view tick_text(std::span<char> buffer, double value, int decimals) {
+    if (std::abs(value) < 1e6 && decimals < 6) return format_number(buffer, value, decimals);
+    const auto end =
+        std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::scientific, 1);
+    return {buffer.data(), static_cast<std::size_t>(end.ptr - buffer.data())};
+}
+
+void draw_x_ticks(Painter& p, const Frame& f, const Look& look) {
+    const Theme& t = p.theme();
+    const TextStyle style = p.number_style();
+    Rect labels = f.x_labels;
+    ShortText name;
+    name.add(look.options.x_name);
+    if (!look.options.x_unit.empty()) name.add(" (").add(look.options.x_unit).add(")");
+    const float named = name.view().empty() ? 0 : p.text(labels, name.view(), p.text_style(), t.text_dim, Align::end);
+    if (named > 0) labels.cut_right(named + p.em(0.8F));
+    const float room = p.em(4.5F);
+    const Ticks marks = ticks(look.state.x.low, look.state.x.high, std::max(1, static_cast<int>(f.plot.w / room)));
+    char buffer[32];
+    for (int i = 0; i < marks.count; ++i) {
+        const double value = marks.first + marks.step * i;
+        const float x = whole(f.x.px_of(value));
+        p.fill({x, f.plot.y, p.hairline(), f.plot.h}, t.grid);
+        const std::string_view text = tick_text(buffer, value, marks.decimals);
+        const float width = p.fonts().run(text, style).width;
+        const Rect place{whole(x - width / 2), labels.y, std::ceil(width), labels.h};
+        if (place.right() <= labels.right()) p.text(place, text, style, t.text_dim);
+    }
+}
+
+void draw_y_tick(Painter& p, const Frame& f, double place, std::string_view text) {
+    const float y = whole(f.y.px_of(place));
+    if (y < f.plot.y || y > f.plot.bottom()) return;
+    p.fill({f.plot.x, y, f.plot.w, p.hairline()}, p.theme().grid);
+    if (text.empty()) return;
+    Rect label{f.y_labels.x, y - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
+    p.text(label, text, p.number_style(), p.theme().text_dim, Align::end);
+}
+
+void draw_y_ticks(Painter& p, const Frame& f, const Look& look) {
+    char buffer[32];
+    const Span& span = look.state.y;
+    const int most = std::max(1, static_cast<int>(f.plot.h / p.em(2)));
+    if (!look.state.log_y || span.length() < 0.3) {  // within a factor of 2 the powers of ten say nothing
+        const bool log = look.state.log_y;
+        const Ticks marks =
+            log ? ticks(std::pow(10, span.low), std::pow(10, span.high), most) : ticks(span.low, span.high, most);
+        for (int i = 0; i < marks.count; ++i) {
+            const double value = marks.first + marks.step * i;
+            draw_y_tick(p, f, log ? std::log10(value) : value, tick_text(buffer, value, marks.decimals));
+        }
+        return;
+    }
+    const int every = std::max(1, static_cast<int>(std::ceil(span.length() / most)));
+    const int first = static_cast<int>(std::floor(span.low));
+    for (int decade = first; decade <= span.high; ++decade) {
+        const double value = std::pow(10.0, decade);
+        const bool labelled = (decade - first) % every == 0;
+        draw_y_tick(p, f, decade, labelled ? tick_text(buffer, value, decade < 0 ? -decade : 0) : "");
+        if (span.length() > most) continue;
+        for (int digit = 2; digit < 10; ++digit) {
+            const bool shown = span.length() < 1.5 && (digit == 2 || digit == 5);
+            const double minor = decade + std::log10(digit);
+            draw_y_tick(p, f, minor, shown ? tick_text(buffer, value * digit, decade < 0 ? -decade : 0) : "");
+        }
+    }
+}
+
+/// One upright line for each column of pixels, long enough to touch the one before.
+void draw_columns(Painter& p, const Frame& f, const PlotState& state, const PlotSeries& series, Color color,
+                  std::size_t first) {
+    const PlotData& data = *series.data;
+    const bool bars = series.kind == PlotKind::bars;
+    const float width = 1.25F * p.hairline();
+    const float zero = bars ? f.y.px_of(state.log_y ? state.y.low - 1 : 0.0) : 0;
+    float before_top = 0, before_bottom = 0, before_x = 0;
+    std::size_t before = 0;
+    bool joined = false;
+    for (float x = f.plot.x; x < f.plot.right() && first < data.size(); ++x) {
+        const std::size_t last = data.index_from(f.x.value_at(x + 1));
+        if (last == first) continue;
+        const Extremes e = data.extremes(first, last);
+        const double low = placed(state, e.low), high = placed(state, e.high);
+        const bool from_gap = !std::isfinite(data.y(first));
+        const bool to_gap = !std::isfinite(data.y(last - 1));
+        const std::size_t from_sample = first;
+        first = last;
+        if (!e.any || std::isnan(high)) {
+            joined = false;
+            continue;
+        }
+        const float top = f.y.px_of(high), bottom = f.y.px_of(std::isnan(low) ? state.y.low - 1 : low);
+        if (bars) {
+            p.fill({x, std::min(top, zero), 1, std::abs(zero - top)}, color);
+            continue;
+        }
+        const bool touch = joined && !from_gap && x - before_x < 1.5F;
+        if (joined && !from_gap && !touch) {  // samples are sparse here
+            const double a = placed(state, data.y(before)), b = placed(state, data.y(from_sample));
+            if (!std::isnan(a) && !std::isnan(b))
+                p.line({before_x + 0.5F, f.y.px_of(a)}, {x + 0.5F, f.y.px_of(b)}, width, color);
+        }
+        const float from = touch ? std::min(top, before_bottom) : top;
+        const float to = touch ? std::max(bottom, before_top) : bottom;
+        p.line({x + 0.5F, from}, {x + 0.5F, to}, width, color);
+        before_top = top, before_bottom = bottom, before_x = x, before = last - 1, joined = !to_gap;
+    }
+}
+
+void draw_bars(Painter& p, const Frame& f, const PlotState& state, const PlotData& data, Color color, std::size_t first,
+               std::size_t last) {
+    const float zero = whole(state.log_y ? f.plot.bottom() : f.y.px_of(0));
+    const auto edge = [&](std::size_t i) {  // on the left of bar i
+        const double here = data.x(std::min(i, data.size() - 1));
+        if (i == 0) return data.size() > 1 ? here - (data.x(1) - here) / 2 : here - 0.5;
+        if (i == data.size()) return here + (i > 1 ? here - data.x(i - 2) : 1.0) / 2;
+        return (data.x(i - 1) + here) / 2;
+    };
+    float left = whole(f.x.px_of(edge(first)));
+    for (std::size_t i = first; i < last; ++i) {
+        const float right = whole(f.x.px_of(edge(i + 1)));
+        const double y = placed(state, data.y(i));
+        const float top = std::isnan(y) ? zero : f.y.px_of(y);
+        const float gap = right - left >= 4 ? p.hairline() : 0.0F;
+        if (top != zero) p.fill({left, std::min(top, zero), right - left - gap, std::abs(zero - top)}, color);
+        left = right;
+    }
+}
+
+void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotData& data, Color color, float width,
+               std::size_t first, std::size_t last) {
+    glm::vec2 before{0};
+    bool joined = false, drawn = true;
+    for (std::size_t i = first; i < last; ++i) {
+        const double y = placed(state, data.y(i));
+        if (std::isnan(y)) {
+            if (joined && !drawn) p.line(before, before, width * 2, color);  // a sample between two gaps
+            joined = false;
+            continue;
+        }
+        const glm::vec2 here{f.x.px_of(data.x(i)), f.y.px_of(y)};
+        if (joined) p.line(before, here, width, color);
+        drawn = joined;
+        before = here, joined = true;
+    }
+    if (joined && !drawn) p.line(before, before, width * 2, color);
+}
+
+void draw_series(Painter& p, const Frame& f, const PlotState& state, const PlotSeries& series, Color color) {
+    const PlotData& data = *series.data;
+    if (data.size() == 0 || f.plot.empty()) return;
+    std::size_t first = data.index_from(state.x.low), last = data.index_from(state.x.high);
+    if (static_cast<float>(last - first) > 2 * f.plot.w) return draw_columns(p, f, state, series, color, first);
+    if (first > 0) --first;  // what comes in from outside
+    last = std::min(last + 1, data.size());
+    if (series.kind == PlotKind::bars) return draw_bars(p, f, state, data, color, first, last);
+    draw_line(p, f, state, data, color, (series.reference ? 1.0F : 1.5F) * p.hairline(), first, last);
+}
+
+void draw_residual(Painter& p, Frame f, const Look& look) {
+    const Theme& t = p.theme();
+    const PlotData& data = *look.options.residual;
+    const Extremes e = data.extremes(data.index_from(look.state.x.low), data.index_from(look.state.x.high));
+    const double most = e.any ? std::max({std::abs(e.low), std::abs(e.high), 1e-300}) : 1;
+    p.fill(f.residual, t.canvas);
+    f.plot = f.residual;
+    PlotState state = look.state;
+    state.log_y = false;
+    state.y = {-1.1 * most, 1.1 * most};
+    f.y = {state.y, f.plot.bottom(), f.plot.y};
+    char buffer[32];
+    const int decimals = decimals_for(most / 10);
+    draw_y_tick(p, f, 0, "0");
+    Rect labels = f.y_labels;
+    labels = {labels.x, f.plot.y, labels.w - p.em(0.4F), p.em(1.2F)};
+    p.text(labels, tick_text(buffer, most, decimals), p.number_style(), t.text_dim, Align::end);
+    p.push_clip(f.plot);
+    draw_series(p, f, state, {.name = "", .data = &data}, t.warning);
+    p.pop_clip();
+    p.frame(f.plot, t.border, p.hairline());
+}
+
+void draw_note(Painter& p, const Frame& f, glm::vec2 at, std::string_view text) {
+    const Theme& t = p.theme();
+    const float width = std::ceil(p.fonts().run(text, p.number_style()).width) + p.em(1);
+    Rect box{at.x + p.em(0.8F), at.y - p.em(2.2F), width, p.em(1.6F)};
+    if (box.right() > f.plot.right()) box.x = std::max(f.plot.x, at.x - p.em(0.8F) - width);
+    box.y = std::max(f.plot.y, box.y);
+    p.fill(box, t.raised, p.em(t.radius));
+    p.frame(box, t.border, p.hairline(), p.em(t.radius));
+    p.text(box.inset(p.em(0.5F), 0), text, p.number_style(), t.text);
+}
+
+void draw_cursor(Painter& p, const Frame& f, const Look& look) {
+    if (look.cursor_series < 0) return;
+    const Theme& t = p.theme();
+    const auto i = static_cast<std::size_t>(look.cursor_series);
+    const glm::vec2 at{f.x.px_of(look.cursor_x), f.y.px_of(look.cursor_y)};
+    p.fill({whole(at.x), f.plot.y, p.hairline(), f.plot.h}, with_alpha(t.text_dim, 0.5F));
+    p.line(at, at, p.em(0.6F), t.canvas);
+    p.line(at, at, p.em(0.42F), color_of(t, look.series[i], i));
+    draw_note(p, f, at, look.cursor);
+}
+
+void draw_plot(Painter& p, const Node& node, const Look& look) {
+    const Theme& t = p.theme();
+    const Frame f = frame_of(p, node.rect(), look.state, look.options.residual != nullptr);
+    p.fill(node.rect(), t.panel);
+    p.fill(f.plot, t.canvas);
+    ShortText name;
+    name.add(look.options.y_name);
+    if (!look.options.y_unit.empty()) name.add(" (").add(look.options.y_unit).add(")");
+    p.text(f.title, name.view(), p.text_style(), t.text_dim);
+    draw_x_ticks(p, f, look);
+    draw_y_ticks(p, f, look);
+    p.push_clip(f.plot);
+    const Span& range = look.state.range;
+    if (look.state.has_range) {
+        const float left = f.x.px_of(range.low), right = f.x.px_of(range.high);
+        p.fill({left, f.plot.y, std::max(1.0F, right - left), f.plot.h}, with_alpha(t.accent, 0.22F));
+    }
+    for (std::size_t i = 0; i < look.series.size(); ++i) {
+        if (!hidden(look.state, i)) draw_series(p, f, look.state, look.series[i], color_of(t, look.series[i], i));
+    }
+    if (look.state.has_range)
+        draw_note(p, f, {f.x.px_of(std::max(range.low, look.state.x.low)), f.plot.y}, look.statistics);
+    if (!look.box.empty()) {
+        p.fill(look.box, with_alpha(t.focus, 0.15F));
+        p.frame(look.box, t.focus, p.hairline());
+    }
+    draw_cursor(p, f, look);
+    p.pop_clip();
+    p.frame(f.plot, has(node.is, Is::disabled) ? t.grid : t.border, p.hairline());
+    if (look.options.residual != nullptr) draw_residual(p, f, look);
+}
+
+// --- legend and readout ---
+
+struct LegendLook {
+    Color color;
+    bool shown;
+};
+
+void draw_legend(Painter& p, const Node& node, const LegendLook& look) {
+    const Theme& t = p.theme();
+    Rect rect = node.rect();
+    if (has(node.is, Is::hovered)) p.fill(rect, t.control_hover, p.em(t.radius));
+    rect = rect.inset(p.em(0.4F), 0);
+    const Rect mark = rect.cut_left(p.em(0.9F));
+    const float size = p.em(0.6F);
+    const Rect swatch{mark.x, whole(mark.center().y - size / 2), size, size};
+    look.shown ? p.fill(swatch, look.color, p.em(0.15F)) : p.frame(swatch, t.text_disabled, 1, p.em(0.15F));
+    p.text(rect, node.shown, p.text_style(), look.shown ? t.text : t.text_disabled);
+}
+
+bool legend(Ui& ui, std::span<const PlotSeries> series, PlotState& state) {
+    Node& row = ui.open(Role::none, {}, Axis::x);
+    row.placed = true;
+    row.placement = ui.arena().make(Placement{.fraction = {1, 0}, .offset = {-ui.em(0.6F), 0}, .pivot = {1, 0}});
+    row.size[0] = fit(), row.size[1] = px(ui.row_height());
+    bool changed = false;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (series[i].name.empty()) continue;
+        Node& node =
+            ui.leaf(Role::toggle, series[i].name, Sense::hover | Sense::press | Sense::focus | Sense::activate);
+        node.size[0] = px(std::ceil(ui.text_width(node.shown)) + ui.em(1.8F));
+        node.size[1] = px(ui.row_height());
+        node.tip = hidden(state, i) ? "Show" : "Hide";
+        if (ui.respond(node).clicked && i < most_series) state.hidden ^= 1ULL << i, changed = true;
+        node.is |= when(!hidden(state, i), Is::checked);
+        ui.draw_with<draw_legend>(node, LegendLook{color_of(ui.theme(), series[i], i), !hidden(state, i)});
+    }
+    ui.close();
+    return changed;
+}
+
+/// The sample that the pointer means: of each series the one nearest along x, of these the nearest in px.
+void find_cursor(const Frame& f, const PlotState& state, std::span<const PlotSeries> series, glm::vec2 at,
+                 PlotResult& result) {
+    if (!f.plot.contains(at)) return;
+    float best = 0;
+    for (std::size_t i = 0; i < series.size(); ++i) {
+        if (hidden(state, i) || series[i].reference || series[i].data->size() == 0) continue;
+        const std::size_t index = series[i].data->nearest(f.x.value_at(at.x));
+        const double y = placed(state, series[i].data->y(index));
+        if (std::isnan(y)) continue;
+        const float away = glm::distance(at, {f.x.px_of(series[i].data->x(index)), f.y.px_of(y)});
+        if (result.series >= 0 && away >= best) continue;
+        best = away, result.series = static_cast<int>(i), result.index = index;
+    }
+}
+
+void put_texts(Ui& ui, const Frame& f, const PlotResult& result, Look& look) {
+    const PlotOptions& o = look.options;
+    const double x_size = 1 / f.x.scale();
+    const double y_size = look.state.log_y ? 0 : 1 / std::abs(f.y.scale());
+    const auto y_decimals = [&](double y) { return decimals_for(y_size > 0 ? y_size : std::abs(y) / 1000); };
+    if (result.series >= 0) {
+        const PlotSeries& s = look.series[static_cast<std::size_t>(result.series)];
+        const double x = s.data->x(result.index), y = s.data->y(result.index);
+        look.cursor_series = result.series, look.cursor_x = x, look.cursor_y = placed(look.state, y);
+        ShortText text;
+        if (!s.name.empty()) text.add(split_label(s.name).shown).add(": ");
+        text.add(x, decimals_for(x_size)).add_unit(o.x_unit).add(", ").add(y, y_decimals(y)).add_unit(o.y_unit);
+        look.cursor = ui.copy(text.view());
+    }
+    if (!look.state.has_range) return;
+    for (std::size_t i = 0; i < look.series.size(); ++i) {  // of the first that is shown
+        if (hidden(look.state, i) || look.series[i].reference) continue;
+        const RangeStatistics stats = look.series[i].data->statistics(look.state.range.low, look.state.range.high);
+        if (!stats.extremes.any) continue;
+        const int decimals = y_decimals(stats.extremes.high);
+        ShortText text;
+        text.add("mean ").add(stats.mean, decimals + 1).add("  area ").add(stats.area, decimals + 1);
+        text.add("  min ").add(stats.extremes.low, decimals).add("  max ").add(stats.extremes.high, decimals);
+        look.statistics = ui.copy(text.view());
+        return;
+    }
+    look.statistics = "no samples";
+}
+
+}  // namespace
+
+PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> series, const PlotOptions& options) {
+    Node& node = ui.open(Role::plot, label, Axis::x,
+                         Sense::hover | Sense::press | Sense::middle | Sense::focus | Sense::wheel | Sense::arrows_x |
+                             Sense::arrows_y | Sense::extremes | Sense::typing | Sense::copying);
+    const Id id = node.id;
+    auto& memory = ui.memory<Gestures::Memory>(id);
+    PlotState& state = options.state != nullptr ? *options.state : memory.own;
+    if (state.has_range && node.sense != Sense::hover) node.sense = node.sense | Sense::escape;
+    node.size[0] = options.width.kind == SizeKind::fit ? px(ui.em(24)) : options.width;
+    node.size[1] = options.height.kind == SizeKind::fit ? px(ui.em(14)) : options.height;
+    node.tip = ui.copy(options.tip);
+    const Response r = ui.respond(node);
+    const bool toggled = legend(ui, series, state);
+
+    if (state.fitted) fitted_spans(state, series, state.x, state.y);
+    const Frame f = frame_of(ui, ui.rect_before(id), state, options.residual != nullptr);
+    Gestures gestures(memory, state, f, series);
+    if (!f.plot.empty()) gestures.take(ui, id, r);
+    if (state.fitted) fitted_spans(state, series, state.x, state.y);
+    PlotResult result = gestures.result;
+    result.moved |= toggled && state.fitted;
+
+    const Frame now = frame_of(ui, ui.rect_before(id), state, options.residual != nullptr);
+    Look look{.series = series,
+              .state = state,
+              .options = options,
+              .box = {},
+              .cursor_series = -1,
+              .cursor_x = 0,
+              .cursor_y = 0,
+              .cursor = {},
+              .statistics = {}};
+    if (memory.drag == Gestures::Drag::box) {
+        const glm::vec2 a = glm::min(memory.from, memory.to), b = glm::max(memory.from, memory.to);
+        look.box = {memory.x ? a.x : f.plot.x, memory.y ? a.y : f.plot.y, memory.x ? b.x - a.x : f.plot.w,
+                    memory.y ? b.y - a.y : f.plot.h};
+    }
+    if (r.hovered && memory.drag == Gestures::Drag::none) find_cursor(now, state, series, r.pointer, result);
+    put_texts(ui, now, result, look);
+    PlotSeries* kept = static_cast<PlotSeries*>(ui.arena().take(series.size_bytes() + 1, alignof(PlotSeries)));
+    std::uninitialized_copy(series.begin(), series.end(), kept);
+    for (std::size_t i = 0; i < series.size(); ++i) kept[i].name = ui.copy(kept[i].name);
+    look.series = {kept, series.size()};
+    look.options.x_name = ui.copy(options.x_name), look.options.x_unit = ui.copy(options.x_unit);
+    look.options.y_name = ui.copy(options.y_name), look.options.y_unit = ui.copy(options.y_unit);
+    Node& me = ui.parent();
+    me.text = state.has_range ? look.statistics : look.cursor;
+    if (memory.drag == Gestures::Drag::box || memory.drag == Gestures::Drag::range) ui.set_cursor(Cursor::crosshair);
+    ui.draw_with<draw_plot>(me, look);
+    ui.close();
+    return result;
+}
+
+}  // namespace lapfx::ui

@@ -1,0 +1,675 @@
+#include "ui/canvas/timeline.h"
+
+#include <cassert>
+#include <charconv>
+#include <utility>
+
+#include "ui/widgets/basic.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr float catch_distance = 8;  // px at scale 1
+constexpr double fastest = 8;
+constexpr double fewest_frames = 4;  // in sight
+
+enum class Part : std::uint8_t { none, time, view, range_in, range_out, item, item_start, item_end };
+
+struct Memory {
+    struct Times {
+        double start, end;
+    };
+    struct Built {
+        Id id;
+        std::size_t track, item;
+    };
+    Part drag = Part::none;
+    bool began = false;
+    float from = 0;  ///< px
+    std::size_t track = 0, item = 0;
+    TimelineState before;
+    std::vector<Times> times;  ///< of all items when the drag began
+    std::vector<Built> built;  ///< nodes of the last build
+    Id range_ids[2] = {};
+};
+
+struct Frame {
+    Rect corner, ruler, thumbnails, lanes;
+    float lane = 0;  ///< px, its height
+    Axis1 x;
+};
+template <typename Em>
+Frame frame_of(const Em& measure, Rect rect, const Span& view, const TimelineOptions& o) {
+    Frame f;
+    const Rect all = rect;
+    rect.cut_left(measure.em(10.2F));
+    f.ruler = rect.cut_top(measure.em(1.75F));
+    f.corner = {all.x, all.y, f.ruler.x - all.x, f.ruler.h};
+    if (!o.thumbnails.empty()) f.thumbnails = rect.cut_top(measure.em(3.4F));
+    f.lanes = rect;
+    f.lane = measure.em(1.9F);
+    f.x = {view, f.ruler.x, f.ruler.right()};
+    return f;
+}
+
+double frames_of(double seconds, double rate) {
+    return std::floor(seconds * rate + 1e-6);
+}
+
+class Editing {
+  public:
+    Editing(Ui& ui, Id id, Memory& memory, TimelineState& state, std::span<TimelineTrack> tracks,
+            const TimelineOptions& o, const Frame& frame)
+        : ui_(ui), id_(id), m_(memory), s_(state), tracks_(tracks), o_(o), f_(frame) {
+        const bool item = m_.drag >= Part::item;  // the program may have changed what is held
+        if (item && (m_.times.size() != count() || !exists(m_.track, m_.item))) m_.drag = Part::none;
+    }
+    TimelineEdit edit;
+
+    void ground(const Event& e) {
+        switch (e.kind) {
+            case EventKind::press:
+                if (e.button == Button::middle) return start(Part::view, e);
+                if (e.at.x < f_.ruler.x) return;
+                if (f_.lanes.contains(e.at)) return has(e.mods, Mods::shift) ? void() : select_none();
+                start(Part::time, e);
+                return scrub(e.at.x);
+            case EventKind::wheel:
+                return wheel(e);
+            case EventKind::key:
+                return key(e);
+            default:
+                return drag(e);
+        }
+    }
+    void range_end(Part part, const Event& e) {
+        if (e.kind == EventKind::press) return start(part, e);
+        if (e.kind != EventKind::key) return drag(e);
+        const double by = frame() * (has(e.mods, Mods::shift) ? 10 : 1);
+        const double now = part == Part::range_in ? s_.range.low : s_.range.high;
+        if (e.key != Key::left && e.key != Key::right) return key(e);
+        if (set_range(part, now + (e.key == Key::left ? -by : by))) edit.range |= Edit::once();
+    }
+    void item(std::size_t track, std::size_t index, const Event& e) {
+        if (e.kind == EventKind::press) return press_item(track, index, e);
+        if (e.kind == EventKind::key) return item_key(track, index, e);
+        drag(e);
+    }
+    void fit() {
+        s_.view = {0, o_.length};
+        s_.fitted = true;
+    }
+    Part part_at(const TimelineItem& item, float x) const {
+        const float left = f_.x.px_of(item.start), right = f_.x.px_of(item.end), grip = ui_.em(0.5F);
+        if (item.end <= item.start || right - left < 3 * grip) return Part::item;
+        return x < left + grip ? Part::item_start : x > right - grip ? Part::item_end : Part::item;
+    }
+
+  private:
+    double frame() const { return 1 / o_.rate; }
+    double on_frame(double t) const { return std::round(t * o_.rate) / o_.rate; }
+    double inside(double t) const { return std::clamp(t, 0.0, o_.length); }
+    bool exists(std::size_t track, std::size_t item) const {
+        return track < tracks_.size() && item < tracks_[track].items.size();
+    }
+    std::size_t count() const {
+        std::size_t all = 0;
+        for (const TimelineTrack& track : tracks_) all += track.items.size();
+        return all;
+    }
+    template <typename F>
+    void each_item(F&& each) {
+        for (TimelineTrack& track : tracks_) {
+            for (TimelineItem& item : track.items) each(item);
+        }
+    }
+    void select_none() {
+        each_item([](TimelineItem& item) { item.selected = false; });
+    }
+
+    void start(Part part, const Event& e) {
+        m_.drag = part, m_.began = false, m_.from = e.at.x;
+        m_.before = s_;
+        m_.times.clear();
+        each_item([&](const TimelineItem& item) { m_.times.push_back({item.start, item.end}); });
+    }
+    Edit& edit_of(Part part) {
+        if (part >= Part::item) return edit.items;
+        return part == Part::time ? edit.time : edit.range;
+    }
+    void report(bool changed) {
+        if (!changed) return;
+        Edit& e = edit_of(m_.drag);
+        if (!m_.began) e.began = true;
+        m_.began = e.changed = true;
+    }
+    void drag(const Event& e) {
+        if (m_.drag == Part::none) return;
+        if (e.kind == EventKind::cancel) return cancel();
+        if (e.kind != EventKind::pointer && e.kind != EventKind::release) return;
+        const double by = (e.at.x - m_.from) / f_.x.scale();
+        const bool catching = !has(e.mods, Mods::command);
+        const bool moved = m_.began || std::abs(e.at.x - m_.from) > 3 * ui_.scale();
+        if (m_.drag == Part::time) scrub(e.at.x);
+        if (m_.drag == Part::view) {
+            Span view = m_.before.view;
+            view.pan(-by);
+            show(view);
+        }
+        if (m_.drag == Part::range_in && moved) report(set_range(m_.drag, m_.before.range.low + by));
+        if (m_.drag == Part::range_out && moved) report(set_range(m_.drag, m_.before.range.high + by));
+        if (m_.drag == Part::item && moved) report(move_items(by, catching));
+        if (m_.drag > Part::item && moved) report(stretch(by, catching));
+        if (e.kind != EventKind::release) return;
+        if (m_.began) edit_of(m_.drag).committed = true;
+        m_.drag = Part::none;
+    }
+    void cancel() {
+        if (m_.drag == Part::view) s_.view = m_.before.view, s_.fitted = m_.before.fitted;
+        if (m_.began) {
+            s_.time = m_.before.time, s_.range = m_.before.range;
+            std::size_t i = 0;
+            each_item([&](TimelineItem& item) { item.start = m_.times[i].start, item.end = m_.times[i++].end; });
+            edit_of(m_.drag).changed = edit_of(m_.drag).cancelled = true;
+        }
+        m_.drag = Part::none;
+    }
+
+    // --- time, range and view ---
+    bool set_time(double t) {
+        t = inside(on_frame(t));
+        return std::exchange(s_.time, t) != t;
+    }
+    void scrub(float x) { report(set_time(f_.x.value_at(x))); }
+    void step_to(double t) {
+        if (set_time(t)) edit.time |= Edit::once();
+    }
+    bool set_range(Part part, double t) {
+        t = inside(on_frame(t));
+        const Span old = s_.range;
+        if (part == Part::range_in) s_.range.low = std::min(t, s_.range.high - frame());
+        if (part == Part::range_out) s_.range.high = std::max(t, s_.range.low + frame());
+        return !(s_.range == old);
+    }
+    void set_end_here(bool in) {
+        const Span old = s_.has_range ? s_.range : Span{0, o_.length};
+        const bool had = std::exchange(s_.has_range, true);
+        s_.range = in ? Span{s_.time, old.high} : Span{old.low, s_.time};
+        if (s_.range.length() < frame()) s_.range = in ? Span{s_.time, o_.length} : Span{0, s_.time};
+        if (s_.range.length() < frame()) s_.range = old, s_.has_range = had;  // at the very end of time
+        if (!(s_.range == old) || s_.has_range != had) edit.range |= Edit::once();
+    }
+    void show(Span view) {
+        const double most = o_.length * 1.1, least = std::min(most, fewest_frames * frame());
+        if (!std::isfinite(view.length())) return;
+        if (view.length() > most || view.length() < least)
+            view.zoom(std::clamp(view.length(), least, most) / view.length(), (view.low + view.high) / 2);
+        view.pan(std::max(0.0, -0.05 * o_.length - view.low));
+        view.pan(std::min(0.0, 1.05 * o_.length - view.high));
+        s_.view = view;
+        s_.fitted = false;
+    }
+    void wheel(const Event& e) {
+        Span view = s_.view;
+        const float sideways = e.delta.x + (has(e.mods, Mods::shift) ? e.delta.y : 0.0F);
+        if (sideways != 0) {
+            view.pan(-sideways * 0.1 * view.length());
+        } else {
+            const double factor = zoom_of(e.delta.y);
+            if (view.length() * factor < fewest_frames * frame() || view.length() * factor > o_.length * 1.1) return;
+            view.zoom(factor, f_.x.value_at(ui_.pointer().x));
+        }
+        show(view);
+    }
+    void key(const Event& e) {
+        const double by = frame() * (has(e.mods, Mods::shift) ? 10 : 1);
+        if (e.key == Key::left) step_to(s_.time - by);
+        if (e.key == Key::right) step_to(s_.time + by);
+        if (e.key == Key::home) step_to(0);
+        if (e.key == Key::end) step_to(o_.length);
+        if (e.key == Key::del || e.key == Key::backspace) erase();
+        if (e.key == Key::space) s_.speed = s_.speed == 0 ? 1 : 0;
+        if (e.key == key_of('J')) s_.speed = s_.speed >= 0 ? -1 : std::max(-fastest, s_.speed * 2);
+        if (e.key == key_of('K')) s_.speed = 0;
+        if (e.key == key_of('L')) s_.speed = s_.speed <= 0 ? 1 : std::min(fastest, s_.speed * 2);
+        if (e.key == key_of('I')) set_end_here(true);
+        if (e.key == key_of('O')) set_end_here(false);
+        if (e.key == key_of('F')) fit();
+        if (e.key == key_of('X') && s_.has_range) s_.has_range = false, edit.range |= Edit::once();
+    }
+
+    // --- items ---
+    void press_item(std::size_t track, std::size_t index, const Event& e) {
+        TimelineItem& item = tracks_[track].items[index];
+        if (has(e.mods, Mods::shift)) {
+            item.selected = !item.selected;
+        } else if (!item.selected) {
+            select_none();
+            item.selected = true;
+        }
+        start(part_at(item, e.at.x), e);
+        m_.track = track, m_.item = index;
+    }
+    void item_key(std::size_t track, std::size_t index, const Event& e) {
+        TimelineItem& item = tracks_[track].items[index];
+        if (e.key == Key::enter) item.selected = !item.selected;
+        if (e.key == Key::del || e.key == Key::backspace) {
+            if (!item.selected) select_none();
+            item.selected = true;
+            return erase();
+        }
+        if (e.key != Key::left && e.key != Key::right) return key(e);
+        if (!item.selected) select_none();
+        item.selected = true;
+        m_.track = track, m_.item = index;
+        m_.times.clear();
+        each_item([&](const TimelineItem& i) { m_.times.push_back({i.start, i.end}); });
+        const double by = frame() * (has(e.mods, Mods::shift) ? 10 : 1) * (e.key == Key::left ? -1 : 1);
+        m_.drag = Part::item_end;
+        const bool end = has(e.mods, Mods::command);
+        if (end ? item.end > item.start && stretch(by, false) : move_items(by, false)) edit.items |= Edit::once();
+        m_.drag = Part::none;
+    }
+    void erase() {
+        std::size_t erased = 0;
+        for (TimelineTrack& track : tracks_)
+            erased += std::erase_if(track.items, [](const auto& i) { return i.selected; });
+        if (erased == 0) return;
+        m_.built.clear();
+        m_.drag = Part::none;
+        ui_.set_focus(id_, ui_.focus_ringed());
+        edit.items |= Edit::once();
+    }
+    Memory::Times held_before() const {
+        std::size_t i = m_.item;
+        for (std::size_t t = 0; t < m_.track; ++t) i += tracks_[t].items.size();
+        return m_.times[i];
+    }
+    /// How much more than `by` one of these places has to move to be on something; 0 where nothing is near.
+    double to_catch(std::initializer_list<double> places, bool catching) {
+        double best = 0, nearest = catching ? catch_distance * ui_.scale() / f_.x.scale() : 0;
+        const auto offer = [&](double target) {
+            for (const double place : places) {
+                if (std::abs(target - place) < nearest) nearest = std::abs(target - place), best = target - place;
+            }
+        };
+        offer(0), offer(o_.length), offer(s_.time);
+        if (s_.has_range) offer(s_.range.low), offer(s_.range.high);
+        each_item([&](const TimelineItem& item) {
+            if (!item.selected) offer(item.start), offer(item.end);
+        });
+        return best;
+    }
+    bool move_items(double by, bool catching) {
+        const Memory::Times held = held_before();
+        const double caught = to_catch({held.start + by, held.end + by}, catching);
+        by = caught != 0 ? by + caught : on_frame(held.start + by) - held.start;
+        std::size_t i = 0;
+        double low = -1e300, high = 1e300;
+        each_item([&](const TimelineItem& item) {
+            const Memory::Times t = m_.times[i++];
+            if (item.selected) low = std::max(low, -t.start), high = std::min(high, o_.length - t.end);
+        });
+        by = low <= high ? std::clamp(by, low, high) : 0;
+        bool changed = false;
+        i = 0;
+        each_item([&](TimelineItem& item) {
+            const Memory::Times t = m_.times[i++];
+            if (!item.selected) return;
+            changed |= item.start != t.start + by;
+            item.start = t.start + by, item.end = t.end + by;
+        });
+        return changed;
+    }
+    bool stretch(double by, bool catching) {
+        TimelineItem& item = tracks_[m_.track].items[m_.item];
+        const Memory::Times held = held_before();
+        const bool at_start = m_.drag == Part::item_start;
+        const double wish = (at_start ? held.start : held.end) + by, caught = to_catch({wish}, catching);
+        const double t = inside(caught != 0 ? wish + caught : on_frame(wish));
+        const double start_now = at_start ? std::min(t, held.end - frame()) : held.start;
+        const double end_now = at_start ? held.end : std::max(t, held.start + frame());
+        const bool changed = item.start != start_now || item.end != end_now;
+        item.start = start_now, item.end = end_now;
+        return changed;
+    }
+
+    Ui& ui_;
+    Id id_;
+    Memory& m_;
+    TimelineState& s_;
+    std::span<TimelineTrack> tracks_;
+    const TimelineOptions& o_;
+    const Frame& f_;
+};
+
+// --- drawing ---
+
+struct Look {
+    TimelineState state;
+    TimelineOptions options;
+    std::span<const TimelineTrack> tracks;
+};
+
+/// s between two labels of the ruler, at least `least` apart.
+double ruler_step(double least, double rate, TimeUnit unit) {
+    if (unit == TimeUnit::frames) {
+        const double frames = std::max(1.0, least * rate), power = std::pow(10, std::floor(std::log10(frames)));
+        for (const double digit : {1.0, 2.0, 5.0, 10.0}) {
+            if (digit * power >= frames - 1e-9) return digit * power / rate;
+        }
+    }
+    constexpr double parts[] = {0.001, 0.002, 0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5};
+    constexpr double wholes[] = {1, 2, 5, 10, 15, 30, 60, 120, 300, 600, 900, 1800, 3600, 7200, 14400, 43200};
+    if (unit == TimeUnit::timecode) {
+        for (const double frames : {1.0, 2.0, 5.0, 10.0}) {
+            if (frames / rate >= least && frames < rate) return frames / rate;
+        }
+    } else {
+        for (const double step : parts) {
+            if (step >= least) return step;
+        }
+    }
+    // A second of timecode is a whole number of frames, which may be a little more than a second.
+    const double second = unit == TimeUnit::timecode ? std::round(rate) / rate : 1.0;
+    for (const double step : wholes) {
+        if (step * second >= least) return step * second;
+    }
+    return std::ceil(least / 86400) * 86400;
+}
+
+void draw_ruler(Painter& p, const Frame& f, const Look& look) {
+    const Theme& t = p.theme();
+    const TimelineOptions& o = look.options;
+    const double step = ruler_step(p.em(o.unit == TimeUnit::timecode ? 7.5F : 5) / f.x.scale(), o.rate, o.unit);
+    const int parts =
+        o.unit != TimeUnit::seconds && step * o.rate < 4.5 ? static_cast<int>(std::lround(step * o.rate)) : 5;
+    p.fill(f.ruler, t.header);
+    p.push_clip(f.ruler);
+    char buffer[32];
+    const double first = std::max(0.0, std::floor(look.state.view.low / step));
+    for (double k = first; k * step <= std::min(look.state.view.high, o.length + 1e-9); ++k) {
+        const float x = whole(f.x.px_of(k * step));
+        p.fill({x, f.ruler.y + f.ruler.h * 0.35F, p.hairline(), f.ruler.h}, t.text_disabled);
+        for (int i = 1; i < parts; ++i) {
+            const float minor = whole(f.x.px_of(k * step + step * i / parts));
+            p.fill({minor, f.ruler.bottom() - f.ruler.h * 0.25F, p.hairline(), f.ruler.h}, t.border);
+        }
+        const Rect place{x + p.em(0.3F), f.ruler.y, p.em(8), f.ruler.h * 0.85F};
+        p.text(place, format_position(buffer, k * step, o.rate, o.unit), p.number_style(), t.text_dim);
+    }
+    p.pop_clip();
+}
+
+void draw_thumbnails(Painter& p, const Frame& f, const Look& look) {
+    const TimelineOptions& o = look.options;
+    if (o.thumbnails.empty()) return;
+    p.fill(f.thumbnails, p.theme().canvas);
+    p.push_clip(f.thumbnails);
+    const float width = std::max(8.0F, std::round(f.thumbnails.h * o.thumbnail_aspect));
+    const float end = std::min(f.thumbnails.right(), f.x.px_of(o.length));
+    // Slots begin at time 0, so that pictures stay with their time when the view pans.
+    const double slot = width / f.x.scale();
+    for (double k = std::max(0.0, std::floor(look.state.view.low / slot));; ++k) {
+        const float x = f.x.px_of(k * slot);
+        if (x >= end) break;
+        const auto n = static_cast<double>(o.thumbnails.size());
+        const auto i = static_cast<std::size_t>(std::clamp(k * slot / o.length * n, 0.0, n - 1));
+        p.push_clip({x, f.thumbnails.y, std::min(width, end - x), f.thumbnails.h});
+        p.image({x, f.thumbnails.y, width - p.hairline(), f.thumbnails.h}, o.thumbnails[i]);
+        p.pop_clip();
+    }
+    p.pop_clip();
+}
+
+void draw_lanes(Painter& p, const Frame& f, const Look& look) {
+    const Theme& t = p.theme();
+    p.fill(f.lanes, t.canvas);
+    for (std::size_t i = 0; i < look.tracks.size(); ++i) {
+        const float y = f.lanes.y + f.lane * static_cast<float>(i);
+        const Rect name{f.corner.x + p.em(0.6F), y, f.corner.w - p.em(1), f.lane};
+        p.text(name, look.tracks[i].name, p.text_style(), t.text);
+        p.fill({f.corner.x, y + f.lane - p.hairline(), f.corner.w + f.lanes.w, p.hairline()}, t.grid);
+    }
+}
+
+void draw_ground(Painter& p, const Node& node, const Look& look) {
+    const Theme& t = p.theme();
+    const Frame f = frame_of(p, node.rect(), look.state.view, look.options);
+    p.fill(node.rect(), t.panel);
+    draw_ruler(p, f, look);
+    draw_thumbnails(p, f, look);
+    draw_lanes(p, f, look);
+    char buffer[32];
+    Rect corner = f.corner;
+    corner.cut_right(p.em(0.4F));
+    p.text(corner, format_position(buffer, look.state.time, look.options.rate, look.options.unit), p.number_style(),
+           has(node.is, Is::disabled) ? t.text_disabled : t.text, Align::end);
+}
+
+/// Above the clips: what is outside of time or of the range, and the playhead.
+void draw_front(Painter& p, const Node& node, const void* arg) {
+    const Look& look = *static_cast<const Look*>(arg);
+    const Theme& t = p.theme();
+    const Frame f = frame_of(p, node.rect(), look.state.view, look.options);
+    const Rect body{f.ruler.x, f.ruler.y, f.ruler.w, node.rect().bottom() - f.ruler.y};
+    p.push_clip(body);
+    const auto shade = [&](double low, double high, float alpha) {
+        const float left = std::max(body.x, f.x.px_of(low)), right = std::min(body.right(), f.x.px_of(high));
+        if (right > left) p.fill({left, body.y, right - left, body.h}, with_alpha(t.window, alpha));
+    };
+    const Span& view = look.state.view;
+    shade(view.low, 0, 0.8F);
+    shade(look.options.length, view.high, 0.8F);
+    if (look.state.has_range) {
+        const Span& range = look.state.range;
+        shade(std::max(0.0, view.low), range.low, 0.45F);
+        shade(range.high, std::min(look.options.length, view.high), 0.45F);
+        const float left = f.x.px_of(range.low), right = f.x.px_of(range.high);
+        p.fill({left, f.ruler.bottom() - p.em(0.2F), right - left, p.em(0.2F)}, look.state.loop ? t.good : t.text_dim);
+    }
+    const float x = whole(f.x.px_of(look.state.time));
+    const float width = 2 * p.hairline();
+    p.fill({x - width / 2, body.y, width, body.h}, t.accent_hover);
+    p.fill({x - p.em(0.4F), body.y, 2 * p.em(0.4F), p.em(0.6F)}, t.accent_hover, p.em(0.2F));
+    p.pop_clip();
+}
+
+struct ItemLook {
+    Color color;
+    bool mark;
+};
+
+void draw_item(Painter& p, const Node& node, const ItemLook& look) {
+    const Theme& t = p.theme();
+    const bool selected = has(node.is, Is::selected), hovered = has(node.is, Is::hovered);
+    Rect rect = node.rect();
+    if (look.mark) {
+        const glm::vec2 at = rect.center();
+        p.fill({whole(at.x), rect.y, p.hairline(), rect.h}, look.color);
+        p.line(at, at, p.em(selected || hovered ? 0.85F : 0.7F), selected ? t.text : look.color);
+        return;
+    }
+    rect = rect.inset(0, p.em(0.12F));
+    p.fill(rect, mix(t.panel, look.color, selected ? 0.6F : hovered ? 0.48F : 0.38F), p.em(t.radius));
+    p.frame(rect, selected ? t.text : look.color, p.hairline() * (selected ? 2.0F : 1.0F), p.em(t.radius));
+    // What is seen of it, so that the name of a long clip stays in sight.
+    const Rect seen = intersect(rect, node.clip).inset(p.em(0.5F), 0);
+    if (seen.w > p.em(1)) p.text(seen, node.shown, p.text_style(), t.text);
+}
+
+void draw_range_end(Painter& p, const Node& node, const bool& in) {
+    const Theme& t = p.theme();
+    const Rect rect = node.rect();
+    const Color color = has(node.is, Is::hovered) || has(node.is, Is::held) ? t.text : t.text_dim;
+    const float x = whole(rect.center().x), width = 2 * p.hairline(), foot = p.em(0.4F);
+    p.fill({x - width / 2, rect.y, width, rect.h}, color);
+    for (const float y : {rect.y, rect.bottom() - width}) p.fill({in ? x : x - foot, y, foot, width}, color);
+}
+
+// --- nodes ---
+
+void put_item(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, const TimelineItem& item,
+              const TimelineOptions& o, const Frame& f, std::size_t track, std::size_t index) {
+    const bool mark = item.end <= item.start;
+    const Span view = state.view;
+    ShortText unnamed;
+    unnamed.add(mark ? "Mark " : "Clip ").add(static_cast<double>(index + 1), 0);
+    Node& node = ui.leaf(
+        Role::list_item, item.name.empty() ? unnamed.view() : item.name,
+        Sense::hover | Sense::press | Sense::focus | Sense::arrows_x | Sense::extremes | Sense::erase | Sense::typing);
+    m.built.push_back({node.id, track, index});
+    const double low = std::max(item.start, view.low - view.length());
+    const double high = std::min(item.end, view.high + view.length());
+    const float least = mark ? ui.row_height() : ui.em(0.5F);
+    const float width = static_cast<float>((high - low) * f.x.scale());
+    node.placed = true;
+    node.placement = ui.arena().make(Placement{.fraction = {static_cast<float>((low - view.low) / view.length()), 0},
+                                               .pivot = {mark ? 0.5F : 0.0F, 0}});
+    node.size[0] = mark || width < least ? px(least) : fraction(static_cast<float>((high - low) / view.length()));
+    node.size[1] = fraction(1);
+    char from[32], to[32];
+    const std::string_view start = format_position(from, item.start, o.rate, o.unit);
+    node.text = mark ? ui.copy(start) : ui.join({start, " - ", format_position(to, item.end, o.rate, o.unit)});
+    node.tip = ui.join({node.label, "\n", node.text});
+    node.number = ui.number(item.start, 0, o.length, 1 / o.rate);
+    node.is |= when(item.selected, Is::selected);
+    const Response r = ui.respond(node);
+    const bool end = m.drag > Part::item || (r.hovered && editing.part_at(item, r.pointer.x) != Part::item);
+    if ((r.hovered || r.held) && !has(node.is, Is::disabled)) ui.set_cursor(end ? Cursor::resize_x : Cursor::move);
+    const auto color = item.color >= 0 ? static_cast<std::size_t>(item.color) : track;
+    ui.draw_with<draw_item>(node, ItemLook{ui.theme().series[color % 8], mark});
+}
+
+void put_tracks(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, std::span<const TimelineTrack> tracks,
+                const TimelineOptions& o, const Frame& f) {
+    std::size_t kept = 0;  // that is not in sight but has the keyboard or is held
+    for (std::size_t i = 0; i < m.built.size(); ++i) {
+        if (m.built[i].id != 0 && (m.built[i].id == ui.focus() || m.built[i].id == ui.held()))
+            m.built[kept++] = m.built[i];
+    }
+    const Memory::Built keep[2] = {kept > 0 ? m.built[0] : Memory::Built{}, kept > 1 ? m.built[1] : Memory::Built{}};
+    m.built.clear();
+    const Rect all = ui.rect_before(ui.parent().id);
+    for (std::size_t t = 0; t < tracks.size(); ++t) {
+        ShortText unnamed;
+        unnamed.add("Track ").add(static_cast<double>(t + 1), 0);
+        const float left = f.ruler.x - all.x, top = f.lanes.y - all.y + f.lane * static_cast<float>(t);
+        Node& lane = ui.open(Role::row, tracks[t].name.empty() ? unnamed.view() : tracks[t].name, Axis::x);
+        lane.placed = lane.clips = true;
+        lane.placement = ui.arena().make(Placement{.offset = {left, top}});
+        lane.size[0] = grow(), lane.size[1] = px(f.lane - 1);
+        for (std::size_t i = 0; i < tracks[t].items.size(); ++i) {
+            const TimelineItem& item = tracks[t].items[i];
+            const double margin = ui.row_height() / std::max(1e-9, f.x.scale());
+            bool wanted = item.end >= state.view.low - margin && item.start <= state.view.high + margin;
+            for (const Memory::Built& b : keep) wanted |= b.id != 0 && b.track == t && b.item == i;
+            if (wanted) put_item(ui, m, editing, state, item, o, f, t, i);
+        }
+        ui.close();
+    }
+}
+
+void put_range_end(Ui& ui, Memory& m, const TimelineState& state, const TimelineOptions& o, const Frame& f, bool in) {
+    const double t = in ? state.range.low : state.range.high;
+    m.range_ids[in ? 0 : 1] = 0;
+    if (!state.has_range || t < state.view.low || t > state.view.high) return;
+    Node& node = ui.leaf(Role::handle, in ? "In" : "Out", Sense::hover | Sense::press | Sense::focus | Sense::arrows_x);
+    m.range_ids[in ? 0 : 1] = node.id;
+    const Rect all = ui.rect_before(ui.parent().id);
+    const float u = static_cast<float>((t - state.view.low) / state.view.length()), left = f.ruler.x - all.x;
+    node.placed = true;
+    node.placement = ui.arena().make(Placement{.fraction = {u, 0}, .offset = {left * (1 - u), 0}, .pivot = {0.5F, 0}});
+    node.size[0] = px(ui.em(1)), node.size[1] = px(ui.row_height());
+    char buffer[32];
+    node.text = ui.copy(format_position(buffer, t, o.rate, o.unit));
+    node.tip = ui.join({node.label, " ", node.text});
+    node.number = ui.number(t, 0, o.length, 1 / o.rate);
+    const Response r = ui.respond(node);
+    if (r.hovered || r.held) ui.set_cursor(Cursor::resize_x);
+    ui.draw_with<draw_range_end>(node, in);
+}
+
+void put_buttons(Ui& ui, TimelineState& state) {
+    Node& row = ui.open(Role::none, {}, Axis::x);
+    row.placed = true;
+    row.placement = ui.arena().make(Placement{});
+    row.size[1] = px(ui.row_height());
+    bool playing = state.speed != 0;
+    if (toggle(ui, "Play", playing, {.icon = playing ? Icon::pause : Icon::play, .quiet = true}))
+        state.speed = playing ? 1 : 0;
+    toggle(ui, "Loop", state.loop, {.icon = Icon::loop, .quiet = true});
+    ui.close();
+}
+
+}  // namespace
+
+std::string_view format_position(std::span<char> buffer, double seconds, double rate, TimeUnit unit) {
+    if (unit == TimeUnit::seconds) return format_time(buffer, seconds, 3);
+    const double frames = seconds < 0 ? -frames_of(-seconds, rate) : frames_of(seconds, rate);
+    if (unit == TimeUnit::frames || !(std::abs(frames) < 1e12)) return format_number(buffer, frames, 0);
+    const auto base = static_cast<std::int64_t>(std::max(1.0, std::round(rate)));
+    auto left = static_cast<std::int64_t>(std::abs(frames));
+    const std::int64_t figures[] = {left / base / 3600, left / base / 60 % 60, left / base % 60, left % base};
+    char* at = buffer.data();
+    char* const end = at + buffer.size();
+    if (frames < 0 && at != end) *at++ = '-';
+    for (int i = 0; i < 4; ++i) {
+        if (i > 0 && at != end) *at++ = ':';
+        if (figures[i] < 10 && at != end) *at++ = '0';
+        at = std::to_chars(at, end, figures[i]).ptr;
+    }
+    return {buffer.data(), static_cast<std::size_t>(at - buffer.data())};
+}
+
+TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std::span<TimelineTrack> tracks,
+                      const TimelineOptions& options) {
+    assert(options.length > 0 && options.rate > 0);
+    Node& node = ui.open(Role::timeline, label, Axis::x,
+                         Sense::hover | Sense::press | Sense::middle | Sense::focus | Sense::wheel | Sense::arrows_x |
+                             Sense::extremes | Sense::erase | Sense::typing);
+    const Id id = node.id;
+    const float lanes = ui.em(1.9F) * static_cast<float>(std::max<std::size_t>(1, tracks.size()));
+    node.size[0] = options.width;
+    node.size[1] = px(ui.em(1.75F) + (options.thumbnails.empty() ? 0.0F : ui.em(3.4F)) + lanes);
+    node.tip = ui.copy(options.tip);
+    ui.respond(node);
+    if (!std::isfinite(state.time)) state.time = 0;
+    Memory& m = ui.memory<Memory>(id);
+    if (state.fitted) state.view = {0, options.length};
+    if (m.drag == Part::none && state.speed > 0 && state.time > state.view.high)  // a page further
+        state.view.pan(state.time - state.view.low);
+    if (m.drag == Part::none && state.speed < 0 && state.time < state.view.low)
+        state.view.pan(state.time - state.view.high);
+    const Frame f = frame_of(ui, ui.rect_before(id), state.view, options);
+    Editing editing(ui, id, m, state, tracks, options, f);
+    if (!f.ruler.empty()) {  // all that happened, before anything is built
+        if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
+        for (int end = 0; end < 2; ++end) {
+            const Part part = end == 0 ? Part::range_in : Part::range_out;
+            if (m.range_ids[end] != 0 && ui.has_events(m.range_ids[end]))
+                ui.events_of(m.range_ids[end], [&](const Event& e) { editing.range_end(part, e); });
+        }
+        for (std::size_t i = 0; i < m.built.size(); ++i) {  // erasing empties the list
+            const Memory::Built b = m.built[i];
+            if (!ui.has_events(b.id) || b.track >= tracks.size() || b.item >= tracks[b.track].items.size()) continue;
+            ui.events_of(b.id, [&](const Event& e) { editing.item(b.track, b.item, e); });
+        }
+    }
+    put_buttons(ui, state);
+    const Frame now = frame_of(ui, ui.rect_before(id), state.view, options);
+    put_range_end(ui, m, state, options, now, true);
+    put_range_end(ui, m, state, options, now, false);
+    put_tracks(ui, m, editing, state, tracks, options, now);
+    Node& me = ui.parent();
+    char buffer[32];
+    me.text = ui.copy(format_position(buffer, state.time, options.rate, options.unit));
+    me.number = ui.number(state.time, 0, options.length, 1 / options.rate);
+    ui.draw_with<draw_ground>(me, Look{state, options, tracks});
+    me.draw_over = draw_front;
+    ui.close();
+    return editing.edit;
+}
+
+}  // namespace lapfx::ui

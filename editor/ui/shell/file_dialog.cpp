@@ -1,0 +1,294 @@
+#include "ui/shell/file_dialog.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "ui/shell/dialog.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/text_field.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr std::string_view overlay = "file dialog", question = "file dialog replace";
+constexpr float width = 56, height = 36, places_width = 11;  // em
+constexpr std::size_t most_recent = 6;
+constexpr std::size_t most_crumbs = 5;  // of the path bar; the folders above are reached from the first of them
+constexpr TableColumn columns[] = {{.title = "Name", .width = 23},
+                                   {.title = "Size", .width = 6, .align = Align::end},
+                                   {.title = "Changed", .width = 11}};
+
+bool same_letters(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+    return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char p, char q) { return lower(p) == lower(q); });
+}
+
+bool has_extension(std::string_view name, std::string_view extension) {
+    return name.size() > extension.size() && same_letters(name.substr(name.size() - extension.size()), extension);
+}
+
+std::string_view verb_of(FileTask task) {
+    return task == FileTask::save ? "Save" : task == FileTask::folder ? "Choose folder" : "Open";
+}
+
+}  // namespace
+
+void FileDialog::open(Ui& ui, FileRequest request) {
+    request_ = std::move(request);
+    if (request_.title.empty()) request_.title = verb_of(request_.task);
+    if (!request_.filters.empty() || request_.task != FileTask::folder) request_.filters.push_back({"All files", {}});
+    filter_ = 0;
+    name_ = request_.name;
+    filter_names_.clear();
+    for (const FileFilter& each : request_.filters) filter_names_.push_back(each.name);
+    table_.selection.clear();
+    selected_.clear();
+    count_.clear();
+    fresh_ = true;
+    places_ = files_.places();
+    done_.reset();
+    replaces_.clear();
+    if (table_.sort_column < 0) table_.sort_column = 0;
+    const std::string start = !request_.folder.empty() ? request_.folder : folder_.empty() ? files_.home() : folder_;
+    go(resolve_path("/", start));
+    open_dialog(ui, overlay);
+}
+
+/// Stays where it is, and says why, when the folder cannot be read.
+void FileDialog::go(const std::string& folder) {
+    std::vector<FileEntry> entries;
+    const std::string fault = files_.list(folder, entries);
+    fault_.clear();
+    if (!fault.empty()) {
+        fault_ = "\"" + folder + "\" cannot be read: " + fault;
+        if (!folder_.empty() && folder != folder_) return arrange();
+        entries.clear();
+    }
+    folder_ = folder;
+    entries_ = std::move(entries);
+    table_.selection.clear();
+    selected_.clear();
+    count_.clear();
+    if (request_.task != FileTask::save) name_.clear();
+    arrange();
+}
+
+bool FileDialog::passes(const FileEntry& entry) const {
+    if (!hidden_ && entry.name.starts_with('.')) return false;
+    if (entry.folder) return true;
+    if (request_.task == FileTask::folder) return false;
+    const auto index = static_cast<std::size_t>(filter_);
+    if (index >= request_.filters.size() || request_.filters[index].extensions.empty()) return true;
+    const auto& all = request_.filters[index].extensions;
+    return std::any_of(all.begin(), all.end(),
+                       [&](const std::string& each) { return has_extension(entry.name, each); });
+}
+
+/// Folders first, whatever the order of the rest.
+void FileDialog::arrange() {
+    shown_.clear();
+    for (std::uint32_t i = 0; i < entries_.size(); ++i) {
+        if (passes(entries_[i])) shown_.push_back(i);
+    }
+    const int column = table_.sort_column;
+    const bool down = table_.descending;
+    std::sort(shown_.begin(), shown_.end(), [&](std::uint32_t i, std::uint32_t k) {
+        const FileEntry &a = entries_[i], &b = entries_[k];
+        if (a.folder != b.folder) return a.folder;
+        if (column == 1 && a.size != b.size) return (a.size < b.size) != down;
+        if (column == 2 && a.changed != b.changed) return (a.changed < b.changed) != down;
+        return column == 0 && down ? natural_less(b.name, a.name) : natural_less(a.name, b.name);
+    });
+}
+
+std::uint64_t FileDialog::key_of(std::size_t row) const {
+    return hash_bytes(1, entry(row).name) >> 1;  // never no_key
+}
+
+void FileDialog::build_path_bar(Ui& ui) {
+    std::string next;
+    {
+        const Row row(ui, {.width = grow(), .cross = Place::center});
+        if (icon_button(ui, Icon::chevron_up, "Folder above", {.quiet = true})) next = parent_of(folder_);
+        std::size_t begin = folder_.size();  // of the first that is shown
+        for (std::size_t i = 0; i < most_crumbs && begin > 0; ++i) begin = folder_.rfind('/', begin - 1);
+        if (begin == 0 && button(ui, "/", {.quiet = true})) next = "/";
+        ui.push_seed("path");
+        for (std::size_t at = begin; at < folder_.size() && folder_.size() > 1;) {
+            const std::size_t end = std::min(folder_.find('/', at + 1), folder_.size());
+            ui.push_seed(end);
+            const std::string_view name = std::string_view(folder_).substr(at + 1, end - at - 1);
+            if (button(ui, name, {.quiet = true})) next = folder_.substr(0, end);
+            ui.last().rigid = false;
+            ui.pop_seed();
+            at = end;
+        }
+        ui.pop_seed();
+        spacer(ui);
+        if (toggle(ui, "Hidden files", hidden_, {.icon = Icon::eye, .tip = "Show hidden files", .quiet = true}))
+            arrange();
+        if (icon_button(ui, Icon::reset, "Read again", {.quiet = true})) next = folder_;
+    }
+    if (!next.empty()) go(next);
+}
+
+void FileDialog::build_places(Ui& ui) {
+    const std::string* chosen = nullptr;
+    {
+        const Column column(ui, {.width = px(ui.em(places_width)), .height = grow(), .gap = 0.1F});
+        const auto place = [&](std::string_view name, const std::string& path) {
+            if (button(ui, name,
+                       {.icon = Icon::folder, .tip = path, .quiet = true, .on = path == folder_, .width = grow()}))
+                chosen = &path;
+            ui.last().rigid = false;
+        };
+        ui.push_seed("places");
+        for (const FilePlace& each : places_) place(each.name, each.path);
+        ui.pop_seed();
+        if (!recent_.empty()) label(ui, "Recent", {.tone = Tone::dim});
+        for (const std::string& each : recent_) {
+            ui.push_seed(each);
+            place(each == "/" ? std::string_view(each) : name_of_path(each), each);
+            ui.pop_seed();
+        }
+    }
+    if (chosen != nullptr) go(*chosen);
+}
+
+void FileDialog::build_table(Ui& ui) {
+    const auto cell = [this](std::size_t row, std::size_t column) {
+        const FileEntry& e = entry(row);
+        TableCell out;
+        if (column == 0) return TableCell{.text = e.name, .icon = e.folder ? Icon::folder : Icon::file};
+        if (column == 2) {
+            date_text(e.changed, cell_);
+        } else {
+            cell_ = e.folder ? std::string() : size_text(e.size);
+        }
+        return TableCell{.text = cell_, .tone = Tone::dim, .number = true};
+    };
+    const auto key = [this](std::size_t row) { return key_of(row); };
+    const RowList::KeyOf keys(key);
+    const TableEvents events = table(ui, "Files", table_, columns, shown_.size(), cell,
+                                     {.multiple = request_.task == FileTask::open_many, .key_of = &keys});
+    if (events.sorted) arrange();
+    if (events.selected) select_from_table();
+    if (events.opened >= shown_.size()) return;
+    if (entry(events.opened).folder) {
+        go(resolve_path(folder_, entry(events.opened).name));
+    } else {
+        select_from_table();
+        accepts_ = true;
+    }
+}
+
+/// What is selected of the kind that is looked for; its name goes into the field.
+void FileDialog::select_from_table() {
+    selected_.clear();
+    for (std::size_t row = 0; row < shown_.size(); ++row) {
+        const bool wanted = entry(row).folder == (request_.task == FileTask::folder);
+        if (wanted && table_.selection.has(key_of(row))) selected_.push_back(entry(row).name);
+    }
+    count_ = selected_.size() > 1 ? std::to_string(selected_.size()) + " files" : std::string();
+    if (selected_.size() == 1) name_ = selected_[0];
+    if (selected_.size() != 1 && request_.task != FileTask::save) name_.clear();
+}
+
+void FileDialog::build_name(Ui& ui) {
+    const Row row(ui, {.width = grow(), .cross = Place::center});
+    const std::string_view hint = count_.empty() ? std::string_view("Name, or a path") : count_;
+    if (text_field(ui, "Name", name_, {.placeholder = hint})) fault_.clear();
+    const Node* focused = ui.before(ui.focus());
+    if (fresh_ && focused != nullptr && focused->layer == ui.last().layer) {
+        ui.set_focus(ui.last().id, ui.focus_ringed());
+        fresh_ = false;
+    }
+    if (request_.filters.size() < 2) return;
+    if (combo(ui, "Kind of file", filter_, filter_names_, {.width = px(ui.em(12))})) arrange();
+}
+
+void FileDialog::accept(Ui& ui) {
+    fault_.clear();
+    if (!name_.empty())
+        return accept_typed(ui,
+                            resolve_path(folder_, name_.starts_with("~/") ? files_.home() + name_.substr(1) : name_));
+    accept_selected();
+}
+
+void FileDialog::accept_selected() {
+    if (request_.task == FileTask::folder) return choose({folder_});
+    if (selected_.empty()) {
+        fault_ = request_.task == FileTask::save ? "A name is missing" : "Nothing is chosen";
+        return;
+    }
+    std::vector<std::string> paths;
+    for (const std::string& each : selected_) paths.push_back(resolve_path(folder_, each));
+    choose(std::move(paths));
+}
+
+void FileDialog::accept_typed(Ui& ui, std::string path) {
+    using Kind = FileSystem::Kind;
+    Kind kind = files_.kind(path);
+    if (kind == Kind::folder && request_.task == FileTask::folder) return choose({std::move(path)});
+    if (kind == Kind::folder) {
+        if (request_.task == FileTask::save) name_ = request_.name;
+        return go(path);
+    }
+    if (request_.task == FileTask::folder || (request_.task != FileTask::save && kind == Kind::nothing)) {
+        fault_ = "\"" + path + "\" " + (kind == Kind::file ? "is no folder" : "is not there");
+        return;
+    }
+    if (request_.task != FileTask::save) return choose({std::move(path)});
+    const auto& filters = request_.filters;
+    const auto index = std::min(static_cast<std::size_t>(filter_), filters.size() - 1);
+    if (name_of_path(path).find('.') == std::string_view::npos && !filters[index].extensions.empty()) {
+        path += filters[index].extensions[0];
+        kind = files_.kind(path);
+    }
+    const std::string folder(parent_of(path));
+    if (files_.kind(folder) != Kind::folder) {
+        fault_ = "There is no folder \"" + folder + "\"";
+    } else if (kind == Kind::file) {
+        replaces_ = path;
+        open_dialog(ui, question);
+    } else {
+        choose({std::move(path)});
+    }
+}
+
+std::optional<std::vector<std::string>> FileDialog::build(Ui& ui) {
+    if (!ui.overlay_open(overlay)) return std::nullopt;
+    accepts_ = false;
+    {
+        Dialog dialog(ui, overlay, request_.title, {.width = width, .height = height});
+        build_path_bar(ui);
+        {
+            const Row row(ui, {.width = grow(), .height = grow(), .cross = Place::stretch});
+            build_places(ui);
+            build_table(ui);
+        }
+        if (!fault_.empty()) label(ui, fault_, {.tone = Tone::error, .wrap = true});
+        build_name(ui);
+        const auto pressed = dialog.buttons(
+            {{.label = "Cancel", .cancel = true}, {.label = verb_of(request_.task), .standard = true}}, true);
+        if (pressed == 0) dialog.close();
+        if (pressed == 1 || accepts_) accept(ui);
+    }
+    const auto answer =
+        ask(ui, question, "Replace the file?",
+            ui.join({"\"", name_of_path(replaces_), "\" is there already. What is in it will be lost."}),
+            {{.label = "Replace"}, {.label = "Cancel", .standard = true, .cancel = true}}, Tone::warning);
+    if (answer == 0) choose({replaces_});
+    if (!done_) return std::nullopt;
+    ui.close_overlays_over(overlay);
+    ui.close_overlay(overlay);
+    const std::string used =
+        request_.task == FileTask::folder ? done_->front() : std::string(parent_of(done_->front()));
+    std::erase(recent_, used);
+    recent_.insert(recent_.begin(), used);
+    if (recent_.size() > most_recent) recent_.pop_back();
+    return std::exchange(done_, std::nullopt);
+}
+
+}  // namespace lapfx::ui

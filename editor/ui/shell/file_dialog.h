@@ -1,0 +1,86 @@
+// Choosing files and folders: our own, so that it is there on every desktop and can be tested.
+//
+//     ui::FileDialog files(ui::system_files());
+//     if (ui::button(u, "Open")) files.open(u, {.task = ui::FileTask::open, .title = "Open a plate",
+//                                               .filters = {{"Pictures", {".exr", ".png"}}}});
+//     if (const auto chosen = files.build(u)) load(chosen->front());
+//
+// A folder is read when it is come to, in one go, and again by the button for it.
+#pragma once
+
+#include <optional>
+
+#include "ui/shell/file_system.h"
+#include "ui/widgets/table.h"
+
+namespace lapfx::ui {
+
+enum class FileTask : std::uint8_t { open, open_many, save, folder };
+
+struct FileFilter {
+    std::string name;                     ///< "Pictures"
+    std::vector<std::string> extensions;  ///< ".exr"; upper and lower case are one; none: all files
+};
+
+struct FileRequest {
+    FileTask task = FileTask::open;
+    std::string title{};
+    std::string folder{};  ///< to begin in; empty: where the last one ended
+    std::string name{};    ///< save: proposed
+    /// The first is chosen to begin with; "All files" comes last by itself. Save: a name without an extension gets the first one of
+    /// the filter chosen.
+    std::vector<FileFilter> filters{};
+};
+
+class FileDialog {
+  public:
+    explicit FileDialog(FileSystem& files) : files_(files) {}
+
+    void open(Ui& ui, FileRequest request);
+    /// Once a frame. The paths, when they are chosen; of save one that may exist (the person was asked).
+    std::optional<std::vector<std::string>> build(Ui& ui);
+
+    /// Folders that something was chosen in, the newest first; for the settings.
+    const std::vector<std::string>& recent() const { return recent_; }
+    void set_recent(std::vector<std::string> folders) { recent_ = std::move(folders); }
+    const std::string& folder() const { return folder_; }
+    bool shows_hidden() const { return hidden_; }
+
+  private:
+    void go(const std::string& folder);
+    void arrange();
+    bool passes(const FileEntry& entry) const;
+    const FileEntry& entry(std::size_t row) const { return entries_[shown_[row]]; }
+    std::uint64_t key_of(std::size_t row) const;
+    void build_path_bar(Ui& ui);
+    void build_places(Ui& ui);
+    void build_table(Ui& ui);
+    void build_name(Ui& ui);
+    void select_from_table();
+    void accept(Ui& ui);
+    void accept_typed(Ui& ui, std::string path);
+    void accept_selected();
+    void choose(std::vector<std::string> paths) { done_ = std::move(paths); }
+
+    FileSystem& files_;
+    FileRequest request_;
+    std::string folder_, fault_;
+    std::vector<FileEntry> entries_;
+    std::vector<std::uint32_t> shown_;  ///< into entries_, filtered and in order
+    std::vector<FilePlace> places_;
+    std::vector<std::string> recent_;
+    TableState table_;
+    int filter_ = 0;
+    bool hidden_ = false;
+    std::string name_;                   ///< typed, or of what is selected
+    std::vector<std::string> selected_;  ///< names
+    std::string replaces_;               ///< path that exists: waits for the answer
+    std::string cell_;                   ///< of the table, which copies it before it asks for the next
+    std::string count_;                  ///< "3 files", in the field while it is empty
+    std::vector<std::string_view> filter_names_;
+    bool fresh_ = false;  ///< the keyboard has not been given to the field yet
+    bool accepts_ = false;
+    std::optional<std::vector<std::string>> done_;
+};
+
+}  // namespace lapfx::ui

@@ -1,0 +1,199 @@
+#include "ui/shell/palette.h"
+
+#include <algorithm>
+
+#include "ui/shell/fuzzy.h"
+#include "ui/widgets/scroll.h"
+#include "ui/widgets/text_field.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+constexpr std::string_view overlay = "palette";
+constexpr Id state_id = 0x70616c6574746521ULL;
+constexpr std::size_t rows_shown = 12;
+constexpr float width = 36;        // em
+constexpr float recent_bonus = 3;  // of the score: about a third of a word's beginning
+
+struct Found {
+    std::size_t command;
+    FuzzyMatch match;
+};
+
+struct PaletteState {
+    std::string query;
+    std::vector<Found> found;
+    std::string found_query;
+    std::uint32_t found_version = 0;
+    bool stale = true;
+    std::size_t current = 0;
+};
+
+void search(PaletteState& state, const CommandTable& table) {
+    state.found.clear();
+    const auto& recent = table.recent();
+    for (std::size_t i = 0; i < table.size(); ++i) {
+        auto match = fuzzy_match(state.query, table.full_title(i));
+        if (!match) continue;
+        const auto at = std::find(recent.begin(), recent.end(), i);
+        // the newest a little more: with nothing typed that is the whole order
+        if (at != recent.end()) match->score += recent_bonus - 0.1F * static_cast<float>(at - recent.begin());
+        state.found.push_back({i, *match});
+    }
+    std::stable_sort(state.found.begin(), state.found.end(),
+                     [](const Found& a, const Found& b) { return a.match.score > b.match.score; });
+    state.found_query = state.query;
+    state.found_version = table.version();
+    state.stale = false;
+    state.current = 0;
+}
+
+void draw_palette(Painter& painter, const Node& node, const Color& ground) {
+    const float radius = painter.em(2 * painter.theme().radius);
+    painter.shadow(node.rect(), painter.theme().shadow, painter.em(1.5F), radius);
+    painter.fill(node.rect(), ground, radius);
+    painter.frame(node.rect(), painter.theme().border, painter.hairline(), radius);
+}
+
+struct RowLook {
+    Icon icon;
+    FuzzyMatch match;
+};
+
+/// Once more in another colour where letters were matched: the text keeps its kerning.
+void draw_matched(Painter& painter, const Rect& rect, std::string_view text, const FuzzyMatch& match, Color color) {
+    const TextStyle style = painter.text_style();
+    const Run& run = painter.fonts().run(text, style);
+    for (std::size_t i = 0; i < std::min(text.size(), fuzzy_text_bytes);) {
+        std::size_t end = i + 1;
+        if (match.at(i)) {
+            while (match.at(end)) ++end;
+            const float from = std::round(rect.x + run.x_of(i)), to = std::round(rect.x + run.x_of(end));
+            painter.push_clip({from, rect.y, to - from, rect.h});
+            painter.text(rect, text, style, color);
+            painter.pop_clip();
+        }
+        i = end;
+    }
+}
+
+void draw_row(Painter& painter, const Node& node, const RowLook& look) {
+    const Theme& t = painter.theme();
+    const bool disabled = has(node.is, Is::disabled), current = has(node.is, Is::selected);
+    if (current || has(node.is, Is::hovered))
+        painter.fill(node.rect(), current ? t.accent_ground : t.field_hover, painter.em(t.radius));
+    const Color ink = disabled ? t.text_disabled : t.text, quiet = disabled ? t.text_disabled : t.text_dim;
+    Rect rect = node.rect().inset(painter.em(0.5F), 0);
+    const Rect mark = rect.cut_left(painter.em(1.5F));
+    if (look.icon != Icon::none) painter.icon({mark.x, mark.y, painter.em(1), mark.h}, look.icon, quiet);
+    if (!node.text.empty()) {
+        const float taken = painter.text(rect, node.text, painter.text_style(), quiet, Align::end);
+        rect.cut_right(taken + painter.em(1));
+    }
+    painter.text(rect, node.shown, painter.text_style(), ink);
+    if (!disabled) draw_matched(painter, rect, node.shown, look.match, current ? t.text : t.text_link);
+}
+
+/// Gives whether it was clicked.
+bool put_row(Ui& ui, const CommandTable& table, const Found& found, bool current) {
+    const std::size_t i = found.command;
+    ui.push_seed(i);
+    ui.push_disabled(!table.enabled(i));
+    Node& node = ui.leaf(Role::list_item, table.full_title(i), Sense::hover | Sense::press);
+    ui.pop_disabled();
+    ui.pop_seed();
+    node.size[0] = grow();
+    node.size[1] = px(ui.row_height());
+    node.text = ui.copy(table.chord_text(i));
+    node.tip = ui.copy(table[i].tip);
+    node.is |= when(current, Is::selected) | when(table.checked(i), Is::checked);
+    const Response r = ui.respond(node);
+    ui.draw_with<draw_row>(node, RowLook{table.checked(i) ? Icon::check : table[i].icon, found.match});
+    return r.clicked;
+}
+
+/// Of the field, which leaves them to us.
+Key key_of_field(Ui& ui, Id field) {
+    Key key = Key::none;
+    ui.events_of(field, [&](const Event& event) {
+        if (event.kind == EventKind::key && !has(event.mods, Mods::command)) key = event.key;
+    });
+    return key;
+}
+
+/// Gives whether `key` moved the choice.
+bool move(PaletteState& state, Key key) {
+    const std::size_t count = state.found.size();
+    if (count == 0) return false;
+    const std::size_t last = count - 1, page = rows_shown - 1;
+    switch (key) {
+        case Key::down:
+            state.current = state.current == last ? 0 : state.current + 1;
+            return true;
+        case Key::up:
+            state.current = state.current == 0 ? last : state.current - 1;
+            return true;
+        case Key::page_down:
+            state.current = std::min(last, state.current + page);
+            return true;
+        case Key::page_up:
+            state.current -= std::min(state.current, page);
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// The rows in sight. The index of what was clicked in `found`, or its size.
+std::size_t put_rows(Ui& ui, const CommandTable& table, PaletteState& state, bool show) {
+    const float height = ui.row_height();
+    const auto rows = static_cast<float>(std::clamp<std::size_t>(state.found.size(), 1, rows_shown));
+    ScrollArea area(ui, "Commands", {.height = px(rows * height), .role = Role::list});
+    if (state.found.empty()) label(ui, "No command of this name", {.tone = Tone::dim});
+    if (show && state.current == 0) area.state().offset.y = 0;
+    if (show && area.state().view.y > 0) LineWindow::show(area, state.current, height);
+    const LineWindow window(ui, area, state.found.size(), height);
+    std::size_t clicked = state.found.size();
+    for (std::size_t i = window.first(); i < window.last(); ++i) {
+        if (put_row(ui, table, state.found[i], i == state.current)) clicked = i;
+    }
+    return clicked;
+}
+
+}  // namespace
+
+void open_palette(Ui& ui) {
+    PaletteState& state = ui.memory<PaletteState>(state_id);
+    state.query.clear();
+    state.stale = true;
+    ui.open_overlay(overlay, OverlayKind::popup,
+                    {.side = Placement::Side::top, .offset = {0, std::round(ui.window().y * 0.1F)}});
+}
+
+bool palette(Ui& ui, CommandTable& table) {
+    Node* root = ui.open_overlay_node(overlay, Role::dialog, "Command palette", Axis::y);
+    if (root == nullptr) return false;
+    PaletteState& state = ui.memory<PaletteState>(state_id);
+    root->size[0] = px(std::min(ui.em(width), ui.window().x));
+    for (std::uint8_t& pad : root->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(0.5F), 255.0F));
+    root->gap = ui.em(0.5F);
+    root->clips = true;
+    ui.draw_with<draw_palette>(*root, ui.theme().raised);
+    text_field(ui, "Command", state.query, {.placeholder = "Type a command", .keys_outside = true});
+    const Key key = key_of_field(ui, ui.last().id);
+    const bool searched = state.stale || state.query != state.found_query || state.found_version != table.version();
+    if (searched) search(state, table);
+    const bool moved = move(state, key);
+    std::size_t chosen = put_rows(ui, table, state, searched || moved);
+    if (key == Key::enter) chosen = state.current;
+    ui.close_overlay_node();
+    if (key == Key::escape) ui.close_overlay(overlay);
+    if (chosen >= state.found.size() || !table.enabled(state.found[chosen].command)) return false;
+    const std::size_t command = state.found[chosen].command;
+    ui.close_overlay(overlay);  // first: the command may open something itself
+    table.note_recent(command);
+    return table.run(command);
+}
+
+}  // namespace lapfx::ui

@@ -1,0 +1,301 @@
+#include "ui/shell/file_dialog.h"
+
+#include <gmock/gmock.h>
+
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "ui/support/count_allocations.h"
+#include "ui/support/harness.h"
+
+namespace lapfx::ui {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+TEST(FileNames, ComeAsPeopleCount) {
+    EXPECT_TRUE(natural_less("shot 9.exr", "shot 10.exr"));
+    EXPECT_TRUE(natural_less("a", "B"));
+    EXPECT_TRUE(natural_less("B", "c"));
+    EXPECT_TRUE(natural_less("shot", "shot 1"));
+    EXPECT_FALSE(natural_less("a", "a"));
+    EXPECT_NE(natural_less("a", "A"), natural_less("A", "a")) << "one order for every two names";
+    EXPECT_NE(natural_less("a01", "a1"), natural_less("a1", "a01"));
+    EXPECT_TRUE(natural_less("99999999999999999999998", "99999999999999999999999"));
+}
+
+TEST(FileNames, PathsAreWorkedOut) {
+    EXPECT_EQ(resolve_path("/home/u", "a.exr"), "/home/u/a.exr");
+    EXPECT_EQ(resolve_path("/home/u", "../v/./b//c/"), "/home/v/b/c");
+    EXPECT_EQ(resolve_path("/home/u", "/tmp"), "/tmp");
+    EXPECT_EQ(resolve_path("/", "../.."), "/");
+    EXPECT_EQ(parent_of("/home/u"), "/home");
+    EXPECT_EQ(parent_of("/home"), "/");
+    EXPECT_EQ(parent_of("/"), "/");
+    EXPECT_EQ(name_of_path("/home/u"), "u");
+}
+
+TEST(FileNames, SizesAreReadAtAGlance) {
+    EXPECT_EQ(size_text(0), "0 B");
+    EXPECT_EQ(size_text(999), "999 B");
+    EXPECT_EQ(size_text(1000), "1.0 kB");
+    EXPECT_EQ(size_text(999'949), "999.9 kB");
+    EXPECT_EQ(size_text(999'950), "1.0 MB");
+    EXPECT_EQ(size_text(1'234'567'890), "1.2 GB");
+    EXPECT_EQ(size_text(~std::uint64_t{0}), "18.4 EB");
+}
+
+TEST(SystemFiles, ListsAFolderAndSaysWhyItCannot) {
+    const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "lapfx_ui_files";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "inner");
+    const std::string odd = "bad\xff name";
+    std::ofstream(folder / odd) << "12345";
+    std::vector<FileEntry> entries;
+    EXPECT_EQ(system_files().list(folder.string(), entries), "");
+    std::sort(entries.begin(), entries.end(), [](const auto& a, const auto& b) { return a.name < b.name; });
+    ASSERT_EQ(entries.size(), 2U);
+    EXPECT_EQ(entries[0].name, odd);
+    EXPECT_EQ(entries[0].size, 5U);
+    EXPECT_FALSE(entries[0].folder);
+    EXPECT_GT(entries[0].changed, 1'600'000'000);
+    EXPECT_TRUE(entries[1].folder);
+    EXPECT_EQ(system_files().kind(folder.string()), FileSystem::Kind::folder);
+    EXPECT_EQ(system_files().kind((folder / "none").string()), FileSystem::Kind::nothing);
+    EXPECT_NE(system_files().list((folder / "none").string(), entries), "");
+    std::filesystem::remove_all(folder);
+}
+
+struct MadeUpFiles : FileSystem {
+    std::map<std::string, std::vector<FileEntry>> folders;
+    std::map<std::string, std::string> faults;
+    std::string list(const std::string& folder, std::vector<FileEntry>& entries) override {
+        entries.clear();
+        if (const auto fault = faults.find(folder); fault != faults.end()) return fault->second;
+        const auto at = folders.find(folder);
+        if (at == folders.end()) return "No such file or directory";
+        entries = at->second;
+        return "";
+    }
+    Kind kind(const std::string& path) override {
+        if (folders.contains(path)) return Kind::folder;
+        const auto at = folders.find(std::string(parent_of(path)));
+        if (at == folders.end()) return Kind::nothing;
+        for (const FileEntry& e : at->second) {
+            if (e.name == name_of_path(path)) return e.folder ? Kind::folder : Kind::file;
+        }
+        return Kind::nothing;
+    }
+    std::string home() override { return "/home/u"; }
+    std::vector<FilePlace> places() override { return {{"Home", "/home/u"}, {"Computer", "/"}}; }
+};
+
+class FileDialogTest : public testing::Test {
+  protected:
+    FileDialogTest() {
+        files.folders["/"] = {{.name = "home", .folder = true}};
+        files.folders["/home"] = {{.name = "u", .folder = true}};
+        files.folders["/home/u"] = {{.name = "shot 10.exr", .size = 2'000'000, .changed = 300},
+                                    {.name = "shot 9.exr", .size = 3'000'000, .changed = 100},
+                                    {.name = "notes.txt", .size = 12, .changed = 200},
+                                    {.name = ".secret.exr"},
+                                    {.name = "plates", .folder = true},
+                                    {.name = "locked", .folder = true}};
+        files.folders["/home/u/plates"] = {{.name = "a.EXR"}};
+        files.folders["/home/u/locked"] = {};
+        files.faults["/home/u/locked"] = "Permission denied";
+    }
+    void open(FileRequest request) {
+        dialog.open(ui.ui(), std::move(request));
+        ui.frame().frame();
+    }
+    static FileRequest request(FileTask task) {
+        return {.task = task, .title = "Plates", .filters = {{"Pictures", {".exr", ".png"}}}};
+    }
+    std::vector<std::string> rows() {
+        std::vector<std::string> all;
+        for (const Node& node : ui.ui().tree()) {
+            if (node.role == Role::row) all.emplace_back(node.label);
+        }
+        return all;
+    }
+    bool says(const std::string& text) { return ui.dump().find(text) != std::string::npos; }
+    MadeUpFiles files;
+    FileDialog dialog{files};
+    std::vector<std::string> chosen;
+    int times = 0;
+    Harness ui{[this](Ui& u) {
+                   if (const auto paths = dialog.build(u)) chosen = *paths, ++times;
+               },
+               {1000, 700}};
+};
+
+TEST_F(FileDialogTest, FoldersComeFirstAndOnlyWhatIsLookedFor) {
+    open(request(FileTask::open));
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", "shot 9.exr", "shot 10.exr"));
+    ui.click("**/Hidden files");
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", ".secret.exr", "shot 9.exr", "shot 10.exr"));
+    EXPECT_EQ(ui.focused(), "Plates/Hidden files");
+}
+
+TEST_F(FileDialogTest, TheFilterIsOneOfSeveral) {
+    open(request(FileTask::open));
+    ui.click("**/Kind of file").click("**/All files");
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", "notes.txt", "shot 9.exr", "shot 10.exr"));
+}
+
+TEST_F(FileDialogTest, HeadersSort) {
+    open(request(FileTask::open));
+    ui.click("Plates/Files/Size");
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", "shot 10.exr", "shot 9.exr"));
+    ui.click("Plates/Files/Size");
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", "shot 9.exr", "shot 10.exr"));
+    ui.click("Plates/Files/Changed");
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", "shot 9.exr", "shot 10.exr"));
+    ui.click("Plates/Files/Changed");
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates", "shot 10.exr", "shot 9.exr"));
+}
+
+TEST_F(FileDialogTest, ADoubleClickOpensAFileOnceAndRemembersItsFolder) {
+    open(request(FileTask::open));
+    ui.click("**/shot 9.exr", {.clicks = 2});
+    ui.frame().frame();
+    EXPECT_THAT(chosen, ElementsAre("/home/u/shot 9.exr"));
+    EXPECT_EQ(times, 1);
+    EXPECT_FALSE(ui.exists("Plates"));
+    EXPECT_THAT(dialog.recent(), ElementsAre("/home/u"));
+}
+
+TEST_F(FileDialogTest, ADoubleClickGoesIntoAFolderAndTheBarBack) {
+    open(request(FileTask::open));
+    ui.click("**/plates", {.clicks = 2});
+    EXPECT_EQ(dialog.folder(), "/home/u/plates");
+    EXPECT_THAT(rows(), ElementsAre("a.EXR"));
+    ui.click("**/Folder above");
+    EXPECT_EQ(dialog.folder(), "/home/u");
+    ui.click("Plates/home");
+    EXPECT_EQ(dialog.folder(), "/home");
+    ui.click("Plates/Computer");
+    EXPECT_EQ(dialog.folder(), "/");
+    EXPECT_EQ(times, 0);
+}
+
+TEST_F(FileDialogTest, WithTheKeyboardAlone) {
+    open(request(FileTask::open));
+    EXPECT_EQ(ui.focused(), "Plates/Name");
+    ui.type("shot 9.exr").key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre("/home/u/shot 9.exr"));
+    open(request(FileTask::open));
+    ui.focus("Plates/Files").key(Key::home).key(Key::down).key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/home/u/plates");
+    ui.key(Key::home).key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre("/home/u/plates/a.EXR"));
+}
+
+TEST_F(FileDialogTest, APathCanBeTyped) {
+    open(request(FileTask::open));
+    ui.type("../u/plates").key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/home/u/plates");
+    EXPECT_EQ(ui.text("Plates/Name"), "");
+    ui.type("/home/u/notes.txt").key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre("/home/u/notes.txt"));
+}
+
+TEST_F(FileDialogTest, FaultsAreToldInPlace) {
+    open(request(FileTask::open));
+    ui.click("**/locked", {.clicks = 2});
+    EXPECT_TRUE(says("cannot be read: Permission denied"));
+    EXPECT_EQ(dialog.folder(), "/home/u") << "and what was there stays";
+    EXPECT_EQ(rows().size(), 4U);
+    ui.click("Plates/Name").type("gone.exr").key(Key::enter);
+    EXPECT_TRUE(says("is not there"));
+    EXPECT_EQ(times, 0);
+    files.folders.erase("/home/u");
+    ui.click("**/Read again");
+    EXPECT_TRUE(says("No such file"));
+    EXPECT_TRUE(rows().empty());
+}
+
+TEST_F(FileDialogTest, SeveralAreOpenedTogether) {
+    open(request(FileTask::open_many));
+    ui.click("**/shot 9.exr").click("**/shot 10.exr", {.mods = Mods::command});
+    ui.click("Plates/Open");
+    EXPECT_THAT(chosen, testing::UnorderedElementsAre("/home/u/shot 9.exr", "/home/u/shot 10.exr"));
+}
+
+TEST_F(FileDialogTest, SavingAddsTheExtensionAndAsksBeforeItReplaces) {
+    FileRequest save = request(FileTask::save);
+    save.name = "untitled";
+    open(save);
+    EXPECT_EQ(ui.text("Plates/Name"), "untitled");
+    ui.key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre("/home/u/untitled.exr"));
+    save.name = "shot 9";
+    open(save);
+    ui.key(Key::enter);
+    EXPECT_EQ(times, 1);
+    ASSERT_TRUE(ui.exists("Replace the file?"));
+    ui.key(Key::enter);
+    EXPECT_TRUE(ui.exists("Plates")) << "Enter does not destroy";
+    EXPECT_EQ(times, 1);
+    ui.click("Plates/Save").click("Replace the file?/Replace");
+    EXPECT_THAT(chosen, ElementsAre("/home/u/shot 9.exr"));
+    EXPECT_FALSE(ui.frame().exists("Plates"));
+}
+
+TEST_F(FileDialogTest, SavingIntoAFolderThatIsNotThereIsRefused) {
+    open(request(FileTask::save));
+    ui.type("nowhere/a.exr").key(Key::enter);
+    EXPECT_TRUE(says("There is no folder"));
+    EXPECT_EQ(times, 0);
+}
+
+TEST_F(FileDialogTest, AFolderIsChosen) {
+    open(request(FileTask::folder));
+    EXPECT_THAT(rows(), ElementsAre("locked", "plates"));
+    ui.click("**/plates").click("Plates/Choose folder");
+    EXPECT_THAT(chosen, ElementsAre("/home/u/plates"));
+    open(request(FileTask::folder));
+    ui.click("Plates/Choose folder");
+    EXPECT_EQ(chosen[0], dialog.folder()) << "with nothing selected: the one that is shown";
+}
+
+TEST_F(FileDialogTest, EscapeAndCancelChooseNothing) {
+    open(request(FileTask::open));
+    ui.key(Key::escape).key(Key::escape).key(Key::escape);
+    EXPECT_FALSE(ui.exists("Plates"));
+    open(request(FileTask::open));
+    ui.click("Plates/Cancel");
+    EXPECT_FALSE(ui.frame().exists("Plates"));
+    EXPECT_EQ(times, 0);
+}
+
+TEST_F(FileDialogTest, NamesThatAreNoUtf8AreShownAndKept) {
+    files.folders["/home/u"].push_back({.name = "bad\xff.exr"});
+    open(request(FileTask::open));
+    ui.click("**/bad\xff.exr");
+    EXPECT_EQ(ui.text("Plates/Name"), "bad\xff.exr");
+    ui.click("Plates/Open");
+    EXPECT_THAT(chosen, ElementsAre("/home/u/bad\xff.exr"));
+}
+
+TEST_F(FileDialogTest, TenThousandFilesAreQuickAndASteadyFrameAllocatesNothing) {
+    auto& all = files.folders["/home/u"];
+    for (int i = 0; i < 10000; ++i) all.push_back({.name = "frame " + std::to_string(i * 7919 % 10000) + ".exr"});
+    const auto start = std::chrono::steady_clock::now();
+    open(request(FileTask::open));
+    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(500));
+    EXPECT_LT(rows().size(), 60U);
+    EXPECT_EQ(rows()[2], "frame 0.exr");
+    EXPECT_EQ(rows()[11], "frame 9.exr");
+    ui.frame(30).frame(30);
+    const std::size_t before = test::allocations_so_far();
+    for (int i = 0; i < 20; ++i) ui.frame();
+    EXPECT_EQ(test::allocations_so_far() - before, 0U);
+}
+
+}  // namespace
+}  // namespace lapfx::ui

@@ -1,0 +1,706 @@
+#include "ui/widgets/param.h"
+
+#include <gmock/gmock.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "ui/support/count_allocations.h"
+#include "ui/support/harness.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::ui {
+namespace {
+
+/// All that came of the edits of a param.
+struct Edits {
+    int began = 0, changed = 0, committed = 0, cancelled = 0;
+    void add(const Edit& e) {
+        began += e.began, changed += e.changed, committed += e.committed, cancelled += e.cancelled;
+    }
+};
+
+/// Records the chords that no widget wanted.
+struct Chords : Shortcuts {
+    std::vector<Key> keys;
+    bool press(Key key, Mods) override {
+        keys.push_back(key);
+        return false;
+    }
+};
+
+/// "Speed", 1 mm/s a px, and "Size" below it.
+class Param : public testing::Test {
+  protected:
+    Param() { ui.frame(); }
+
+    void build(Ui& u) {
+        Column column(u, {.width = px(640)});
+        u.push_disabled(disabled);
+        edits.add(param(u, "Speed", speed, options, &actions));
+        u.pop_disabled();
+        param(u, "Size", size, {.maximum = 100, .step = 1, .standard = 10});
+        button(u, "Else");
+    }
+    glm::vec2 field_center() { return ui.rect("Speed").at() + ui.rect("Speed").size() * glm::vec2(0.7F, 0.5F); }
+    std::string menu(std::string_view item) { return "Speed menu/" + std::string(item); }
+
+    double speed = 100, size = 20;
+    bool disabled = false;
+    ParamOptions options{.minimum = 0,
+                         .maximum = 352,  // px of the field
+                         .hard_minimum = -1000,
+                         .hard_maximum = 1000,
+                         .step = 5,
+                         .unit = "mm/s",
+                         .standard = 100,
+                         .decimals = -1,
+                         .tip = "How fast blood flows"};
+    ParamActions actions;
+    Edits edits;
+    Chords chords;
+    Harness ui{[this](Ui& u) { build(u); }, {640, 480}, 1, &chords};
+};
+
+TEST_F(Param, APressChangesNothing) {
+    ui.click("Speed").click("Speed", {.at = {0.99F, 0.5F}});
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.began + edits.changed, 0);
+    EXPECT_EQ(ui.focused(), "Speed");
+}
+
+TEST_F(Param, ADragIsRelativeAndBeginsAfterThreePixels) {
+    ui.press("Speed").drag_by({2, 0});
+    EXPECT_EQ(speed, 100);
+    EXPECT_FALSE(ui.output().pointer_locked) << "a click leaves the pointer alone";
+    ui.drag_by({1, 0});
+    EXPECT_EQ(speed, 100) << "it sets off from where it is";
+    ui.drag_by({10, 0});
+    EXPECT_EQ(speed, 110);
+    ui.drag_by({-30, 0}).release();
+    EXPECT_EQ(speed, 80);
+}
+
+TEST_F(Param, TheThreePixelsGrowWithTheScale) {
+    ui.scale = 2;
+    ui.frame().press("Speed").drag_by({5, 0});
+    EXPECT_FALSE(ui.output().pointer_locked);
+    ui.drag_by({1, 0});
+    EXPECT_TRUE(ui.output().pointer_locked);
+}
+
+TEST_F(Param, ShiftGoesATenthAsFastAndChangingItDoesNotJump) {
+    ui.press("Speed").drag_by({13, 0});
+    EXPECT_EQ(speed, 110);
+    ui.drag_by({20, 0}, Mods::shift);
+    EXPECT_EQ(speed, 112);
+    ui.drag_by({10, 0});
+    EXPECT_EQ(speed, 122);
+}
+
+TEST_F(Param, CtrlTakesStepsAndWithShiftTenthsOfThem) {
+    ui.drag("Speed", {14, 0}, Mods::command);
+    EXPECT_EQ(speed, 110);
+    speed = 100;
+    ui.drag("Speed", {3 + 14, 0}, Mods::command | Mods::shift);
+    EXPECT_EQ(speed, 101.5);
+}
+
+TEST_F(Param, ADragAimsAtRoundNumbers) {
+    speed = 12.3456;
+    ui.press("Speed").drag_by({4, 0});
+    EXPECT_EQ(speed, 13) << "within 12.85..13.85";
+}
+
+TEST_F(Param, ThePointerIsHiddenAndGoesBeyondTheWindow) {
+    ui.press("Speed").drag_by({100, 0});
+    EXPECT_TRUE(ui.output().pointer_locked);
+    EXPECT_EQ(ui.output().cursor, Cursor::resize_x);
+    options.maximum = 3520;  // ten times as much a px from here on
+    ui.drag_by({200, 0});
+    EXPECT_EQ(speed, 1000) << "the hard maximum, 2197 without";
+    options.hard_maximum = 1e6;
+    ui.drag_by({1000, 0});
+    EXPECT_EQ(speed, 3520) << "far outside of the window";
+    ui.release();
+    EXPECT_FALSE(ui.output().pointer_locked);
+}
+
+TEST_F(Param, ADragIsOneEdit) {
+    ui.drag("Speed", {40, 0});
+    EXPECT_EQ(edits.began, 1);
+    EXPECT_EQ(edits.changed, 4);
+    EXPECT_EQ(edits.committed, 1);
+    EXPECT_EQ(edits.cancelled, 0);
+    ui.press("Speed").drag_by({2, 0}).release();
+    EXPECT_EQ(edits.began, 1) << "less than three px: nothing";
+    EXPECT_EQ(edits.committed, 1);
+}
+
+TEST_F(Param, EscapePutsTheValueBack) {
+    ui.press("Speed").drag_by({40, 0}).key(Key::escape);
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.cancelled, 1);
+    EXPECT_EQ(edits.committed, 0);
+    EXPECT_FALSE(ui.output().pointer_locked);
+    ui.drag_by({20, 0}).release();
+    EXPECT_EQ(speed, 100);
+}
+
+TEST_F(Param, TheRightButtonPutsTheValueBackAndOpensNoMenu) {
+    ui.press("Speed").drag_by({40, 0});
+    ui.send({.kind = EventKind::press, .button = Button::right, .at = field_center()});
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.cancelled, 1);
+    EXPECT_EQ(ui.ui().overlay_count(), 0U);
+}
+
+TEST_F(Param, ADragThatIsDisabledInTheMiddleIsCommitted) {
+    ui.press("Speed").drag_by({13, 0});
+    disabled = true;
+    ui.frame();
+    EXPECT_EQ(edits.committed, 1);
+    disabled = false;
+    ui.drag_by({13, 0});
+    EXPECT_EQ(speed, 110);
+}
+
+TEST_F(Param, ADoubleClickOpensTheFieldForTyping) {
+    ui.click("Speed", {.clicks = 2, .at = {0.7F, 0.5F}});
+    EXPECT_EQ(ui.text("Speed"), "100");
+    ui.type("12/2").key(Key::enter);
+    EXPECT_EQ(speed, 6);
+    EXPECT_EQ(ui.text("Speed"), "6 mm/s");
+    EXPECT_EQ(edits.began, 1);
+    EXPECT_EQ(edits.committed, 1);
+}
+
+TEST_F(Param, TwoQuickDragsAreNoDoubleClick) {
+    ui.press("Speed").drag_by({13, 0});
+    ui.send({.kind = EventKind::release, .at = ui.rect("Speed").center() + glm::vec2(13, 0)});
+    ui.move(ui.rect("Speed").center());  // where the pointer is put back to
+    ui.send({.kind = EventKind::press, .at = ui.rect("Speed").center()});
+    ui.send({.kind = EventKind::release, .at = ui.rect("Speed").center()});
+    EXPECT_EQ(ui.text("Speed"), "110 mm/s");
+}
+
+TEST_F(Param, EnterOpensItAndEscapeKeepsTheValue) {
+    ui.focus("Speed").key(Key::enter).type("7");
+    EXPECT_EQ(ui.text("Speed"), "7") << "what was there was selected";
+    ui.key(Key::escape);
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(ui.text("Speed"), "100 mm/s");
+    EXPECT_EQ(ui.focused(), "Speed");
+    EXPECT_EQ(edits.changed, 0);
+}
+
+TEST_F(Param, ADigitOpensItAndOtherLettersAreShortcuts) {
+    ui.focus("Speed");
+    chords.keys.clear();
+    ui.key('J');
+    EXPECT_THAT(chords.keys, testing::ElementsAre(key_of('J')));
+    chords.keys.clear();
+    ui.type("4").key('J').type("5");
+    EXPECT_THAT(chords.keys, testing::IsEmpty()) << "not while a text is open";
+    ui.key(Key::enter);
+    EXPECT_EQ(speed, 45);
+}
+
+TEST_F(Param, FastTypingInOneFrameIsAllTaken) {
+    ui.focus("Speed");
+    chords.keys.clear();
+    for (const char c : std::string("2e2")) {
+        ui.ui().push({.kind = EventKind::key, .key = key_of(c)});
+        ui.ui().push({.kind = EventKind::text, .codepoint = static_cast<char32_t>(c)});
+        ui.ui().push({.kind = EventKind::key_up, .key = key_of(c)});
+    }
+    ui.ui().push({.kind = EventKind::key, .key = Key::enter});
+    ui.frame();
+    EXPECT_EQ(speed, 200);
+    EXPECT_THAT(chords.keys, testing::IsEmpty());
+}
+
+TEST_F(Param, UnitsAndSharesAreTyped) {
+    ui.focus("Speed").type("2cm/s").key(Key::enter);
+    EXPECT_EQ(speed, 20);
+    ui.key(Key::enter).type("50%").key(Key::enter);
+    EXPECT_EQ(speed, 176);
+    ui.key(Key::enter).type("+=4").key(Key::enter);
+    EXPECT_EQ(speed, 180);
+}
+
+TEST_F(Param, TypingReachesBeyondTheSoftRangeButNotTheHardOne) {
+    ui.focus("Speed").type("500").key(Key::enter);
+    EXPECT_EQ(speed, 500);
+    ui.type("5000").key(Key::enter);
+    EXPECT_EQ(speed, 1000);
+}
+
+TEST_F(Param, WhatCannotBeReadIsMarkedInPlaceWithItsReason) {
+    ui.focus("Speed").type("12/");
+    EXPECT_TRUE(ui.is("Speed", Is::invalid));
+    EXPECT_NE(ui.tip("Speed"), "");
+    EXPECT_NE(ui.tip("Speed"), "How fast blood flows");
+    ui.key(Key::enter);
+    EXPECT_EQ(ui.text("Speed"), "12/") << "it stays open";
+    EXPECT_EQ(speed, 100);
+    ui.type("3");
+    EXPECT_FALSE(ui.is("Speed", Is::invalid));
+    EXPECT_EQ(ui.tip("Speed"), "How fast blood flows");
+    ui.key(Key::enter);
+    EXPECT_EQ(speed, 4);
+    ui.type("3 ms");
+    EXPECT_THAT(ui.tip("Speed"), testing::HasSubstr("ms"));
+    ui.click("Else");
+    EXPECT_EQ(speed, 4) << "and is given up when it is left";
+    EXPECT_EQ(ui.text("Speed"), "4 mm/s");
+}
+
+TEST_F(Param, WhatIsNoNumberIsRefused) {
+    for (const char* typed : {"0/0", "1/0", "nan", "1e999", "sqrt(-1)"}) {
+        ui.focus("Speed").key(Key::enter).type(typed);
+        EXPECT_TRUE(ui.is("Speed", Is::invalid)) << typed;
+        ui.key(Key::enter).key(Key::escape);
+        EXPECT_EQ(speed, 100) << typed;
+    }
+    ui.clipboard().text = "nan";
+    ui.key('V', Mods::command);
+    EXPECT_EQ(speed, 100);
+}
+
+TEST_F(Param, AValueThatIsNoNumberIsShownAndCanBeMended) {
+    speed = std::nan("");
+    ui.frame();
+    EXPECT_EQ(ui.text("Speed"), "no number mm/s");
+    ui.focus("Speed").key(Key::right).wheel("Speed", {0, 1}, Mods::command);
+    EXPECT_EQ(edits.changed, 0) << "no number has no next one";
+    ui.drag("Speed", {13, 0});
+    EXPECT_EQ(speed, 110) << "from the standard";
+}
+
+TEST_F(Param, NothingTypedIsNoEdit) {
+    speed = 1.0 / 3;
+    ui.focus("Speed").key(Key::enter).key(Key::enter);
+    EXPECT_EQ(speed, 1.0 / 3);
+    speed = 5000;  // by the program, beyond the hard range
+    ui.key(Key::enter).key(Key::enter);
+    EXPECT_EQ(speed, 5000);
+    EXPECT_EQ(edits.began, 0);
+}
+
+TEST_F(Param, TabTakesWhatIsTypedAndOpensTheNext) {
+    ui.focus("Speed").type("7").key(Key::tab);
+    EXPECT_EQ(speed, 7);
+    EXPECT_EQ(ui.focused(), "Size");
+    EXPECT_EQ(ui.text("Size"), "20");
+    ui.type("8").key(Key::tab, Mods::shift);
+    EXPECT_EQ(size, 8);
+    EXPECT_EQ(ui.text("Speed"), "7") << "backwards, too";
+    ui.key(Key::escape).key(Key::tab);
+    EXPECT_EQ(ui.text("Size"), "8") << "with its step of one, and no text open: that is for the keys below";
+    ui.key(Key::right);
+    EXPECT_EQ(size, 9);
+}
+
+TEST_F(Param, LeavingTheFieldTakesWhatIsTyped) {
+    ui.focus("Speed").type("7").click("Else");
+    EXPECT_EQ(speed, 7);
+    EXPECT_EQ(edits.committed, 1);
+}
+
+TEST_F(Param, TextIsEditedWithSelectionClipboardAndUndo) {
+    ui.focus("Speed").key(Key::enter).key('C', Mods::command);
+    EXPECT_EQ(ui.clipboard().text, "100");
+    ui.key(Key::end).key(Key::left, Mods::shift).key('X', Mods::command);
+    EXPECT_EQ(ui.text("Speed"), "10");
+    EXPECT_EQ(ui.clipboard().text, "0");
+    ui.key('V', Mods::command).key('V', Mods::command);
+    EXPECT_EQ(ui.text("Speed"), "1000");
+    ui.key('Z', Mods::command);
+    EXPECT_EQ(ui.text("Speed"), "10");
+    ui.key('Y', Mods::command);
+    EXPECT_EQ(ui.text("Speed"), "1000");
+    ui.key(Key::home).key(Key::del).key(Key::end).key(Key::backspace);
+    EXPECT_EQ(ui.text("Speed"), "00");
+    const Rect row = ui.rect("Speed");
+    ui.type("1 2").click("Speed", {.clicks = 2, .at = {(row.w * 0.45F + 10) / row.w, 0.5F}}).type("9");
+    EXPECT_EQ(ui.text("Speed"), "9 2") << "a double click takes a word";
+}
+
+TEST_F(Param, TheCaretIsPlacedAndDraggedByThePointer) {
+    ui.focus("Speed").key(Key::enter).type("123456");
+    const Rect row = ui.rect("Speed");
+    ui.press("Speed", {0.46F, 0.5F}).drag_by({400, 0}).release();
+    ui.type("7");
+    EXPECT_EQ(ui.text("Speed"), "7") << "all of it was selected";
+    EXPECT_EQ(speed, 100) << "nothing is dragged while a text is open";
+    EXPECT_EQ(ui.move(field_center()).output().cursor, Cursor::text);
+    EXPECT_GT(ui.output().caret.x, row.w * 0.45F);
+}
+
+TEST_F(Param, ALongTextIsScrolledToItsCaret) {
+    ui.focus("Speed").key(Key::enter).type("1");
+    for (int i = 0; i < 100; ++i) ui.type("+1");
+    EXPECT_LT(ui.output().caret.x, ui.rect("Speed").right());
+    EXPECT_GT(ui.output().caret.x, ui.rect("Speed").right() - 30);
+    ui.key(Key::home);
+    EXPECT_LT(ui.output().caret.x, ui.rect("Speed").right() - 300);
+    ui.key(Key::enter);
+    EXPECT_EQ(speed, 101);
+}
+
+TEST_F(Param, BackspaceGoesToTheStandard) {
+    speed = 7;
+    ui.focus("Speed").key(Key::backspace);
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.committed, 1);
+    ui.key(Key::backspace);
+    EXPECT_EQ(edits.committed, 1) << "it is there already";
+}
+
+TEST_F(Param, BackspaceMeansWhatIsUnderThePointerUnlessARingIsShown) {
+    speed = 7;
+    ui.click("Size").move_to("Speed").key(Key::backspace);
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(size, 20);
+    speed = 7;
+    ui.key(Key::tab).focus("Size").key(Key::backspace);
+    EXPECT_EQ(speed, 7);
+    EXPECT_EQ(size, 10);
+}
+
+TEST_F(Param, ADoubleClickOnTheLabelGoesToTheStandard) {
+    speed = 7;
+    ui.click("Speed", {.clicks = 2, .at = {0.1F, 0.5F}});
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.committed, 1);
+}
+
+TEST_F(Param, TheLabelIsNotDragged) {
+    ui.press("Speed", {0.1F, 0.5F}).drag_by({50, 0}).release();
+    EXPECT_EQ(speed, 100);
+    EXPECT_NE(ui.output().cursor, Cursor::resize_x);
+    ui.move(field_center());
+    EXPECT_EQ(ui.output().cursor, Cursor::resize_x);
+}
+
+TEST_F(Param, AValueOffItsStandardIsMarked) {
+    EXPECT_FALSE(ui.is("Speed", Is::changed));
+    const std::uint64_t before = ui.output().list->hash;
+    speed = 100.5;
+    EXPECT_TRUE(ui.frame().is("Speed", Is::changed));
+    EXPECT_NE(ui.output().list->hash, before);
+    options.standard.reset();
+    EXPECT_FALSE(ui.frame().is("Speed", Is::changed));
+}
+
+TEST_F(Param, ArrowsStepAndShiftTakesTenths) {
+    ui.focus("Speed").key(Key::right);
+    EXPECT_EQ(speed, 105);
+    ui.key(Key::up).key(Key::left).key(Key::down);
+    EXPECT_EQ(speed, 100);
+    ui.key(Key::right, Mods::shift);
+    EXPECT_EQ(speed, 100.5);
+    ui.key(Key::left, Mods::shift).key(Key::page_up);
+    EXPECT_EQ(speed, 150);
+    ui.key(Key::page_down).key(Key::page_down);
+    EXPECT_EQ(speed, 50);
+    for (int i = 0; i < 20; ++i) ui.key(Key::page_down);
+    EXPECT_EQ(speed, 0) << "the soft range bounds them";
+}
+
+TEST_F(Param, AnArrowHeldDownIsOneEdit) {
+    ui.focus("Speed");
+    for (int i = 0; i < 5; ++i) ui.send({.kind = EventKind::key, .key = Key::right, .repeat = i > 0});
+    EXPECT_EQ(speed, 125);
+    EXPECT_EQ(edits.began, 1);
+    EXPECT_EQ(edits.committed, 0);
+    ui.send({.kind = EventKind::key_up, .key = Key::right});
+    EXPECT_EQ(edits.committed, 1);
+    ui.send({.kind = EventKind::key, .key = Key::right}).send({.kind = EventKind::key, .key = Key::tab});
+    EXPECT_EQ(edits.committed, 2) << "leaving ends it as well";
+}
+
+TEST_F(Param, CtrlHomeAndCtrlEndGoToTheEndsHomeAloneDoesNot) {
+    ui.focus("Speed").key(Key::home).key(Key::end);
+    EXPECT_EQ(speed, 100);
+    ui.key(Key::end, Mods::command);
+    EXPECT_EQ(speed, 352);
+    ui.key(Key::home, Mods::command);
+    EXPECT_EQ(speed, 0);
+}
+
+TEST_F(Param, CtrlAndTheWheelStep) {
+    ui.wheel("Speed", {0, 1}, Mods::command);
+    EXPECT_EQ(speed, 105);
+    ui.wheel("Speed", {0, -2}, Mods::command);
+    EXPECT_EQ(speed, 95);
+    ui.wheel("Speed", {0, 1}, Mods::command | Mods::shift);
+    EXPECT_EQ(speed, 95.5);
+    for (int i = 0; i < 4; ++i) ui.wheel("Speed", {0, 0.25F}, Mods::command);
+    EXPECT_EQ(speed, 100.5) << "parts of a notch add up";
+    ui.wheel("Speed", {0, 1});
+    EXPECT_EQ(speed, 100.5) << "without the focus it is for scrolling";
+}
+
+TEST(ParamWheel, WithTheFocusItEditsOnlyWhenNothingWasScrolledJustBefore) {
+    double speed = 10;
+    ScrollState scroll;
+    Harness ui([&](Ui& u) {
+        Node& area = u.open(Role::scroll_area, "Area", Axis::y, Sense::wheel);
+        area.size[0] = px(300), area.size[1] = px(100);
+        area.scrolls[1] = area.clips = true;
+        area.scroll = &scroll;
+        param(u, "Speed", speed, {.maximum = 60, .step = 1});
+        space(u, 100);
+        u.close();
+    });
+    ui.frame(1).wheel("**/Speed", {0, -1});
+    EXPECT_EQ(speed, 10);
+    EXPECT_GT(scroll.offset.y, 0);
+    ui.wheel("**/Speed", {0, 5}).frame(1);
+    EXPECT_EQ(scroll.offset.y, 0);
+    ui.click("**/Speed").wheel("**/Speed", {0, 1});
+    EXPECT_EQ(speed, 11);
+    ui.wheel("**/Speed", {0, 1});
+    EXPECT_EQ(speed, 12) << "goes on at once";
+    ui.move({150, 80}).send({.kind = EventKind::wheel, .delta = {0, -0.01F}});
+    ui.wheel("**/Speed", {0, 1});
+    EXPECT_EQ(speed, 12) << "half a second after scrolling";
+    ui.frame(0.4).wheel("**/Speed", {0, 1});
+    EXPECT_EQ(speed, 12) << "and half a second after the last of it, though there was nothing left to scroll";
+    ui.frame(0.6).wheel("**/Speed", {0, 1});
+    EXPECT_EQ(speed, 13);
+}
+
+TEST_F(Param, CopyAndPasteKeepEveryDigit) {
+    speed = 1.0 / 3;
+    ui.focus("Speed").key('C', Mods::command);
+    EXPECT_EQ(ui.clipboard().text, "0.3333333333333333");
+    speed = 0;
+    ui.key('V', Mods::command);
+    EXPECT_EQ(speed, 1.0 / 3);
+    EXPECT_EQ(edits.committed, 1);
+    ui.clipboard().text = "3 cm/s";
+    ui.key('V', Mods::command);
+    EXPECT_EQ(speed, 30);
+    ui.clipboard().text = "hello";
+    ui.key('V', Mods::command);
+    EXPECT_EQ(speed, 30);
+    ui.click("Else").move_to("Speed").key('C', Mods::command);
+    EXPECT_EQ(ui.clipboard().text, "30") << "under the pointer";
+}
+
+TEST_F(Param, TheMenuResetsCopiesAndPastes) {
+    speed = 7;
+    ui.right_click("Speed");
+    EXPECT_TRUE(ui.exists(menu("Reset")));
+    ui.click(menu("Reset"));
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.committed, 1);
+    EXPECT_FALSE(ui.exists(menu("Reset")));
+    EXPECT_EQ(ui.focused(), "Speed");
+    ui.right_click("Speed");
+    EXPECT_TRUE(ui.is(menu("Reset"), Is::disabled)) << "nothing to reset";
+    ui.click(menu("Copy"));
+    EXPECT_EQ(ui.clipboard().text, "100");
+    ui.clipboard().text = "5";
+    ui.right_click("Size").click("Size menu/Paste");
+    EXPECT_EQ(size, 5);
+    EXPECT_EQ(speed, 100);
+}
+
+TEST_F(Param, TheMenuTellsTheProgramWhatIsItsToDo) {
+    ui.right_click("Speed").click(menu("Copy path"));
+    EXPECT_TRUE(actions.copy_path);
+    EXPECT_FALSE(actions.toggle_lock || actions.toggle_favourite);
+    ui.right_click("Speed").click(menu("Lock for the fit"));
+    EXPECT_TRUE(actions.toggle_lock);
+    ui.right_click("Speed").click(menu("Favourite"));
+    EXPECT_TRUE(actions.toggle_favourite);
+    options.locked = options.favourite = true;
+    ui.right_click("Speed");
+    EXPECT_TRUE(ui.is(menu("Lock for the fit"), Is::checked));
+    EXPECT_TRUE(ui.is(menu("Favourite"), Is::checked));
+    ui.key(Key::escape).right_click("Size");
+    EXPECT_FALSE(ui.exists("Size menu/Copy path")) << "nobody would do it";
+}
+
+TEST_F(Param, TheMenuKeyOpensItBelowTheField) {
+    ui.focus("Speed").key(Key::menu);
+    EXPECT_GE(ui.rect(menu("Reset")).y, ui.rect("Speed").bottom());
+}
+
+TEST_F(Param, TheRangeIsSetInAFieldOfItsOwn) {
+    ui.right_click("Speed").click(menu("Set range..."));
+    ASSERT_TRUE(ui.exists("Range/From"));
+    EXPECT_EQ(ui.value("Range/To"), 352);
+    ui.click("Range/To", {.clicks = 2, .at = {0.8F, 0.5F}}).type("60").key(Key::enter);
+    ASSERT_TRUE(actions.range.has_value());
+    EXPECT_EQ(actions.range->low, 0);
+    EXPECT_EQ(actions.range->high, 60);
+    options.minimum = actions.range->low, options.maximum = actions.range->high;
+    ui.click("Range/From", {.clicks = 2, .at = {0.8F, 0.5F}}).type("80").key(Key::enter);
+    EXPECT_LT(actions.range->low, 60) << "never empty";
+    EXPECT_EQ(speed, 100) << "the value stays";
+    ui.key(Key::escape);
+    EXPECT_FALSE(ui.exists("Range"));
+}
+
+TEST_F(Param, ALockIsShownAndDoesNotHinder) {
+    const std::uint64_t before = ui.output().list->hash;
+    options.locked = true;
+    ui.frame();
+    EXPECT_TRUE(ui.is("Speed", Is::locked));
+    EXPECT_NE(ui.output().list->hash, before);
+    ui.drag("Speed", {13, 0});
+    EXPECT_EQ(speed, 110);
+}
+
+TEST_F(Param, DisabledItTakesNothing) {
+    disabled = true;
+    ui.frame().drag("Speed", {40, 0}).click("Speed", {.clicks = 2}).right_click("Speed");
+    ui.wheel("Speed", {0, 1}, Mods::command).key(Key::backspace);
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(ui.ui().overlay_count(), 0U);
+    EXPECT_EQ(ui.key(Key::tab).focused(), "Size");
+    EXPECT_TRUE(ui.is("Speed", Is::disabled));
+}
+
+TEST_F(Param, TypingIsGivenUpWhenItIsDisabled) {
+    ui.focus("Speed").type("7");
+    disabled = true;
+    ui.frame();
+    disabled = false;
+    ui.frame();
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(ui.text("Speed"), "100 mm/s");
+}
+
+TEST_F(Param, TheSemanticTreeHasValueRangeStepAndText) {
+    const Node& node = ui.node("Speed");
+    EXPECT_EQ(node.role, Role::slider);
+    EXPECT_EQ(node.number->value, 100);
+    EXPECT_EQ(node.number->minimum, 0);
+    EXPECT_EQ(node.number->maximum, 352);
+    EXPECT_EQ(node.number->step, 5);
+    EXPECT_EQ(node.text, "100 mm/s");
+    EXPECT_EQ(node.tip, "How fast blood flows");
+    EXPECT_GE(node.rect().h, 24);
+    EXPECT_THAT(faults_of(ui.ui().tree()), testing::IsEmpty());
+}
+
+TEST_F(Param, TheValueIsShownInTheFrameOfTheEvent) {
+    ui.press("Speed").drag_by({3, 0});
+    ui.send({.kind = EventKind::pointer, .at = ui.rect("Speed").center() + glm::vec2(13, 0)});
+    EXPECT_EQ(ui.value("Speed"), 110);
+    EXPECT_EQ(ui.text("Speed"), "110 mm/s");
+    EXPECT_TRUE(ui.output().changed);
+}
+
+TEST_F(Param, FramesThatStandStillAllocateNothingNorDoDragsAndOpenTexts) {
+    const auto allocations = [&](auto&& act) {
+        for (int i = 0; i < 3; ++i) act();
+        const std::size_t before = test::allocations_so_far();
+        for (int i = 0; i < 100; ++i) act();
+        return test::allocations_so_far() - before;
+    };
+    EXPECT_EQ(allocations([&] { ui.frame(); }), 0U);
+    ui.press("Speed").drag_by({10, 0});
+    const glm::vec2 at = field_center();
+    for (int i = 0; i < 400; ++i) ui.send({.kind = EventKind::pointer, .at = at + glm::vec2(i % 200, 0)});
+    int x = 0;
+    EXPECT_EQ(allocations([&] {
+                  ui.ui().push({.kind = EventKind::pointer, .at = at + glm::vec2(++x % 200, 0)});
+                  ui.frame();
+              }),
+              0U);
+    ui.release().focus("Speed").type("12/");
+    for (int i = 0; i < 200; ++i) ui.frame();
+    EXPECT_EQ(allocations([&] { ui.frame(); }), 0U);
+}
+
+TEST_F(Param, AnOpenTextAsksForTwoFramesASecondAtMost) {
+    ui.focus("Speed").type("7").settle();
+    EXPECT_NEAR(ui.output().wake_at, ui.time + 0.5, 0.1);
+    ui.key(Key::escape).move({5, 400}).frame(2);
+    EXPECT_EQ(ui.output().wake_at, never);
+}
+
+TEST(ParamKinds, FloatsIntegersAnglesAndSharesAreWhatTheyAre) {
+    float single = 0.1F;
+    int whole = 3;
+    double tilt = std::numbers::pi / 4, share = 0.25, delay = 1;
+    int changes = 0;
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(400)});
+        changes += param(u, "Float", single, {.step = 0.1, .standard = 0.1}).changed ? 1 : 0;
+        param(u, "Int", whole, {.maximum = 10});
+        param(u, "Tilt", tilt, angle({.minimum = -180, .maximum = 180, .step = 1, .standard = 45.0}));
+        param(u, "Share", share, percent());
+        param(u, "Delay", delay, seconds({.maximum = 5, .step = 0.01}));
+    });
+    EXPECT_EQ(ui.text("Float"), "0.1");
+    EXPECT_FALSE(ui.is("Float", Is::changed));
+    ui.focus("Float").key('C', Mods::command);
+    EXPECT_EQ(ui.clipboard().text, "0.1");
+    ui.type("0.7").key(Key::enter);
+    EXPECT_EQ(single, 0.7F);
+    ui.type("0.70").key(Key::enter);
+    EXPECT_EQ(changes, 1) << "the same float";
+    ui.focus("Int").type("2.6").key(Key::enter);
+    EXPECT_EQ(whole, 3);
+    ui.type("1e300").key(Key::enter);
+    EXPECT_EQ(whole, std::numeric_limits<int>::max());
+    EXPECT_EQ(ui.text("Tilt"), "45\u00B0");
+    EXPECT_FALSE(ui.is("Tilt", Is::changed));
+    ui.focus("Tilt").key(Key::right);
+    EXPECT_DOUBLE_EQ(tilt, 46 * std::numbers::pi / 180);
+    EXPECT_EQ(ui.text("Tilt"), "46\u00B0");
+    EXPECT_EQ(ui.text("Share"), "25%");
+    ui.focus("Share").type("40%").key(Key::enter);
+    EXPECT_DOUBLE_EQ(share, 0.4);
+    ui.focus("Delay").type("250ms").key(Key::enter);
+    EXPECT_DOUBLE_EQ(delay, 0.25);
+    EXPECT_EQ(ui.text("Delay"), "0.25 s");
+}
+
+TEST(ParamKinds, DragsGoEquallyFarAlongScales) {
+    double hertz = 10;
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(640)});
+        param(u, "Rate", hertz, {.minimum = 1, .maximum = 10000, .unit = "Hz", .scale = ValueScale::logarithmic});
+    });
+    ui.drag("Rate", {3 + 88, 0});
+    EXPECT_NEAR(hertz, 100, 1) << "a quarter of the field, a decade";
+    ui.drag("Rate", {3 + 88, 0});
+    EXPECT_NEAR(hertz, 1000, 10);
+}
+
+TEST(ParamKinds, TheFieldAloneWorksAsWell) {
+    double red = 100;
+    Harness ui([&](Ui& u) {
+        Row row(u, {.width = px(200)});
+        number_field(u, "R", red, {.maximum = 200, .step = 1});
+    });
+    ui.press("R", {0.05F, 0.5F}).drag_by({23, 0}).release();
+    EXPECT_EQ(red, 120);
+    ui.click("R", {.clicks = 2}).type("7").key(Key::enter);
+    EXPECT_EQ(red, 7);
+}
+
+TEST(ParamKinds, ALabelThatIsCutIsWholeInItsTooltip) {
+    double value = 0;
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(200)});
+        param(u, "Diffusion of carbonised tissue", value, {.tip = "Per second"});
+        param(u, "Short", value, {.tip = "Per second"});
+    });
+    ui.move_to("Diffusion of carbonised tissue").move_to("Diffusion of carbonised tissue", {0.6F, 0.5F});
+    EXPECT_EQ(ui.tip("Diffusion of carbonised tissue"), "Diffusion of carbonised tissue\nPer second");
+    ui.move_to("Short");
+    EXPECT_EQ(ui.tip("Short"), "Per second");
+}
+
+}  // namespace
+}  // namespace lapfx::ui
