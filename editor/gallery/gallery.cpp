@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "gallery/parts.h"
+#include "ui/shell/key_editor.h"
+#include "ui/shell/palette.h"
 #include "ui/widgets/scroll.h"
 
 namespace lapfx::gallery {
@@ -12,11 +15,11 @@ namespace lapfx::gallery {
 namespace {
 
 constexpr std::array all_pages = {
-    Page{"Overview", overview_page}, Page{"Basic", basic_page}, Page{"Fields", fields_page},
-    Page{"Params", params_page},     Page{"Lists", lists_page}, Page{"Panels", panels_page},
-    Page{"Pictures", pictures_page}, Page{"Shell", shell_page}, Page{"Overlays", overlays_page},
-    Page{"Layout", layout_page},     Page{"Text", text_page},   Page{"Icons", icons_page},
-    Page{"Colours", colors_page},
+    Page{"Overview", overview_page}, Page{"Basic", basic_page},    Page{"Fields", fields_page},
+    Page{"Params", params_page},     Page{"Lists", lists_page},    Page{"Panels", panels_page},
+    Page{"Pictures", pictures_page}, Page{"Graphs", graphs_page},  Page{"Shell", shell_page},
+    Page{"Overlays", overlays_page}, Page{"Layout", layout_page},  Page{"Text", text_page},
+    Page{"Icons", icons_page},       Page{"Colours", colors_page},
 };
 
 constexpr float least_page_width = 52;  // em
@@ -76,6 +79,16 @@ void whole_window(ui::Ui& ui, State& state) {
     shown_page(ui, state);
 }
 
+/// What can be asked for from every page.
+void overlays(ui::Ui& ui, ShellState& state, ui::CommandTable& commands) {
+    if (std::exchange(state.wants_palette, false)) ui::open_palette(ui);
+    if (std::exchange(state.wants_keys, false)) ui::toggle_cheat_sheet(ui);
+    ui::palette(ui, commands);
+    ui::cheat_sheet(ui, commands);
+    if (const auto chosen = state.files.build(ui)) state.answer = "a file";
+    state.toasts.build(ui);
+}
+
 }  // namespace
 
 std::span<const Page> pages() {
@@ -103,7 +116,7 @@ void build(ui::Ui& ui, State& state) {
     } else {
         whole_window(ui, state);
     }
-    state.shell.toasts.build(ui);
+    overlays(ui, state.shell, state.commands);
     // What has been chosen now changes what was built before it.
     if (state.page != page || state.light != light || state.reduced_motion != ui.options().reduced_motion)
         ui.wake("gallery");
