@@ -22,7 +22,7 @@ constexpr std::array all_pages = {
     Page{"Icons", icons_page},       Page{"Colours", colors_page},
 };
 
-constexpr float least_page_width = 52;  // em
+constexpr float least_page_width = 52, least_window_width = 62;  // em
 
 struct PageLook {
     const ui::Run* run;
@@ -65,9 +65,10 @@ void switches(ui::Ui& ui, State& state) {
 void shown_page(ui::Ui& ui, State& state) {
     const Page& page = all_pages[static_cast<std::size_t>(state.page)];
     ui::Panel panel(ui, "Page", {.width = ui::grow(), .height = ui::grow()});
-    const ui::ScrollArea area(ui, page.name, {.sideways = true});
+    const bool narrow = ui.window().x < ui.em(least_window_width);
+    const ui::ScrollArea area(ui, page.name, {.sideways = narrow});
     const ui::Column column(ui, {.width = ui::grow(), .gap = 1, .padding = 0.8F});
-    ui.parent().minimum[0] = ui.em(least_page_width);
+    if (narrow) ui.parent().minimum[0] = ui.em(least_page_width);
     page.build(ui, state);
 }
 

@@ -19,7 +19,6 @@ void buttons(ui::Ui& ui, BasicState& state) {
         ui::button(ui, "Render", {.icon = ui::Icon::play, .primary = true});
         if (ui::button(ui, "Reset")) state.clicks = 0;
         ui::button(ui, "More", {.quiet = true});
-        ui::icon_button(ui, ui::Icon::undo, "Undo", {.quiet = true});
     }
     {
         const ui::Row row(ui);
@@ -28,6 +27,7 @@ void buttons(ui::Ui& ui, BasicState& state) {
         ui.pop_disabled();
         ui::toggle(ui, "Loop", state.on, {.icon = ui::Icon::loop, .quiet = true});
         ui::icon_button(ui, ui::Icon::gear, "Settings");
+        ui::icon_button(ui, ui::Icon::undo, "Undo", {.quiet = true});
     }
     ui::checkbox(ui, "Follow the tool", state.on);
     ui::checkbox(ui, "Only what has changed", state.off);
