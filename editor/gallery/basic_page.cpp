@@ -27,7 +27,7 @@ void buttons(ui::Ui& ui, BasicState& state) {
         some_buttons(ui, state);
     }
     {
-        const Line line(ui, "long, narrow, wide");
+        const Line line(ui, "long and short");
         ui::button(ui, "A name that is too long for its place", {.width = ui::px(ui.em(10))});
         ui::button(ui, "å", {});
         ui::button(ui, "As wide as what is left", {.width = ui::grow()});

@@ -86,7 +86,7 @@ void colors_page(ui::Ui& ui, State&) {
     contrasts(ui);
     const Part part(ui, "Others");
     {
-        const Line line(ui, "accents and lines");
+        const Line line(ui, "accents, lines");
         for (const Named& each : others) {
             const bool accent = each.color == &ui::Theme::accent || each.color == &ui::Theme::accent_hover;
             const double light = ui::contrast(t.*each.color, ui::rgb(0xffffff));

@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "gallery/parts.h"
+#include "ui/shell/key_editor.h"
+#include "ui/shell/palette.h"
 #include "ui/widgets/scroll.h"
 
 namespace lapfx::gallery {
@@ -12,14 +15,14 @@ namespace lapfx::gallery {
 namespace {
 
 constexpr std::array all_pages = {
-    Page{"Overview", overview_page}, Page{"Basic", basic_page}, Page{"Fields", fields_page},
-    Page{"Params", params_page},     Page{"Lists", lists_page}, Page{"Panels", panels_page},
-    Page{"Pictures", pictures_page}, Page{"Shell", shell_page}, Page{"Overlays", overlays_page},
-    Page{"Layout", layout_page},     Page{"Text", text_page},   Page{"Icons", icons_page},
-    Page{"Colours", colors_page},
+    Page{"Overview", overview_page}, Page{"Basic", basic_page},    Page{"Fields", fields_page},
+    Page{"Params", params_page},     Page{"Lists", lists_page},    Page{"Panels", panels_page},
+    Page{"Pictures", pictures_page}, Page{"Graphs", graphs_page},  Page{"Shell", shell_page},
+    Page{"Overlays", overlays_page}, Page{"Layout", layout_page},  Page{"Text", text_page},
+    Page{"Icons", icons_page},       Page{"Colours", colors_page},
 };
 
-constexpr float least_page_width = 52;  // em
+constexpr float least_page_width = 52, least_window_width = 62;  // em
 
 struct PageLook {
     const ui::Run* run;
@@ -62,9 +65,10 @@ void switches(ui::Ui& ui, State& state) {
 void shown_page(ui::Ui& ui, State& state) {
     const Page& page = all_pages[static_cast<std::size_t>(state.page)];
     ui::Panel panel(ui, "Page", {.width = ui::grow(), .height = ui::grow()});
-    const ui::ScrollArea area(ui, page.name, {.sideways = true});
+    const bool narrow = ui.window().x < ui.em(least_window_width);
+    const ui::ScrollArea area(ui, page.name, {.sideways = narrow});
     const ui::Column column(ui, {.width = ui::grow(), .gap = 1, .padding = 0.8F});
-    ui.parent().minimum[0] = ui.em(least_page_width);
+    if (narrow) ui.parent().minimum[0] = ui.em(least_page_width);
     page.build(ui, state);
 }
 
@@ -74,6 +78,16 @@ void whole_window(ui::Ui& ui, State& state) {
     ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F, .cross = ui::Place::stretch});
     page_list(ui, state);
     shown_page(ui, state);
+}
+
+/// What can be asked for from every page.
+void overlays(ui::Ui& ui, ShellState& state, ui::CommandTable& commands) {
+    if (std::exchange(state.wants_palette, false)) ui::open_palette(ui);
+    if (std::exchange(state.wants_keys, false)) ui::toggle_cheat_sheet(ui);
+    ui::palette(ui, commands);
+    ui::cheat_sheet(ui, commands);
+    if (const auto chosen = state.files.build(ui)) state.answer = "a file";
+    state.toasts.build(ui);
 }
 
 }  // namespace
@@ -103,7 +117,7 @@ void build(ui::Ui& ui, State& state) {
     } else {
         whole_window(ui, state);
     }
-    state.shell.toasts.build(ui);
+    overlays(ui, state.shell, state.commands);
     // What has been chosen now changes what was built before it.
     if (state.page != page || state.light != light || state.reduced_motion != ui.options().reduced_motion)
         ui.wake("gallery");

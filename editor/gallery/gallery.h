@@ -37,6 +37,7 @@ void params_page(ui::Ui& ui, State& state);
 void lists_page(ui::Ui& ui, State& state);
 void panels_page(ui::Ui& ui, State& state);
 void pictures_page(ui::Ui& ui, State& state);
+void graphs_page(ui::Ui& ui, State& state);
 void shell_page(ui::Ui& ui, State& state);
 void overlays_page(ui::Ui& ui, State& state);
 

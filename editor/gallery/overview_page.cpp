@@ -1,13 +1,19 @@
 // A bit of everything on one screen: what golden pictures are made of.
+#include <array>
+
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
+#include "ui/shell/progress.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/text_field.h"
 
 namespace lapfx::gallery {
 
 namespace {
 
 void buttons(ui::Ui& ui, BasicState& state) {
-    const Part part(ui, "Buttons");
     {
         const ui::Row row(ui);
         ui::button(ui, "Render", {.icon = ui::Icon::play, .primary = true});
@@ -19,24 +25,45 @@ void buttons(ui::Ui& ui, BasicState& state) {
         ui.push_disabled(true);
         ui::button(ui, "Disabled");
         ui.pop_disabled();
-        ui::icon_button(ui, ui::Icon::undo, "Undo");
-        ui::icon_button(ui, ui::Icon::redo, "Redo", {.quiet = true});
         ui::toggle(ui, "Loop", state.on, {.icon = ui::Icon::loop, .quiet = true});
+        ui::icon_button(ui, ui::Icon::gear, "Settings");
+        ui::icon_button(ui, ui::Icon::undo, "Undo", {.quiet = true});
     }
     ui::checkbox(ui, "Follow the tool", state.on);
     ui::checkbox(ui, "Only what has changed", state.off);
     ui::checkbox(ui, "All clips", state.some);
 }
 
+void fields(ui::Ui& ui, FieldsState& state) {
+    constexpr std::array<std::string_view, 3> views = {"Matte", "Holdout", "Colour"};
+    ui::segmented(ui, "View", state.view, views);
+    ui::text_field(ui, "Name", state.name, {.caption = true});
+    ui::search_field(ui, "Search", state.empty, {.placeholder = "Search"});
+    ui::combo(ui, "Frame", state.frame, state.frames, {.caption = true});
+    ui::color_field(ui, "Tissue", state.tissue, {.caption = true});
+    ui::gradient_bar(ui, "Heat", state.heat);
+}
+
+void params(ui::Ui& ui, ParamsState& state) {
+    if (const ui::Section section(ui, "Bleeding", {.changed = 1}); section) {
+        ui::param(ui, "Speed", state.speed, {.maximum = 60, .step = 0.5, .unit = "mm/s", .standard = 8});
+        ui::param(ui, "Opacity", state.ratio, ui::percent());
+        ui::range_param(ui, "Luma", state.low, state.high, {.maximum = 255, .step = 1});
+        ui::param(ui, "Flow", state.flow, {.minimum = -1, .maximum = 1, .step = 0.01});
+    }
+    if (const ui::Section section(ui, "Haze", {.changed = 0, .open = false}); section) ui::label(ui, "Nothing here");
+}
+
 void texts(ui::Ui& ui) {
-    const Part part(ui, "Text");
-    ui::label(ui, "Normal text 0123456789");
     ui::label(ui, "Dim: units and hints", {.tone = ui::Tone::dim});
-    ui::label(ui, "Saved", {.tone = ui::Tone::good});
     ui::label(ui, "Outside of the usual range", {.tone = ui::Tone::warning});
     ui::label(ui, "Not a number", {.tone = ui::Tone::error});
     ui::separator(ui);
     ui::label(ui, "Smoke rises from where the hook touches fat and spreads under the abdominal wall.", {.wrap = true});
+}
+
+void tree(ui::Ui& ui, ListsState& state) {
+    ui::tree_view(ui, "Parts", state.tree, state.parts, {.height = ui::px(ui.em(11))});
 }
 
 }  // namespace
@@ -45,10 +72,23 @@ void overview_page(ui::Ui& ui, State& state) {
     const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::Place::start});
     {
         const ui::Column column(ui, {.width = ui::grow()});
+        ui::heading(ui, "Buttons");
         buttons(ui, state.basic);
+        ui::space(ui, 0.4F);
+        ui::heading(ui, "Text");
+        texts(ui);
     }
-    const ui::Column column(ui, {.width = ui::grow()});
-    texts(ui);
+    {
+        const ui::Column column(ui, {.width = ui::grow()});
+        ui::heading(ui, "Fields");
+        fields(ui, state.fields);
+        ui::space(ui, 0.4F);
+        tree(ui, state.lists);
+    }
+    const ui::Column column(ui, {.width = ui::grow(1.2F)});
+    params(ui, state.params);
+    ui::progress(ui, "Rendering", 0.42, {.seconds_left = 80});
+    ui::histogram(ui, "Histogram", {.bins = state.pictures.luma}, &state.pictures.levels, {.height = 8});
 }
 
 }  // namespace lapfx::gallery

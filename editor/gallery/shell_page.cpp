@@ -1,6 +1,7 @@
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
 #include "ui/shell/dialog.h"
+#include "ui/shell/key_editor.h"
 #include "ui/shell/menu.h"
 #include "ui/shell/progress.h"
 #include "ui/shell/status_bar.h"
@@ -48,6 +49,14 @@ void dialogs(ui::Ui& ui, ShellState& s) {
     const Line line(ui, "dialogs");
     if (ui::button(ui, "New preset")) ui::open_dialog(ui, "new preset");
     if (ui::button(ui, "Delete")) ui::open_dialog(ui, "delete");
+    if (ui::button(ui, "Open a file"))
+        s.files.open(ui, {.task = ui::FileTask::open_many,
+                          .title = "Open clips",
+                          .folder = "/clips",
+                          .name = {},
+                          .filters = {{"Videos", {".mov"}}}});
+    if (ui::button(ui, "Palette", {.tip = "Ctrl+P"})) s.wants_palette = true;
+    if (ui::button(ui, "Keys", {.tip = "F1"})) s.wants_keys = true;
     ui::label(ui, ui.join({"answered: ", s.answer}), {.tone = ui::Tone::dim});
     if (ui::Dialog dialog(ui, "new preset", "New preset"); dialog) {
         ui::text_field(ui, "Name", s.name, {.caption = true});
@@ -91,6 +100,11 @@ void shell_page(ui::Ui& ui, State& state) {
         news(ui, state.shell);
     }
     jobs(ui, state.shell);
+    {
+        const Part part(ui, "Key editor");
+        const ui::Column room(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
+        ui::key_editor(ui, state.commands);
+    }
     const Part part(ui, "Status bar");
     {
         const ui::StatusBar bar(ui);

@@ -102,6 +102,48 @@ PicturesState::PicturesState(ui::ImageStore& images)
     waves.update_luma(source, ui::Matrix::bt601);
 }
 
+std::string TestFiles::list(const std::string& folder, std::vector<ui::FileEntry>& entries) {
+    constexpr std::int64_t day = 86400, then = 1'760'000'000;
+    if (folder == "/locked") return "Permission denied";
+    if (folder == "/") entries = {{"clips", true, 0, then}, {"locked", true, 0, then}};
+    if (folder != "/clips") return "";
+    for (int i = 0; i < 40; ++i)
+        entries.push_back({.name = "plume " + std::to_string(i + 1) + (i % 3 == 0 ? ".mov" : ".png"),
+                           .size = static_cast<std::uint64_t>(i + 1) * 1'234'567,
+                           .changed = then - i * day});
+    entries.push_back({.name = "a name that is no UTF-8 \xff\xfe.mov", .size = 12, .changed = then});
+    return "";
+}
+
+ui::FileSystem::Kind TestFiles::kind(const std::string& path) {
+    if (path == "/" || path == "/clips" || path == "/locked") return Kind::folder;
+    return path.starts_with("/clips/plume ") ? Kind::file : Kind::nothing;
+}
+
+GraphsState::GraphsState() {
+    constexpr double rate = 60;
+    for (int i = 0; i < 600; ++i) {
+        const double t = i / rate, speed = 12 * std::exp(-t / 4);
+        measured_values.push_back(static_cast<float>(speed + 0.6 * std::sin(17 * t) * std::sin(3.1 * t)));
+        simulated_values.push_back(static_cast<float>(speed * (1 + 0.04 * std::sin(t))));
+    }
+    for (std::size_t i = 200; i < 215; ++i) measured_values[i] = NAN;  // a gap
+    for (int i = 0; i < 40; ++i) count_values.push_back(std::round(90 * std::exp(-0.02 * (i - 14) * (i - 14))));
+    measured.set(measured_values, 0, 1 / rate);
+    simulated.set(simulated_values, 0, 1 / rate);
+    residual_values = ui::residual_of(simulated, measured);
+    residual.set(residual_values, 0, 1 / rate);
+    counts.set(count_values, 0, 0.25);
+    time.time = 3.2;
+    time.has_range = true;
+    time.range = {1, 9.5};
+    tracks = {
+        {"Tool",
+         {{.name = "cauterise", .start = 1.2, .end = 4.0, .color = 1}, {.name = "suction", .start = 6, .end = 9}}},
+        {"Smoke", {{.name = "plume_left.mov", .start = 1.4, .end = 7.5, .selected = true}}},
+        {"Marks", {{.name = "peak", .start = 3.6, .end = 3.6}}}};
+}
+
 State::State(ui::ImageStore& images) : lists(images), pictures(images) {
     using ui::Key;
     using ui::key_of;
@@ -145,6 +187,14 @@ State::State(ui::ImageStore& images) : lists(images), pictures(images) {
                   .chord = {key_of('G'), Mods::command},
                   .run = [this] { shell.grid = !shell.grid; },
                   .checked = [this] { return shell.grid; }});
+    commands.add({.id = "view.palette",
+                  .title = "Command palette",
+                  .group = "View",
+                  .chord = {key_of('P'), Mods::command},
+                  .run = [this] { shell.wants_palette = true; }});
+    commands.add({.id = "help.keys", .title = "Keys", .group = "Help", .chord = {Key::f1, Mods::none}, .run = [this] {
+                      shell.wants_keys = true;
+                  }});
     for (std::size_t i = 0; i < pages().size(); ++i)
         commands.add({.id = "page." + std::string(pages()[i].name),
                       .title = std::string(pages()[i].name),

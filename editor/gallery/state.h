@@ -6,10 +6,14 @@
 #include <vector>
 
 #include "ui/canvas/compare_view.h"
+#include "ui/canvas/curve.h"
 #include "ui/canvas/histogram.h"
 #include "ui/canvas/image_view.h"
+#include "ui/canvas/plot_data.h"
 #include "ui/canvas/scope.h"
+#include "ui/canvas/timeline.h"
 #include "ui/shell/commands.h"
+#include "ui/shell/file_dialog.h"
 #include "ui/shell/toast.h"
 #include "ui/widgets/dock_layout.h"
 #include "ui/widgets/gradient.h"
@@ -73,13 +77,23 @@ struct PanelsState {
     ui::DockLayout layout;
 };
 
+/// A few folders that are nowhere.
+struct TestFiles : ui::FileSystem {
+    std::string list(const std::string& folder, std::vector<ui::FileEntry>& entries) override;
+    Kind kind(const std::string& path) override;
+    std::string home() override { return "/clips"; }
+    std::vector<ui::FilePlace> places() override { return {{"Clips", "/clips"}, {"Root", "/"}}; }
+};
+
 struct ShellState {
     double done = 0.42;
     bool cancelled = false;
     std::string name = "brisk bleed";
     std::string_view answer = "nothing yet";
-    bool grid = true;
+    bool grid = true, wants_palette = false, wants_keys = false;
     ui::Toasts toasts;
+    TestFiles disk;
+    ui::FileDialog files{disk};
 };
 
 /// A made-up picture, 8 bits RGBA.
@@ -105,6 +119,16 @@ struct PicturesState {
     ui::ScopeImage vectors, waves;
 };
 
+struct GraphsState {
+    GraphsState();
+    std::vector<float> measured_values, simulated_values;
+    std::vector<double> residual_values, count_values;
+    ui::PlotData measured, simulated, residual, counts;
+    ui::Curve curve = ui::Curve::preset(ui::CurvePreset::s), standard;
+    ui::TimelineState time;
+    std::vector<ui::TimelineTrack> tracks;
+};
+
 struct State {
     /// `images` must outlive it and be the Ui's; so must the state's commands be its shortcuts.
     explicit State(ui::ImageStore& images);
@@ -126,6 +150,7 @@ struct State {
     PanelsState panels;
     ShellState shell;
     PicturesState pictures;
+    GraphsState graphs;
     int answers = 0;
 };
 

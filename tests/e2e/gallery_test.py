@@ -130,15 +130,21 @@ class Gallery:
         wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
         self.settle(0.15)
 
-    def rect(self, path):
-        """Where a widget is in a window that has just been opened."""
+    def act_now(self, *arguments):
+        """The same where the window never becomes quiet."""
+        count = len(self.frames())
+        self.xdotool(*arguments)
+        wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
+
+    def tree(self):
+        """Of a window that has just been opened."""
         file = os.path.join(self.folder, "before.json")
         subprocess.run([self.lapfx, "gallery", *self.common, "--scale", "1", "--dump", file], check=True)
         with open(file, encoding="utf-8") as dump:
-            return node(json.load(dump), path)["rect"]
+            return json.load(dump)
 
     def middle(self, path):
-        x, y, w, h = self.rect(path)
+        x, y, w, h = node(self.tree(), path)["rect"]
         return int(x + w / 2), int(y + h / 2)
 
     def click(self, path, button=1):
@@ -152,16 +158,11 @@ class Gallery:
         return int(fields[11]) + int(fields[12])  # utime, stime
 
     def close(self):
-        """As a window manager does; gives the tree as it was last."""
-        close_window(self)
+        """By its command (a window manager's way cannot be gone by this xdotool); gives the tree as it was last."""
+        self.xdotool("key", "ctrl+q")
         assert self.process.wait(LIMIT_S) == 0, self.text()
         with open(self.dump_file, encoding="utf-8") as dump:
             return json.load(dump)
-
-
-def close_window(gallery):
-    """WM_DELETE_WINDOW, which xdotool of Debian 12 cannot send."""
-    gallery.xdotool("key", "--window", gallery.window, "ctrl+q")
 
 
 def nodes(tree):
@@ -201,13 +202,13 @@ def case_pointer_over_nothing(open_gallery):
 def case_click(open_gallery):
     """A click is seen, in at most two pictures for each event."""
     with open_gallery() as gallery:
-        x, y = gallery.middle("Page/Overview/Buttons/Follow the tool")
+        x, y = gallery.middle("Page/Overview/Follow the tool")
         gallery.act("mousemove", "--window", gallery.window, str(x), str(y))
         drawn = len(gallery.drawn(0))
         gallery.act("click", "1")
         assert len(gallery.drawn(0)) - drawn <= 4, gallery.drawn(0)[drawn:]
         tree = gallery.close()
-        assert "checked" not in node(tree, "Page/Overview/Buttons/Follow the tool").get("states", ())
+        assert "checked" not in node(tree, "Page/Overview/Follow the tool").get("states", ())
 
 
 def case_keys(open_gallery):
@@ -220,6 +221,66 @@ def case_keys(open_gallery):
         assert "focused" in node(tree, "Pages/List/Text")["states"], "Tab goes on"
         height = node(tree, "Pages/List/Text")["rect"][3]
         assert height > 24.5, f"a row is {height} px high at the next scale"
+
+
+def case_type(open_gallery):
+    """Typing, also what takes a compose key; Ctrl+A, Ctrl+C, Ctrl+V; Enter."""
+    with open_gallery(page="Fields") as gallery:
+        gallery.click("Page/Fields/Text fields/plain/Empty")
+        gallery.act("type", "--delay", "20", "smoke 12")
+        gallery.act("key", "ctrl+a")
+        gallery.act("key", "ctrl+c")
+        gallery.act("key", "End")
+        gallery.act("key", "ctrl+v")
+        gallery.act("key", "Return")
+        tree = gallery.close()
+        assert node(tree, "Page/Fields/Text fields/plain/Empty")["text"] == "smoke 12smoke 12"
+
+
+def case_compose(open_gallery):
+    """What an input method commits: Compose ' e is é."""
+    with open_gallery(page="Fields") as gallery:
+        gallery.xdotool("key", "--delay", "0", "shift")  # wakes the keyboard map
+        gallery.click("Page/Fields/Text fields/plain/Empty")
+        for key in ("Multi_key", "apostrophe", "e"):
+            gallery.xdotool("key", key)
+            time.sleep(0.1)
+        gallery.settle()
+        text = node(gallery.close(), "Page/Fields/Text fields/plain/Empty").get("text", "")
+        assert text == "é", f"composed {text!r}"
+
+
+def case_caret(open_gallery):
+    """A field with the keyboard: two frames a second and no more, for the caret."""
+    with open_gallery(page="Fields") as gallery:
+        x, y = gallery.middle("Page/Fields/Text fields/plain/Empty")
+        gallery.act_now("mousemove", "--window", gallery.window, str(x), str(y), "click", "1")
+        time.sleep(1.5)
+        count, ticks = len(gallery.frames()), gallery.cpu_ticks()
+        time.sleep(4)
+        made, spent = len(gallery.frames()) - count, gallery.cpu_ticks() - ticks
+        assert 4 <= made <= 9, gallery.frames(count)
+        assert spent <= 20, f"{spent} ticks of CPU in 4 s"
+
+
+def case_drag_past_the_edge(open_gallery):
+    """A drag goes on where the screen ends, and the pointer is where it was afterwards."""
+    with open_gallery(page="Params") as gallery:
+        before = node(gallery.tree(), "Page/Params/Kinds/Count")["value"]
+        x, y = gallery.middle("Page/Params/Kinds/Count")
+        gallery.act("mousemove", "--window", gallery.window, str(x), str(y))
+        gallery.act("mousedown", "1")
+        for _ in range(60):
+            gallery.xdotool("mousemove_relative", "--", "-60", "0")
+            time.sleep(0.01)
+        gallery.settle(0.15)
+        gallery.act("mouseup", "1")
+        where = dict(line.split("=") for line in gallery.xdotool("getmouselocation", "--shell").split())
+        corner = dict(line.split("=") for line in gallery.xdotool("getwindowgeometry", "--shell", gallery.window).split())
+        off = abs(int(where["X"]) - int(corner["X"]) - x), abs(int(where["Y"]) - int(corner["Y"]) - y)
+        assert max(off) <= 80, f"the pointer is {off} px from where it was"
+        after = node(gallery.close(), "Page/Params/Kinds/Count")["value"]
+        assert after < before and after == 1, f"{before} became {after}"
 
 
 def case_resize(open_gallery):

@@ -453,7 +453,7 @@ void draw_ground(Painter& p, const Node& node, const Look& look) {
     const CurveEditorOptions& o = look.options;
     const Frame f = frame_of(p, node.rect(), o);
     p.fill(node.rect(), t.panel);
-    p.fill(f.graph, t.canvas);
+    p.fill(f.graph, t.panel);
     draw_axes(p, f, o);
     p.frame(f.graph, t.border, p.hairline());
     p.push_clip(f.graph.inset(-p.em(0.2F)));
@@ -509,12 +509,12 @@ void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
     const Color color = disabled ? t.text_disabled : selected ? t.accent_hover : t.text;
     const bool round = handle == CurveHandle::automatic || handle == CurveHandle::free;
     if (round) {
-        p.line(at, at, size + 2 * p.hairline(), t.canvas);
+        p.line(at, at, size + 2 * p.hairline(), t.panel);
         p.line(at, at, size, color);
         return;
     }
     const Rect square{whole(at.x - size / 2), whole(at.y - size / 2), size, size};
-    p.fill(square.inset(-p.hairline()), t.canvas);
+    p.fill(square.inset(-p.hairline()), t.panel);
     p.fill(square, color);
 }
 

@@ -391,7 +391,7 @@ void draw_residual(Painter& p, Frame f, const Look& look) {
     const PlotData& data = *look.options.residual;
     const Extremes e = data.extremes(data.index_from(look.state.x.low), data.index_from(look.state.x.high));
     const double most = e.any ? std::max({std::abs(e.low), std::abs(e.high), 1e-300}) : 1;
-    p.fill(f.residual, t.canvas);
+    p.fill(f.residual, t.panel);
     f.plot = f.residual;
     PlotState state = look.state;
     state.log_y = false;
@@ -426,7 +426,7 @@ void draw_cursor(Painter& p, const Frame& f, const Look& look) {
     const auto i = static_cast<std::size_t>(look.cursor_series);
     const glm::vec2 at{f.x.px_of(look.cursor_x), f.y.px_of(look.cursor_y)};
     p.fill({whole(at.x), f.plot.y, p.hairline(), f.plot.h}, with_alpha(t.text_dim, 0.5F));
-    p.line(at, at, p.em(0.6F), t.canvas);
+    p.line(at, at, p.em(0.6F), t.panel);
     p.line(at, at, p.em(0.42F), color_of(t, look.series[i], i));
     draw_note(p, f, at, look.cursor);
 }
@@ -435,7 +435,7 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
     const Frame f = frame_of(p, node.rect(), look.state, look.options.residual != nullptr);
     p.fill(node.rect(), t.panel);
-    p.fill(f.plot, t.canvas);
+    p.fill(f.plot, t.panel);
     ShortText name;
     name.add(look.options.y_name);
     if (!look.options.y_unit.empty()) name.add(" (").add(look.options.y_unit).add(")");

@@ -430,7 +430,7 @@ void draw_thumbnails(Painter& p, const Frame& f, const Look& look) {
 
 void draw_lanes(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
-    p.fill(f.lanes, t.canvas);
+    p.fill(f.lanes, t.panel);
     for (std::size_t i = 0; i < look.tracks.size(); ++i) {
         const float y = f.lanes.y + f.lane * static_cast<float>(i);
         const Rect name{f.corner.x + p.em(0.6F), y, f.corner.w - p.em(1), f.lane};

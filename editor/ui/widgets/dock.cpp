@@ -15,8 +15,10 @@ struct DockLook {
     Rect preview;
 };
 
+/// Cleared where its panels are (core/box.cpp): a fill would lie over them.
 void draw_ground(Painter& painter, const Node& node, const void*) {
-    painter.fill(node.rect(), painter.theme().window);
+    const Color ground = painter.theme().window;
+    node.layer == 0 ? painter.clear(node.seen(), ground) : painter.fill(node.rect(), ground);
 }
 
 void draw_preview(Painter& painter, const Node&, const void* arg) {

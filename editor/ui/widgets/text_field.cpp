@@ -52,8 +52,10 @@ void draw_text_field(Painter& painter, const Node& node, const FieldLook& look) 
     draw_field(painter, field, node.is);
     const Rect part = text_part(node.rect(), look, painter.em(1));
     if (look.icon != Icon::none)
-        painter.icon({field.x + painter.em(side), field.y, painter.em(1), field.h}, look.icon, t.text_dim);
-    if (look.text.empty()) painter.text(part, look.placeholder, painter.text_style(), t.text_dim);
+        painter.icon({field.x + painter.em(side), field.y, painter.em(1), field.h}, look.icon,
+                     disabled ? t.text_disabled : t.text_dim);
+    if (look.text.empty())
+        painter.text(part, look.placeholder, painter.text_style(), disabled ? t.text_disabled : t.text_dim);
     if (!look.editing) {
         painter.text(part, look.text, look.style, disabled ? t.text_disabled : t.text);
         return;
@@ -156,7 +158,8 @@ Edit edit_field(Ui& ui, Node& node, const Response& r, Field& field, std::string
 
 void draw_clear(Painter& painter, const Node& node, const bool& hovered) {
     const Theme& t = painter.theme();
-    painter.icon(node.rect().inset(painter.em(0.5F)), Icon::cross, hovered ? t.text : t.text_dim);
+    const Color ink = has(node.is, Is::disabled) ? t.text_disabled : hovered ? t.text : t.text_dim;
+    painter.icon(node.rect().inset(painter.em(0.5F)), Icon::cross, ink);
 }
 
 /// The cross: for the pointer alone, Esc does the same.
