@@ -360,6 +360,9 @@ void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotDat
                std::size_t first, std::size_t last) {
     glm::vec2 before{0};
     bool joined = false, drawn = true;
+    const double x_scale = f.x.scale(), y_scale = f.y.scale();  // a division each
+    const double x_start = f.x.from - f.x.span.low * x_scale, y_start = f.y.from - f.y.span.low * y_scale;
+    const auto px = [](double v) { return static_cast<float>(std::clamp(v, -1e6, 1e6)); };
     for (std::size_t i = first; i < last; ++i) {
         const double y = placed(state, data.y(i));
         if (std::isnan(y)) {
@@ -367,7 +370,7 @@ void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotDat
             joined = false;
             continue;
         }
-        const glm::vec2 here{f.x.px_of(data.x(i)), f.y.px_of(y)};
+        const glm::vec2 here{px(x_start + data.x(i) * x_scale), px(y_start + y * y_scale)};
         if (joined) p.line(before, here, width, color);
         drawn = joined;
         before = here, joined = true;

@@ -94,7 +94,7 @@ TEST_F(CurveEditorTest, ShiftMovesATenthAndCtrlInSteps) {
     EXPECT_NEAR(curve.point(1).x, 0.26, 1e-6);
     EXPECT_NEAR(curve.point(1).y, 0.52, 1e-6);
     options.x_step = options.y_step = 0.1;
-    ui.press("Curve/Point 2").drag_by(way(0.06, 0.06), Mods::command).release();
+    ui.press("Curve/Point 2").drag_by(way(0.06, 0.06), Mods::command).release(Mods::command);
     EXPECT_DOUBLE_EQ(curve.point(1).x, 0.3);
     EXPECT_DOUBLE_EQ(curve.point(1).y, 0.6);
 }
