@@ -427,7 +427,7 @@ void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
     for (int i = 0; i < x.count; ++i) {
         const double value = x.first + x.step * i;
         const float at = whole(f.x.px_of(value));
-        p.fill({at, f.graph.y, p.hairline(), f.graph.h}, t.grid);
+        p.fill({at, f.graph.y, p.hairline(), f.graph.h}, on_canvas(t, grid_ink));
         const Rect place{at - p.em(2), f.x_labels.y, p.em(4), f.x_labels.h};
         p.text(place, format_number(buffer, value, x.decimals), p.number_style(), t.text_dim, Align::center);
     }
@@ -435,17 +435,20 @@ void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
     for (int i = 0; i < y.count; ++i) {
         const double value = y.first + y.step * i;
         const float at = whole(f.y.px_of(value));
-        p.fill({f.graph.x, at, f.graph.w, p.hairline()}, t.grid);
+        p.fill({f.graph.x, at, f.graph.w, p.hairline()}, on_canvas(t, grid_ink));
         const Rect place{f.y_labels.x, at - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
         p.text(place, format_number(buffer, value, y.decimals), p.number_style(), t.text_dim, Align::end);
     }
-    ShortText name;
-    name.add(o.x_name).add_unit(o.x_unit);
-    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_bottom(p.em(1.4F)), name.view(), p.text_style(), t.text_dim,
-           Align::end);
-    name = {};
-    name.add(o.y_name).add_unit(o.y_unit);
-    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_top(p.em(1.4F)), name.view(), p.text_style(), t.text_dim);
+    const auto named = [](std::string_view what, std::string_view unit) {
+        ShortText text;
+        text.add(what);
+        return unit.empty() ? text : text.add(" (").add(unit).add(")");
+    };
+    const ShortText x_name = named(o.x_name, o.x_unit), y_name = named(o.y_name, o.y_unit);
+    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_bottom(p.em(1.4F)), x_name.view(), p.text_style(),
+           on_canvas(t, label_ink), Align::end);
+    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_top(p.em(1.4F)), y_name.view(), p.text_style(),
+           on_canvas(t, label_ink));
 }
 
 void draw_ground(Painter& p, const Node& node, const Look& look) {
@@ -458,20 +461,20 @@ void draw_ground(Painter& p, const Node& node, const Look& look) {
     p.frame(f.graph, t.border, p.hairline());
     p.push_clip(f.graph.inset(-p.em(0.2F)));
     const bool disabled = has(node.is, Is::disabled);
-    if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), with_alpha(t.text_dim, 0.45F));
-    draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? t.text_disabled : t.series[0]);
+    if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), on_canvas(t, quiet_ink));
+    draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? on_canvas(t, quiet_ink) : t.series[0]);
     if (look.slopes_of < look.curve->size()) {
         const glm::vec2 at = place_of(f, look.curve->point(look.slopes_of));
         for (int side = 0; side < 2; ++side) {
             const std::size_t i = look.slopes_of;
             const double slope = side == 0 ? look.curve->slope_in(i) : look.curve->slope_out(i);
-            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), t.text_dim);
+            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), on_canvas(t, label_ink));
         }
     }
     if (!std::isnan(o.live)) {
         const glm::vec2 at{f.x.px_of(o.live), f.y.px_of(look.curve->evaluate(o.live))};
-        p.fill({whole(at.x), f.graph.y, p.hairline(), f.graph.h}, with_alpha(t.good, 0.35F));
-        p.line(at, at, p.em(0.55F), t.good);
+        p.fill({whole(at.x), f.graph.y, p.hairline(), f.graph.h}, with_alpha(t.series[2], 0.5F));
+        p.line(at, at, p.em(0.55F), t.series[2]);
     }
     p.pop_clip();
     if (!look.box.empty()) {
@@ -506,7 +509,7 @@ void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
     const bool disabled = has(node.is, Is::disabled), selected = has(node.is, Is::selected);
     const bool hovered = (has(node.is, Is::hovered) || has(node.is, Is::held)) && !disabled;
     const float size = p.em(hovered ? 0.8F : 0.65F);
-    const Color color = disabled ? t.text_disabled : selected ? t.accent_hover : t.text;
+    const Color color = disabled ? on_canvas(t, quiet_ink) : selected ? t.accent : on_canvas(t, point_ink);
     const bool round = handle == CurveHandle::automatic || handle == CurveHandle::free;
     if (round) {
         p.line(at, at, size + 2 * p.hairline(), t.canvas);
@@ -521,7 +524,7 @@ void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
 void draw_slope_handle(Painter& p, const Node& node, const bool&) {
     const glm::vec2 at = node.rect().center();
     const bool hovered = has(node.is, Is::hovered) || has(node.is, Is::held);
-    p.line(at, at, p.em(0.5F), hovered ? p.theme().text : p.theme().text_dim);
+    p.line(at, at, p.em(0.5F), on_canvas(p.theme(), hovered ? point_ink : label_ink));
 }
 
 // --- nodes ---
