@@ -165,6 +165,15 @@ TEST_F(CurveEditorTest, ABoxSelectsAndTheSelectionMovesTogether) {
     EXPECT_NEAR(curve.point(2).y, 0.75, 1e-6) << "keeps its distance";
 }
 
+TEST_F(CurveEditorTest, EscapeGivesBackTheSelectionBeforeABox) {
+    ui.click("Curve/Point 4");
+    press_at(at(0.15, 0.7)).drag_by(way(0.45, -0.6));
+    EXPECT_TRUE(ui.is("Curve/Point 2", Is::selected));
+    ui.key(Key::escape).release();
+    EXPECT_FALSE(ui.is("Curve/Point 2", Is::selected));
+    EXPECT_TRUE(ui.is("Curve/Point 4", Is::selected));
+}
+
 TEST_F(CurveEditorTest, ShiftAddsToTheSelectionAndAPressBesideDropsIt) {
     ui.click("Curve/Point 2").click("Curve/Point 4", {.mods = Mods::shift});
     EXPECT_TRUE(ui.is("Curve/Point 2", Is::selected));

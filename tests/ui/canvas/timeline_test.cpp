@@ -174,6 +174,12 @@ TEST_F(TimelineTest, EndsStretchAndKeepAFrame) {
     EXPECT_DOUBLE_EQ(cut().end, 4.56);
 }
 
+TEST_F(TimelineTest, AnEndCannotPassItsStart) {
+    press_at(at(4, 40) - glm::vec2(2, 0)).drag_by({-500, 0}).release();
+    EXPECT_EQ(cut().start, 2);
+    EXPECT_DOUBLE_EQ(cut().end, 2.04);
+}
+
 TEST_F(TimelineTest, EndsCatchWhatIsNearUnlessCtrlIsHeld) {
     ui.press("Time/Events/Cut").drag_by({95, 0}).release();
     EXPECT_DOUBLE_EQ(cut().end, 6) << "the start of the next one, 5 px away";
