@@ -6,6 +6,7 @@
 #include <cstring>
 #include <string_view>
 
+#include "ui/core/theme.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {
@@ -38,6 +39,12 @@ struct Axis1 {
 inline double zoom_of(float notches) {
     return std::pow(0.85, static_cast<double>(notches));
 }
+
+/// What is drawn on the canvas, which is dark in both themes: 0 is not seen, 1 is as strong as can be.
+inline Color on_canvas(const Theme& theme, float strength) {
+    return mix(theme.canvas, theme.text_on_accent, strength);
+}
+inline constexpr float grid_ink = 0.14F, quiet_ink = 0.4F, label_ink = 0.65F, point_ink = 0.9F;
 
 /// Decimals that show a difference of `resolution`: 0.02 -> 2.
 inline int decimals_for(double resolution) {

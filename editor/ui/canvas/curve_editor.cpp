@@ -2,11 +2,14 @@
 
 #include <cassert>
 
+#include "ui/canvas/curve_drawing.h"
 #include "ui/value/expression.h"
 #include "ui/value/utf8.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {
+
+using namespace curve_drawing;
 
 namespace {
 
@@ -33,34 +36,6 @@ struct Memory {
     bool invalid = false;
     std::string entry;
 };
-
-struct Frame {
-    Rect graph, x_labels, y_labels;
-    Axis1 x, y;
-    float left, top, right, bottom;  ///< px around the graph
-};
-template <typename Em>
-Frame frame_of(const Em& measure, Rect rect, const CurveEditorOptions& o) {
-    Frame f;
-    f.left = measure.em(3), f.right = measure.em(0.9F), f.bottom = measure.em(1.6F);
-    f.top = measure.em(o.tools || !o.y_name.empty() ? 2.2F : 0.9F);
-    f.graph = {rect.x + f.left, rect.y + f.top, std::max(0.0F, rect.w - f.left - f.right),
-               std::max(0.0F, rect.h - f.top - f.bottom)};
-    f.x_labels = {f.graph.x, f.graph.bottom(), f.graph.w + f.right, f.bottom};
-    f.y_labels = {rect.x, f.graph.y, f.left, f.graph.h};
-    f.x = {o.x, f.graph.x, f.graph.right()};
-    f.y = {o.y, f.graph.bottom(), f.graph.y};
-    return f;
-}
-glm::vec2 place_of(const Frame& f, const CurvePoint& p) {
-    const Span &x = f.x.span, &y = f.y.span;  // what lies outside is shown at the edge, where it can be grabbed
-    return {f.x.px_of(std::clamp(p.x, x.low, x.high)), f.y.px_of(std::clamp(p.y, y.low, y.high))};
-}
-/// Of the handle of a slope, from its point, px.
-glm::vec2 slope_way(const Frame& f, double slope, int side, float length) {
-    glm::vec2 way(f.x.scale(), slope * f.y.scale());
-    return glm::normalize(way) * (side == 0 ? -length : length);
-}
 
 Curve scaled(const Curve& unit, const CurveEditorOptions& o, bool monotone) {
     std::vector<CurvePoint> points(unit.points().begin(), unit.points().end());
@@ -382,147 +357,6 @@ class Editing {
     const CurveEditorOptions& o_;
     const Frame& f_;
 };
-
-// --- drawing ---
-
-struct Look {
-    const Curve* curve;
-    CurveEditorOptions options;
-    Rect box;
-    std::size_t slopes_of, entering;
-    std::string_view entry;
-    bool invalid;
-};
-
-void draw_curve(Painter& p, const Frame& f, const Curve& curve, float width, Color color) {
-    const auto at = [&](double x, double y) { return glm::vec2(f.x.px_of(x), f.y.px_of(y)); };
-    const CurvePoint &first = curve.point(0), &last = curve.point(curve.size() - 1);
-    p.line(at(f.x.span.low, first.y), at(first.x, first.y), width, color);
-    p.line(at(last.x, last.y), at(f.x.span.high, last.y), width, color);
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-        const CurvePoint &a = curve.point(i), &b = curve.point(i + 1);
-        glm::vec2 from = at(a.x, a.y);
-        const glm::vec2 to = at(b.x, b.y);
-        if (a.handle == CurveHandle::step) {
-            p.line(from, {to.x, from.y}, width, color);
-            p.line({to.x, from.y}, to, width, color);
-            continue;
-        }
-        const double straight = (b.y - a.y) / (b.x - a.x);
-        const bool is_straight = curve.slope_out(i) == straight && curve.slope_in(i + 1) == straight;
-        const int parts = is_straight ? 1 : std::clamp(static_cast<int>((to.x - from.x) / 3), 4, 128);
-        for (int k = 1; k <= parts; ++k) {
-            const double x = a.x + (b.x - a.x) * k / parts;
-            const glm::vec2 next = at(x, k == parts ? b.y : curve.evaluate(x));
-            p.line(from, next, width, color);
-            from = next;
-        }
-    }
-}
-
-void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
-    const Theme& t = p.theme();
-    char buffer[32];
-    const Ticks x = ticks(o.x.low, o.x.high, std::max(1, static_cast<int>(f.graph.w / p.em(4))));
-    for (int i = 0; i < x.count; ++i) {
-        const double value = x.first + x.step * i;
-        const float at = whole(f.x.px_of(value));
-        p.fill({at, f.graph.y, p.hairline(), f.graph.h}, t.grid);
-        const Rect place{at - p.em(2), f.x_labels.y, p.em(4), f.x_labels.h};
-        p.text(place, format_number(buffer, value, x.decimals), p.number_style(), t.text_dim, Align::center);
-    }
-    const Ticks y = ticks(o.y.low, o.y.high, std::max(1, static_cast<int>(f.graph.h / p.em(2))));
-    for (int i = 0; i < y.count; ++i) {
-        const double value = y.first + y.step * i;
-        const float at = whole(f.y.px_of(value));
-        p.fill({f.graph.x, at, f.graph.w, p.hairline()}, t.grid);
-        const Rect place{f.y_labels.x, at - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
-        p.text(place, format_number(buffer, value, y.decimals), p.number_style(), t.text_dim, Align::end);
-    }
-    ShortText name;
-    name.add(o.x_name).add_unit(o.x_unit);
-    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_bottom(p.em(1.4F)), name.view(), p.text_style(), t.text_dim,
-           Align::end);
-    name = {};
-    name.add(o.y_name).add_unit(o.y_unit);
-    p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_top(p.em(1.4F)), name.view(), p.text_style(), t.text_dim);
-}
-
-void draw_ground(Painter& p, const Node& node, const Look& look) {
-    const Theme& t = p.theme();
-    const CurveEditorOptions& o = look.options;
-    const Frame f = frame_of(p, node.rect(), o);
-    p.fill(node.rect(), t.panel);
-    p.fill(f.graph, t.panel);
-    draw_axes(p, f, o);
-    p.frame(f.graph, t.border, p.hairline());
-    p.push_clip(f.graph.inset(-p.em(0.2F)));
-    const bool disabled = has(node.is, Is::disabled);
-    if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), with_alpha(t.text_dim, 0.45F));
-    draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? t.text_disabled : t.series[0]);
-    if (look.slopes_of < look.curve->size()) {
-        const glm::vec2 at = place_of(f, look.curve->point(look.slopes_of));
-        for (int side = 0; side < 2; ++side) {
-            const std::size_t i = look.slopes_of;
-            const double slope = side == 0 ? look.curve->slope_in(i) : look.curve->slope_out(i);
-            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), t.text_dim);
-        }
-    }
-    if (!std::isnan(o.live)) {
-        const glm::vec2 at{f.x.px_of(o.live), f.y.px_of(look.curve->evaluate(o.live))};
-        p.fill({whole(at.x), f.graph.y, p.hairline(), f.graph.h}, with_alpha(t.good, 0.35F));
-        p.line(at, at, p.em(0.55F), t.good);
-    }
-    p.pop_clip();
-    if (!look.box.empty()) {
-        p.fill(look.box, with_alpha(t.focus, 0.15F));
-        p.frame(look.box, t.focus, p.hairline());
-    }
-}
-
-/// Above the points: what is typed.
-void draw_entry(Painter& p, const Node& node, const void* arg) {
-    const Look& look = *static_cast<const Look*>(arg);
-    if (look.entering >= look.curve->size()) return;
-    const Theme& t = p.theme();
-    const Frame f = frame_of(p, node.rect(), look.options);
-    const glm::vec2 at = place_of(f, look.curve->point(look.entering));
-    const TextStyle style = p.number_style();
-    const float typed = std::ceil(p.fonts().run(look.entry, style).width);
-    Rect box{at.x + p.em(1), at.y - p.em(2.4F), std::max(p.em(6), typed + p.em(1.4F)), p.em(1.75F)};
-    if (box.right() > node.rect().right()) box.x = at.x - p.em(1) - box.w;
-    box.y = std::max(node.rect().y, box.y);
-    p.fill(box, t.field, p.em(t.radius));
-    p.frame(box, look.invalid ? t.error : t.focus, p.hairline(), p.em(t.radius));
-    const Rect inside = box.inset(p.em(0.5F), 0);
-    if (look.entry.empty()) p.text(inside, "y, or x; y", p.text_style(), t.text_disabled);
-    p.text(inside, look.entry, style, t.text);
-    p.fill({inside.x + typed, box.y + p.em(0.35F), p.hairline(), box.h - p.em(0.7F)}, t.text);
-}
-
-void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
-    const Theme& t = p.theme();
-    const glm::vec2 at = node.rect().center();
-    const bool disabled = has(node.is, Is::disabled), selected = has(node.is, Is::selected);
-    const bool hovered = (has(node.is, Is::hovered) || has(node.is, Is::held)) && !disabled;
-    const float size = p.em(hovered ? 0.8F : 0.65F);
-    const Color color = disabled ? t.text_disabled : selected ? t.accent_hover : t.text;
-    const bool round = handle == CurveHandle::automatic || handle == CurveHandle::free;
-    if (round) {
-        p.line(at, at, size + 2 * p.hairline(), t.panel);
-        p.line(at, at, size, color);
-        return;
-    }
-    const Rect square{whole(at.x - size / 2), whole(at.y - size / 2), size, size};
-    p.fill(square.inset(-p.hairline()), t.panel);
-    p.fill(square, color);
-}
-
-void draw_slope_handle(Painter& p, const Node& node, const bool&) {
-    const glm::vec2 at = node.rect().center();
-    const bool hovered = has(node.is, Is::hovered) || has(node.is, Is::held);
-    p.line(at, at, p.em(0.5F), hovered ? p.theme().text : p.theme().text_dim);
-}
 
 // --- nodes ---
 

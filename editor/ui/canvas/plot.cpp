@@ -16,7 +16,7 @@ bool hidden(const PlotState& state, std::size_t i) {
 }
 
 Color color_of(const Theme& theme, const PlotSeries& series, std::size_t i) {
-    if (series.reference) return theme.text_dim;
+    if (series.reference) return on_canvas(theme, 0.55F);
     return theme.series[(series.color >= 0 ? static_cast<std::size_t>(series.color) : i) % 8];
 }
 
@@ -249,7 +249,7 @@ void draw_x_ticks(Painter& p, const Frame& f, const Look& look) {
     for (int i = 0; i < marks.count; ++i) {
         const double value = marks.first + marks.step * i;
         const float x = whole(f.x.px_of(value));
-        p.fill({x, f.plot.y, p.hairline(), f.plot.h}, t.grid);
+        p.fill({x, f.plot.y, p.hairline(), f.plot.h}, on_canvas(t, grid_ink));
         const std::string_view text = tick_text(buffer, value, marks.decimals);
         const float width = p.fonts().run(text, style).width;
         const Rect place{whole(x - width / 2), labels.y, std::ceil(width), labels.h};
@@ -260,7 +260,7 @@ void draw_x_ticks(Painter& p, const Frame& f, const Look& look) {
 void draw_y_tick(Painter& p, const Frame& f, double place, std::string_view text) {
     const float y = whole(f.y.px_of(place));
     if (y < f.plot.y || y > f.plot.bottom()) return;
-    p.fill({f.plot.x, y, f.plot.w, p.hairline()}, p.theme().grid);
+    p.fill({f.plot.x, y, f.plot.w, p.hairline()}, on_canvas(p.theme(), grid_ink));
     if (text.empty()) return;
     Rect label{f.y_labels.x, y - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
     p.text(label, text, p.number_style(), p.theme().text_dim, Align::end);
@@ -360,6 +360,9 @@ void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotDat
                std::size_t first, std::size_t last) {
     glm::vec2 before{0};
     bool joined = false, drawn = true;
+    const double x_scale = f.x.scale(), y_scale = f.y.scale();  // a division each
+    const double x_start = f.x.from - f.x.span.low * x_scale, y_start = f.y.from - f.y.span.low * y_scale;
+    const auto px = [](double v) { return static_cast<float>(std::clamp(v, -1e6, 1e6)); };
     for (std::size_t i = first; i < last; ++i) {
         const double y = placed(state, data.y(i));
         if (std::isnan(y)) {
@@ -367,7 +370,7 @@ void draw_line(Painter& p, const Frame& f, const PlotState& state, const PlotDat
             joined = false;
             continue;
         }
-        const glm::vec2 here{f.x.px_of(data.x(i)), f.y.px_of(y)};
+        const glm::vec2 here{px(x_start + data.x(i) * x_scale), px(y_start + y * y_scale)};
         if (joined) p.line(before, here, width, color);
         drawn = joined;
         before = here, joined = true;
@@ -391,7 +394,7 @@ void draw_residual(Painter& p, Frame f, const Look& look) {
     const PlotData& data = *look.options.residual;
     const Extremes e = data.extremes(data.index_from(look.state.x.low), data.index_from(look.state.x.high));
     const double most = e.any ? std::max({std::abs(e.low), std::abs(e.high), 1e-300}) : 1;
-    p.fill(f.residual, t.panel);
+    p.fill(f.residual, t.canvas);
     f.plot = f.residual;
     PlotState state = look.state;
     state.log_y = false;
@@ -402,9 +405,10 @@ void draw_residual(Painter& p, Frame f, const Look& look) {
     draw_y_tick(p, f, 0, "0");
     Rect labels = f.y_labels;
     labels = {labels.x, f.plot.y, labels.w - p.em(0.4F), p.em(1.2F)};
-    p.text(labels, tick_text(buffer, most, decimals), p.number_style(), t.text_dim, Align::end);
+    if (f.plot.h > p.em(3.2F))
+        p.text(labels, tick_text(buffer, most, decimals), p.number_style(), t.text_dim, Align::end);
     p.push_clip(f.plot);
-    draw_series(p, f, state, {.name = "", .data = &data}, t.warning);
+    draw_series(p, f, state, {.name = "", .data = &data}, t.series[1]);
     p.pop_clip();
     p.frame(f.plot, t.border, p.hairline());
 }
@@ -425,8 +429,8 @@ void draw_cursor(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
     const auto i = static_cast<std::size_t>(look.cursor_series);
     const glm::vec2 at{f.x.px_of(look.cursor_x), f.y.px_of(look.cursor_y)};
-    p.fill({whole(at.x), f.plot.y, p.hairline(), f.plot.h}, with_alpha(t.text_dim, 0.5F));
-    p.line(at, at, p.em(0.6F), t.panel);
+    p.fill({whole(at.x), f.plot.y, p.hairline(), f.plot.h}, on_canvas(t, quiet_ink));
+    p.line(at, at, p.em(0.6F), t.canvas);
     p.line(at, at, p.em(0.42F), color_of(t, look.series[i], i));
     draw_note(p, f, at, look.cursor);
 }
@@ -435,7 +439,7 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
     const Frame f = frame_of(p, node.rect(), look.state, look.options.residual != nullptr);
     p.fill(node.rect(), t.panel);
-    p.fill(f.plot, t.panel);
+    p.fill(f.plot, t.canvas);
     ShortText name;
     name.add(look.options.y_name);
     if (!look.options.y_unit.empty()) name.add(" (").add(look.options.y_unit).add(")");
@@ -451,13 +455,13 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
     for (std::size_t i = 0; i < look.series.size(); ++i) {
         if (!hidden(look.state, i)) draw_series(p, f, look.state, look.series[i], color_of(t, look.series[i], i));
     }
-    if (look.state.has_range)
-        draw_note(p, f, {f.x.px_of(std::max(range.low, look.state.x.low)), f.plot.y}, look.statistics);
     if (!look.box.empty()) {
         p.fill(look.box, with_alpha(t.focus, 0.15F));
         p.frame(look.box, t.focus, p.hairline());
     }
     draw_cursor(p, f, look);
+    if (look.state.has_range)
+        draw_note(p, f, {f.x.px_of(std::max(range.low, look.state.x.low)), f.plot.y}, look.statistics);
     p.pop_clip();
     p.frame(f.plot, has(node.is, Is::disabled) ? t.grid : t.border, p.hairline());
     if (look.options.residual != nullptr) draw_residual(p, f, look);

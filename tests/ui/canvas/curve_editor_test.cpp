@@ -94,7 +94,7 @@ TEST_F(CurveEditorTest, ShiftMovesATenthAndCtrlInSteps) {
     EXPECT_NEAR(curve.point(1).x, 0.26, 1e-6);
     EXPECT_NEAR(curve.point(1).y, 0.52, 1e-6);
     options.x_step = options.y_step = 0.1;
-    ui.press("Curve/Point 2").drag_by(way(0.06, 0.06), Mods::command).release();
+    ui.press("Curve/Point 2").drag_by(way(0.06, 0.06), Mods::command).release(Mods::command);
     EXPECT_DOUBLE_EQ(curve.point(1).x, 0.3);
     EXPECT_DOUBLE_EQ(curve.point(1).y, 0.6);
 }
@@ -163,6 +163,15 @@ TEST_F(CurveEditorTest, ABoxSelectsAndTheSelectionMovesTogether) {
     ui.drag("Curve/Point 3", way(0, 5));
     EXPECT_EQ(curve.point(1).y, 1);
     EXPECT_NEAR(curve.point(2).y, 0.75, 1e-6) << "keeps its distance";
+}
+
+TEST_F(CurveEditorTest, EscapeGivesBackTheSelectionBeforeABox) {
+    ui.click("Curve/Point 4");
+    press_at(at(0.15, 0.7)).drag_by(way(0.45, -0.6));
+    EXPECT_TRUE(ui.is("Curve/Point 2", Is::selected));
+    ui.key(Key::escape).release();
+    EXPECT_FALSE(ui.is("Curve/Point 2", Is::selected));
+    EXPECT_TRUE(ui.is("Curve/Point 4", Is::selected));
 }
 
 TEST_F(CurveEditorTest, ShiftAddsToTheSelectionAndAPressBesideDropsIt) {
