@@ -194,6 +194,12 @@ TEST(ValueRange, EndsAreExactAndWaysGoBackAndForthOnEveryScale) {
         ASSERT_GE(range.place_of(value), 0) << about();
         ASSERT_LE(range.place_of(value), 1) << about();
         ASSERT_NEAR(range.value_at(range.place_of(value)), value, 1e-12 * width) << about();
+        ASSERT_GE(range.value_at(std::nextafter(0.0, 1.0)), range.minimum) << about();
+        ASSERT_LE(range.value_at(std::nextafter(0.0, -1.0)), range.minimum) << about();
+        ASSERT_LE(range.value_at(std::nextafter(1.0, 0.0)), range.maximum) << about();
+        ASSERT_GE(range.value_at(std::nextafter(1.0, 2.0)), range.maximum) << about();
+        ASSERT_LE(range.place_of(std::nextafter(range.minimum, -infinity)), 0) << about();
+        ASSERT_GE(range.place_of(std::nextafter(range.maximum, infinity)), 1) << about();
         const double inside = std::clamp(high, 0.0, 1.0);
         ASSERT_NEAR(range.place_of(range.value_at(inside)), inside, 1e-12) << about();
     }
@@ -226,6 +232,8 @@ TEST(ValueRange, LogarithmicHasEqualWaysForEqualRatios) {
     EXPECT_NEAR(range.place_of(1), 0.5, 1e-12);
     EXPECT_NEAR(range.place_of(10), 0.75, 1e-12);
     EXPECT_NEAR(range.value_at(1.25), 1000, 1e-9) << "outside, too";
+    const ValueRange wide{.minimum = 1, .maximum = 1e6, .scale = ValueScale::logarithmic};
+    EXPECT_NEAR(wide.place_of(1000), 0.5, 1e-12) << "its smallest is not above its minimum";
 }
 
 TEST(ValueRange, LogarithmicFromNothingBeginsWithALineOfOneHundredth) {
@@ -262,6 +270,9 @@ TEST(ValueRange, ARangeOfOneValueHasOnePlace) {
     EXPECT_EQ(range.place_of(3), 0);
     EXPECT_EQ(range.place_of(7), 0);
     EXPECT_EQ(range.value_at(0.4), 3);
+    const ValueRange narrow{.minimum = 1, .maximum = std::nextafter(1.0, 2.0), .scale = ValueScale::logarithmic};
+    EXPECT_EQ(narrow.place_of(narrow.maximum), 1);
+    EXPECT_TRUE(std::isfinite(narrow.place_of(2)));
 }
 
 TEST(Roundest, PrefersFewDigitsThenHalves) {
@@ -354,6 +365,7 @@ TEST(Ticks, AreRoundPlaces) {
     EXPECT_EQ(fine.decimals, 1);
     EXPECT_EQ(ticks(10, 0, 6).step, 2) << "swapped";
     EXPECT_EQ(ticks(0, 0.3, 4).count, 4) << "the end counts in spite of rounding";
+    EXPECT_EQ(ticks(0.1 + 0.2, 0.7, 5).count, 5) << "and so does the beginning";
     EXPECT_EQ(ticks(4, 4, 5).count, 1);
     EXPECT_EQ(ticks(4, 4, 5).first, 4);
     EXPECT_EQ(ticks(0, 1, 0).count, 0);
