@@ -19,6 +19,7 @@ struct Memory {
     Drag drag = Drag::none;
     bool began = false;  ///< the curve has been changed by this drag
     bool both = false;   ///< slope: of both sides
+    bool adds = false;   ///< box: to what was selected
     std::size_t grabbed = 0;
     int side = 0;  ///< slope: 0 in, 1 out
     glm::vec2 from{0}, last{0}, way{0};
@@ -86,7 +87,8 @@ class Editing {
             m_.from = m_.last = e.at;
             m_.selected_before = m_.selected;
             m_.drag = Memory::Drag::box, m_.grabbed = 0;
-            if (!has(e.mods, Mods::shift)) select_none();
+            m_.adds = has(e.mods, Mods::shift);
+            if (!m_.adds) select_none();
             if (e.clicks == 2) insert_and_drag(e);
             return;
         }
@@ -198,7 +200,7 @@ class Editing {
         if (e.kind != EventKind::pointer && e.kind != EventKind::release) return;
         m_.way += (e.at - m_.last) * (has(e.mods, Mods::shift) ? 0.1F : 1.0F);
         m_.last = e.at;
-        if (m_.drag == Memory::Drag::box) select_box(has(e.mods, Mods::shift));
+        if (m_.drag == Memory::Drag::box) select_box(m_.adds);
         if (m_.drag == Memory::Drag::slope) turn(e.at);
         if (m_.drag == Memory::Drag::points && (m_.began || glm::distance(e.at, m_.from) > 3 * ui_.scale()))
             move(has(e.mods, Mods::command));

@@ -21,7 +21,7 @@
 namespace lapfx::ui {
 
 struct CurveEditorOptions {
-    Span x, y;  ///< what is shown and what points can be moved to; low < high (assert)
+    Span x = {}, y = {};  ///< what is shown and what points can be moved to; low < high (assert)
     double x_step = 0.01, y_step = 0.01;
     std::string_view x_name = {}, x_unit = {}, y_name = {}, y_unit = {};
     const Curve* standard = nullptr;  ///< drawn as a ghost; must outlive the frame

@@ -34,12 +34,12 @@ struct PlotSeries {
 
 /// What is in sight; kept by the widget unless the program does, to link plots or to store it.
 struct PlotState {
-    Span x, y;           ///< y: of decimal logarithms while `log_y`
-    bool fitted = true;  ///< follows the data until it is moved
+    Span x = {}, y = {};  ///< y: of decimal logarithms while `log_y`
+    bool fitted = true;   ///< follows the data until it is moved
     bool log_y = false;
     std::uint64_t hidden = 0;  ///< a bit for each series; from the 64th on all are seen
     bool has_range = false;
-    Span range;
+    Span range = {};
 };
 
 struct PlotOptions {

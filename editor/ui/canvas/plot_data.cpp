@@ -109,9 +109,11 @@ std::size_t PlotData::nearest(double place) const {
 double PlotData::value_at(double place) const {
     const std::size_t after = index_from(place);
     if (after == size()) return nothing;
-    if (x(after) == place) return y(after);
+    if (x(after) == place) return std::isfinite(y(after)) ? y(after) : nothing;
     if (after == 0 || !std::isfinite(place)) return nothing;
-    return std::lerp(y(after - 1), y(after), (place - x(after - 1)) / (x(after) - x(after - 1)));
+    const double left = y(after - 1), right = y(after);
+    if (!std::isfinite(left) || !std::isfinite(right)) return nothing;  // std::lerp would give an end
+    return std::lerp(left, right, (place - x(after - 1)) / (x(after) - x(after - 1)));
 }
 
 Extremes PlotData::extremes(std::size_t first, std::size_t last) const {

@@ -57,6 +57,16 @@ double frames_of(double seconds, double rate) {
     return std::floor(seconds * rate + 1e-6);
 }
 
+/// As much as can be in sight, within time and a little around it.
+Span kept(Span view, const TimelineOptions& o) {
+    const double most = o.length * 1.1, least = std::min(most, fewest_frames / o.rate);
+    if (view.length() > most || view.length() < least)
+        view.zoom(std::clamp(view.length(), least, most) / view.length(), (view.low + view.high) / 2);
+    view.pan(std::max(0.0, -0.05 * o.length - view.low));
+    view.pan(std::min(0.0, 1.05 * o.length - view.high));
+    return view;
+}
+
 class Editing {
   public:
     Editing(Ui& ui, Id id, Memory& memory, TimelineState& state, std::span<TimelineTrack> tracks,
@@ -200,14 +210,9 @@ class Editing {
         if (s_.range.length() < frame()) s_.range = old, s_.has_range = had;  // at the very end of time
         if (!(s_.range == old) || s_.has_range != had) edit.range |= Edit::once();
     }
-    void show(Span view) {
-        const double most = o_.length * 1.1, least = std::min(most, fewest_frames * frame());
-        if (!std::isfinite(view.length())) return;
-        if (view.length() > most || view.length() < least)
-            view.zoom(std::clamp(view.length(), least, most) / view.length(), (view.low + view.high) / 2);
-        view.pan(std::max(0.0, -0.05 * o_.length - view.low));
-        view.pan(std::min(0.0, 1.05 * o_.length - view.high));
-        s_.view = view;
+    void show(const Span& view) {
+        if (!(view.length() > 0) || !std::isfinite(view.length())) return;
+        s_.view = kept(view, o_);
         s_.fitted = false;
     }
     void wheel(const Event& e) {
@@ -510,6 +515,12 @@ void draw_range_end(Painter& p, const Node& node, const bool& in) {
 
 // --- nodes ---
 
+/// Of the timeline; when it has not been laid out yet, one that gives the right distances.
+Rect known_rect(Ui& ui, Id id) {
+    const Rect rect = ui.rect_before(id);
+    return rect.empty() ? Rect{0, 0, ui.window().x, ui.window().y} : rect;
+}
+
 void put_item(Ui& ui, Memory& m, Editing& editing, const TimelineState& state, const TimelineItem& item,
               const TimelineOptions& o, const Frame& f, std::size_t track, std::size_t index) {
     const bool mark = item.end <= item.start;
@@ -551,7 +562,7 @@ void put_tracks(Ui& ui, Memory& m, Editing& editing, const TimelineState& state,
     }
     const Memory::Built keep[2] = {kept > 0 ? m.built[0] : Memory::Built{}, kept > 1 ? m.built[1] : Memory::Built{}};
     m.built.clear();
-    const Rect all = ui.rect_before(ui.parent().id);
+    const Rect all = known_rect(ui, ui.parent().id);
     for (std::size_t t = 0; t < tracks.size(); ++t) {
         ShortText unnamed;
         unnamed.add("Track ").add(static_cast<double>(t + 1), 0);
@@ -577,7 +588,7 @@ void put_range_end(Ui& ui, Memory& m, const TimelineState& state, const Timeline
     if (!state.has_range || t < state.view.low || t > state.view.high) return;
     Node& node = ui.leaf(Role::handle, in ? "In" : "Out", Sense::hover | Sense::press | Sense::focus | Sense::arrows_x);
     m.range_ids[in ? 0 : 1] = node.id;
-    const Rect all = ui.rect_before(ui.parent().id);
+    const Rect all = known_rect(ui, ui.parent().id);
     const float u = static_cast<float>((t - state.view.low) / state.view.length()), left = f.ruler.x - all.x;
     node.placed = true;
     node.placement = ui.arena().make(Placement{.fraction = {u, 0}, .offset = {left * (1 - u), 0}, .pivot = {0.5F, 0}});
@@ -639,9 +650,9 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
     Memory& m = ui.memory<Memory>(id);
     if (state.fitted) state.view = {0, options.length};
     if (m.drag == Part::none && state.speed > 0 && state.time > state.view.high)  // a page further
-        state.view.pan(state.time - state.view.low);
+        state.view = kept({state.time, state.time + state.view.length()}, options);
     if (m.drag == Part::none && state.speed < 0 && state.time < state.view.low)
-        state.view.pan(state.time - state.view.high);
+        state.view = kept({state.time - state.view.length(), state.time}, options);
     const Frame f = frame_of(ui, ui.rect_before(id), state.view, options);
     Editing editing(ui, id, m, state, tracks, options, f);
     if (!f.ruler.empty()) {  // all that happened, before anything is built
@@ -658,7 +669,7 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
         }
     }
     put_buttons(ui, state);
-    const Frame now = frame_of(ui, ui.rect_before(id), state.view, options);
+    const Frame now = frame_of(ui, known_rect(ui, id), state.view, options);
     put_range_end(ui, m, state, options, now, true);
     put_range_end(ui, m, state, options, now, false);
     put_tracks(ui, m, editing, state, tracks, options, now);

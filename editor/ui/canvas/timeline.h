@@ -44,8 +44,8 @@ struct TimelineState {
     double speed = 0;  ///< 0: stands, 1: plays
     bool loop = false;
     bool has_range = false;
-    Span range;  ///< s, in and out
-    Span view;
+    Span range = {};  ///< s, in and out
+    Span view = {};
     bool fitted = true;  ///< all is in sight, until it is zoomed
 };
 

@@ -6,14 +6,14 @@ namespace lapfx::ui {
 
 Rect field_part(const Rect& row, bool caption) {
     Rect part = row;
-    if (caption) part.cut_left(std::round(row.w * caption_share));
+    if (caption) part.cut_left(whole(row.w * caption_share));
     return part;
 }
 
 void draw_caption(Painter& painter, const Node& node, bool caption) {
     if (!caption) return;
     Rect rect = node.rect();
-    rect = rect.cut_left(std::round(rect.w * caption_share));
+    rect = rect.cut_left(whole(rect.w * caption_share));
     rect.cut_right(painter.em(0.4F));
     const Theme& t = painter.theme();
     painter.text(rect, node.shown, painter.text_style(), has(node.is, Is::disabled) ? t.text_disabled : t.text);
@@ -47,9 +47,9 @@ std::string_view overlay_name(Ui& ui, std::string_view kind, Id owner) {
 Rect scroll_thumb(const Rect& track, const ScrollState& scroll, float least) {
     const float all = scroll.content.y, view = scroll.view.y;
     if (all <= view + 0.5F || view <= 0) return {};
-    const float height = std::min(track.h, std::max(least, std::round(track.h * view / all)));
+    const float height = std::min(track.h, std::max(least, whole(track.h * view / all)));
     const float y = track.y + (track.h - height) * std::clamp(scroll.offset.y / (all - view), 0.0F, 1.0F);
-    return {track.x, std::round(y), track.w, height};
+    return {track.x, whole(y), track.w, height};
 }
 
 float scrolled_by_thumb(const Rect& track, const ScrollState& scroll, float px, float least) {

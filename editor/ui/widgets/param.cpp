@@ -20,8 +20,8 @@ struct ParamLook {
 /// The bar from the range's begin, or from 0 where that lies within, to the value. No clips: a batch has room for few.
 void draw_bar(Painter& painter, const Rect& field, const ParamLook& look, bool lit) {
     const Theme& t = painter.theme();
-    const float from = std::round(field.w * std::min(look.from, look.to));
-    const float to = std::round(field.w * std::max(look.from, look.to)), place = std::round(field.w * look.to);
+    const float from = whole(field.w * std::min(look.from, look.to));
+    const float to = whole(field.w * std::max(look.from, look.to)), place = whole(field.w * look.to);
     if (to > from) painter.fill({field.x + from, field.y, to - from, field.h}, t.accent_ground, painter.em(t.radius));
     draw_param_mark(painter, field, place, 2 * painter.hairline(), lit ? t.accent_hover : t.accent);
 }
@@ -52,7 +52,7 @@ void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
 }
 
 bool elided(Ui& ui, const Node& node) {
-    const float column = std::round(ui.rect_before(node.id).w * caption_share) - ui.em(0.9F);
+    const float column = whole(ui.rect_before(node.id).w * caption_share) - ui.em(0.9F);
     return column > 0 && ui.text_width(node.shown) > column;
 }
 
@@ -61,12 +61,12 @@ Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions
                ParamActions* actions) {
     Node& node = ui.leaf(Role::slider, label, number_sense);
     const Id id = node.id;
-    const Rect field = field_part(ui.rect_before(id), caption);
     NumberState* const state = number_state(ui, id);
     Response r;
     Edit edit;
     if (state != nullptr) {
         r = ui.respond(node);
+        const Rect field = field_part(ui.rect_before(id), caption);
         edit = NumberGesture(ui, id, o, value, field, field.w).take(*state, r);
     }
     const double shown = value * o.display;
@@ -135,7 +135,7 @@ void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {
 
 void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color) {
     const float x = std::clamp(place - std::floor(width / 2), 0.0F, std::max(0.0F, field.w - width));
-    const float height = std::round(field.h * 0.35F);  // below the digits
+    const float height = whole(field.h * 0.35F);  // below the digits
     painter.fill({field.x + x, field.bottom() - height, width, height}, color);
 }
 

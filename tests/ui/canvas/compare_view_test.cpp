@@ -164,6 +164,17 @@ TEST(CompareView, TurningGivenUpPutsLineAndAngleBack) {
     EXPECT_EQ(c.committed, 0);
 }
 
+TEST(CompareView, TurningALineFromOutOfSightBringsItToTheHandleUnlessGivenUp) {
+    Compared c;
+    c.state.position = 0.1;
+    c.state.view = {.fitted = false, .zoom = 16};
+    c.ui.frame().press("Takes/Wipe angle").drag_by({30, 0});
+    EXPECT_GT(c.state.position, 0.4);
+    c.ui.key(Key::escape);
+    EXPECT_EQ(c.state.position, 0.1);
+    EXPECT_EQ(c.state.angle, 0);
+}
+
 TEST(CompareView, ControlTurnsInStepsOf15Degrees) {
     Compared c;
     c.ui.drag("Takes/Wipe angle", {-40, 0}, Mods::command);

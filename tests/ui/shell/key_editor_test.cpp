@@ -76,6 +76,7 @@ TEST_F(KeyEditorTest, EscapeGivesUpAndWhatMovesTheFocusIsRefused) {
     ui.frame().click("**/Keys of File: Open").key(Key::escape);
     EXPECT_EQ(keys("File: Open"), "Ctrl+O");
     EXPECT_FALSE(ui.is("**/Keys of File: Open", Is::busy));
+    EXPECT_THAT(ui.dump(), testing::Not(testing::HasSubstr("belongs to the whole program")));
     ui.click("**/Keys of File: Open").key(Key::tab);
     EXPECT_EQ(keys("File: Open"), "Ctrl+O");
     EXPECT_TRUE(ui.exists("**/Tab belongs to the whole program and cannot be given away"));
