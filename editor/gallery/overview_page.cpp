@@ -71,7 +71,7 @@ void large_ones(ui::Ui& ui, State& state) {
     const ui::PlotSeries speeds[] = {{.name = "measured", .data = &state.graphs.measured, .reference = true},
                                      {.name = "simulated", .data = &state.graphs.simulated}};
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(11)), .gap = 1.2F, .cross = ui::Place::stretch});
-    ui::plot(ui, "Speed", speeds, {.x_unit = "s", .y_name = "Speed", .y_unit = "mm/s"});
+    ui::plot(ui, "Speed", speeds, {.x_unit = "s", .y_unit = "mm/s", .height = ui::px(ui.em(11))});
     ui::compare_view(ui, "Compare", state.pictures.clean.picture(), state.pictures.smoky.picture(),
                      state.pictures.compare);
     constexpr std::array columns = {ui::TableColumn{"Clip", 8}, ui::TableColumn{"Length", 5, ui::Align::end}};
