@@ -37,7 +37,7 @@ void draw_page_name(ui::Painter& painter, const ui::Node& node, const PageLook& 
 
 void page_list(ui::Ui& ui, State& state) {
     ui::Panel panel(ui, "Pages", {.width = ui::px(ui.em(9)), .height = ui::grow(), .gap = 0.1F, .padding = 0.4F});
-    const ui::ScrollArea list(ui, "List", {.role = ui::Role::list});
+    const ui::ScrollArea list(ui, "List", {.padding = 0.15F, .role = ui::Role::list});
     for (std::size_t i = 0; i < all_pages.size(); ++i) {
         ui::Node& node = ui.leaf(ui::Role::list_item, all_pages[i].name,
                                  ui::Sense::hover | ui::Sense::press | ui::Sense::focus | ui::Sense::activate);

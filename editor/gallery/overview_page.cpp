@@ -3,6 +3,7 @@
 
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
+#include "ui/canvas/plot.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
@@ -66,9 +67,22 @@ void tree(ui::Ui& ui, ListsState& state) {
     ui::tree_view(ui, "Parts", state.tree, state.parts, {.height = ui::px(ui.em(11))});
 }
 
-}  // namespace
+void large_ones(ui::Ui& ui, State& state) {
+    const ui::PlotSeries speeds[] = {{.name = "measured", .data = &state.graphs.measured, .reference = true},
+                                     {.name = "simulated", .data = &state.graphs.simulated}};
+    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(11)), .gap = 1.2F, .cross = ui::Place::stretch});
+    ui::plot(ui, "Speed", speeds, {.x_unit = "s", .y_unit = "mm/s", .height = ui::px(ui.em(11))});
+    ui::compare_view(ui, "Compare", state.pictures.clean.picture(), state.pictures.smoky.picture(),
+                     state.pictures.compare);
+    constexpr std::array columns = {ui::TableColumn{"Clip", 8}, ui::TableColumn{"Length", 5, ui::Align::end}};
+    ui::table(ui, "Clips", state.lists.table, columns, state.lists.clips.size(),
+              [&](std::size_t i, std::size_t column) {
+                  const Clip& clip = state.lists.clips[i];
+                  return ui::TableCell{.text = column == 0 ? clip.name : clip.length, .number = column == 1};
+              });
+}
 
-void overview_page(ui::Ui& ui, State& state) {
+void small_ones(ui::Ui& ui, State& state) {
     const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::Place::start});
     {
         const ui::Column column(ui, {.width = ui::grow()});
@@ -89,6 +103,13 @@ void overview_page(ui::Ui& ui, State& state) {
     params(ui, state.params);
     ui::progress(ui, "Rendering", 0.42, {.seconds_left = 80});
     ui::histogram(ui, "Histogram", {.bins = state.pictures.luma}, &state.pictures.levels, {.height = 8});
+}
+
+}  // namespace
+
+void overview_page(ui::Ui& ui, State& state) {
+    small_ones(ui, state);
+    large_ones(ui, state);
 }
 
 }  // namespace lapfx::gallery

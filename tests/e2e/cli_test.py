@@ -91,6 +91,18 @@ USAGE = [
     Case("usage: help of check", ("check", "--help"), 0, prints=r"(?s).*FILE.*"),
     Case("usage: help of inspect", ("inspect", "--help"), 0, prints=r"(?s).*FILE.*"),
     Case("usage: help of edit", ("edit", "--help"), 0, prints=r"(?s).+"),
+    Case("usage: help of gallery", ("gallery", "--help"), 0, prints=r"(?s).*--screenshot.*--dump.*"),
+    Case("usage: gallery without such a page", ("gallery", "--page", "Attic", "--dump", "out.txt"), 2,
+         says="Attic.*is none of Overview, Basic"),
+    Case("usage: gallery without such a theme", ("gallery", "--theme", "pink", "--dump", "out.txt"), 2, says="pink"),
+    Case("usage: gallery without such a widget", ("gallery", "--focus", "Attic", "--dump", "out.txt"), 2, says="Attic"),
+    Case("usage: gallery at no scale", ("gallery", "--scale", "nan", "--dump", "out.txt"), 2, says="--scale"),
+    Case("usage: gallery no picture's name", ("gallery", "--screenshot", "out.gif"), 2, says="out.gif"),
+    Case("usage: gallery into no folder", ("gallery", "--dump", "nowhere/out.txt"), 1, "nowhere/out.txt"),
+    Case("usage: gallery as a tree", ("gallery", "--dump", "out.json"), 0, leaves=("out.json",),
+         then=lambda folder: json.load(open(os.path.join(folder, "out.json"), encoding="utf-8"))["children"]),
+    Case("render: gallery", ("gallery", "--screenshot", "out.png", "--size", "64x48", "--backend", "osmesa"), 0,
+         leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
 ]
 
 INPUT = [

@@ -9,6 +9,7 @@
 
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
+#include "ui/widgets/tabs.h"
 
 namespace lapfx::gallery {
 namespace {
@@ -165,6 +166,21 @@ TEST(Gallery, ShowsThePageAloneWhenBare) {
     shown.ui.frame();
     EXPECT_FALSE(shown.ui.exists("Pages"));
     EXPECT_TRUE(shown.ui.exists("Page/Basic/Buttons/enabled/Normal"));
+}
+
+TEST(Gallery, TellsTheButtonsOfTwoNarrowTabStripsApart) {
+    constexpr std::string_view names[] = {"A long name", "Another long name", "A third one"};
+    Harness harness(
+        [&](ui::Ui& u) {
+            const ui::Column column(u, {.width = ui::px(120)});
+            ui::tab_strip(u, "Upper", 0, names);
+            ui::tab_strip(u, "Lower", 0, names);
+        },
+        {400, 200});
+    harness.settle();
+    const auto tree = harness.ui().tree();
+    EXPECT_EQ(std::count_if(tree.begin(), tree.end(), [](const Node& n) { return n.label == "All tabs"; }), 2);
+    EXPECT_EQ(harness.ui().duplicates(), 0U);
 }
 
 }  // namespace

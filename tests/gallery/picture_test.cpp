@@ -57,5 +57,49 @@ TEST_P(GalleryPicture, HasTheGroundOfItsThemeAndIsDrawnWithFewCalls) {
     }
 }
 
+/// What is seen only after something was done: a page, what is clicked on it, the overlay that then is there.
+struct Opening {
+    const char *name, *page, *clicked;
+};
+class GalleryOpening : public ui::test::GlTest, public testing::WithParamInterface<Opening> {};
+INSTANTIATE_TEST_SUITE_P(Gallery, GalleryOpening,
+                         testing::Values(Opening{"Menu", "Shell", "**/from a button/More"},
+                                         Opening{"Dialog", "Shell", "**/dialogs/New preset"},
+                                         Opening{"Question", "Shell", "**/dialogs/Delete"},
+                                         Opening{"Files", "Shell", "**/dialogs/Open a file"},
+                                         Opening{"Palette", "Shell", "**/dialogs/Palette"},
+                                         Opening{"Keys", "Shell", "**/dialogs/Keys"},
+                                         Opening{"Toast", "Shell", "**/toasts/Error"},
+                                         Opening{"Combo", "Fields", "**/ten thousand/Frame"},
+                                         Opening{"Colour", "Fields", "**/enabled/Glass"}),
+                         [](const auto& each) { return std::string(each.param.name); });
+
+TEST_P(GalleryOpening, LiesOverThePageAndIsClosedByEsc) {
+    const Opening& opening = GetParam();
+    for (const bool light : {false, true}) {
+        State* shown = nullptr;
+        ui::Harness harness(
+            [&](ui::Ui& u) {
+                if (shown != nullptr) build(u, *shown);
+            },
+            {1000, 760});
+        State state(harness.images());
+        shown = &state;
+        state.page = page_named(opening.page);
+        state.light = light;
+        harness.frame().click(opening.clicked).frame(1);
+        EXPECT_GT(harness.ui().overlay_count(), 0U) << harness.dump();
+        if (const char* folder = std::getenv("LAPFX_UI_LOOK"); folder != nullptr) {
+            ui::test::Canvas canvas(harness.size);
+            ui::Renderer().draw(*harness.output().list, ui::Harness::fonts(), &harness.images(), canvas.framebuffer());
+            ui::test::write_png(canvas.read(),
+                                std::string(folder) + "/open_" + opening.name + (light ? "_light" : "_dark") + ".png");
+        }
+        if (std::string_view(opening.name) == "Toast") continue;  // stays, and takes no keys
+        harness.key(ui::Key::escape).frame();
+        EXPECT_EQ(harness.ui().overlay_count(), 0U) << harness.dump();
+    }
+}
+
 }  // namespace
 }  // namespace lapfx::gallery
