@@ -28,12 +28,7 @@ void put_color(std::uint16_t (&uv)[4], int at, Color c) {
 }  // namespace
 
 Painter::Painter(DrawList& list, Fonts& fonts, const Theme& theme, float scale)
-    : list_(list),
-      fonts_(fonts),
-      theme_(theme),
-      scale_(scale),
-      clips_(list.clip_stack),
-      elided_(list.elided) {}
+    : list_(list), fonts_(fonts), theme_(theme), scale_(scale), clips_(list.clip_stack), elided_(list.elided) {}
 
 TextStyle Painter::text_style(float relative_size, Weight weight) const {
     return {.size = em(relative_size), .weight = weight};
@@ -85,9 +80,8 @@ void Painter::need_batch(ImageHandle first, ImageHandle second) {
 }
 
 /// Of clip() in the table of the open batch; opens one where there is none, or no room.
-std::uint8_t Painter::clip_index() {
+std::uint8_t Painter::enter_clip() {
     ClipLevel& clip = clips_.back();
-    if (clip.batch != 0 && clip.batch == list_.batches.size()) return clip.index;
     if (list_.batches.empty()) need_batch(0, 0);
     if (list_.batches.back().clips == most_clips) {
         const Batch full = list_.batches.back();
@@ -255,11 +249,6 @@ void Painter::compare(const Rect& rect, ImageHandle first, ImageHandle second, c
 
 // --- text ---
 
-const LineMetrics& Painter::metrics_of(const TextStyle& style) {
-    if (!(style == measured_)) metrics_ = fonts_.metrics(style), measured_ = style;
-    return metrics_;
-}
-
 float Painter::text(const Rect& rect, std::string_view text, const TextStyle& style, Color color, Align align) {
     if (text.empty() || hidden(rect)) return 0;
     return this->text(rect, text, fonts_.run(text, style), style, color, align);
@@ -278,7 +267,7 @@ float Painter::text(const Rect& rect, std::string_view text, const Run& whole_ru
         elided_.assign(kept).append(ellipsis);
         run = &fonts_.run(elided_, style);
     }
-    const LineMetrics& metrics = metrics_of(style);
+    const LineMetrics& metrics = run->metrics;
     const float space = rect.w - run->width;
     const float left = align == Align::start ? 0 : align == Align::center ? space / 2 : space;
     const float top = whole((rect.h - metrics.ascent - metrics.descent) / 2);
@@ -290,9 +279,9 @@ void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     if (run.glyphs.empty() || color.a == 0) return;
     const float left = whole(baseline.x), top = whole(baseline.y);
     const Rect& visible = clip();
-    const Rect ink = run.ink.moved({left, top});
-    if (!ink.overlaps(visible)) return;
-    const bool inside = intersect(ink, visible) == ink;
+    const float x = left + run.ink.x, y = top + run.ink.y, right = x + run.ink.w, bottom = y + run.ink.h;
+    const bool inside = x >= visible.x && y >= visible.y && right <= visible.right() && bottom <= visible.bottom();
+    if (!inside && !run.ink.moved({left, top}).overlaps(visible)) return;
     const std::uint8_t clip = clip_index();
     Instance* const first = list_.instances.add(run.glyphs);
     Instance* const end = first + run.glyphs.size();

@@ -125,14 +125,14 @@ class Painter {
     Instance& add(InstanceKind kind, Color color);
     bool frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius);
     void need_batch(ImageHandle first, ImageHandle second);
-    std::uint8_t clip_index();
+    std::uint8_t clip_index() {
+        const ClipLevel& clip = clips_.back();
+        return clip.batch != 0 && clip.batch == list_.batches.size() ? clip.index : enter_clip();
+    }
+    std::uint8_t enter_clip();
     bool hidden(const Rect& rect) const { return !rect.overlaps(clips_.back().rect); }
 
-    const LineMetrics& metrics_of(const TextStyle& style);
-
     DrawList& list_;
-    TextStyle measured_{.size = 0};  ///< what `metrics_` is of: one style after another is nearly always the same
-    LineMetrics metrics_;
     Fonts& fonts_;
     const Theme& theme_;
     float scale_;

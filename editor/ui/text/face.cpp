@@ -48,12 +48,6 @@ FT_Int32 load_flags(const Rendering& rendering) {
 
 }  // namespace
 
-StyleKey::StyleKey(const TextStyle& style)
-    // Not a number compares as false, so it is the smallest.
-    : quarters(static_cast<std::uint16_t>(style.size > 4 ? std::min(style.size, 400.0F) * 4 + 0.5F : 16.0F)),
-      base(static_cast<std::uint8_t>(static_cast<int>(style.weight) * 2 + (style.monospace ? 1 : 0))),
-      tabular(style.tabular) {}
-
 Face::Face(FT_Library library, const std::string& file, int index, const Rendering& rendering, std::uint16_t id)
     : file_(file), index_(index), id_(id), rendering_(rendering) {
     FT_Face face = nullptr;

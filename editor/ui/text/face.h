@@ -5,6 +5,7 @@
 #include <fontconfig/fontconfig.h>
 #include <ft2build.h>
 #include <hb.h>
+#include <algorithm>
 
 #include <memory>
 #include <string>
@@ -29,7 +30,11 @@ using OwnedPattern = Owned<FcPattern, FcPatternDestroy>;
 
 /// A TextStyle as caches use it: the size in quarters of a px, limited.
 struct StyleKey {
-    explicit StyleKey(const TextStyle& style);
+    /// Not a number compares as false, so it is the smallest.
+    explicit StyleKey(const TextStyle& style)
+        : quarters(static_cast<std::uint16_t>(style.size > 4 ? std::min(style.size, 400.0F) * 4 + 0.5F : 16.0F)),
+          base(static_cast<std::uint8_t>(static_cast<int>(style.weight) * 2 + (style.monospace ? 1 : 0))),
+          tabular(style.tabular) {}
     float size() const { return static_cast<float>(quarters) / 4; }
     std::uint64_t bits() const { return std::uint64_t{quarters} << 16 | std::uint64_t{base} << 1 | tabular; }
 

@@ -59,6 +59,7 @@ const Run& Fonts::run(std::string_view text, const TextStyle& style) {
     if (const Run* known = self.runs.find(text, key.bits())) return *known;
     Run& run = self.runs.add(text, key.bits());
     self.shaper.shape(text, key, run);
+    run.metrics = self.faces.base(key.base).metrics(key.size());
     return run;
 }
 

@@ -47,6 +47,7 @@ struct Run {
     std::vector<Instance>
         glyphs;  ///< kind glyph; x from the start of the run, y from the baseline; colour and clip not set
     std::vector<CaretStop> stops;  ///< ascending, from {0, 0} to {text.size(), width}: one a grapheme cluster at most
+    LineMetrics metrics;           ///< of its style
     Rect ink{};                    ///< px around all glyphs, from the start of the run and the baseline
     float width = 0;               ///< px, not rounded
 

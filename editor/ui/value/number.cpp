@@ -69,11 +69,11 @@ std::string_view format_quickly(std::span<char> buffer, double value, int decima
     if (std::abs(std::abs(scaled - nearest) - 0.5) < 1e-3 || (nearest == 0 && value != 0)) return {};
     char* at = buffer.data();
     if (value < 0) *at++ = '-';
-    const auto digits = static_cast<std::uint64_t>(nearest), unit = static_cast<std::uint64_t>(tens[decimals]);
-    at = std::to_chars(at, buffer.data() + buffer.size(), digits / unit).ptr;
+    const double before_point = std::floor(nearest / tens[decimals]);
+    at = std::to_chars(at, buffer.data() + buffer.size(), static_cast<std::uint32_t>(before_point)).ptr;
     if (decimals > 0) {
         *at = '.';
-        std::uint64_t rest = digits % unit;
+        auto rest = static_cast<std::uint32_t>(nearest - before_point * tens[decimals]);  // exact: below 2^53
         for (int i = decimals; i > 0; --i, rest /= 10) at[i] = static_cast<char>('0' + rest % 10);
         at += decimals + 1;
     }

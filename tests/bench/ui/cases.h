@@ -12,6 +12,7 @@ enum class Screen {
     mixed_1000,
     rows_10000,   ///< a list that shows the rows within 600 px
     plots,        ///< 256 bars and 8 curves of 512 points
+    million,      ///< a curve of a million points, panned in each frame; ours alone
     sliders_368,  ///< for drawing at 1920x1080: panels full of sliders
 };
 
@@ -47,6 +48,8 @@ inline ScreenSize size_of(Screen screen) {
             return {500, 600};
         case Screen::plots:
             return {1280, 1000};
+        case Screen::million:
+            return {1280, 500};
         case Screen::sliders_368:
             return {1920, 1080};
     }

@@ -80,6 +80,8 @@ class ImGuiToolkit : public Toolkit {
                 return plots();
             case Screen::sliders_368:
                 return sliders();
+            case Screen::million:
+                return;
         }
     }
 

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bench/ui/cases.h"
+#include "ui/canvas/plot.h"
 #include "ui/core/ui.h"
 #include "ui/gl/renderer.h"
 #include "ui/value/number.h"
@@ -21,6 +22,15 @@ class OurToolkit : public Toolkit {
         values_.resize(1000, 0.5);
         flags_.resize(1000, 0);
         texts_.resize(1000, "some text");
+        for (int i = 0; i < 256; ++i) bars_.push_back(std::exp(-0.0005 * (i - 128) * (i - 128)));
+        bar_data_.set(std::span<const double>(bars_));
+        for (int c = 0; c < 8; ++c) {
+            for (int i = 0; i < 512; ++i) curves_[c].push_back(std::sin(0.02 * i * (c + 1)));
+            curve_data_[c].set(std::span<const double>(curves_[c]));
+        }
+        for (int i = 0; i < 1000000; ++i)
+            million_.push_back(static_cast<float>(std::sin(1e-4 * i) + 0.1 * std::sin(1.7 * i)));
+        million_data_.set(std::span<const float>(million_));
     }
 
     void show(Screen screen) override {
@@ -59,6 +69,8 @@ class OurToolkit : public Toolkit {
                 return plots();
             case Screen::sliders_368:
                 return sliders();
+            case Screen::million:
+                return million();
         }
     }
 
@@ -90,7 +102,26 @@ class OurToolkit : public Toolkit {
         });
     }
 
-    void plots() {}
+    void plots() {
+        const PlotSeries bars[] = {{.name = "bars", .data = &bar_data_, .kind = PlotKind::bars}};
+        plot(ui_, "bars", bars, {.height = px(100)});
+        for (int c = 0; c < 8; ++c) {
+            ui_.push_seed(static_cast<std::uint64_t>(c));
+            const PlotSeries series[] = {{.name = "curve", .data = &curve_data_[c]}};
+            plot(ui_, "curve", series, {.height = px(90)});
+            ui_.pop_seed();
+        }
+    }
+
+    /// A million samples of which another part is seen in each frame.
+    void million() {
+        const double from = std::fmod(input_.time, 1.0) * 4e5;
+        million_state_.x = {from, from + 5e5};
+        million_state_.y = {-1.2, 1.2};
+        million_state_.fitted = false;
+        const PlotSeries series[] = {{.name = "samples", .data = &million_data_}};
+        plot(ui_, "million", series, {.height = px(400), .state = &million_state_});
+    }
 
     void sliders() {
         Row columns(ui_, {.width = grow(), .height = grow(), .cross = Place::start});
@@ -114,6 +145,10 @@ class OurToolkit : public Toolkit {
     std::unique_ptr<Renderer> renderer_;
     std::vector<double> values_;
     std::vector<int> flags_;
+    std::vector<double> bars_, curves_[8];
+    std::vector<float> million_;
+    PlotData bar_data_, curve_data_[8], million_data_;
+    PlotState million_state_;
     std::vector<std::string> texts_;
 };
 

@@ -62,6 +62,15 @@ void add_row(commands::BenchReport& report, const char* screen, const char* tool
                                         {"memory_kib", static_cast<double>(memory) / 1024}}});
 }
 
+/// Against nothing: Dear ImGui has no plot that could hold them.
+void measure_million(bench::Toolkit& ours, commands::BenchReport& report) {
+    ours.show(Screen::million);
+    Times times;
+    for (int i = 0; i < 10; ++i) ours.frame();
+    for (int i = 0; i < rounds * frames; ++i) times.frame.push_back(seconds_of([&] { times.drawn = ours.frame(); }));
+    add_row(report, "plot_million", "lapfx", times, ours.memory());
+}
+
 /// Whole frames at 1920x1080, CPU and drawing, on whatever draws here.
 void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, commands::BenchReport& report) {
     const bench::ScreenSize size = bench::size_of(Screen::sliders_368);
@@ -109,6 +118,7 @@ commands::BenchReport measure() {
         add_row(report, each.name, "imgui", times[1], 0);
         report.ratios[std::string("ui_over_imgui_") + each.name] = times[0].median_us() / times[1].median_us();
     }
+    measure_million(*ours, report);
     measure_drawing(*ours, *imgui, report);
     return report;
 }
