@@ -177,6 +177,8 @@ struct Placement {
 };
 
 /// A value that can be read, compared and set.
+struct Node;
+
 struct Number {
     double value = 0, minimum = 0, maximum = 0, step = 0;
 };
@@ -189,6 +191,13 @@ struct ScrollState {
 };
 
 inline constexpr std::uint32_t no_node = 0xffffffffU;
+
+/// How a kind of widget draws itself.
+struct Drawer {
+    void (*draw)(Painter&, const Node&, const void* look);
+    /// Whether two looks are the same picture, given that their nodes are; null: cannot be told, it is drawn anew each time.
+    bool (*same)(const void* look, const void* other);
+};
 
 /// Of 256 bytes: the index of one is found by a shift.
 struct alignas(64) Node {
@@ -230,9 +239,11 @@ struct alignas(64) Node {
     std::string_view label, shown, text, tip;
     const Number* number = nullptr;
 
-    Draw draw = nullptr;
+    const Drawer* drawer = nullptr;
     Draw draw_over = nullptr;  ///< after its children
     const void* arg = nullptr;
+    std::uint32_t first_instance = 0, instances = not_kept;  ///< what it drew, when that can be used again
+    static constexpr std::uint32_t not_kept = 0xffffffffU;
 
     Rect rect() const { return {at[0], at[1], extent[0], extent[1]}; }
     Rect inside() const {

@@ -198,10 +198,12 @@ class Ui {
         return static_cast<Slot<T>*>(slot.get())->value;
     }
 
+    /// `look` is copied. Function draws from it, from the node and from the painter's theme and scale alone: where T has an
+    /// operator== and nothing of these has changed, what it drew in the last frame is used again.
     template <auto Function, typename T>
     void draw_with(Node& node, const T& look) {
         node.arg = arena().make(look);
-        node.draw = [](Painter& p, const Node& n, const void* arg) { Function(p, n, *static_cast<const T*>(arg)); };
+        node.drawer = &drawer_of<Function, T>;
     }
     std::string_view copy(std::string_view text) { return arena().copy(text); }
     std::string_view join(std::initializer_list<std::string_view> parts);
@@ -252,6 +254,8 @@ class Ui {
     std::span<const Node> tree() const { return tree_; }
     std::size_t duplicates() const { return duplicates_; }
     int builds() const { return static_cast<int>(build_); }  ///< so far
+    /// The last frame, every node drawn anew: what frame() gave has to be the same picture.
+    void redraw(DrawList& list);
     std::size_t memory_used() const;                         ///< bytes, of nodes, arenas, tables and draw list
 
   private:
@@ -265,6 +269,17 @@ class Ui {
     };
     template <typename T>
     static inline char type_mark = 0;
+    template <typename T>
+    static constexpr auto same_looks() -> bool (*)(const void*, const void*) {
+        if constexpr (requires(const T& a) { a == a; }) {
+            return [](const void* a, const void* b) { return *static_cast<const T*>(a) == *static_cast<const T*>(b); };
+        } else {
+            return nullptr;
+        }
+    }
+    template <auto Function, typename T>
+    static constexpr Drawer drawer_of = {
+        [](Painter& p, const Node& n, const void* look) { Function(p, n, *static_cast<const T*>(look)); }, same_looks<T>()};
     struct Level {
         std::uint32_t node;
         Id seed;
@@ -281,7 +296,9 @@ class Ui {
     void add_tooltip();
     void drop_overlays_not_built();
     void focus_new_overlay();
-    void emit_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter);
+    void draw_all(Painter& painter, bool keep);
+    void draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep);
+    void draw_node(std::uint32_t index, Painter& painter, bool keep);
 
     // routing.cpp: events against the nodes of the last build
     void take_events();
@@ -316,6 +333,14 @@ class Ui {
     FrameInput input_;
     FrameOutput output_;
     DrawList list_, shown_;  ///< of this frame and of the one before
+    /// What `shown_` was drawn with. Where it is another now, nothing of it can be used again.
+    struct DrawnWith {
+        const Theme* theme = nullptr;
+        float scale = 0;
+        std::uint32_t resets = 0, build = 0;
+        friend bool operator==(const DrawnWith&, const DrawnWith&) = default;
+    } drawn_with_;
+    bool reuse_ = false;
 
     std::vector<Node> built_[2];
     Arena arenas_[2];

@@ -38,6 +38,27 @@ TextStyle Painter::number_style() const {
     return {.size = em(1), .tabular = true};
 }
 
+// --- nodes ---
+
+bool Painter::drawn_plainly(std::uint32_t& first) {
+    first = node_.instances;
+    if (pictures_ || list_.clears.size() != node_.clears) return false;
+    const std::size_t opened = list_.batches.size() - node_.batches;
+    if (opened > 1 || (opened == 1 && list_.batches.back().first != first)) return false;
+    if (first == instances()) return true;
+    const std::uint8_t clip = clip_index();
+    return std::all_of(list_.instances.begin() + first, list_.instances.end(), [clip](const Instance& i) { return i.clip == clip; });
+}
+
+std::uint32_t Painter::copy(std::span<const Instance> from) {
+    if (from.empty()) return instances();
+    const std::uint8_t clip = clip_index();
+    const std::uint32_t first = instances();
+    Instance* to = list_.instances.add(from);
+    for (const Instance* end = to + from.size(); to != end; ++to) to->clip = clip;
+    return first;
+}
+
 // --- batches and clips ---
 
 void Painter::start(glm::ivec2 size) {
@@ -63,6 +84,7 @@ void Painter::pop_clip() {
 
 /// Leaves a batch open that shows these images; 0: whatever it shows.
 void Painter::need_batch(ImageHandle first, ImageHandle second) {
+    pictures_ |= first != 0 || second != 0;
     if (!list_.batches.empty()) {
         ImageHandle(&open)[2] = list_.batches.back().images;
         const bool fits =
@@ -148,7 +170,7 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
 /// smooth outer edge of its frame.
 bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
     if (list_.batches.empty() || clips_.back().batch != list_.batches.size()) return false;
-    if (list_.instances.size() == list_.batches.back().first) return false;
+    if (list_.instances.size() == list_.batches.back().first || list_.instances.size() == node_.instances) return false;
     Instance& last = list_.instances.back();
     const bool same = last.kind == InstanceKind::fill && last.border == 0 && last.radius == radius &&
                       last.clip == clips_.back().index && last.x == rect.x && last.y == rect.y && last.w == rect.w &&

@@ -115,6 +115,17 @@ class Painter {
     void pop_clip();
     const Rect& clip() const { return clips_.back().rect; }
 
+    // Of the core, once a node: what one node draws never becomes one with what another drew, so that it can be used again.
+    void begin_node() {
+        node_ = {instances(), list_.batches.size(), list_.clears.size()};
+        pictures_ = false;
+    }
+    std::uint32_t instances() const { return static_cast<std::uint32_t>(list_.instances.size()); }
+    /// Whether all since begin_node() was instances within clip(), without pictures. `first`: the first of them.
+    bool drawn_plainly(std::uint32_t& first);
+    /// Instances of another list, with clip() for theirs. Gives the index of the first.
+    std::uint32_t copy(std::span<const Instance> instances);
+
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
     void start(glm::ivec2 size);
@@ -138,6 +149,11 @@ class Painter {
     float scale_;
     std::vector<ClipLevel>& clips_;  ///< stack
     std::string& elided_;
+    struct {
+        std::uint32_t instances = 0;
+        std::size_t batches = 0, clears = 0;
+    } node_;  ///< as begin_node() found it
+    bool pictures_ = false;  ///< an instance with images since then
 };
 
 }  // namespace lapfx::ui

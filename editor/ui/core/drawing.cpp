@@ -1,0 +1,117 @@
+// From laid out nodes to the list of what is drawn. What a node drew in the last frame is copied where it would draw the same.
+#include <cstring>
+
+#include "ui/core/ui.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+bool same_number(const Number* a, const Number* b) {
+    return a == b || (a != nullptr && b != nullptr && std::memcmp(a, b, sizeof(Number)) == 0);
+}
+
+/// All that a draw function may look at, but its look.
+bool same_node(const Node& a, const Node& b) {
+    return a.drawer == b.drawer && a.id == b.id && a.is == b.is && a.role == b.role && a.rect() == b.rect() && a.clip == b.clip &&
+           a.layer == b.layer && std::memcmp(a.padding, b.padding, sizeof a.padding) == 0 && a.scroll == nullptr &&
+           a.shown == b.shown && a.text == b.text && a.label == b.label && same_number(a.number, b.number);
+}
+
+}  // namespace
+
+const FrameOutput& Ui::emit() {
+    std::swap(list_, shown_);
+    // The nodes of the build before are those of the list before only if no build lies between.
+    const DrawnWith now{&theme(), input_.scale, fonts_.atlas().resets, build_};
+    reuse_ = drawn_with_ == DrawnWith{now.theme, now.scale, now.resets, build_ - 1};
+    Painter painter(list_, fonts_, theme(), input_.scale);
+    painter.start(input_.size);
+    draw_all(painter, true);
+    painter.finish(options_.images);
+    drawn_with_ = now;
+    if (fonts_.atlas().resets != now.resets) drawn_with_ = {};  // grew while drawing
+    output_.changed = !same_picture(list_, shown_);
+    if (queue_head_ < queue_.size()) wake_at(time(), "events left");
+    if (const char* reason = woken_.exchange(nullptr); reason != nullptr) wake_at(time(), reason);
+    tree_ = nodes();
+    fresh_ = true;
+    return output_;
+}
+
+void Ui::redraw(DrawList& list) {
+    Painter painter(list, fonts_, theme(), input_.scale);
+    painter.start(input_.size);
+    draw_all(painter, false);
+    painter.finish(options_.images);
+}
+
+void Ui::draw_all(Painter& painter, bool keep) {
+    painter.clear({0, 0, window().x, window().y}, theme().window);
+    draw_layer(0, static_cast<std::uint32_t>(nodes().size()), 0, painter, keep);
+    for (const std::uint32_t root : overlay_roots_) {
+        if (root != no_node) draw_layer(root, nodes()[root].end, nodes()[root].layer, painter, keep);
+    }
+}
+
+void Ui::draw_node(std::uint32_t index, Painter& painter, bool keep) {
+    Node& node = nodes()[index];
+    painter.set_clip(node.clip);
+    painter.begin_node();
+    if (!keep || node.drawer->same == nullptr) return node.drawer->draw(painter, node, node.arg);
+    if (reuse_ && index < nodes_before().size()) {
+        const Node& old = nodes_before()[index];
+        if (old.instances != Node::not_kept && same_node(node, old) && node.drawer->same(node.arg, old.arg)) {
+            node.first_instance = painter.copy({shown_.instances.data() + old.first_instance, old.instances});
+            node.instances = old.instances;
+            return;
+        }
+    }
+    node.drawer->draw(painter, node, node.arg);
+    node.instances = painter.drawn_plainly(node.first_instance) ? painter.instances() - node.first_instance : Node::not_kept;
+}
+
+void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep) {
+    std::vector<std::uint32_t>& open = drawn_later_;
+    open.clear();
+    const auto finish_until = [&](std::uint32_t index) {
+        while (!open.empty() && nodes()[open.back()].end <= index) {
+            const Node& node = nodes()[open.back()];
+            painter.set_clip(node.clip);
+            painter.begin_node();
+            node.draw_over(painter, node, node.arg);
+            open.pop_back();
+        }
+    };
+    std::uint32_t ringed = no_node;
+    for (std::uint32_t i = from; i < to;) {
+        const Node& node = nodes()[i];
+        if (node.overlay && i != from) {  // has its own turn
+            i = node.end;
+            continue;
+        }
+        finish_until(i);
+        const bool seen = node.rect().overlaps(node.clip);
+        if (!seen && node.clips) {
+            i = node.end;
+            continue;
+        }
+        if (seen && node.drawer != nullptr) draw_node(i, painter, keep);
+        if (seen && node.draw_over != nullptr) open.push_back(i);
+        if (has(node.is, Is::ringed)) ringed = i;
+        if (options_.debug && has(node.is, Is::duplicate)) {
+            painter.set_clip(node.clip);
+            painter.frame(node.rect(), theme().error, 2 * painter.hairline());
+        }
+        ++i;
+    }
+    finish_until(to);
+    if (ringed == no_node || nodes()[ringed].layer != layer) return;
+    const Node& node = nodes()[ringed];
+    painter.set_clip(node.clip);
+    painter.begin_node();
+    const float width = 2 * painter.hairline();
+    painter.frame(node.rect().inset(-painter.hairline()), theme().focus, width, em(theme().radius) + painter.hairline());
+}
+
+}  // namespace lapfx::ui
