@@ -115,6 +115,10 @@ class Fuzz {
 
     void look() {
         const ui::Ui& ui = harness_.ui();
+        if (chance(0.3)) {  // what was used again of the last frame is what would be drawn now
+            harness_.ui().redraw(anew_);
+            ASSERT_TRUE(same_picture(*harness_.output().list, anew_)) << harness_.dump();
+        }
         bool focus_lives = ui.focus() == 0;
         for (const Node& node : ui.tree()) {
             if (node.id == ui.focus() && node.id != 0) focus_lives = true;
@@ -126,6 +130,7 @@ class Fuzz {
         ASSERT_EQ(ui.duplicates(), 0U) << harness_.dump();
     }
 
+    ui::DrawList anew_;
     std::mt19937 random_;
     ui::ImageStore images_;
     State state_{images_};

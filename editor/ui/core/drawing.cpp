@@ -13,9 +13,10 @@ bool same_number(const Number* a, const Number* b) {
 
 /// All that a draw function may look at, but its look.
 bool same_node(const Node& a, const Node& b) {
-    return a.drawer == b.drawer && a.id == b.id && a.is == b.is && a.role == b.role && a.rect() == b.rect() && a.clip == b.clip &&
-           a.layer == b.layer && std::memcmp(a.padding, b.padding, sizeof a.padding) == 0 && a.scroll == nullptr &&
-           a.shown == b.shown && a.text == b.text && a.label == b.label && same_number(a.number, b.number);
+    return a.drawer == b.drawer && a.id == b.id && a.is == b.is && a.role == b.role && a.rect() == b.rect() &&
+           a.clip == b.clip && a.layer == b.layer && std::memcmp(a.padding, b.padding, sizeof a.padding) == 0 &&
+           a.scroll == nullptr && a.shown == b.shown && a.text == b.text && a.label == b.label &&
+           same_number(a.number, b.number);
 }
 
 }  // namespace
@@ -68,7 +69,8 @@ void Ui::draw_node(std::uint32_t index, Painter& painter, bool keep) {
         }
     }
     node.drawer->draw(painter, node, node.arg);
-    node.instances = painter.drawn_plainly(node.first_instance) ? painter.instances() - node.first_instance : Node::not_kept;
+    node.instances =
+        painter.drawn_plainly(node.first_instance) ? painter.instances() - node.first_instance : Node::not_kept;
 }
 
 void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep) {
@@ -111,7 +113,8 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
     painter.set_clip(node.clip);
     painter.begin_node();
     const float width = 2 * painter.hairline();
-    painter.frame(node.rect().inset(-painter.hairline()), theme().focus, width, em(theme().radius) + painter.hairline());
+    painter.frame(node.rect().inset(-painter.hairline()), theme().focus, width,
+                  em(theme().radius) + painter.hairline());
 }
 
 }  // namespace lapfx::ui

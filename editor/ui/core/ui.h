@@ -256,7 +256,7 @@ class Ui {
     int builds() const { return static_cast<int>(build_); }  ///< so far
     /// The last frame, every node drawn anew: what frame() gave has to be the same picture.
     void redraw(DrawList& list);
-    std::size_t memory_used() const;                         ///< bytes, of nodes, arenas, tables and draw list
+    std::size_t memory_used() const;  ///< bytes, of nodes, arenas, tables and draw list
 
   private:
     static constexpr int most_rounds = 64;
@@ -279,7 +279,8 @@ class Ui {
     }
     template <auto Function, typename T>
     static constexpr Drawer drawer_of = {
-        [](Painter& p, const Node& n, const void* look) { Function(p, n, *static_cast<const T*>(look)); }, same_looks<T>()};
+        [](Painter& p, const Node& n, const void* look) { Function(p, n, *static_cast<const T*>(look)); },
+        same_looks<T>()};
     struct Level {
         std::uint32_t node;
         Id seed;

@@ -47,7 +47,8 @@ bool Painter::drawn_plainly(std::uint32_t& first) {
     if (opened > 1 || (opened == 1 && list_.batches.back().first != first)) return false;
     if (first == instances()) return true;
     const std::uint8_t clip = clip_index();
-    return std::all_of(list_.instances.begin() + first, list_.instances.end(), [clip](const Instance& i) { return i.clip == clip; });
+    return std::all_of(list_.instances.begin() + first, list_.instances.end(),
+                       [clip](const Instance& i) { return i.clip == clip; });
 }
 
 std::uint32_t Painter::copy(std::span<const Instance> from) {

@@ -152,7 +152,7 @@ class Painter {
     struct {
         std::uint32_t instances = 0;
         std::size_t batches = 0, clears = 0;
-    } node_;  ///< as begin_node() found it
+    } node_;                 ///< as begin_node() found it
     bool pictures_ = false;  ///< an instance with images since then
 };
 

@@ -12,6 +12,7 @@ struct TextLook {
     TextStyle style;
     Color color;
     Align align;
+    friend bool operator==(const TextLook&, const TextLook&) = default;
 };
 
 void draw_label(Painter& painter, const Node& node, const TextLook& look) {
@@ -38,6 +39,7 @@ struct ButtonLook {
     Icon icon;
     bool primary, quiet, on;
     const Run* run;  ///< null: the icon alone
+    friend bool operator==(const ButtonLook&, const ButtonLook&) = default;
 };
 
 void draw_button(Painter& painter, const Node& node, const ButtonLook& look) {
@@ -82,6 +84,7 @@ Response put_button(Ui& ui, Role role, std::string_view text, const ButtonOption
 struct CheckLook {
     Tristate state;
     const Run* run;
+    friend bool operator==(const CheckLook&, const CheckLook&) = default;
 };
 
 void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {

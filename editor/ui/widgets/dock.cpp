@@ -219,7 +219,8 @@ DockEvents dock(Ui& ui, std::string_view label, DockLayout& layout, std::span<co
     outer.scroll = &known;
     DockLook* look = ui.arena().make(DockLook{});
     outer.arg = look;
-    outer.draw = draw_ground;
+    static constexpr Drawer drawer{draw_ground, nullptr};
+    outer.drawer = &drawer;
     outer.draw_over = draw_preview;
 
     const std::size_t count = layout.nodes.size();

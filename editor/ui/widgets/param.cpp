@@ -15,6 +15,7 @@ struct ParamLook {
     float from, to;  ///< the bar, 0 to 1 of the field
     bool dragging;
     const EntryLook* entry;
+    friend bool operator==(const ParamLook&, const ParamLook&) = default;
 };
 
 /// The bar from the range's begin, or from 0 where that lies within, to the value. No clips: a batch has room for few.

@@ -82,6 +82,7 @@ Edit param_menu(Ui& ui, NumberState& state, Id id, const Response& response, std
 struct NumberText {
     std::string_view number, unit;
     std::string_view whole;  ///< "12.5 mm/s"
+    friend bool operator==(const NumberText&, const NumberText&) = default;
 };
 /// Along the soft range, 0 to 1.
 float place_of_param(const ParamOptions& options, double shown);
@@ -93,6 +94,7 @@ void describe_number(Ui& ui, Node& node, const NumberState* state, const ParamOp
 struct LabelLook {
     std::string_view text = {};
     bool changed = false, locked = false, disabled = false;
+    friend bool operator==(const LabelLook&, const LabelLook&) = default;
 };
 /// In the label's column: label, padlock, dot.
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look);

@@ -28,6 +28,7 @@ struct FieldLook {
     Icon icon = Icon::none;
     bool caption = false, clear = false, editing = false, caret = false;
     float offset = 0, caret_x = 0, from = 0, to = 0;  ///< px in the run
+    friend bool operator==(const FieldLook&, const FieldLook&) = default;
 };
 
 /// Where the text of a field with this rectangle stands.
