@@ -24,7 +24,9 @@ unsigned long from_environment(const char* name, unsigned long standard) {
 class Fuzz {
   public:
     explicit Fuzz(unsigned long seed)
-        : random_(seed), harness_([this](ui::Ui& u) { build(u, state_); }, {1100, 700}, 1, &state_.commands) {}
+        : random_(seed), harness_([this](ui::Ui& u) { build(u, state_); }, {1100, 700}, 1, &state_.commands) {
+        harness_.ui().redraw(now_);
+    }
 
     /// One event, or a few before the next frame; then everything is looked at.
     void step() {
@@ -115,10 +117,11 @@ class Fuzz {
 
     void look() {
         const ui::Ui& ui = harness_.ui();
-        if (chance(0.3)) {  // what was used again of the last frame is what would be drawn now
-            harness_.ui().redraw(anew_);
-            ASSERT_TRUE(same_picture(*harness_.output().list, anew_)) << harness_.dump();
-        }
+        // What was used again of the last frame is what would be drawn now, and no change goes unseen.
+        std::swap(before_, now_);
+        harness_.ui().redraw(now_);
+        ASSERT_TRUE(same_picture(*harness_.output().list, now_)) << harness_.dump();
+        ASSERT_EQ(harness_.output().changed, !same_picture(before_, now_)) << harness_.dump();
         bool focus_lives = ui.focus() == 0;
         for (const Node& node : ui.tree()) {
             if (node.id == ui.focus() && node.id != 0) focus_lives = true;
@@ -130,7 +133,7 @@ class Fuzz {
         ASSERT_EQ(ui.duplicates(), 0U) << harness_.dump();
     }
 
-    ui::DrawList anew_;
+    ui::DrawList before_, now_;
     std::mt19937 random_;
     ui::ImageStore images_;
     State state_{images_};

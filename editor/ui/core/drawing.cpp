@@ -25,6 +25,7 @@ const FrameOutput& Ui::emit() {
     std::swap(list_, shown_);
     // The nodes of the build before are those of the list before only if no build lies between.
     const DrawnWith now{&theme(), input_.scale, fonts_.atlas().resets, build_};
+    drawn_anew_ = false;
     reuse_ = drawn_with_ == DrawnWith{now.theme, now.scale, now.resets, build_ - 1};
     Painter painter(list_, fonts_, theme(), input_.scale);
     painter.start(input_.size);
@@ -32,7 +33,7 @@ const FrameOutput& Ui::emit() {
     painter.finish(options_.images);
     drawn_with_ = now;
     if (fonts_.atlas().resets != now.resets) drawn_with_ = {};  // grew while drawing
-    output_.changed = !same_picture(list_, shown_);
+    output_.changed = !(drawn_anew_ ? same_picture(list_, shown_) : same_frame(list_, shown_));
     if (queue_head_ < queue_.size()) wake_at(time(), "events left");
     if (const char* reason = woken_.exchange(nullptr); reason != nullptr) wake_at(time(), reason);
     tree_ = nodes();
@@ -59,18 +60,21 @@ void Ui::draw_node(std::uint32_t index, Painter& painter, bool keep) {
     Node& node = nodes()[index];
     painter.set_clip(node.clip);
     painter.begin_node();
-    if (!keep || node.drawer->same == nullptr) return node.drawer->draw(painter, node, node.arg);
-    if (reuse_ && index < nodes_before().size()) {
+    if (reuse_ && keep && node.drawer->same != nullptr && index < nodes_before().size()) {
         const Node& old = nodes_before()[index];
         if (old.instances != Node::not_kept && same_node(node, old) && node.drawer->same(node.arg, old.arg)) {
             node.first_instance = painter.copy({shown_.instances.data() + old.first_instance, old.instances});
+            drawn_anew_ |= node.first_instance != old.first_instance;
             node.instances = old.instances;
             return;
         }
     }
     node.drawer->draw(painter, node, node.arg);
-    node.instances =
-        painter.drawn_plainly(node.first_instance) ? painter.instances() - node.first_instance : Node::not_kept;
+    if (!keep) return;
+    drawn_anew_ |= painter.instances() != painter.node_begin();
+    if (node.drawer->same == nullptr) return;
+    const bool plain = painter.drawn_plainly(node.first_instance);
+    node.instances = plain ? painter.instances() - node.first_instance : Node::not_kept;
 }
 
 void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep) {
@@ -82,6 +86,7 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
             painter.set_clip(node.clip);
             painter.begin_node();
             node.draw_over(painter, node, node.arg);
+            drawn_anew_ = true;
             open.pop_back();
         }
     };
@@ -104,11 +109,13 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
         if (options_.debug && has(node.is, Is::duplicate)) {
             painter.set_clip(node.clip);
             painter.frame(node.rect(), theme().error, 2 * painter.hairline());
+            drawn_anew_ = true;
         }
         ++i;
     }
     finish_until(to);
     if (ringed == no_node || nodes()[ringed].layer != layer) return;
+    drawn_anew_ = true;
     const Node& node = nodes()[ringed];
     painter.set_clip(node.clip);
     painter.begin_node();

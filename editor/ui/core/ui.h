@@ -342,6 +342,7 @@ class Ui {
         friend bool operator==(const DrawnWith&, const DrawnWith&) = default;
     } drawn_with_;
     bool reuse_ = false;
+    bool drawn_anew_ = false;  ///< else all instances are those of `shown_`, in their places
 
     std::vector<Node> built_[2];
     Arena arenas_[2];

@@ -14,12 +14,14 @@ void DrawList::reset(glm::ivec2 frame_size) {
     clears.clear(), instances.clear(), clips.clear(), batches.clear(), serials.clear();
 }
 
+bool same_frame(const DrawList& a, const DrawList& b) {
+    return a.instances.size() == b.instances.size() && a.size == b.size && a.clears == b.clears && a.clips == b.clips &&
+           a.batches == b.batches && a.serials == b.serials;
+}
+
 bool same_picture(const DrawList& a, const DrawList& b) {
-    const bool same_glyphs = a.instances.size() == b.instances.size() &&
-                             (a.instances.empty() || std::memcmp(a.instances.data(), b.instances.data(),
-                                                                 a.instances.size() * sizeof(Instance)) == 0);
-    return same_glyphs && a.size == b.size && a.clears == b.clears && a.clips == b.clips && a.batches == b.batches &&
-           a.serials == b.serials;
+    return same_frame(a, b) && (a.instances.empty() || std::memcmp(a.instances.data(), b.instances.data(),
+                                                                   a.instances.size() * sizeof(Instance)) == 0);
 }
 
 }  // namespace lapfx::ui

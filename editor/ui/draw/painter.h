@@ -120,6 +120,7 @@ class Painter {
         node_ = {instances(), list_.batches.size(), list_.clears.size()};
         pictures_ = false;
     }
+    std::uint32_t node_begin() const { return node_.instances; }
     std::uint32_t instances() const { return static_cast<std::uint32_t>(list_.instances.size()); }
     /// Whether all since begin_node() was instances within clip(), without pictures. `first`: the first of them.
     bool drawn_plainly(std::uint32_t& first);
