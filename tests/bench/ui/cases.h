@@ -13,6 +13,7 @@ enum class Screen {
     rows_10000,   ///< a list that shows the rows within 600 px
     plots,        ///< 256 bars and 8 curves of 512 points
     million,      ///< a curve of a million points, panned in each frame; ours alone
+    small,        ///< the first at 640x400, as pictures in tests are
     sliders_368,  ///< for drawing at 1920x1080: panels full of sliders
 };
 
@@ -27,6 +28,8 @@ class Toolkit {
   public:
     virtual ~Toolkit() = default;
     virtual void show(Screen screen) = 0;
+    /// Ours: from now on every frame has other colours than the one before, so that nothing it drew can be used again.
+    virtual void change_all(bool) {}
     /// Builds a frame, up to the list of what is to be drawn. The mouse lies still.
     virtual Drawn frame() = 0;
     /// Draws the last frame with OpenGL 4.5 into `framebuffer`, of the screen's size; the context is current.
@@ -50,6 +53,8 @@ inline ScreenSize size_of(Screen screen) {
             return {1280, 1000};
         case Screen::million:
             return {1280, 500};
+        case Screen::small:
+            return {640, 400};
         case Screen::sliders_368:
             return {1920, 1080};
     }

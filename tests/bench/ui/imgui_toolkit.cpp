@@ -71,6 +71,7 @@ class ImGuiToolkit : public Toolkit {
     void build() {
         switch (screen_) {
             case Screen::mixed_100:
+            case Screen::small:
                 return mixed(20);
             case Screen::mixed_1000:
                 return mixed(200);

@@ -39,7 +39,10 @@ class OurToolkit : public Toolkit {
         input_.size = {size.width, size.height};
     }
 
+    void change_all(bool change) override { change_all_ = change; }
+
     Drawn frame() override {
+        if (change_all_) ui_.set_theme(&ui_.theme() == &dark_theme() ? light_theme() : dark_theme());
         input_.time += 1.0 / 60;
         const FrameOutput& out = ui_.frame(input_, [this](Ui&) { build(); });
         list_ = out.list;
@@ -60,6 +63,7 @@ class OurToolkit : public Toolkit {
         Panel panel(ui_, "screen");
         switch (screen_) {
             case Screen::mixed_100:
+            case Screen::small:
                 return mixed(20);
             case Screen::mixed_1000:
                 return mixed(200);
@@ -149,6 +153,7 @@ class OurToolkit : public Toolkit {
     std::vector<float> million_;
     PlotData bar_data_, curve_data_[8], million_data_;
     PlotState million_state_;
+    bool change_all_ = false;
     std::vector<std::string> texts_;
 };
 

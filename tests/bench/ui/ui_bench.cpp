@@ -71,9 +71,10 @@ void measure_million(bench::Toolkit& ours, commands::BenchReport& report) {
     add_row(report, "plot_million", "lapfx", times, ours.memory());
 }
 
-/// Whole frames at 1920x1080, CPU and drawing, on whatever draws here.
-void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, commands::BenchReport& report) {
-    const bench::ScreenSize size = bench::size_of(Screen::sliders_368);
+/// Drawing whole frames, on whatever draws here.
+void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, Screen screen, const std::string& name,
+                     commands::BenchReport& report) {
+    const bench::ScreenSize size = bench::size_of(screen);
     unsigned texture = 0, framebuffer = 0;
     glCreateTextures(GL_TEXTURE_2D, 1, &texture);
     glTextureStorage2D(texture, 1, GL_RGBA8, size.width, size.height);
@@ -83,7 +84,7 @@ void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, commands::Benc
     glViewport(0, 0, size.width, size.height);
     bench::Toolkit* both[] = {&ours, &imgui};
     Times times[2];
-    for (bench::Toolkit* each : both) each->show(Screen::sliders_368);
+    for (bench::Toolkit* each : both) each->show(screen);
     for (int round = 0; round < rounds + 2; ++round) {
         for (int which = 0; which < 2; ++which) {
             for (int i = 0; i < 4; ++i) {
@@ -98,9 +99,9 @@ void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, commands::Benc
             }
         }
     }
-    add_row(report, "draw_1080p", "lapfx", times[0], 0);
-    add_row(report, "draw_1080p", "imgui", times[1], 0);
-    report.ratios["ui_draw_over_imgui_1080p"] = times[0].median_us() / times[1].median_us();
+    add_row(report, ("draw_" + name).c_str(), "lapfx", times[0], 0);
+    add_row(report, ("draw_" + name).c_str(), "imgui", times[1], 0);
+    report.ratios["ui_draw_over_imgui_" + name] = times[0].median_us() / times[1].median_us();
     glDeleteFramebuffers(1, &framebuffer);
     glDeleteTextures(1, &texture);
 }
@@ -118,8 +119,15 @@ commands::BenchReport measure() {
         add_row(report, each.name, "imgui", times[1], 0);
         report.ratios[std::string("ui_over_imgui_") + each.name] = times[0].median_us() / times[1].median_us();
     }
+    ours->change_all(true);
+    Times anew[2];
+    take_turns(*ours, *imgui, Screen::mixed_1000, anew);
+    ours->change_all(false);
+    add_row(report, "1000_all_changed", "lapfx", anew[0], ours->memory());
+    report.ratios["ui_all_changed_over_imgui_1000"] = anew[0].median_us() / anew[1].median_us();
     measure_million(*ours, report);
-    measure_drawing(*ours, *imgui, report);
+    measure_drawing(*ours, *imgui, Screen::sliders_368, "1080p", report);
+    measure_drawing(*ours, *imgui, Screen::small, "640x400", report);
     return report;
 }
 
