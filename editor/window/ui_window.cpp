@@ -12,6 +12,7 @@ namespace {
 constexpr double look_for_results = 0.25;  // s, while a job runs: an event posted by another thread can be missed
 constexpr double least_between_frames =
     0.004;                           // s, of frames that only time asks for: some drivers swap without waiting
+constexpr double edge_share = 0.4;   // of the window from its middle: beyond it is near an edge
 constexpr double a_long_time = 1e6;  // s: as good as never
 constexpr GLuint64 longest_queue_wait = 100'000'000;  // ns
 
@@ -38,6 +39,34 @@ bool is_modifier(int key) {
 }
 
 }  // namespace
+
+std::optional<int> scale_step(ui::Key key, const char* name, ui::Mods mods) {
+    if (!has(mods, ui::Mods::command) || has(mods, ui::Mods::alt)) return std::nullopt;
+    if (key == ui::key_of('=') || (name != nullptr && std::string_view(name) == "+")) return 1;
+    if (has(mods, ui::Mods::shift)) return std::nullopt;  // + may need it, the others do not
+    if (key == ui::key_of('-')) return -1;
+    if (key == ui::key_of('0')) return 0;
+    return std::nullopt;
+}
+
+void EndlessPointer::start(glm::dvec2 real) {
+    shift_ = shift_before_ = glm::dvec2(0);
+    at_ = real;
+}
+
+glm::dvec2 EndlessPointer::move(glm::dvec2 real) {
+    const glm::dvec2 now = real + shift_, before = real + shift_before_;
+    if (glm::distance(before, at_) < glm::distance(now, at_)) std::swap(shift_, shift_before_);
+    return at_ = real + shift_;
+}
+
+bool EndlessPointer::put_back(glm::dvec2 real, glm::dvec2 size) {
+    const glm::dvec2 from_middle = glm::abs(real - size / 2.0);
+    if (from_middle.x < size.x * edge_share && from_middle.y < size.y * edge_share) return false;
+    shift_before_ = shift_;
+    shift_ += real - glm::floor(size / 2.0);
+    return true;
+}
 
 std::string UiWindow::SystemClipboard::get() {
     const char* text = glfwGetClipboardString(window);
@@ -82,11 +111,7 @@ void UiWindow::connect() {
     GLFWwindow* w = window_.get();
     glfwSetWindowUserPointer(w, this);
     glfwSetInputMode(w, GLFW_LOCK_KEY_MODS, GLFW_TRUE);  // NumLock
-    glfwSetCursorPosCallback(w, [](GLFWwindow* window, double x, double y) {
-        UiWindow& self = of(window);
-        self.pointer_ = glm::vec2(glm::dvec2(x, y) * self.px_per_unit_);
-        self.push({.kind = ui::EventKind::pointer}, "pointer");
-    });
+    glfwSetCursorPosCallback(w, [](GLFWwindow* window, double x, double y) { of(window).take_pointer(x, y); });
     glfwSetCursorEnterCallback(w, [](GLFWwindow* window, int entered) {
         if (entered == GLFW_FALSE) of(window).push({.kind = ui::EventKind::pointer_out}, "pointer left");
     });
@@ -156,22 +181,39 @@ void UiWindow::take_key(int key, int scancode, int action, int bits) {
     const bool down = action != GLFW_RELEASE;
     mods_ = mods_from(bits, key, down);
     if (is_modifier(key)) return push({.kind = ui::EventKind::none}, "modifier");
-    const ui::Key ours = key_from(key, glfwGetKeyName(key, scancode), (bits & GLFW_MOD_NUM_LOCK) != 0);
-    if (ours == ui::Key::none || (down && take_scale_key(ours))) return;
+    const char* name = glfwGetKeyName(key, scancode);
+    const ui::Key ours = key_from(key, name, (bits & GLFW_MOD_NUM_LOCK) != 0);
+    if (ours == ui::Key::none || (down && take_scale_key(ours, name))) return;
     push({.kind = down ? ui::EventKind::key : ui::EventKind::key_up, .key = ours, .repeat = action == GLFW_REPEAT},
          "key");
 }
 
-bool UiWindow::take_scale_key(ui::Key key) {
-    if (!has(mods_, ui::Mods::command) || has(mods_, ui::Mods::alt)) return false;
-    if (key == ui::key_of('0')) {
-        set_scale(options_.scale);
-    } else if (key == ui::key_of('=') || key == ui::key_of('-')) {
-        set_scale(next_scale(scale_, key == ui::key_of('=') ? 1 : -1));
-    } else {
-        return false;
-    }
+bool UiWindow::take_scale_key(ui::Key key, const char* name) {
+    const std::optional<int> step = scale_step(key, name, mods_);
+    if (!step || chord_is_recorded()) return false;
+    set_scale(*step == 0 ? options_.scale : next_scale(scale_, *step));
     return true;
+}
+
+/// The key editor waits for one: it gets those of the window, too.
+bool UiWindow::chord_is_recorded() const {
+    const ui::Id focus = ui_.focus();
+    for (const ui::Node& node : ui_.tree()) {
+        if (focus != 0 && node.id == focus) return has(node.sense, ui::Sense::every_key);
+    }
+    return false;
+}
+
+void UiWindow::take_pointer(double x, double y) {
+    glm::dvec2 at(x, y);
+    if (locked_) {
+        glm::ivec2 size(0);
+        glfwGetWindowSize(window_.get(), &size.x, &size.y);
+        at = endless_.move(at);
+        if (endless_.put_back({x, y}, size)) glfwSetCursorPos(window_.get(), size.x / 2, size.y / 2);
+    }
+    pointer_ = glm::vec2(at * px_per_unit_);
+    push({.kind = ui::EventKind::pointer}, "pointer");
 }
 
 void UiWindow::take_button(int button, bool down) {
@@ -266,18 +308,20 @@ void UiWindow::draw(const ui::DrawList& list) {
     ++statistics_.drawn;
 }
 
-/// Its shape, and whether it may go on without bounds; GLFW puts it back to where it was.
+/// Its shape, and whether it may go on without bounds; then it is put back to where it was.
 void UiWindow::show_pointer(const ui::FrameOutput& output) {
     GLFWwindow* w = window_.get();
     if (output.pointer_locked != locked_) {
         locked_ = output.pointer_locked;
-        glfwSetInputMode(w, GLFW_CURSOR, locked_ ? GLFW_CURSOR_DISABLED : GLFW_CURSOR_NORMAL);
+        glfwSetInputMode(w, GLFW_CURSOR, locked_ ? GLFW_CURSOR_HIDDEN : GLFW_CURSOR_NORMAL);
         cursor_ = ui::Cursor::arrow;
         glfwSetCursor(w, nullptr);
-        if (!locked_) {
-            glm::dvec2 at(0);
-            glfwGetCursorPos(w, &at.x, &at.y);
-            pointer_ = glm::vec2(at * px_per_unit_);
+        if (locked_) {
+            glfwGetCursorPos(w, &locked_at_.x, &locked_at_.y);
+            endless_.start(locked_at_);
+        } else {
+            glfwSetCursorPos(w, locked_at_.x, locked_at_.y);
+            pointer_ = glm::vec2(locked_at_ * px_per_unit_);
             push({.kind = ui::EventKind::pointer}, "pointer back");
         }
     }

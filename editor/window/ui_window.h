@@ -12,6 +12,7 @@
 #include <exception>
 #include <functional>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -36,6 +37,27 @@ inline constexpr float least_scale = 0.75F, most_scale = 3;
 float next_scale(float scale, int way);
 /// The user's if it is above 0, else LAPFX_SCALE's if `environment` is a number above 0, else the screen's; clamped.
 float choose_scale(float user, const char* environment, float screen);
+
+/// What a key does to the scale: 1 up, -1 down, 0 back to the standard; nothing when it is no such key. `name` as for key_from():
+/// where + has a key of its own (German) that one is meant as well.
+std::optional<int> scale_step(ui::Key key, const char* name, ui::Mods mods);
+
+/// A pointer that goes on without bounds while the real one stays in the window: that one is put back to the middle when it comes
+/// near an edge, and only then, so that devices that tell places instead of movements (tablets, VNC, xdotool), which cannot be put
+/// anywhere, are followed as they are and merely end where the window does. GLFW's own disabled pointer puts it back after every
+/// movement: with such devices each one counts from the middle, and values run away.
+class EndlessPointer {
+  public:
+    void start(glm::dvec2 real);
+    /// Where it is without bounds, when the real one is told to be at `real`.
+    glm::dvec2 move(glm::dvec2 real);
+    /// Whether the real one is to be put to the middle, floor(size / 2), of a window of `size` now; counts it as done.
+    bool put_back(glm::dvec2 real, glm::dvec2 size);
+
+  private:
+    // What is added to the real place, and what was before it was put back: events from before are still on their way.
+    glm::dvec2 shift_{0}, shift_before_{0}, at_{0};
+};
 
 // --- the window --------------------------------------------------------------------------------------------------------
 
@@ -87,8 +109,10 @@ class UiWindow {
     void connect();
     void measure();
     void push(ui::Event event, const char* reason);
+    void take_pointer(double x, double y);
     void take_key(int key, int scancode, int action, int bits);
-    bool take_scale_key(ui::Key key);
+    bool take_scale_key(ui::Key key, const char* name);
+    bool chord_is_recorded() const;
     void take_button(int button, bool down);
     void take_drop(int count, const char** paths);
     void want(const char* reason) { reason_ = reason; }
@@ -121,6 +145,8 @@ class UiWindow {
     ui::Mods mods_ = ui::Mods::none;
     glm::vec2 pointer_{0};
     bool locked_ = false;
+    glm::dvec2 locked_at_{0};  ///< screen coordinates
+    EndlessPointer endless_;
     ui::Cursor cursor_ = ui::Cursor::arrow;
     GLFWcursor* cursors_[8] = {};
     WindowStatistics statistics_;

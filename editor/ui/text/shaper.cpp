@@ -9,22 +9,6 @@ namespace lapfx::ui {
 
 namespace {
 
-Decoded decode_one(std::string_view text) {
-    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<std::uint8_t>(text[i]) : 0U; };
-    const unsigned first = byte(0);
-    if (first < 0x80) return {first, 1, true};
-    const int bytes = first < 0xc2 ? 0 : first < 0xe0 ? 2 : first < 0xf0 ? 3 : first < 0xf5 ? 4 : 0;
-    if (bytes == 0) return {};
-    char32_t codepoint = first & (0x7fU >> bytes);
-    for (int i = 1; i < bytes; ++i) {
-        if ((byte(static_cast<std::size_t>(i)) & 0xc0) != 0x80) return {};
-        codepoint = codepoint << 6 | (byte(static_cast<std::size_t>(i)) & 0x3f);
-    }
-    constexpr char32_t smallest[] = {0, 0, 0x80, 0x800, 0x10000};
-    if (codepoint < smallest[bytes] || codepoint > 0x10ffff || (codepoint >= 0xd800 && codepoint < 0xe000)) return {};
-    return {codepoint, static_cast<std::uint8_t>(bytes), true};
-}
-
 char32_t shown(char32_t codepoint) {
     if (codepoint == U'\t') return U' ';
     return codepoint < 0x20 || (codepoint >= 0x7f && codepoint < 0xa0) ? replacement : codepoint;
@@ -35,15 +19,6 @@ bool ignorable(char32_t c) {
     return c == 0xad || c == 0x34f || c == 0x61c || (c >= 0x180b && c <= 0x180f) || (c >= 0x200b && c <= 0x200f) ||
            (c >= 0x202a && c <= 0x202e) || (c >= 0x2060 && c <= 0x206f) || (c >= 0xfe00 && c <= 0xfe0f) ||
            c == 0xfeff || (c >= 0xe0000 && c <= 0xe0fff);
-}
-
-bool goes_with_previous(char32_t c) {
-    if (c < 0x300) return false;
-    if (c == 0x200c || c == 0x200d || (c >= 0xfe00 && c <= 0xfe0f) || (c >= 0xe0100 && c <= 0xe01ef)) return true;
-    const hb_unicode_general_category_t category = hb_unicode_general_category(hb_unicode_funcs_get_default(), c);
-    return category == HB_UNICODE_GENERAL_CATEGORY_NON_SPACING_MARK ||
-           category == HB_UNICODE_GENERAL_CATEGORY_SPACING_MARK ||
-           category == HB_UNICODE_GENERAL_CATEGORY_ENCLOSING_MARK;
 }
 
 bool common(hb_script_t script) {
@@ -93,11 +68,12 @@ void Shaper::shape(std::string_view text, StyleKey style, Run& run) {
 
 void Shaper::read(std::string_view text) {
     letters_.clear();
+    char32_t before = 0;
     for (std::size_t at = 0; at < text.size();) {
-        const Decoded decoded = decode_one(text.substr(at));
-        const char32_t codepoint = shown(decoded.codepoint);
-        letters_.push_back({codepoint, static_cast<std::uint32_t>(at), nullptr, HB_SCRIPT_COMMON,
-                            letters_.empty() || !goes_with_previous(codepoint)});
+        const Decoded decoded = decode(text.substr(at));
+        letters_.push_back({shown(decoded.codepoint), static_cast<std::uint32_t>(at), nullptr, HB_SCRIPT_COMMON,
+                            at == 0 || parted(before, decoded.codepoint)});
+        before = decoded.codepoint;
         at += decoded.bytes;
     }
 }

@@ -88,12 +88,6 @@ std::size_t code_point_before(std::string_view text, std::size_t byte) {
     return byte - 1;
 }
 
-/// Whether a character ends between two neighbouring code points.
-bool parted(char32_t before, char32_t after) {
-    if (is_control(before)) return true;  // a mark at the front of a line stands alone
-    return !is_combining(after) && !(before == zero_width_joiner && is_picture(after));
-}
-
 }  // namespace
 
 Decoded decode(std::string_view text) {
@@ -131,6 +125,11 @@ bool valid_utf8(std::string_view text) {
         text.remove_prefix(d.bytes);
     }
     return true;
+}
+
+bool parted(char32_t before, char32_t after) {
+    if (is_control(before)) return true;  // a mark at the front of a line stands alone
+    return !is_combining(after) && !(before == zero_width_joiner && is_picture(after));
 }
 
 std::size_t previous_character(std::string_view text, std::size_t byte) {

@@ -25,5 +25,7 @@ bool valid_utf8(std::string_view text);
 std::size_t previous_character(std::string_view text, std::size_t byte);
 std::size_t next_character(std::string_view text, std::size_t byte);
 bool is_combining(char32_t codepoint);
+/// Whether a character ends between two neighbouring code points.
+bool parted(char32_t before, char32_t after);
 
 }  // namespace lapfx::ui

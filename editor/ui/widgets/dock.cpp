@@ -2,6 +2,7 @@
 
 #include <charconv>
 
+#include "ui/shell/menu.h"
 #include "ui/widgets/splitter.h"
 #include "ui/widgets/tabs.h"
 
@@ -56,16 +57,28 @@ Rect half_of(Rect leaf, DockSide side) {
 
 /// What is to be done to the arrangement once all is built.
 struct Wish {
-    enum class Kind : std::uint8_t { none, front, close, move } kind = Kind::none;
+    enum class Kind : std::uint8_t { none, front, close, move, show } kind = Kind::none;
     int leaf = -1, tab = -1;
     int to = -1, position = -1;
     DockSide side = DockSide::center;
+    std::string_view panel = {};  // of `show`: a closed one, into leaf `to`
+};
+
+/// The panel whose tab the menu was opened at.
+struct MenuOf {
+    std::string panel;
 };
 
 struct Drop {
     int leaf = -1, position = -1;
     DockSide side = DockSide::center;
 };
+
+std::size_t held_open(const DockLayout& layout) {
+    std::size_t count = 0;
+    for (const DockNode& node : layout.nodes) count += node.tabs.size();
+    return count;
+}
 
 /// One dock while it is built.
 struct Making {
@@ -74,10 +87,12 @@ struct Making {
     std::span<const std::string_view> panels;
     const FunctionRef<void(std::size_t)>& build;
     const DockOptions& options;
+    Id id;        // of the dock
     Rect* rects;  // of the nodes, px within the dock
     int* places;  // of the pointer among the tabs of each leaf
     DockEvents& events;
     Wish wish = {};
+    std::string_view context = {};  // the panel whose tab was clicked by the right button now
     int grabbed_leaf = -1, grabbed_tab = -1;
 
     DockNode& node(int index) { return layout.nodes[static_cast<std::size_t>(index)]; }
@@ -89,9 +104,10 @@ struct Making {
     float least(int index, int a) const;
     void arrange(int index, const Rect& rect);
     void leaf(int index);
+    void menu();
     void edges();
     Drop drop_at(glm::vec2 pointer, const Rect& whole);
-    void turn_pages(Id id, const Rect& whole);
+    void turn_pages(const Rect& whole);
     void fulfil();
 };
 
@@ -137,6 +153,7 @@ void Making::leaf(int index) {
         tab_strip(ui, numbered("tabs##", index), n.active, {names, count}, {.closable = closable, .draggable = true});
     places[index] = tabs.place;
     if (tabs.grabbed >= 0) grabbed_leaf = index, grabbed_tab = tabs.grabbed;
+    if (tabs.context >= 0) context = names[static_cast<std::size_t>(tabs.context)];
     if (tabs.chosen >= 0) wish = {.kind = Wish::Kind::front, .leaf = index, .tab = tabs.chosen};
     if (tabs.closed >= 0) wish = {.kind = Wish::Kind::close, .leaf = index, .tab = tabs.closed};
     if (tabs.dropped >= 0) wish = {.kind = Wish::Kind::move, .leaf = index, .tab = tabs.dropped};
@@ -147,6 +164,29 @@ void Making::leaf(int index) {
         if (panel < panels.size()) build(panel);
     }
     ui.close();
+}
+
+/// Of a tab: closes its panel, or brings one back beside it that was closed.
+void Making::menu() {
+    const std::string_view name = ui.join({"tabs of ", {reinterpret_cast<const char*>(&id), sizeof id}});
+    const bool closable = options.closable && held_open(layout) > 1;
+    if (!context.empty() && (closable || !layout.closed.empty())) {
+        ui.memory<MenuOf>(id).panel = context;
+        open_menu(ui, name, {.side = Placement::Side::pointer, .rect = {ui.pointer().x, ui.pointer().y, 0, 0}});
+    }
+    const Menu menu(ui, name, "Panels");
+    if (!menu) return;
+    const std::string& panel = ui.memory<MenuOf>(id).panel;
+    const int leaf = layout.find(panel);
+    if (leaf < 0) return;
+    const std::vector<std::string>& tabs = node(leaf).tabs;
+    const int tab = static_cast<int>(std::find(tabs.begin(), tabs.end(), panel) - tabs.begin());
+    if (menu_item(ui, ui.join({"Close ", panel, "##close"}), {.icon = Icon::cross, .enabled = closable}))
+        wish = {.kind = Wish::Kind::close, .leaf = leaf, .tab = tab};
+    if (!layout.closed.empty()) menu_separator(ui);
+    for (const std::string& closed : layout.closed) {
+        if (menu_item(ui, ui.join({"Show ", closed}))) wish = {.kind = Wish::Kind::show, .to = leaf, .panel = closed};
+    }
 }
 
 void Making::edges() {
@@ -174,7 +214,7 @@ Drop Making::drop_at(glm::vec2 pointer, const Rect& whole) {
 }
 
 /// Ctrl+PageUp and Ctrl+PageDown: the tabs of the group that has the keyboard.
-void Making::turn_pages(Id id, const Rect& whole) {
+void Making::turn_pages(const Rect& whole) {
     ui.events_of(id, [&](const Event& event) {
         if (event.kind != EventKind::key) return;
         const glm::vec2 at = (ui.focus() != 0 ? ui.rect_before(ui.focus()).center() : ui.pointer()) - whole.at();
@@ -189,18 +229,17 @@ void Making::turn_pages(Id id, const Rect& whole) {
 
 void Making::fulfil() {
     if (wish.kind == Wish::Kind::none || (wish.kind == Wish::Kind::move && wish.to < 0)) return;
-    const std::string name = node(wish.leaf).tabs[static_cast<std::size_t>(wish.tab)];
+    const bool show = wish.kind == Wish::Kind::show;
+    const std::string name(show ? wish.panel : node(wish.leaf).tabs[static_cast<std::size_t>(wish.tab)]);
     if (wish.kind == Wish::Kind::front) node(wish.leaf).active = wish.tab;
     if (wish.kind == Wish::Kind::close) layout.close(name);
-    if (wish.kind == Wish::Kind::move) layout.move(name, wish.to, wish.side, wish.position);
+    if (wish.kind == Wish::Kind::move || show) layout.move(name, wish.to, wish.side, wish.position);
     events.arranged = true;
     ui.build_again();
 }
 
 std::size_t held_by(const DockLayout& layout) {
-    std::size_t count = layout.closed.size();
-    for (const DockNode& node : layout.nodes) count += node.tabs.size();
-    return count;
+    return held_open(layout) + layout.closed.size();
 }
 
 }  // namespace
@@ -228,15 +267,16 @@ DockEvents dock(Ui& ui, std::string_view label, DockLayout& layout, std::span<co
     auto* places = static_cast<int*>(ui.arena().take(count * sizeof(int)));
     std::uninitialized_fill_n(rects, count, Rect{});
     std::uninitialized_fill_n(places, count, 0);
-    Making making{ui, layout, panels, build, options, rects, places, events};
+    Making making{ui, layout, panels, build, options, id, rects, places, events};
     making.arrange(0, {0, 0, known.view.x, known.view.y});
     for (std::size_t i = 0; i < count; ++i) {
         if (layout.nodes[i].leaf()) making.leaf(static_cast<int>(i));
     }
     making.edges();
+    making.menu();
 
     const Rect whole = ui.rect_before(id);
-    making.turn_pages(id, whole);
+    making.turn_pages(whole);
     if (making.grabbed_leaf >= 0 || making.wish.kind == Wish::Kind::move) {
         const Drop drop = making.drop_at(ui.pointer(), whole);
         if (drop.leaf >= 0) {

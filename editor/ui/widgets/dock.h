@@ -1,5 +1,5 @@
 // Panels that a person arranges: tabs are dragged onto another group of tabs or to a side of it, edges between groups are dragged,
-// panels are closed and shown again. They never overlap. The program owns the arrangement.
+// panels are closed and, from the menu of any tab, shown again. They never overlap. The program owns the arrangement.
 //
 //     constexpr std::string_view panels[] = {"View", "Parameters", "Scopes"};
 //     ui::dock(u, "Workspace", settings.layout, panels, [&](std::size_t panel) { build_panel(u, panel); });

@@ -13,6 +13,28 @@ struct BarDrag {
     float from = 0;  // px, the offset at the press
 };
 
+/// Whether the upright bar has room of its own. Content may grow with its width (a picture): then the bar is needed without the room
+/// that it takes and not needed with it. Where giving up the room has brought the need back, it stays.
+struct BarRoom {
+    bool barred = false;
+    glm::vec2 given_up_at{-1};  // px of the area without any bar, when the room was given up for want of need
+    float given_up_with = -1;   // px of content then
+};
+
+bool keep_room(BarRoom& room, const ScrollState& state, float bar) {
+    const bool needed = state.content.y - state.view.y >= 1;
+    if (room.barred && !needed) {
+        const glm::vec2 whole = state.view + glm::vec2(bar, 0);
+        if (room.given_up_at == whole && std::abs(room.given_up_with - state.content.y) < 1) return true;
+        room = {false, whole, state.content.y};
+    } else if (!room.barred && !needed) {
+        room = {};  // it was not missed
+    } else {
+        room.barred = true;
+    }
+    return room.barred;
+}
+
 struct Thumb {
     float at = 0, length = 0;  // px along the track
     float per_px = 0;          // content px for one px of the thumb
@@ -91,7 +113,8 @@ ScrollArea::ScrollArea(Ui& ui, Node& node, const ScrollOptions& options)
     for (std::uint8_t& pad : node.padding)
         pad = static_cast<std::uint8_t>(std::clamp(ui.em(options.padding), 0.0F, 255.0F));
     node.padding[1] = static_cast<std::uint8_t>(std::clamp(node.padding[1] + options.top, 0.0F, 255.0F));
-    const bool barred = state_.content.y - state_.view.y >= 1;  // what can be clicked is not to lie under the bar
+    // what can be clicked is not to lie under the bar
+    const bool barred = keep_room(ui.memory<BarRoom>(node.id), state_, ui.em(bar_em));
     node.padding[2] = static_cast<std::uint8_t>(std::min(255.0F, node.padding[2] + (barred ? ui.em(bar_em) : 0.0F)));
     node.rigid = false;
     node.clips = true;

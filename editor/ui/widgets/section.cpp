@@ -45,10 +45,13 @@ std::string_view count_text(Ui& ui, int count) {
     return ui.copy({buffer, static_cast<std::size_t>(end - buffer)});
 }
 
-void put_header(Ui& ui, std::string_view title, const SectionOptions& options, Folding& folding) {
+/// Gives whether the section is open.
+bool put_header(Ui& ui, std::string_view title, const SectionOptions& options) {
     Node& header = ui.leaf(Role::button, "##header",
                            Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_x);
-    const Id id = header.id;
+    const Id id = header.id;  // of two sections of one name each has its own
+    Folding& folding = ui.memory<Folding>(id);
+    if (!folding.known) folding = {true, options.open};
     const std::string_view count = options.changed > 0 ? count_text(ui, options.changed) : std::string_view{};
     header.text = count.empty() ? title : ui.join({title, ", ", count, " changed"});
     header.tip = ui.copy(options.tip);
@@ -64,6 +67,7 @@ void put_header(Ui& ui, std::string_view title, const SectionOptions& options, F
     });
     header.is |= when(folding.open, Is::expanded) | when(options.changed > 0, Is::changed);
     ui.draw_with<draw_header>(header, HeaderLook{title, count, folding.open});
+    return folding.open;
 }
 
 }  // namespace
@@ -71,20 +75,17 @@ void put_header(Ui& ui, std::string_view title, const SectionOptions& options, F
 Section::Section(Ui& ui, std::string_view label, const SectionOptions& options) : ui_(ui) {
     if (options.changed == 0 && changed_only(ui)) return;
     built_ = true;
-    Folding& folding = ui.memory<Folding>(ui.id_of(label));
-    if (!folding.known) folding = {true, options.open};
     Node& outer = ui.open(Role::section, label, Axis::y);
     outer.gap = ui.em(ui.theme().gap);
     const std::string_view title = outer.shown;
     {
         const Row row(ui, {.gap = 0, .cross = Place::center});
-        put_header(ui, title, options, folding);
+        open_ = put_header(ui, title, options);
         for (std::size_t i = 0; i < options.buttons.size(); ++i) {
             const SectionButton& button = options.buttons[i];
             if (icon_button(ui, button.icon, button.label, {.quiet = true})) clicked_ = static_cast<int>(i);
         }
     }
-    open_ = folding.open;
     Node& node = ui.parent();
     node.is |= when(open_, Is::expanded) | when(options.changed > 0, Is::changed);
     if (!open_) return;

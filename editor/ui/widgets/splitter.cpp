@@ -15,12 +15,13 @@ struct Drag {
 
 void draw_handle(Painter& painter, const Node& node, const Axis& axis) {
     const bool held = has(node.is, Is::held), hovered = has(node.is, Is::hovered) && !has(node.is, Is::disabled);
-    if (!held && !hovered) return;
+    const bool at_rest = !held && !hovered;
     const Rect rect = node.rect();
-    const float thick = painter.em(gap_em);
+    const float thick = at_rest ? painter.hairline() : painter.em(gap_em);
     const Rect bar = axis == Axis::x ? Rect{std::round(rect.center().x - thick / 2), rect.y, thick, rect.h}
                                      : Rect{rect.x, std::round(rect.center().y - thick / 2), rect.w, thick};
-    painter.fill(bar, held ? painter.theme().focus : painter.theme().control_hover);
+    const Theme& t = painter.theme();
+    painter.fill(bar, held ? t.focus : hovered ? t.control_hover : t.border);
 }
 
 }  // namespace
@@ -64,7 +65,7 @@ Edit drag_splitter(Ui& ui, Id id, Axis axis, const Split& split, float& fraction
             edit.committed = true;
         } else if (event.kind == EventKind::cancel && std::exchange(drag.began, false)) {
             fraction = drag.before;
-            edit.cancelled = true;
+            edit.changed = edit.cancelled = true;  // the value is another again
         } else if (event.kind == EventKind::key) {
             if (event.key == Key::left || event.key == Key::up) set_once(now - step);
             if (event.key == Key::right || event.key == Key::down) set_once(now + step);

@@ -7,6 +7,7 @@ namespace {
 constexpr float narrowest = 2, widest = 100;  // em
 constexpr float handle_em = 0.7F;
 constexpr float pad_em = 0.5F;
+constexpr float order_em = 0.8F, order_pad_em = 0.2F;  // the arrow of the order, beside the title
 
 using CellOf = FunctionRef<TableCell(std::size_t, std::size_t)>;
 
@@ -48,12 +49,20 @@ void draw_header(Painter& painter, const Node& node, const HeaderLook& look) {
     const float line = painter.hairline();
     painter.fill({rect.x, rect.bottom() - line, rect.w, line}, t.border);
     Rect inside = rect.inset(painter.em(pad_em), 0);
-    if (look.order != Icon::none) {
-        painter.icon(inside.cut_right(painter.em(0.8F)), look.order, t.text);
-        inside.cut_right(painter.em(0.3F));
+    const TextStyle style = painter.text_style();
+    if (look.order !=
+        Icon::none) {  // in the padding as far as it goes; the title comes first where there is not room for both
+        Rect rest = rect.inset(painter.em(order_pad_em), 0);
+        const Rect mark = rest.cut_right(painter.em(order_em));
+        rest.cut_right(painter.em(order_pad_em));
+        const float right = std::min(inside.right(), rest.right()), room = right - inside.x;
+        if (painter.fonts().run(node.shown, style).width <= room + 0.5F) {
+            painter.icon(mark, look.order, t.text);
+            inside.w = room;
+        }
     }
     const Color ink = !live ? t.text_disabled : look.order != Icon::none ? t.text : t.text_dim;
-    painter.text(inside, node.shown, painter.text_style(), ink, look.align);
+    painter.text(inside, node.shown, style, ink, look.align);
 }
 
 void draw_header_ground(Painter& painter, const Node& node, const Color& color) {

@@ -78,7 +78,7 @@ Id Making::tab(int index, std::string_view name) {
     const Sense keys = index == active
                            ? Sense::focus | Sense::arrows_x | Sense::extremes | Sense::activate | Sense::erase
                            : Sense::none;
-    Node& node = ui.leaf(Role::tab, name, Sense::hover | Sense::press | Sense::middle | keys);
+    Node& node = ui.leaf(Role::tab, name, Sense::hover | Sense::press | Sense::middle | Sense::context | keys);
     const Id id = node.id;
     const float ends = ui.em(pad_em) + ui.em(options.closable ? cross_em : pad_em);
     const float wish = std::ceil(ui.text_width(node.shown)) + ends;
@@ -94,6 +94,7 @@ Id Making::tab(int index, std::string_view name) {
     if (!rect.empty() && ui.pointer().x > rect.center().x) events.place = index + 1;
     const Rect cross = cross_of(rect, options.closable ? ui.em(cross_em) : 0.0F);
     const bool from_cross = cross.contains(r.pressed_at), left = r.button == Button::left;
+    if (r.context) events.context = index;
     if (r.pressed) strip.dragging = false;
     if (r.pressed && !from_cross) {
         events.chosen = index;

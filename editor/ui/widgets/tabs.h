@@ -24,6 +24,7 @@ struct TabEvents {
     int closed = -1;         ///< is to be closed: the program takes it away
     int place = 0;           ///< so many have their middle left of the pointer: where a dropped one would stand
     int grabbed = -1;        ///< is being dragged now
+    int context = -1;        ///< right button, or the Menu key: for a menu
     int dropped = -1;        ///< was let go after having been dragged
     bool cancelled = false;  ///< a drag was given up
 };

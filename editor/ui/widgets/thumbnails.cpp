@@ -5,6 +5,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float pad_em = 0.3F;
+constexpr Color star_ink = rgb(0xf2c14e), star_ground = with_alpha(rgb(0x000000), 0.65F);
 
 struct CellLook {
     ImageHandle image;
@@ -40,8 +41,11 @@ struct StarLook {
 void draw_star(Painter& painter, const Node& node, const StarLook& look) {
     const Theme& t = painter.theme();
     const Rect mark = node.rect().inset(painter.em(0.4F));
-    if (look.on) painter.icon(mark, Icon::star_filled, t.warning);
-    if (!look.on && has(node.is, Is::hovered)) painter.icon(mark, Icon::star, t.text);
+    const bool hovered = has(node.is, Is::hovered);
+    if (!look.on && !hovered) return;
+    // over a picture of any colour, in any theme
+    painter.fill(mark.inset(-painter.em(0.15F)), star_ground, painter.em(t.radius));
+    painter.icon(mark, look.on ? Icon::star_filled : Icon::star, look.on ? star_ink : rgb(0xffffff));
 }
 
 struct Metrics {

@@ -4,7 +4,8 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr float step_em = 1.1F;  // a level further in
+constexpr float step_em = 1.1F;     // a level further in
+constexpr float least_name_em = 3;  // of a name that is cut
 
 bool has_children(std::span<const TreeItem> items, std::size_t i) {
     return i + 1 < items.size() && items[i + 1].depth > items[i].depth;
@@ -31,7 +32,8 @@ void find_shown(const TreeState& state, std::span<const TreeItem> items, std::ve
 
 struct ItemLook {
     Icon icon;
-    float in;  // px
+    float in;    // px
+    float mark;  // px at the right end that its mark has
     bool parent, open, dim, ringed;
 };
 
@@ -40,6 +42,7 @@ void draw_item(Painter& painter, const Node& node, const ItemLook& look) {
     draw_item_ground(painter, node, look.ringed);
     Rect rect = node.rect().inset(painter.em(0.3F), 0);
     rect.cut_left(look.in);
+    if (look.mark > 0) rect.w = std::max(0.0F, node.rect().right() - look.mark - rect.x);
     const bool disabled = has(node.is, Is::disabled);
     const Color ink = disabled || look.dim ? t.text_disabled : t.text;
     const Rect triangle = rect.cut_left(painter.em(1));
@@ -98,11 +101,16 @@ void Making::row(RowList& list, std::size_t line, std::size_t index) {
     const float mark = item.mark == Icon::none ? 0.0F : ui.row_height();
     const float icon = item.icon == Icon::none ? 0.0F : ui.em(1) + ui.em(0.4F);
     node.size[0] = grow();
-    node.minimum[0] = ui.em(0.6F) + in + ui.em(1.2F) + icon + std::ceil(ui.text_width(node.text)) + 1 + mark;
+    // Names are cut where the view ends, so that marks stay in sight; deep down a few letters of them are left and it scrolls.
+    const float name = std::ceil(ui.text_width(node.text)) + 1,
+                before = ui.em(mark > 0 ? 0.3F : 0.6F) + in + ui.em(1.2F) + icon;
+    node.minimum[0] = before + std::min(name, ui.em(least_name_em)) + mark;
+    const ScrollState& area = list.area().state();
+    if (area.view.x > 0 && before + name + mark > area.view.x) node.tip = node.text;
     const Response r = list.respond(line, node);
     node.is |= when(open, Is::expanded);
     node.number = ui.number(item.depth, 0, 255);
-    ui.draw_with<draw_item>(node, ItemLook{item.icon, in, parent, open, item.dim, list.ringed(line)});
+    ui.draw_with<draw_item>(node, ItemLook{item.icon, in, mark, parent, open, item.dim, list.ringed(line)});
     if (item.mark != Icon::none) {
         spacer(ui);
         Node& button = ui.leaf(Role::toggle, "mark", Sense::hover | Sense::press);

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "ui/support/count_allocations.h"
+#include "ui/value/utf8.h"
 
 namespace lapfx::ui {
 namespace {
@@ -459,6 +460,24 @@ TEST(Look, AtIt) {
     std::ofstream file("/tmp/lapfx_ui_text.pgm", std::ios::binary);
     file << "P5\n" << page.width << ' ' << page.height << "\n255\n";
     for (const std::uint8_t value : page.pixels) file.put(static_cast<char>(255 - value));
+}
+
+TEST_F(Text, TheCaretStopsWhereEditingStepsTo) {
+    const std::string texts[] = {
+        "e\u0301a\u0302\u0323b",                                                     // combining marks
+        "x\U0001F44D\U0001F3FDy",                                                    // a skin tone
+        "x\U0001F469\u200D\U0001F4BB\U0001F469\u200D\u2764\uFE0F\u200D\U0001F468y",  // joined pictures
+        "a\u200Db\u2713\uFE0E",                                                      // a joiner between letters
+        "\U0001F3F4\U000E0067\U000E0062\U000E007Fz",                                 // a flag of tags
+        "\u0915\u094D\u0937\u093F",                                                  // vowel signs
+        "a\xF0\x9F\x98z\xC0\xAF\u0301"};                                             // no UTF-8
+    for (const std::string& text : texts) {
+        std::vector<std::uint32_t> steps = {0}, stops;
+        for (std::size_t at = 0; at < text.size();)
+            steps.push_back(static_cast<std::uint32_t>(at += next_character(text, at)));
+        for (const CaretStop& stop : fonts.run(text, {}).stops) stops.push_back(stop.byte);
+        EXPECT_EQ(stops, steps) << text;
+    }
 }
 
 }  // namespace

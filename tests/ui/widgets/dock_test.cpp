@@ -202,5 +202,26 @@ TEST(Dock, SteadyFramesAndDragsAllocateNothing) {
     EXPECT_EQ(test::allocations_so_far() - before, 0U);
 }
 
+TEST(Dock, TheMenuOfATabClosesPanelsAndBringsThemBack) {
+    Workspace t;
+    t.ui.right_click("Desk/tabs/Scopes").click("Panels/Close Scopes");
+    EXPECT_THAT(t.layout.closed, ElementsAre("Scopes"));
+    EXPECT_THAT(t.tabs_with("Parameters"), ElementsAre("Parameters"));
+    EXPECT_FALSE(t.ui.exists("Panels"));
+    t.ui.right_click("Desk/tabs/Log").click("Panels/Show Scopes");
+    EXPECT_TRUE(t.layout.closed.empty());
+    EXPECT_THAT(t.tabs_with("Log"), ElementsAre("Log", "Scopes"));
+    EXPECT_TRUE(t.ui.exists("Desk/Scopes")) << "in front";
+    EXPECT_EQ(t.arranged, 2);
+}
+
+TEST(Dock, TheLastPanelCannotBeClosedFromItsMenu) {
+    Workspace t;
+    for (const char* panel : {"View", "Scopes", "Log"}) t.layout.close(panel);
+    t.ui.frame().right_click("Desk/tabs/Parameters");
+    EXPECT_TRUE(t.ui.is("Panels/Close Parameters", Is::disabled));
+    EXPECT_TRUE(t.ui.exists("Panels/Show Log"));
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -232,5 +232,33 @@ TEST(VirtualRows, TenThousandCostNoMoreThanThoseInSight) {
     EXPECT_LT(best, 100) << "us; the gate of 23 is for a quiet machine";
 }
 
+TEST(ScrollArea, APictureAsHighAsItsWidthWantsDoesNotMakeTheBarComeAndGo) {
+    bool tall = true;
+    Harness ui(
+        [&](Ui& u) {
+            ScrollArea area(u, "List");
+            Node& picture = u.leaf(Role::image, "Picture", Sense::hover);
+            picture.size[0] = grow();
+            picture.size[1] = px(10);
+            if (tall)
+                picture.height_for_width = [](Ui&, const Node&, float width) { return std::round(width * 0.75F); };
+        },
+        {640, 476});  // 480 px high over all the width, 471 beside the bar
+    for (int i = 0; i < 4; ++i) {
+        ui.frame();
+        EXPECT_LT(ui.rect("List/Picture").w, 640) << "the room of the bar stays";
+        EXPECT_LE(ui.rect("List/Picture").h, 476);
+    }
+    const int builds = ui.ui().builds();
+    ui.frame();
+    EXPECT_EQ(ui.ui().builds(), builds + 1);
+    tall = false;
+    ui.frame().frame();
+    EXPECT_EQ(ui.rect("List/Picture").w, 640) << "where nothing needs it, it goes";
+    tall = true;
+    ui.frame().frame();
+    EXPECT_LT(ui.rect("List/Picture").w, 640);
+}
+
 }  // namespace
 }  // namespace lapfx::ui

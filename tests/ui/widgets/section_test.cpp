@@ -114,5 +114,20 @@ TEST(Section, SteadyFramesAllocateNothing) {
     EXPECT_EQ(test::allocations_so_far() - before, 0U);
 }
 
+TEST(Section, TwoOfOneNameFoldEachOnItsOwn) {
+    bool first = false, second = false;
+    Harness ui([&](Ui& u) {
+        {
+            const Section section(u, "Vessels");
+            first = static_cast<bool>(section);
+        }
+        const Section section(u, "Vessels");
+        second = static_cast<bool>(section);
+    });
+    ui.send({.kind = EventKind::press, .at = {100, 10}}).send({.kind = EventKind::release, .at = {100, 10}});
+    EXPECT_FALSE(first);
+    EXPECT_TRUE(second);
+}
+
 }  // namespace
 }  // namespace lapfx::ui

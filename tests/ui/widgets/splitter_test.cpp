@@ -67,8 +67,11 @@ TEST(Splitter, IsDraggedInOneGesture) {
 
 TEST(Splitter, EscapeAndTheOtherButtonPutItBack) {
     Two t;
-    t.ui.press("Split/handle").drag_by({60, 0}).key(Key::escape);
+    t.ui.press("Split/handle").drag_by({60, 0});
+    t.changes = 0;
+    t.ui.key(Key::escape);
     EXPECT_EQ(t.fraction, 0.5F);
+    EXPECT_EQ(t.changes, 1) << "what follows it is to follow back";
     EXPECT_TRUE(t.all.cancelled);
     EXPECT_FALSE(t.all.committed);
     t.ui.release().press("Split/handle").drag_by({-60, 0});

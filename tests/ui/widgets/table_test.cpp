@@ -255,5 +255,27 @@ TEST(Table, SteadyFramesAllocateNothing) {
     EXPECT_EQ(test::allocations_so_far() - before, 0U);
 }
 
+TEST(Table, ASortedColumnKeepsItsTitleWhereThereIsRoomForIt) {
+    constexpr TableColumn narrow[] = {{.title = "Length", .width = 5}, {.title = "Length of it", .width = 5}};
+    TableState state;
+    Harness ui(
+        [&](Ui& u) { table(u, "Clips", state, narrow, 0, [](std::size_t, std::size_t) { return TableCell{}; }); });
+    const auto drawn_in = [&](const char* path, InstanceKind kind) {
+        const Rect rect = ui.rect(path);
+        int count = 0;
+        for (const Instance& i : ui.output().list->instances)
+            count += i.kind == kind && rect.contains({i.x, i.y}) ? 1 : 0;
+        return count;
+    };
+    const int cut = drawn_in("Clips/Length of it", InstanceKind::glyph);
+    EXPECT_EQ(drawn_in("Clips/Length", InstanceKind::glyph), 6);
+    EXPECT_EQ(drawn_in("Clips/Length", InstanceKind::line), 0);
+    ui.click("Clips/Length");
+    EXPECT_EQ(drawn_in("Clips/Length", InstanceKind::glyph), 6);
+    EXPECT_GT(drawn_in("Clips/Length", InstanceKind::line), 0) << "the arrow";
+    ui.click("Clips/Length of it");
+    EXPECT_EQ(drawn_in("Clips/Length of it", InstanceKind::glyph), cut) << "it takes nothing where there is no room";
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -132,5 +132,22 @@ TEST(Thumbnails, SteadyFramesAllocateNothing) {
     EXPECT_EQ(test::allocations_so_far() - before, 0U);
 }
 
+TEST(Thumbnails, AStarHasADarkGroundWhateverThePicture) {
+    Selection selection;
+    Harness ui([&](Ui& u) {
+        u.set_theme(light_theme());
+        thumbnails(u, "Presets", selection, 1, [](std::size_t) { return Thumbnail{.label = "Fog", .star = true}; });
+    });
+    const Rect star = ui.rect("Presets/Fog/star");
+    int grounds = 0;
+    for (const Instance& i : ui.output().list->instances) {
+        const bool under =
+            i.kind == InstanceKind::fill && star.contains({i.x, i.y}) && star.contains({i.x + i.w, i.y + i.h});
+        grounds += under && i.w > 10 && i.color.a > 128 &&
+                   contrast({i.color.r, i.color.g, i.color.b, 255}, rgb(0xffffff)) > 12;
+    }
+    EXPECT_EQ(grounds, 1);
+}
+
 }  // namespace
 }  // namespace lapfx::ui

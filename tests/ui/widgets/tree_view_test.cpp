@@ -128,5 +128,17 @@ TEST(TreeView, TenThousandItemsBuildOnlyThoseInSightAndAllocateNothing) {
     EXPECT_EQ(test::allocations_so_far() - before, 0U);
 }
 
+TEST(TreeView, ALongNameIsCutAndItsMarkStaysInSight) {
+    const TreeItem items[] = {{"Segment V, with a name that does not fit in any way", 3, Icon::image, Icon::eye}};
+    TreeState state;
+    Harness ui([&](Ui& u) { tree_view(u, "Parts", state, items); }, {200, 100});
+    EXPECT_EQ(ui.rect("**/mark").right(), 200);
+    EXPECT_LE(ui.node("Parts").scroll->content.x, 200) << "nothing to scroll sideways";
+    EXPECT_EQ(ui.tip("Parts/Segment V, with a name that does not fit in any way"), items[0].label);
+    ui.size = {60, 100};
+    ui.frame();
+    EXPECT_GT(ui.node("Parts").scroll->content.x, 60) << "a few letters are left";
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -85,5 +85,51 @@ TEST(UiScale, IsTheUsersElseTheEnvironmentsElseTheScreens) {
     EXPECT_EQ(choose_scale(0.1F, nullptr, 1), least_scale);
 }
 
+TEST(UiScale, IsChangedByPlusMinusAndZeroOfAnyKeyboard) {
+    const Mods ctrl = Mods::command, shifted = Mods::command | Mods::shift;
+    EXPECT_EQ(scale_step(key_of('='), "=", ctrl), 1);
+    EXPECT_EQ(scale_step(key_of('='), "=", shifted), 1) << "as + is typed on an American keyboard";
+    EXPECT_EQ(scale_step(key_from(GLFW_KEY_RIGHT_BRACKET, "+", true), "+", ctrl), 1) << "German";
+    EXPECT_EQ(scale_step(key_from(GLFW_KEY_SLASH, "-", true), "-", ctrl), -1) << "German";
+    EXPECT_EQ(scale_step(key_of('0'), "0", ctrl), 0);
+    EXPECT_EQ(scale_step(key_of('0'), "0", shifted), std::nullopt);
+    EXPECT_EQ(scale_step(key_of(']'), "]", ctrl), std::nullopt);
+    EXPECT_EQ(scale_step(key_of('='), "=", Mods::none), std::nullopt);
+    EXPECT_EQ(scale_step(key_of('='), "=", ctrl | Mods::alt), std::nullopt);
+}
+
+TEST(EndlessPointer, GoesOnWhereAMouseIsPutBackToTheMiddle) {
+    const glm::dvec2 size(1000, 800);
+    EndlessPointer pointer;
+    pointer.start({300, 400});
+    glm::dvec2 real(300, 400), at = real;
+    for (int i = 1; i <= 400; ++i) {
+        real.x += 10;
+        at = pointer.move(real);
+        ASSERT_EQ(at, glm::dvec2(300 + 10 * i, 400));
+        if (pointer.put_back(real, size)) real = size / 2.0;
+        ASSERT_LT(real.x, 1000);
+    }
+}
+
+TEST(EndlessPointer, TakesEventsFromBeforeItWasPutBackAsTheyWereMeant) {
+    EndlessPointer pointer;
+    pointer.start({880, 400});
+    EXPECT_EQ(pointer.move({910, 400}).x, 910);
+    EXPECT_TRUE(pointer.put_back({910, 400}, {1000, 800}));
+    EXPECT_EQ(pointer.move({920, 400}).x, 920) << "was on its way";
+    EXPECT_TRUE(pointer.put_back({920, 400}, {1000, 800}));
+    EXPECT_EQ(pointer.move({505, 400}).x, 925);
+}
+
+TEST(EndlessPointer, FollowsADeviceThatTellsPlacesAndCannotBePutBack) {
+    EndlessPointer pointer;
+    pointer.start({500, 400});
+    for (const double x : {560.0, 640.0, 720.0, 800.0, 880.0, 960.0, 999.0, 999.0, 999.0, 920.0, 840.0, 700.0}) {
+        EXPECT_EQ(pointer.move({x, 400}), glm::dvec2(x, 400));
+        (void)pointer.put_back({x, 400}, {1000, 800});
+    }
+}
+
 }  // namespace
 }  // namespace lapfx::window
