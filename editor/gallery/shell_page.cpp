@@ -66,8 +66,8 @@ void dialogs(ui::Ui& ui, ShellState& s) {
     }
     const auto answer =
         ui::ask(ui, "delete", "Delete the preset?", "brisk bleed is used by two scenes.",
-                {{.label = "Keep", .cancel = true}, {.label = "Delete", .standard = true}}, ui::Tone::warning);
-    if (answer) s.answer = *answer == 1 ? "deleted" : "kept";
+                {{.label = "Delete"}, {.label = "Keep", .standard = true, .cancel = true}}, ui::Tone::warning);
+    if (answer) s.answer = *answer == 0 ? "deleted" : "kept";
 }
 
 void news(ui::Ui& ui, ShellState& s) {
