@@ -77,6 +77,8 @@ void news(ui::Ui& ui, ShellState& s) {
     if (ui::button(ui, "Warning")) s.toasts.add({.kind = ui::ToastKind::warning, .text = "The clip has no alpha"});
     if (ui::button(ui, "Error"))
         s.toasts.add({.kind = ui::ToastKind::error, .text = "plume_left.mov: cannot be read: Permission denied"});
+    if (ui::button(ui, "Go to them", {.tip = "The keyboard goes to the newest; Esc gives it back"}))
+        s.toasts.take_focus();
 }
 
 void jobs(ui::Ui& ui, ShellState& s) {
