@@ -121,7 +121,9 @@ class Fuzz {
         std::swap(before_, now_);
         harness_.ui().redraw(now_);
         ASSERT_TRUE(same_picture(*harness_.output().list, now_)) << harness_.dump();
-        if (!harness_.output().changed) ASSERT_TRUE(same_picture(before_, now_)) << harness_.dump();
+        if (!harness_.output().changed) {
+            ASSERT_TRUE(same_picture(before_, now_)) << harness_.dump();
+        }
         bool focus_lives = ui.focus() == 0;
         for (const Node& node : ui.tree()) {
             if (node.id == ui.focus() && node.id != 0) focus_lives = true;

@@ -7,6 +7,8 @@ namespace lapfx::ui {
 
 namespace {
 
+constexpr int most_unsettled = 3;  // frames in a row
+
 bool same_number(const Number* a, const Number* b) {
     return a == b || (a != nullptr && b != nullptr && std::memcmp(a, b, sizeof(Number)) == 0);
 }
@@ -35,6 +37,12 @@ const FrameOutput& Ui::emit() {
     if (fonts_.atlas().resets != now.resets) drawn_with_ = {};  // grew while drawing
     output_.changed = !(drawn_anew_ ? same_picture(list_, shown_) : same_frame(list_, shown_));
     if (queue_head_ < queue_.size()) wake_at(time(), "events left");
+    // What never comes to rest must not keep the machine busy for ever.
+    if (unsettled_ > 0 && unsettled_ <= most_unsettled) wake_at(time(), "not yet at rest");
+    const bool missing = fonts_.full();
+    if (missing && !letters_missing_) wake_at(time(), "letters are missing");
+    letters_missing_ = missing;
+    remember_anchors();
     if (const char* reason = woken_.exchange(nullptr); reason != nullptr) wake_at(time(), reason);
     tree_ = nodes();
     fresh_ = true;
@@ -120,8 +128,8 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
     painter.set_clip(node.clip);
     painter.begin_node();
     const float width = 2 * painter.hairline();
-    painter.frame(node.rect().inset(-painter.hairline()), theme().focus, width,
-                  em(theme().radius) + painter.hairline());
+    // Outside of it: on what is in the accent colour it could not be seen.
+    painter.frame(node.rect().inset(-width), theme().focus, width, em(theme().radius) + width);
 }
 
 }  // namespace lapfx::ui

@@ -34,18 +34,20 @@ void wish(std::span<Node> nodes, int a) {
 }
 
 struct Shares {
-    float taken = 0, weights = 0, can_shrink = 0;
+    float taken = 0, weights = 0, can_shrink = 0, least = 0;  ///< least: of those that grow
 };
 
-/// Along its axis: fractions, shares of what is left, and shrinking where there is too little.
-void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
+constexpr float unshared = -1;  // extent of a child whose share is not yet known
+
+Shares count_shares(std::span<Node> nodes, const Node& node, int a, float inside) {
     Shares all{.taken = node.in_flow > 0 ? node.gap * static_cast<float>(node.in_flow - 1) : 0.0F};
     for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
         Node& child = nodes[c];
         if (!flows(child)) continue;
         if (child.size[a].kind == SizeKind::grow) {
             all.weights += child.size[a].value;
-            child.extent[a] = child.minimum[a];
+            all.least += child.minimum[a];
+            child.extent[a] = unshared;
             continue;
         }
         if (child.size[a].kind == SizeKind::fraction)
@@ -53,21 +55,43 @@ void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
         all.taken += child.extent[a];
         if (!child.rigid) all.can_shrink += child.extent[a] - child.minimum[a];
     }
-    const float left = inside - all.taken;
-    if (left < 0 && all.can_shrink > 0 && !node.scrolls[a]) {
-        const float part = std::min(1.0F, -left / all.can_shrink);
+    return all;
+}
+
+/// Those that would fall below their least get that, and the others share what is then left; once more for each that did.
+void share_what_is_left(std::span<Node> nodes, const Node& node, int a, float left, float weights) {
+    for (bool again = true; again;) {
+        again = false;
+        for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+            Node& child = nodes[c];
+            if (!flows(child) || child.extent[a] != unshared) continue;
+            if (weights > 0 && left * child.size[a].value / weights >= child.minimum[a]) continue;
+            child.extent[a] = child.minimum[a];
+            left -= child.minimum[a];
+            weights -= child.size[a].value;
+            again = true;
+        }
+    }
+    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
+        Node& child = nodes[c];
+        if (flows(child) && child.extent[a] == unshared) child.extent[a] = left * child.size[a].value / weights;
+    }
+}
+
+/// Along its axis: fractions, shares of what is left, and shrinking where there is too little.
+void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
+    const Shares all = count_shares(nodes, node, a, inside);
+    float left = inside - all.taken;
+    if (left < all.least && all.can_shrink > 0 && !node.scrolls[a]) {
+        const float part = std::min(1.0F, (all.least - left) / all.can_shrink);
         for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
             Node& child = nodes[c];
             if (flows(child) && !child.rigid && child.size[a].kind != SizeKind::grow)
                 child.extent[a] -= (child.extent[a] - child.minimum[a]) * part;
         }
+        left += all.can_shrink * part;
     }
-    if (all.weights <= 0) return;
-    for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
-        Node& child = nodes[c];
-        if (flows(child) && child.size[a].kind == SizeKind::grow)
-            child.extent[a] = std::max(child.minimum[a], left * child.size[a].value / all.weights);
-    }
+    share_what_is_left(nodes, node, a, left, all.weights);
 }
 
 void put_along(std::span<Node> nodes, const Node& node, int a, float inside) {

@@ -96,22 +96,12 @@ bool moves_by_arrows(Role role) {
 
 }  // namespace
 
-void Ui::route_key(const Event& event) {
-    const bool held_now = active_[0] != 0 || active_[1] != 0 || active_[2] != 0;
-    if (held_now && event.key == Key::escape) return cancel_held();
-    if (takes_under_pointer(event)) return send(hot_, event);
-    const Node* node = before(focus_);
-    if (node != nullptr && takes(node->sense, event.key, event.mods)) {
-        ringed_ = true;
-        return send(focus_, event);
-    }
+bool Ui::press_shortcut(Key key, Mods mods) {
     const bool modal =
         std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
-    if (!modal && options_.shortcuts != nullptr && options_.shortcuts->press(event.key, event.mods)) {
-        again_ = true;
-        return;
-    }
-    navigate(event);
+    if (modal || options_.shortcuts == nullptr || !options_.shortcuts->press(key, mods)) return false;
+    again_ = true;
+    return true;
 }
 
 /// Backspace and Ctrl+C are meant for what one points at, unless a ring or an open text says where the keyboard is.
@@ -121,6 +111,27 @@ bool Ui::takes_under_pointer(const Event& event) {
     if (over == nullptr || hot_ == focus_ || ringed_ || !has(over->sense, Sense::hover_keys)) return false;
     if (focused != nullptr && (has(focused->sense, Sense::editing) || has(focused->sense, Sense::keys))) return false;
     return takes(over->sense & (Sense::erase | Sense::copying), event.key, event.mods);
+}
+
+void Ui::route_key(const Event& event) {
+    key_ran_shortcut_ = false;
+    const Id held_now = active_[0] != 0 ? active_[0] : active_[1] != 0 ? active_[1] : active_[2];
+    if (held_now != 0) {  // in the middle of a drag only what drags is listened to
+        const Node* held_node = before(held_now);
+        if (event.key == Key::escape) return cancel_held();
+        if (held_node != nullptr && takes(held_node->sense, event.key, event.mods)) send(held_now, event);
+        return;
+    }
+    if (takes_under_pointer(event)) return send(hot_, event);
+    const Node* node = before(focus_);
+    if (node != nullptr && takes(node->sense, event.key, event.mods)) {
+        const bool pressed = has(node->sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space);
+        if (pressed && event.repeat && !has(node->sense, Sense::editing)) return;  // a button held down is one click
+        ringed_ = true;
+        return send(focus_, event);
+    }
+    key_ran_shortcut_ = press_shortcut(event.key, event.mods);
+    if (!key_ran_shortcut_) navigate(event);
 }
 
 bool Ui::navigate(const Event& event) {

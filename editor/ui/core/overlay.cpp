@@ -88,6 +88,15 @@ Node* Ui::open_overlay_node(std::string_view name, Role role, std::string_view l
     return &node;
 }
 
+/// Where an overlay's widget was, for when it is scrolled away or no longer built.
+void Ui::remember_anchors() {
+    for (Overlay& overlay : overlays_) {
+        const Id anchor = overlay.placement.anchor;
+        const Seen* seen = anchor == 0 ? nullptr : seen_.find(anchor);
+        if (seen != nullptr && seen->build == build_) overlay.placement.rect = nodes()[seen->node].rect();
+    }
+}
+
 void Ui::drop_overlays_not_built() {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
         // one opened in this build may be built in the next: what opens it can stand after what builds it

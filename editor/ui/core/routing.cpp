@@ -27,6 +27,7 @@ bool finite(glm::vec2 v) {
 void Ui::take_events() {
     for (auto& each : routed_) each.second.paths.clear();
     routed_.clear();
+    routing_ = true;
     for (const auto& [target, event] : late_) send(target, event);
     late_.clear();
     dropped_.clear();
@@ -39,6 +40,7 @@ void Ui::take_events() {
         if (discrete) break;
     }
     if (queue_head_ == queue_.size()) queue_.clear(), queue_head_ = 0;
+    routing_ = false;
     if (reveal_ != 0) reveal(std::exchange(reveal_, 0));
 }
 
@@ -92,7 +94,7 @@ bool Ui::opens_entry(const Event& event) {
 
 void Ui::send(Id target, const Event& event) {
     if (target == 0) return;
-    if (building_) {  // its widget may have been built already: in the next build it is told
+    if (!routing_) {  // its widget may have been built already: in the next build it is told
         late_.emplace_back(target, event);
         again_ = true;
         return;
@@ -239,7 +241,10 @@ void Ui::route_text(const Event& event) {
     const Node* node = before(focus_);
     if (node == nullptr) return;
     const char32_t c = event.codepoint;
-    const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' || c == '=';
+    // Of what an expression can begin with. Letters, too, unless they are a shortcut: "sqrt(16)" must not become "(16)".
+    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+    const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' ||
+                        c == '=' || (letter && !key_ran_shortcut_);
     if (has(node->sense, Sense::typing) || has(node->sense, Sense::editing) ||
         (has(node->sense, Sense::digits) && number))
         send(focus_, event);

@@ -11,6 +11,7 @@ struct Seen {
     Id id = 0;
     std::uint32_t build = 0, node = no_node;           ///< of the build that it was in last
     std::uint32_t before_build = 0, before = no_node;  ///< of the one before that
+    std::uint32_t ordinal = 0;                         ///< of the last widget of the same label in this build
     std::uint32_t events = 0;                          ///< the build that has events for it
 };
 

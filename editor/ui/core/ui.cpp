@@ -80,24 +80,24 @@ void Ui::begin(const FrameInput& input) {
     again_ = false;
     woken_.store(nullptr);
     take_events();
-    building_ = true;
+
     stack_.push_back({no_node, root_seed, 0});
     open(Role::window, {}, Axis::y);
 }
 
 const Seen& Ui::claim(const Label& label, bool& duplicate) {
-    Id id = hash_bytes(stack_.back().seed, label.key);
-    Seen* seen = &seen_.at(id);
-    for (std::uint64_t ordinal = 1; seen->build == build_;
-         ++ordinal) {  // the second of one name is told from the first
+    const Id base = hash_bytes(stack_.back().seed, label.key);
+    Seen* seen = &seen_.at(base);
+    while (seen->build == build_) {  // the second of one name is told from the first
         duplicate = true;
-        id = hash_bytes(id + ordinal, {});
-        seen = &seen_.at(id);
+        const std::uint32_t ordinal = ++seen_.at(base).ordinal;
+        seen = &seen_.at(hash_bytes(base + ordinal, {}));
     }
     seen->before_build = seen->build;
     seen->before = seen->node;
     seen->build = build_;
     seen->node = static_cast<std::uint32_t>(nodes().size());
+    seen->ordinal = 0;
     return *seen;
 }
 
@@ -151,7 +151,7 @@ Node& Ui::open(Role role, std::string_view label, Axis axis, Sense sense) {
     node.axis = axis;
     const Level& level = stack_.back();
     Id seed = node.id != 0 ? node.id : level.seed;
-    if (node.id == 0 && !label.empty()) seed = hash_bytes(level.seed, label);
+    if (node.id == 0 && !label.empty()) seed = hash_bytes(level.seed, split_label(label).key);
     stack_.push_back({static_cast<std::uint32_t>(nodes().size() - 1), seed, level.layer});
     return node;
 }
@@ -239,7 +239,6 @@ void Ui::add_tooltip() {
 
 bool Ui::end() {
     close();  // the window's own node
-    building_ = false;
     assert(stack_.size() == 1 && "open() without close()");
     drop_overlays_not_built();
     add_tooltip();
@@ -259,7 +258,11 @@ bool Ui::end() {
     find_hot(nodes());
     if (hot != hot_) again_ = true, rested_since_ = time();
     if (queue_head_ < queue_.size()) return true;
-    return again_ && settled_++ < most_settling;
+    // What was built before the widget that an event was for does not know yet what came of it.
+    again_ |= !routed_.empty() || !late_.empty();
+    if (again_ && settled_++ < most_settling) return true;
+    unsettled_ = again_ ? unsettled_ + 1 : 0;
+    return false;
 }
 
 std::size_t Ui::memory_used() const {

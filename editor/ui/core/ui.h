@@ -11,8 +11,9 @@
 //     if (out.changed) renderer.draw(*out.list);
 //
 // One thread, but wake(). The program is called again within one frame() while events are left (one key or button at a time, so
-// that each meets a UI that knows of the one before) and when what is hovered changed under a still pointer: what it does must
-// follow from its own state and from what widgets answer.
+// that each meets a UI that knows of the one before), once more after an event (so that what stands above a widget shows what came
+// of it, too), and when layout or hover changed: what it does must follow from its own state and from what widgets answer, each
+// answer used in the build that it is given in.
 #pragma once
 
 #include <array>
@@ -190,7 +191,7 @@ class Ui {
     const Node* before(Id id);
     Rect rect_before(Id id);
 
-    /// State that outlives frames. Made on first use; forgotten when unused for long and others need the room: never.
+    /// State that outlives frames. Made on first use, kept as long as the Ui.
     template <typename T>
     T& memory(Id id) {
         auto& slot = memory_[id ^ reinterpret_cast<std::uintptr_t>(&type_mark<T>)];
@@ -229,6 +230,8 @@ class Ui {
     Clipboard* clipboard() const { return options_.clipboard; }
     /// Scrolls every area around it so that it can be seen; from the next build on.
     void reveal(Id id);
+    /// Runs what belongs to the chord unless a dialog is in the way; gives whether there was anything.
+    bool press_shortcut(Key key, Mods mods);
     /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has changed since.
     void build_again() { again_ = true; }
     /// Files dropped where no node wanted them, one a line; empty: none in this build.
@@ -296,6 +299,7 @@ class Ui {
     Node& add(Role role, std::string_view label, Sense sense, bool overlay);
     void add_tooltip();
     void drop_overlays_not_built();
+    void remember_anchors();
     void focus_new_overlay();
     void draw_all(Painter& painter, bool keep);
     void draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep);
@@ -360,8 +364,11 @@ class Ui {
     std::vector<Event> queue_;
     std::size_t queue_head_ = 0;
     std::vector<std::pair<Id, Event>> routed_;
-    std::vector<std::pair<Id, Event>> late_;  ///< sent while building, for the next build
-    bool building_ = false;
+    std::vector<std::pair<Id, Event>> late_;  ///< sent by widgets or the program, for the next build
+    bool routing_ = false;
+    bool key_ran_shortcut_ = false;  ///< the text that comes with the key is no text then
+    int unsettled_ = 0;              ///< frames in a row that did not come to rest
+    bool letters_missing_ = false;   ///< in the frame before
     std::string dropped_;
     Id hot_ = 0, hot_shown_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
     bool ringed_ = false, pointer_inside_ = false;

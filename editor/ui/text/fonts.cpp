@@ -78,6 +78,10 @@ void Fonts::next_frame() {
     self.runs.next_frame();
 }
 
+bool Fonts::full() const {
+    return implementation_->glyphs.full();
+}
+
 const Atlas& Fonts::atlas() const {
     return implementation_->glyphs.atlas();
 }

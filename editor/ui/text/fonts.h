@@ -88,6 +88,8 @@ class Fonts {
     /// Ages what has not been used; the atlas is packed anew when it is full, never in the middle of a frame.
     void next_frame();
     const Atlas& atlas() const;
+    /// Letters were left out for want of room; they come after next_frame().
+    bool full() const;
     void clear_dirty();
     /// File name of the face that draws this code point, for tests and `lapfx gallery`; empty: none has it.
     std::string file_for(char32_t codepoint, const TextStyle& style = {});

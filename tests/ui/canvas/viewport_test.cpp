@@ -45,7 +45,7 @@ TEST(Viewport, DragsAreGivenWithTheirButton) {
         s.ui.send({.kind = EventKind::press, .button = button, .at = {100, 50}});
         s.ui.send({.kind = EventKind::pointer, .mods = Mods::shift, .at = {120, 45}});
         EXPECT_EQ(s.last.mods, Mods::shift);
-        EXPECT_EQ(s.last.drag, glm::vec2(20, -5));
+        EXPECT_EQ(s.dragged, glm::vec2(20, -5));
         EXPECT_EQ(s.last.pressed_at, glm::vec2(100, 50));
         s.ui.send({.kind = EventKind::release, .button = button, .at = {130, 45}});
         EXPECT_EQ(s.dragged, glm::vec2(30, -5)) << "nothing is lost, nothing counted twice";

@@ -66,6 +66,29 @@ TEST(Layout, TooLittleRoomIsTakenFromWhatCanShrinkDownToItsLeast) {
     EXPECT_EQ(ui.rect("Soft").w, 90);
 }
 
+TEST(Layout, WhatGrowsHasItsLeastAndTheOthersShareTheRest) {
+    Harness ui([](Ui& u) {
+        Row row(u, {.width = px(100), .height = px(20), .gap = 0});
+        box(u, "A", grow(), px(10));
+        u.last().minimum[0] = 80;
+        box(u, "B", grow(), px(10));
+    });
+    EXPECT_EQ(ui.rect("A"), (Rect{0, 0, 80, 10}));
+    EXPECT_EQ(ui.rect("B"), (Rect{80, 0, 20, 10}));
+}
+
+TEST(Layout, SoftChildrenGiveWayToTheLeastOfWhatGrows) {
+    Harness ui([](Ui& u) {
+        Row row(u, {.width = px(100), .height = px(20), .gap = 0});
+        box(u, "Soft", px(80), px(10));
+        u.last().rigid = false;
+        box(u, "Grows", grow(), px(10));
+        u.last().minimum[0] = 50;
+    });
+    EXPECT_EQ(ui.rect("Soft").w, 50);
+    EXPECT_EQ(ui.rect("Grows"), (Rect{50, 0, 50, 10}));
+}
+
 TEST(Layout, AWrappedTextIsAsHighAsItsLines) {
     Harness ui(
         [](Ui& u) {
@@ -92,7 +115,7 @@ TEST(Layout, APlacedChildTakesNoRoomFromTheOthers) {
     EXPECT_EQ(ui.rect("Handle"), (Rect{93, 46, 8, 8}));
 }
 
-/// Random trees: children within their parents, neighbours that never overlap, everything on whole px.
+/// Random trees: children not before their parents, neighbours that never overlap, everything on whole px.
 class RandomTree {
   public:
     explicit RandomTree(unsigned seed) : seed_(seed) {}

@@ -254,6 +254,120 @@ TEST(Ui, OverlaysOverOneAreClosedAndPassiveOnesStay) {
     EXPECT_FALSE(ui.ui().overlay_open("high"));
 }
 
+TEST(Ui, WhatWasBuiltBeforeTheWidgetShowsItsEditInTheVeryFrame) {
+    bool on = false;
+    Harness ui([&](Ui& u) {
+        label(u, on ? "now on" : "now off");
+        if (button(u, "Switch")) on = !on;
+    });
+    const glm::vec2 at = ui.rect("Switch").center();
+    ui.send({.kind = EventKind::press, .at = at}).send({.kind = EventKind::release, .at = at});
+    EXPECT_TRUE(ui.exists("now on")) << ui.dump();
+    EXPECT_EQ(ui.output().wake_at, never);
+}
+
+TEST(Ui, FocusTakenBetweenFramesIsTold) {
+    int lost = 0;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus);
+        node.size[0] = px(50), node.size[1] = px(20);
+        lost += u.respond(node).focus_out ? 1 : 0;
+    });
+    ui.click("Field");
+    ui.ui().set_focus(0);
+    ui.frame();
+    EXPECT_EQ(lost, 1);
+}
+
+TEST(Ui, AnOverlayThatOpensTakesTheFocusAndTellsWhoHadIt) {
+    int lost = 0;
+    bool open = false;
+    Harness ui([&](Ui& u) {
+        Node& node = u.leaf(Role::text_field, "Field", Sense::press | Sense::focus);
+        node.size[0] = px(50), node.size[1] = px(20);
+        lost += u.respond(node).focus_out ? 1 : 0;
+        if (std::exchange(open, false)) u.open_overlay("box", OverlayKind::popup, {.side = Placement::Side::center});
+        if (u.open_overlay_node("box", Role::dialog, "Box", Axis::y) != nullptr) {
+            button(u, "Inside");
+            u.close_overlay_node();
+        }
+    });
+    ui.click("Field");
+    open = true;
+    ui.frame();
+    EXPECT_EQ(ui.focused(), "Box/Inside");
+    EXPECT_EQ(lost, 1);
+}
+
+TEST(Ui, WhatNeverComesToRestStopsAskingForFrames) {
+    Harness ui([](Ui& u) {
+        button(u, "A");
+        const Id a = u.last().id;
+        button(u, "B");
+        u.set_focus(u.focus() == a ? u.last().id : a);
+    });
+    for (int i = 0; i < 10; ++i) ui.frame();
+    EXPECT_EQ(ui.output().wake_at, never);
+}
+
+TEST(Ui, KeysDuringADragAreForWhatIsDragged) {
+    struct : Shortcuts {
+        int ran = 0;
+        bool press(Key, Mods) override { return ++ran; }
+    } shortcuts;
+    Harness ui(
+        [](Ui& u) {
+            Node& node = u.leaf(Role::canvas, "Area", Sense::press | Sense::focus);
+            node.size[0] = px(50), node.size[1] = px(50);
+            u.respond(node);
+            button(u, "Next");
+        },
+        {640, 480}, 1, &shortcuts);
+    ui.press("Area").key('Z', Mods::command).key(Key::tab);
+    EXPECT_EQ(shortcuts.ran, 0);
+    EXPECT_EQ(ui.focused(), "Area");
+    ui.release().key('Z', Mods::command);
+    EXPECT_EQ(shortcuts.ran, 1);
+}
+
+TEST(Ui, AKeyHeldDownIsOneClick) {
+    int clicks = 0;
+    Harness ui([&](Ui& u) { clicks += button(u, "Reset") ? 1 : 0; });
+    ui.focus("Reset").key(Key::enter);
+    for (int i = 0; i < 5; ++i) ui.send({.kind = EventKind::key, .key = Key::enter, .repeat = true});
+    EXPECT_EQ(clicks, 1);
+}
+
+TEST(Ui, ATitleMayChangeBehindThreeMarksWithoutChangingWhatIsInside) {
+    int n = 0;
+    Harness ui([&](Ui& u) {
+        u.open(Role::section, "Clips (" + std::to_string(n) + ")###clips", Axis::y);
+        n += button(u, "Add") ? 1 : 0;
+        u.close();
+    });
+    ui.click("Clips (0)/Add");
+    EXPECT_TRUE(ui.is("Clips (1)/Add", Is::focused));
+}
+
+TEST(Ui, AnOverlayStaysWhereItsWidgetWas) {
+    bool there = true, open = true;
+    Harness ui([&](Ui& u) {
+        space(u, 4);
+        if (there) button(u, "Opener");
+        const Id opener = u.last().id;
+        if (std::exchange(open, false))
+            u.open_overlay("box", OverlayKind::popup, {.side = Placement::Side::below, .anchor = opener});
+        if (u.open_overlay_node("box", Role::dialog, "Box", Axis::y) != nullptr) {
+            button(u, "Inside");
+            u.close_overlay_node();
+        }
+    });
+    const Rect before = ui.rect("Box");
+    EXPECT_EQ(before.y, ui.rect("Opener").bottom());
+    there = false;
+    EXPECT_EQ(ui.frame().rect("Box"), before);
+}
+
 TEST(Ui, AStillFrameIsTheSamePictureAndAsksForNothing) {
     Harness ui([&](Ui& u) { button(u, "Reset"); });
     ui.frame();
