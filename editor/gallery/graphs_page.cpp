@@ -1,4 +1,5 @@
-#include <array>
+#include <algorithm>
+#include <utility>
 
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
@@ -20,6 +21,19 @@ void plots(ui::Ui& ui, GraphsState& s) {
     ui::plot(ui, "Counts", counts, {.x_name = "Size", .x_unit = "mm"});
 }
 
+/// Time goes on while it plays: the timeline shows it, whose it is moves it.
+void play(ui::Ui& ui, ui::TimelineState& state, double length) {
+    double& seen = ui.memory<double>(ui.id_of("clock"));
+    const double passed = ui.time() - std::exchange(seen, ui.time());
+    if (state.speed == 0) return;
+    ui.wake_at(ui.time() + 1.0 / 60, "play");
+    const double low = state.has_range ? state.range.low : 0, high = state.has_range ? state.range.high : length;
+    state.time += state.speed * std::min(passed, 0.1);  // nothing passes in the frame that begins it
+    if (state.speed > 0 ? state.time < high : state.time > low) return;
+    state.time = (state.speed > 0) == state.loop ? low : high;
+    if (!state.loop) state.speed = 0;
+}
+
 }  // namespace
 
 void graphs_page(ui::Ui& ui, State& state) {
@@ -37,6 +51,7 @@ void graphs_page(ui::Ui& ui, State& state) {
                           .live = 0.3});
     }
     const Part part(ui, "Timeline");
+    play(ui, s.time, 12);
     ui::timeline(ui, "Time", s.time, s.tracks, {.length = 12, .rate = 25});
 }
 

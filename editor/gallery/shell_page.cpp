@@ -66,8 +66,8 @@ void dialogs(ui::Ui& ui, ShellState& s) {
     }
     const auto answer =
         ui::ask(ui, "delete", "Delete the preset?", "brisk bleed is used by two scenes.",
-                {{.label = "Keep", .cancel = true}, {.label = "Delete", .standard = true}}, ui::Tone::warning);
-    if (answer) s.answer = *answer == 1 ? "deleted" : "kept";
+                {{.label = "Delete"}, {.label = "Keep", .standard = true, .cancel = true}}, ui::Tone::warning);
+    if (answer) s.answer = *answer == 0 ? "deleted" : "kept";
 }
 
 void news(ui::Ui& ui, ShellState& s) {
@@ -77,6 +77,8 @@ void news(ui::Ui& ui, ShellState& s) {
     if (ui::button(ui, "Warning")) s.toasts.add({.kind = ui::ToastKind::warning, .text = "The clip has no alpha"});
     if (ui::button(ui, "Error"))
         s.toasts.add({.kind = ui::ToastKind::error, .text = "plume_left.mov: cannot be read: Permission denied"});
+    if (ui::button(ui, "Go to them", {.tip = "The keyboard goes to the newest; Esc gives it back"}))
+        s.toasts.take_focus();
 }
 
 void jobs(ui::Ui& ui, ShellState& s) {

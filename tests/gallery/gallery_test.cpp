@@ -168,6 +168,24 @@ TEST(Gallery, ShowsThePageAloneWhenBare) {
     EXPECT_TRUE(shown.ui.exists("Page/Basic/Buttons/enabled/Normal"));
 }
 
+TEST(Gallery, PlaysItsTimelineToTheEnd) {
+    Shown shown(page_named("Graphs"));
+    ui::TimelineState& time = shown.state.graphs.time;
+    time.time = 11, time.has_range = false, time.loop = false;
+    shown.ui.frame().click("**/Time/Play");
+    EXPECT_LE(shown.ui.output().wake_at, shown.ui.time + 0.02);
+    const double before = time.time;
+    shown.ui.frame(0.05);
+    EXPECT_NEAR(time.time, before + 0.05, 1e-9);
+    time.time = 11.95;
+    shown.ui.frame(0.1);
+    EXPECT_EQ(time.time, 12);
+    EXPECT_EQ(time.speed, 0);
+    time.time = 11.95, time.loop = true, time.speed = 1;
+    shown.ui.frame(0.1);
+    EXPECT_EQ(time.time, 0);
+}
+
 TEST(Gallery, TellsTheButtonsOfTwoNarrowTabStripsApart) {
     constexpr std::string_view names[] = {"A long name", "Another long name", "A third one"};
     Harness harness(

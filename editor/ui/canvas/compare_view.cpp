@@ -1,6 +1,7 @@
 #include "ui/canvas/compare_view.h"
 
 #include <glm/gtc/constants.hpp>
+#include <utility>
 
 #include "ui/canvas/drag_handle.h"
 #include "ui/value/number.h"
@@ -11,6 +12,7 @@ namespace {
 
 constexpr double gain_least = 1, gain_most = 100, gain_page = 2;
 constexpr double mix_page = 0.1;
+constexpr float line_reach = 5;  // px at scale 1, to either side
 constexpr double angle_step = glm::pi<double>() / 12;
 
 /// The line of a wipe where it is on the screen; y down, the first picture on the side that the normal comes from.
@@ -200,10 +202,63 @@ Edit edit_wipe(Ui& ui, const View& view, CompareState& state) {
     return edit;
 }
 
+/// The line itself, wherever it is grabbed.
+struct LineDrag {
+    DragWay way;
+    bool held = false, changed = false;
+    double start = 0.5;
+};
+
+bool on_line(const Ui& ui, const View& view, const CompareState& state, glm::vec2 at) {
+    if (!intersect(view.rect(), view.area).contains(at)) return false;
+    const WipeLine line(view, state.angle);
+    const glm::dvec2 place(at);
+    return glm::distance(line.nearest(state.position, place), place) <= static_cast<double>(line_reach * ui.scale());
+}
+
+void take(Ui& ui, const View& view, LineDrag& drag, const Event& event, CompareState& state, Edit& edit) {
+    const glm::vec2 way = drag.way.take(event) * (has(event.mods, Mods::shift) ? 0.1F : 1.0F);
+    if (event.kind == EventKind::press) {
+        drag.held = event.button == Button::left && !ui.key_down(Key::space) && on_line(ui, view, state, event.at);
+        drag.changed = false, drag.start = state.position;
+        if (drag.held && event.clicks == 2 && std::exchange(state.position, 0.5) != 0.5)
+            edit |= Edit::once(), drag.way.on = false;
+    }
+    if (!drag.held) return;
+    const WipeLine line(view, state.angle);
+    const double by = glm::dot(glm::dvec2(way), line.normal) / (2 * line.reach);
+    const double next = std::clamp(state.position + by, 0.0, 1.0);
+    if (std::exchange(state.position, next) != next) {
+        edit.began |= !drag.changed;
+        drag.changed = edit.changed = true;
+    }
+    if (event.kind == EventKind::release) edit.committed |= drag.changed, drag.held = false;
+    if (event.kind != EventKind::cancel) return;
+    if (drag.changed) state.position = drag.start, edit.changed = edit.cancelled = true;
+    drag.held = false;
+}
+
+/// Gives whether a press of this build, or what is held, is the line's.
+bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState& state, Edit& edit) {
+    LineDrag& drag = ui.memory<LineDrag>(id);
+    bool taken = drag.held;
+    if (state.kind != CompareKind::wipe || view.area.empty()) return drag.held = false;
+    ui.events_of(id, [&](const Event& event) {
+        take(ui, view, drag, event, state, edit);
+        taken |= drag.held;
+    });
+    if (drag.held || (r.hovered && !r.held && on_line(ui, view, state, r.pointer))) {
+        const glm::dvec2 normal = WipeLine(view, state.angle).normal;
+        ui.set_cursor(std::abs(normal.x) >= std::abs(normal.y) ? Cursor::resize_x : Cursor::resize_y);
+    }
+    return taken;
+}
+
 // --- keys and values ---
 
 Edit edit_by_key(Ui& ui, Id id, CompareState& state) {
     Edit edit;
+    if (ui.memory<LineDrag>(id).held) return edit;  // one edit at a time
     ui.events_of(id, [&](const Event& event) {
         if (event.kind != EventKind::key) return;
         const int page = event.key == Key::page_up ? 1 : event.key == Key::page_down ? -1 : 0;
@@ -220,7 +275,7 @@ Edit edit_by_key(Ui& ui, Id id, CompareState& state) {
 }
 
 Readout readout_of(Ui& ui, const std::string_view (&labels)[2], const CompareResult& result,
-                   const CompareOptions& options) {
+                   const CompareOptions& options, const Picture& magnified) {
     Readout readout{.at = result.pick, .side = options.sample_box};
     const glm::vec4 way = result.second - result.first;
     readout.lines[0] = ui.join({labels[0], "   ", pixel_text(ui, result.first, options.decimals)});
@@ -228,6 +283,7 @@ Readout readout_of(Ui& ui, const std::string_view (&labels)[2], const CompareRes
     readout.lines[2] = ui.join({"Change   ", pixel_text(ui, way, options.decimals)});
     readout.lines[3] = place_text(ui, result.pick);
     readout.line_count = 4;
+    if (options.magnifier) readout.image = magnified.image, readout.size = magnified.size;
     return readout;
 }
 
@@ -261,12 +317,14 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
     if (beside) split(area, size, 2 * std::max(1.0F, std::round(ui.scale())), halves);
     const int half = beside && halves[1].contains(ui.pointer()) ? 1 : 0;
     const ViewState view_before = state.view;
-    steer(ui, node, state.view, halves[half], size, true);
+    const bool line_taken =
+        !result.flicker && edit_line(ui, id, view_of(state.view, area, size), r, state, result.edit);
+    steer(ui, node, state.view, halves[half], size, !line_taken);
     const View views[2] = {view_of(state.view, halves[0], size), view_of(state.view, halves[1], size)};
     Pick& pick = ui.memory<Pick>(id);
     move_pick(ui, node, r, pick, std::span(views, beside ? 2 : 1), state.view);
     result.view_changed = state.view != view_before;
-    if (r.held) ui.set_cursor(Cursor::move);
+    if (r.held && !line_taken) ui.set_cursor(Cursor::move);
     node.number = ui.number(views[0].zoom, 0, most_zoom);
 
     Readout readout;
@@ -275,7 +333,11 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
         result.pick = pick.at;
         result.first = mean_of(*shown[0].pixels, size, pick.at, options.sample_box);
         result.second = mean_of(*shown[1].pixels, size, pick.at, options.sample_box);
-        const Readout text = readout_of(ui, labels, result, options);
+        const bool beyond =
+            state.kind == CompareKind::wipe &&
+            WipeLine(views[0], state.angle).position_at(views[0].to_screen(glm::dvec2(pick.at) + 0.5)) > state.position;
+        const int under = result.flicker || half == 1 || beyond ? 1 : 0;
+        const Readout text = readout_of(ui, labels, result, options, shown[under]);
         node.text = ui.join({place_text(ui, pick.at), "   ", text.lines[0], "   ", text.lines[1]});
         if (options.readout) readout = text;
     }

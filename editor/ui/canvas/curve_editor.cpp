@@ -13,7 +13,8 @@ using namespace curve_drawing;
 
 namespace {
 
-constexpr double least_distance = 1e-4;  // of two points, of the range of x
+constexpr double least_distance = 1e-4;                  // of two points, of the range of x
+constexpr double slope_step = 0.01745, steepest = 1.56;  // rad on the screen
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
 /// What lasts from frame to frame.
@@ -88,6 +89,7 @@ class Editing {
         }
     }
     void slope(int side, const Event& e) {
+        if (e.kind == EventKind::key) return slope_key(side, e);
         if (e.kind == EventKind::press) {
             m_.grabbed = m_.slopes_of, m_.side = side;
             start(Memory::Drag::slope, e);
@@ -218,6 +220,23 @@ class Editing {
         report();
     }
 
+    /// As seen: the slope's angle on the screen. A corner's other side stays.
+    void slope_key(int side, const Event& e) {
+        if (m_.drag != Memory::Drag::none || (e.key != Key::up && e.key != Key::down)) return;
+        CurvePoint p = curve_.point(m_.slopes_of);
+        const double factor = has(e.mods, Mods::shift) ? 0.1 : has(e.mods, Mods::command) ? 10 : 1;
+        const double by = ((e.key == Key::up) == (side == 1) ? 1 : -1) * factor * slope_step;
+        const double aspect = std::abs(f_.y.scale() / f_.x.scale());
+        const double angle = std::atan((side == 0 ? p.slope_in : p.slope_out) * aspect) + by;
+        const double slope = std::tan(std::clamp(angle, -steepest, steepest)) / aspect;
+        const bool both = p.slope_in == p.slope_out;
+        if (side == 0 || both) p.slope_in = slope;
+        if (side == 1 || both) p.slope_out = slope;
+        if (p == curve_.point(m_.slopes_of)) return;
+        curve_.set_point(m_.slopes_of, p);
+        edit |= Edit::once();
+    }
+
     /// Moves what is selected from where it was when the drag began (an inserted point: from where it came to be).
     void move(bool in_steps) {
         const bool inserted = m_.before.size() != curve_.size();
@@ -259,6 +278,7 @@ class Editing {
     }
 
     void keys(std::size_t focused, const Event& e) {
+        if (m_.drag != Memory::Drag::none && m_.began) return;  // one edit at a time
         if (m_.entering != no_point && focused == m_.entering) return entry_keys(e);
         const double factor = has(e.mods, Mods::shift) ? 0.1 : has(e.mods, Mods::command) ? 10 : 1;
         switch (e.key) {
@@ -405,7 +425,8 @@ void put_slopes(Ui& ui, Memory& m, const Curve& curve, const Frame& f) {
     if (count != 1 || curve.point(found).handle != CurveHandle::free || f.graph.empty()) return;
     m.slopes_of = found;
     for (int side = 0; side < 2; ++side) {
-        Node& node = ui.leaf(Role::handle, side == 0 ? "Slope in" : "Slope out", Sense::hover | Sense::press);
+        Node& node = ui.leaf(Role::handle, side == 0 ? "Slope in" : "Slope out",
+                             Sense::hover | Sense::press | Sense::focus | Sense::arrows_y);
         m.slope_ids[side] = node.id;
         const double slope = side == 0 ? curve.slope_in(found) : curve.slope_out(found);
         put_at(ui, node, f, curve.point(found), slope_way(f, slope, side, ui.em(3)));
@@ -424,11 +445,20 @@ void put_tools(Ui& ui, Editing& editing, Memory& m, Curve& curve) {
     row.size[1] = px(ui.row_height());
     const bool any = std::find(m.selected.begin(), m.selected.end(), 1) != m.selected.end();
     const ButtonOptions quiet{.quiet = true};
+    const auto handle_button = [&](std::string_view label, CurveHandle handle) {
+        bool on = true;  // all that are selected have it
+        for (std::size_t i = 0; i < curve.size(); ++i) on &= m.selected[i] == 0 || curve.point(i).handle == handle;
+        const bool clicked = button(ui, label, {.quiet = true, .on = on});
+        ui.last().is |= when(on, Is::checked);
+        return clicked;
+    };
     if (any) {
-        if (button(ui, "Automatic", quiet)) editing.use_handle(CurveHandle::automatic);
-        if (button(ui, "Free", quiet)) editing.use_handle(CurveHandle::free);
-        if (button(ui, "Straight", quiet)) editing.use_handle(CurveHandle::linear);
-        if (button(ui, "Hold", quiet)) editing.use_handle(CurveHandle::step);
+        std::optional<CurveHandle> wish;  // once all have shown what there is
+        if (handle_button("Automatic", CurveHandle::automatic)) wish = CurveHandle::automatic;
+        if (handle_button("Free", CurveHandle::free)) wish = CurveHandle::free;
+        if (handle_button("Straight", CurveHandle::linear)) wish = CurveHandle::linear;
+        if (handle_button("Hold", CurveHandle::step)) wish = CurveHandle::step;
+        if (wish) editing.use_handle(*wish);
     } else {
         if (button(ui, "Linear", quiet)) editing.use_preset(CurvePreset::linear);
         if (button(ui, "Ease", quiet)) editing.use_preset(CurvePreset::ease);

@@ -7,7 +7,8 @@
 // typed digit opens an entry ("0.5" is y, "0.2; 0.5" is x and y; Enter takes, Esc leaves), arrows move by a step (Shift: a tenth,
 // Ctrl: ten), Delete and Backspace erase, I inserts half-way to the next, A F L S: automatic, free, linear, step. Esc and the
 // other button give back what was before a drag. A free point that is selected alone has two handles for its slopes; both turn
-// together, with Alt only the one that is dragged.
+// together, with Alt only the one that is dragged. Up and down turn one by a degree as it is seen (Shift: a tenth, Ctrl: ten);
+// sides that differ turn alone.
 //
 // Each point is a node: "Response/Point 3".
 #pragma once

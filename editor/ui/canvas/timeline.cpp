@@ -72,7 +72,7 @@ class Editing {
             case EventKind::wheel:
                 return wheel(e);
             case EventKind::key:
-                return key(e);
+                return takes_keys() ? key(e) : void();
             default:
                 return drag(e);
         }
@@ -80,6 +80,7 @@ class Editing {
     void range_end(Part part, const Event& e) {
         if (e.kind == EventKind::press) return start(part, e);
         if (e.kind != EventKind::key) return drag(e);
+        if (!takes_keys()) return;
         const double by = frame() * (has(e.mods, Mods::shift) ? 10 : 1);
         const double now = part == Part::range_in ? s_.range.low : s_.range.high;
         if (e.key != Key::left && e.key != Key::right) return key(e);
@@ -87,8 +88,8 @@ class Editing {
     }
     void item(std::size_t track, std::size_t index, const Event& e) {
         if (e.kind == EventKind::press) return press_item(track, index, e);
-        if (e.kind == EventKind::key) return item_key(track, index, e);
-        drag(e);
+        if (e.kind != EventKind::key) return drag(e);
+        if (takes_keys()) item_key(track, index, e);
     }
     void fit() {
         s_.view = {0, o_.length};
@@ -102,6 +103,13 @@ class Editing {
 
   private:
     double frame() const { return 1 / o_.rate; }
+    /// One edit at a time: a drag that has changed something goes on without them, one that has not is given up for them.
+    bool takes_keys() {
+        const bool edits = m_.drag != Part::none && m_.drag != Part::view;
+        if (edits && m_.began) return false;
+        if (edits) m_.drag = Part::none;
+        return true;
+    }
     double on_frame(double t) const { return std::round(t * o_.rate) / o_.rate; }
     double inside(double t) const { return std::clamp(t, 0.0, o_.length); }
     bool exists(std::size_t track, std::size_t item) const {
@@ -178,6 +186,11 @@ class Editing {
     void scrub(float x) { report(set_time(f_.x.value_at(x))); }
     void step_to(double t) {
         if (set_time(t)) edit.time |= Edit::once();
+        if (s_.fitted || (s_.time >= s_.view.low && s_.time <= s_.view.high)) return;
+        Span view = s_.view;  // no further than to have it in sight, a little inside
+        view.pan(s_.time < view.low ? s_.time - 0.05 * view.length() - view.low
+                                    : s_.time + 0.05 * view.length() - view.high);
+        show(view);
     }
     bool set_range(Part part, double t) {
         t = inside(on_frame(t));
@@ -428,7 +441,8 @@ void put_buttons(Ui& ui, TimelineState& state) {
     row.placement = ui.arena().make(Placement{});
     row.size[1] = px(ui.row_height());
     bool playing = state.speed != 0;
-    if (toggle(ui, "Play", playing, {.icon = playing ? Icon::pause : Icon::play, .quiet = true}))
+    if (toggle(ui, "Play", playing,
+               {.icon = playing ? Icon::pause : Icon::play, .tip = playing ? "Stop" : "Play", .quiet = true}))
         state.speed = playing ? 1 : 0;
     toggle(ui, "Loop", state.loop, {.icon = Icon::loop, .quiet = true});
     ui.close();

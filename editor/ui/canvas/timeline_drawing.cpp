@@ -31,6 +31,13 @@ double ruler_step(double least, double rate, TimeUnit unit) {
     return std::ceil(least / 86400) * 86400;
 }
 
+/// Whether a label from `left` to `right` would be written over the brackets of the range.
+bool meets_bracket(const Painter& p, const Frame& f, const TimelineState& state, float left, float right) {
+    if (!state.has_range) return false;
+    const float in = f.x.px_of(state.range.low), out = f.x.px_of(state.range.high), foot = p.em(0.4F);
+    return (right > in - p.hairline() && left < in + foot) || (right > out - foot && left < out + p.hairline());
+}
+
 void draw_ruler(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
     const TimelineOptions& o = look.options;
@@ -49,7 +56,9 @@ void draw_ruler(Painter& p, const Frame& f, const Look& look) {
             p.fill({minor, f.ruler.bottom() - f.ruler.h * 0.25F, p.hairline(), f.ruler.h}, t.border);
         }
         const Rect place{x + p.em(0.3F), f.ruler.y, p.em(8), f.ruler.h * 0.85F};
-        p.text(place, format_position(buffer, k * step, o.rate, o.unit), p.number_style(), t.text_dim);
+        const std::string_view text = format_position(buffer, k * step, o.rate, o.unit);
+        const float end = place.x + p.fonts().run(text, p.number_style()).width;
+        if (!meets_bracket(p, f, look.state, place.x, end)) p.text(place, text, p.number_style(), t.text_dim);
     }
     p.pop_clip();
 }
@@ -112,11 +121,11 @@ void draw_front(Painter& p, const Node& node, const void* arg) {
     p.push_clip(body);
     const auto shade = [&](double low, double high, float alpha) {
         const float left = std::max(body.x, f.x.px_of(low)), right = std::min(body.right(), f.x.px_of(high));
-        if (right > left) p.fill({left, body.y, right - left, body.h}, with_alpha(t.window, alpha));
+        if (right > left) p.fill({left, body.y, right - left, body.h}, with_alpha(t.shadow, alpha));
     };
     const Span& view = look.state.view;
-    shade(view.low, 0, 0.8F);
-    shade(look.options.length, view.high, 0.8F);
+    shade(view.low, 0, 0.7F);
+    shade(look.options.length, view.high, 0.7F);
     if (look.state.has_range) {
         const Span& range = look.state.range;
         shade(std::max(0.0, view.low), range.low, 0.45F);

@@ -101,7 +101,7 @@ void Dialog::close() {
 std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bool stays) {
     if (!open_) return std::nullopt;
     std::optional<std::size_t> pressed;
-    Id first = 0, standard = 0;
+    Id first = 0, standard = 0, cancel = 0;
     {
         Row row(ui_, {.width = grow(), .main = Place::end});
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -113,14 +113,15 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
             if (!all[i].enabled) continue;
             if (first == 0) first = node.id;
             if (all[i].standard) standard = node.id;
+            if (all[i].cancel) cancel = node.id;
             if (all[i].standard && !pressed && entered(ui_) && ui_.overlay_on_top(name_)) pressed = i;
         }
     }
     DialogState& state = state_of(ui_, name_);
     const Node* focused = ui_.before(ui_.focus());
     if (state.fresh && focused != nullptr && focused->layer == ui_.parent().layer) {
-        // a dialog of buttons alone begins at the standard one
-        if (focused->id == first && standard != 0) ui_.set_focus(standard, ui_.focus_ringed());
+        // A dialog of buttons alone begins at the standard one, else at the harmless one; what Enter does has to be seen.
+        if (focused->id == first) ui_.set_focus(standard != 0 ? standard : cancel != 0 ? cancel : first, true);
         state.fresh = false;
     }
     if (pressed && !stays) close();

@@ -17,7 +17,7 @@ namespace lapfx::ui {
 
 struct DialogButton {
     std::string_view label;
-    bool standard = false;  ///< Enter presses it
+    bool standard = false;  ///< Enter presses it; never one that destroys. None: the keyboard begins at `cancel`
     bool cancel = false;    ///< what Esc amounts to
     bool enabled = true;
     std::string_view tip = {};

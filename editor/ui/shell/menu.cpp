@@ -24,6 +24,8 @@ struct Level {
     Id key_target = 0;                              ///< who had the keyboard then
     Id first = 0, last = 0, after = 0, before = 0;  ///< items that can be chosen, or that begin with the letter
     bool passed = false;                            ///< key_target has been built
+    bool opened_by_key = false;                     ///< just now
+    Id keys = 0;                                    ///< has the keyboard while no item is marked
 };
 
 struct MenuState {
@@ -32,6 +34,7 @@ struct MenuState {
     Id hot = 0;
     double hot_since = 0;
     bool acted = false;
+    Id keys = 0;  ///< Level::keys that had the keyboard in the last build
     // of the bar that is being built
     int bar_count = 0, bar_index = 0;
     int bar_want = -1;  ///< its menu to be opened next, by Left and Right
@@ -108,6 +111,24 @@ void take_keys(Ui& ui, Level& level) {
     });
 }
 
+/// Of a menu that the pointer opened no item is marked, and what nobody sees marked must not run: until one is chosen this has
+/// the keyboard.
+void put_keys(Ui& ui, Level& level, std::uint8_t layer) {
+    const Node* focused = ui.before(ui.focus());
+    if (focused != nullptr && focused->role == Role::menu_item && focused->layer == layer) return;
+    Node& node =
+        ui.leaf(Role::none, "Menu##keys",
+                Sense::focus | Sense::activate | Sense::typing | Sense::arrows_x | Sense::arrows_y | Sense::extremes);
+    node.placed = true;
+    node.placement = ui.arena().make(Placement{});
+    node.size[0] = node.size[1] = px(0);
+    level.keys = node.id;
+    level.passed = level.key_target == node.id;
+    Id& had = state_of(ui).keys;
+    level.opened_by_key = level.passed && had != node.id && ui.focus_ringed();
+    if (level.passed || had == node.id) had = level.passed ? node.id : 0;
+}
+
 void watch_pointer(Ui& ui) {
     MenuState& state = state_of(ui);
     if (state.hot == ui.hot()) return;
@@ -124,6 +145,7 @@ void begin_menu(Ui& ui, Node& node, std::string_view name, int bar_index) {
     MenuState& state = state_of(ui);
     Level* level = ui.arena().make(Level{.name = ui.copy(name), .outer = state.level, .bar_index = bar_index});
     take_keys(ui, *level);
+    put_keys(ui, *level, node.layer);
     watch_pointer(ui);
     state.level = level;
 }
@@ -141,6 +163,18 @@ void leave_sideways(Ui& ui, const Level& level) {
     ui.close_overlay(root->name);
 }
 
+/// The item that a key asks for; while none is marked, arrows and being opened by a key ask as well.
+Id next_item(const Ui& ui, const Level& level) {
+    if (!level.passed) return 0;
+    if (level.letter != 0) return level.after != 0 ? level.after : level.before;
+    if (level.key == Key::home) return level.first;
+    if (level.key == Key::end) return level.last;
+    if (ui.focus() != level.keys) return 0;
+    if (level.key == Key::up) return level.last;
+    const bool asked = level.key == Key::down || level.key == Key::enter || level.key == Key::space;
+    return asked || level.opened_by_key ? level.first : 0;
+}
+
 void end_menu(Ui& ui) {
     MenuState& state = state_of(ui);
     const Level& level = *state.level;
@@ -152,17 +186,14 @@ void end_menu(Ui& ui) {
         node.scrolls[1] = true;
         node.scroll = &ui.memory<ScrollState>(hash_bytes(state_id, level.name));
     }
-    ui.close_overlay_node();
     state.level = level.outer;
-    if (!level.passed) return;
-    Id next = 0;
-    if (level.letter != 0) next = level.after != 0 ? level.after : level.before;
-    if (level.key == Key::home) next = level.first;
-    if (level.key == Key::end) next = level.last;
+    const Id next = next_item(ui, level);
     if (next != 0) {
         ui.set_focus(next, true);
         ui.reveal(next);
     }
+    ui.close_overlay_node();
+    if (!level.passed) return;
     if (level.key == Key::left || level.key == Key::right) leave_sideways(ui, level);
 }
 

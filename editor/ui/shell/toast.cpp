@@ -11,10 +11,12 @@ namespace lapfx::ui {
 namespace {
 
 constexpr std::string_view overlay = "toasts";
-constexpr float width = 24;     // em
-constexpr float inset = 0.7F;   // em around the text
-constexpr float stripe = 0.2F;  // em, in the colour of the kind
-constexpr float mark = 1.7F;    // em of the icon and what is beside it
+constexpr Sense card_sense = Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_y |
+                             Sense::erase | Sense::escape;  // in no Tab order: take_focus()
+constexpr float width = 24;                                 // em
+constexpr float inset = 0.7F;                               // em around the text
+constexpr float stripe = 0.2F;                              // em, in the colour of the kind
+constexpr float mark = 1.7F;                                // em of the icon and what is beside it
 
 double seconds_of(const Toast& toast) {
     if (toast.seconds >= 0) return toast.seconds;
@@ -117,7 +119,8 @@ bool Toasts::build_one(Ui& ui, const Shown& shown, std::function<void()>& act) {
     const Toast& toast = shown.toast;
     const TextStyle style = ui.text_style();
     ui.push_seed(shown.serial);
-    Node& card = ui.open(Role::status, toast.text, Axis::x, Sense::hover | Sense::press);
+    Node& card = ui.open(Role::status, toast.text, Axis::x, card_sense);
+    ids_.push_back(card.id);
     const std::string count = shown.count > 1 ? " (" + std::to_string(shown.count) + ")" : std::string();
     card.text = ui.join({toast.text, count});
     card.main = Place::end;
@@ -132,7 +135,8 @@ bool Toasts::build_one(Ui& ui, const Shown& shown, std::function<void()>& act) {
     const Response r = ui.respond(card);
     ui.draw_with<draw_toast>(card, ToastLook{icon_of(toast.kind), color_of(ui.theme(), tone_of(toast.kind)), style});
     bool gone = r.clicked;
-    hovered_ |= r.hovered;
+    hovered_ |= r.hovered || r.focused;
+    if (r.clicked && !r.released) act = toast.act;  // Enter is its button
     if (!toast.action.empty()) {
         Node& action = ui.leaf(Role::link, toast.action, Sense::hover | Sense::press);
         action.size[0] = px(std::ceil(ui.text_width(action.shown)) + 2 * ui.em(0.6F));
@@ -148,7 +152,26 @@ bool Toasts::build_one(Ui& ui, const Shown& shown, std::function<void()>& act) {
     return gone;
 }
 
+/// After all have been built. `gone`: the one that goes in this build, or how many there are.
+void Toasts::take_keys(Ui& ui, bool wants_focus, std::size_t& gone) {
+    const std::size_t count = ids_.size();
+    const auto here = static_cast<std::size_t>(std::find(ids_.begin(), ids_.end(), ui.focus()) - ids_.begin());
+    if (wants_focus && here == count) before_ = ui.focus();
+    if (wants_focus) return ui.set_focus(here == count ? ids_.back() : before_, true);
+    if (here == count) return;
+    Key key = Key::none;
+    ui.events_of(ids_[here], [&](const Event& event) {
+        if (event.kind == EventKind::key) key = event.key;
+    });
+    if (key == Key::escape) ui.set_focus(before_, true);
+    if (key == Key::up && here > 0) ui.set_focus(ids_[here - 1], true);
+    if (key == Key::down && here + 1 < count) ui.set_focus(ids_[here + 1], true);
+    if (key == Key::del || key == Key::backspace) gone = here;
+    if (gone == here) ui.set_focus(count == 1 ? before_ : here > 0 ? ids_[here - 1] : ids_[1], ui.focus_ringed());
+}
+
 void Toasts::build(Ui& ui) {
+    const bool wants_focus = std::exchange(wants_focus_, false);
     count_down(hovered_ ? 0.0 : std::max(0.0, ui.time() - time_));
     time_ = ui.time();
     hovered_ = false;
@@ -163,10 +186,13 @@ void Toasts::build(Ui& ui) {
     const std::size_t count = std::min(all_.size(), most_shown);
     std::size_t gone = count;
     std::function<void()> act;  // called last: it may add another
+    ids_.clear();
     for (std::size_t i = 0; i < count; ++i) {
         if (build_one(ui, all_[i], act)) gone = i;
     }
     ui.close_overlay_node();
+    take_keys(ui, wants_focus, gone);
+    if (act && gone < count && ui.focus_ringed()) ui.set_focus(before_, true);
     if (gone < count) {
         all_.erase(all_.begin() + static_cast<std::ptrdiff_t>(gone));
         ui.wake_at(ui.time(), "toast");

@@ -124,6 +124,50 @@ TEST(CompareView, TheLineIsDraggedByItsHandle) {
     EXPECT_EQ(c.state.view, ViewState{}) << "the pictures stay";
 }
 
+TEST(CompareView, TheLineIsDraggedWhereverItIsGrabbed) {
+    Compared c;
+    c.ui.move({202, 80});
+    EXPECT_EQ(c.ui.output().cursor, Cursor::resize_x);
+    c.ui.send({.kind = EventKind::press, .at = {202, 80}}).drag_by({-100, 30}).key('X');
+    EXPECT_NEAR(c.state.position, 0.25, 1e-6);
+    EXPECT_FALSE(c.state.swapped) << "one edit at a time";
+    EXPECT_EQ(c.ui.output().cursor, Cursor::resize_x);
+    c.ui.release();
+    EXPECT_EQ(c.began, 1);
+    EXPECT_EQ(c.committed, 1);
+    EXPECT_EQ(c.state.view, ViewState{}) << "the pictures stay";
+    c.ui.frame(1).send({.kind = EventKind::press, .at = {102, 80}}).drag_by({200, 0});
+    c.ui.key(Key::escape).release();
+    EXPECT_NEAR(c.state.position, 0.25, 1e-6);
+    EXPECT_EQ(c.cancelled, 1);
+    EXPECT_EQ(c.committed, 1);
+}
+
+TEST(CompareView, BesideTheLineThePicturesArePanned) {
+    Compared c;
+    c.state.view = {.fitted = false, .zoom = 4};
+    c.ui.frame().move({208, 80});
+    EXPECT_EQ(c.ui.output().cursor, Cursor::arrow);
+    c.ui.send({.kind = EventKind::press, .at = {208, 80}}).drag_by({-40, 0}).release();
+    EXPECT_EQ(c.state.position, 0.5);
+    EXPECT_NE(c.state.view.center.x, 0.5);
+}
+
+TEST(CompareView, TheMagnifierShowsWhatIsSeenThere) {
+    Compared c;
+    c.options.magnifier = true;
+    const auto magnified = [&] {
+        ImageHandle last = 0;
+        for (const Batch& batch : c.ui.output().list->batches) last = batch.images[0] != 0 ? batch.images[0] : last;
+        return last;
+    };
+    c.ui.move({100, 80});
+    EXPECT_EQ(magnified(), 7U);
+    c.ui.move({300, 80});
+    EXPECT_EQ(magnified(), 8U);
+    EXPECT_EQ(c.last.pick, glm::ivec2(150, 15));
+}
+
 TEST(CompareView, TheLineMovesByKeysTheWayTheArrowsPoint) {
     Compared c;
     c.ui.focus("Takes/Wipe").key(Key::right);

@@ -287,6 +287,47 @@ TEST_F(CurveEditorTest, SlopesOfAFreePointTurnTogetherAndWithAltAlone) {
     EXPECT_EQ(committed, 3) << "Free, and two drags";
 }
 
+TEST_F(CurveEditorTest, SlopesAreTurnedByArrowsTheWayTheHandleMoves) {
+    ui.click("Curve/Point 2").click("Curve/Free");
+    CurvePoint p = curve.point(1);
+    p.slope_in = p.slope_out = 0;
+    curve.set_point(1, p);
+    ui.frame().focus("Curve/Slope out").key(Key::up);
+    const double aspect = static_cast<double>(graph().y / graph().x), degree = std::tan(0.01745) / aspect;
+    EXPECT_NEAR(curve.point(1).slope_out, degree, 1e-6);
+    EXPECT_EQ(curve.point(1).slope_in, curve.point(1).slope_out);
+    ui.focus("Curve/Slope in").key(Key::up);
+    EXPECT_NEAR(curve.point(1).slope_in, 0, 1e-9);
+    p.slope_in = 1, p.slope_out = -1;
+    curve.set_point(1, p);
+    ui.frame().key(Key::down, Mods::command);
+    EXPECT_GT(curve.point(1).slope_in, 1);
+    EXPECT_EQ(curve.point(1).slope_out, -1) << "of a corner";
+    for (int i = 0; i < 30; ++i) ui.key(Key::down, Mods::command);
+    EXPECT_TRUE(std::isfinite(curve.point(1).slope_in));
+    EXPECT_EQ(began, committed);
+}
+
+TEST_F(CurveEditorTest, TheHandleThatAllSelectedHaveIsMarked) {
+    ui.click("Curve/Point 2");
+    EXPECT_TRUE(ui.is("Curve/Automatic", Is::checked));
+    ui.click("Curve/Hold");
+    EXPECT_TRUE(ui.frame().is("Curve/Hold", Is::checked));
+    EXPECT_FALSE(ui.is("Curve/Automatic", Is::checked));
+    ui.click("Curve/Point 3", {.mods = Mods::shift});
+    EXPECT_FALSE(ui.is("Curve/Hold", Is::checked)) << "one is automatic";
+}
+
+TEST_F(CurveEditorTest, KeysWaitForTheEndOfADrag) {
+    ui.press("Curve/Point 2").drag_by({30, 0});
+    ui.key(Key::del).key(Key::up);
+    EXPECT_EQ(curve.size(), 4U);
+    EXPECT_EQ(committed, 0);
+    ui.release();
+    EXPECT_EQ(began, 1);
+    EXPECT_EQ(committed, 1);
+}
+
 TEST_F(CurveEditorTest, PresetsFillTheRanges) {
     options.x = {0, 10};
     options.y = {-1, 3};

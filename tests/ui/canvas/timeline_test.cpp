@@ -28,13 +28,17 @@ class TimelineTest : public testing::Test {
     TimelineOptions options{.length = 10, .rate = 25, .tip = "When what happens"};
     TimelineEdit last;
     int began = 0, committed = 0, cancelled = 0;
+    bool open = false, mistaken = false;  ///< a gesture; one within another, or that ended twice
     bool disabled = false;
     Harness ui{[this](Ui& u) {
                    u.push_disabled(disabled);
                    last = timeline(u, "Time", state, tracks, options);
                    u.pop_disabled();
-                   for (const Edit& e : {last.time, last.range, last.items})
+                   for (const Edit& e : {last.time, last.range, last.items}) {
                        began += e.began, committed += e.committed, cancelled += e.cancelled;
+                       mistaken |= (e.began && open) || (e.committed && e.cancelled);
+                       open = (open || e.began) && !e.committed && !e.cancelled;
+                   }
                },
                {643, 300}};
     // Of 643 px 143 are names (10.2 em), so that a second is 50 px; the ruler is 25 px high, a lane 27.
@@ -231,6 +235,64 @@ TEST_F(TimelineTest, ArrowsMoveAClipAndWithCtrlItsEnd) {
     EXPECT_EQ(state.speed, 1) << "the other keys are the timeline's";
 }
 
+TEST_F(TimelineTest, KeysWaitForTheEndOfADragThatChangedSomething) {
+    ui.press("Time/Events/Cut").drag_by({50, 0});
+    ui.key(Key::del);
+    ASSERT_EQ(tracks[0].items.size(), 2U);
+    EXPECT_EQ(committed, 0);
+    ui.key(Key::escape).release();
+    EXPECT_EQ(cancelled, 1);
+    EXPECT_EQ(cut().start, 2);
+    press_at(at(3)).key(Key::right).key('I');
+    EXPECT_DOUBLE_EQ(state.time, 3);
+    ui.release();
+    EXPECT_EQ(began, 2);
+    EXPECT_EQ(committed, 1);
+}
+
+TEST_F(TimelineTest, AKeyEndsADragThatChangedNothing) {
+    ui.press("Time/Events/Cut").key(Key::del);
+    EXPECT_EQ(tracks[0].items.size(), 1U);
+    ui.drag_by({50, 0}).release();
+    EXPECT_EQ(began, 1);
+    EXPECT_EQ(committed, 1);
+}
+
+TEST_F(TimelineTest, KeysBringThePlayheadIntoSight) {
+    state.view = {4, 8}, state.fitted = false, state.time = 5;
+    ui.focus("Time").key(Key::home);
+    EXPECT_EQ(state.time, 0);
+    EXPECT_NEAR(state.view.low, -0.2, 1e-9);
+    EXPECT_NEAR(state.view.length(), 4, 1e-9);
+    ui.key(Key::end);
+    EXPECT_NEAR(state.view.high, 10.2, 1e-9);
+    ui.key(Key::left);
+    EXPECT_NEAR(state.view.high, 10.2, 1e-9) << "what is in sight stays where it is";
+    EXPECT_FALSE(state.fitted);
+}
+
+TEST_F(TimelineTest, LabelsGiveWayToTheBrackets) {
+    const auto glyphs = [&] {
+        std::size_t count = 0;
+        for (const Instance& i : ui.output().list->instances)
+            count += i.kind == InstanceKind::glyph && i.y < 25 && i.x > left ? 1 : 0;
+        return count;
+    };
+    const std::size_t all = glyphs();
+    state.has_range = true, state.range = {5.5, 9.9};
+    ui.frame();
+    EXPECT_LT(glyphs(), all);
+    state.range = {3.96, 9.9};
+    ui.frame();
+    EXPECT_EQ(glyphs(), all) << "beside the labels";
+}
+
+TEST_F(TimelineTest, TheTooltipSaysWhatAClickDoes) {
+    EXPECT_EQ(ui.tip("Time/Play"), "Play");
+    ui.click("Time/Play");
+    EXPECT_EQ(ui.tip("Time/Play"), "Stop");
+}
+
 TEST_F(TimelineTest, TheWheelZoomsAtThePointerAndFFits) {
     ui.move(at(4));
     ui.send({.kind = EventKind::wheel, .delta = {0, 2}});
@@ -348,6 +410,7 @@ TEST_F(TimelineTest, AnyInputLeavesItemsInTime) {
             default:
                 ui.send({.kind = EventKind::pointer, .mods = with, .at = place});
         }
+        ASSERT_FALSE(mistaken) << i;
         ASSERT_TRUE(state.time >= 0 && state.time <= 10);
         ASSERT_TRUE(state.view.length() > 0.1 && state.view.length() < 11.001 && state.view.low > -2);
         ASSERT_TRUE(!state.has_range ||

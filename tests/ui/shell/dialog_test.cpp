@@ -12,15 +12,15 @@ class DialogTest : public testing::Test {
     std::vector<std::size_t> answers;
     std::vector<std::size_t> pressed;
     int cancelled = 0, below = 0;
-    bool can_create = true;
+    bool can_create = true, has_standard = true;
     Harness ui{[this](Ui& u) {
         below += button(u, "Below") ? 1 : 0;
         if (button(u, "Quit")) open_dialog(u, "quit");
         if (button(u, "New")) open_dialog(u, "new");
-        const auto answer =
-            ask(u, "quit", "Quit?", "There are changes that are not saved.",
-                {{.label = "Discard"}, {.label = "Cancel", .cancel = true}, {.label = "Save", .standard = true}},
-                Tone::warning);
+        const auto answer = ask(
+            u, "quit", "Quit?", "There are changes that are not saved.",
+            {{.label = "Discard"}, {.label = "Cancel", .cancel = true}, {.label = "Save", .standard = has_standard}},
+            Tone::warning);
         if (answer) answers.push_back(*answer);
         Dialog dialog(u, "new", "New preset");
         cancelled += dialog.cancelled() ? 1 : 0;
@@ -48,6 +48,21 @@ TEST_F(DialogTest, AQuestionBeginsAtTheStandardButtonAndEnterPressesIt) {
     EXPECT_TRUE(ui.is("Quit?/Save", Is::ringed));
     ui.key(Key::enter);
     EXPECT_THAT(answers, testing::ElementsAre(2));
+}
+
+TEST_F(DialogTest, OpenedByThePointerItShowsWhatEnterPresses) {
+    ui.click("Quit");
+    EXPECT_EQ(ui.focused(), "Quit?/Save");
+    EXPECT_TRUE(ui.is("Quit?/Save", Is::ringed));
+}
+
+TEST_F(DialogTest, WithoutAStandardButtonItBeginsWhereNothingIsLost) {
+    has_standard = false;
+    ui.click("Quit");
+    EXPECT_EQ(ui.focused(), "Quit?/Cancel");
+    EXPECT_TRUE(ui.is("Quit?/Cancel", Is::ringed));
+    ui.key(Key::enter);
+    EXPECT_THAT(answers, testing::ElementsAre(1));
 }
 
 TEST_F(DialogTest, EscapeIsTheCancelButton) {

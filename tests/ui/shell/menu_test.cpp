@@ -13,7 +13,7 @@ namespace {
 class MenuTest : public testing::Test {
   protected:
     std::string chosen;
-    bool can_save = true;
+    bool can_save = true, shows_edit = false;
     void choose(Ui& u, const char* name, const MenuItemOptions& options = {}) {
         if (menu_item(u, name, options)) chosen += std::string(name) + ";";
     }
@@ -29,6 +29,9 @@ class MenuTest : public testing::Test {
                     if (Submenu older(u, "Older"); older) choose(u, "Two");
                 }
                 choose(u, "Quit");
+            }
+            if (shows_edit) {
+                if (BarMenu edit(u, "Edit"); edit) choose(u, "Undo", {.enabled = false});
             }
             if (BarMenu view(u, "View"); view) {
                 choose(u, "Grid", {.checked = true});
@@ -185,6 +188,31 @@ TEST_F(MenuTest, AContextMenuOpensAtThePointer) {
     EXPECT_EQ(ui.rect("Field menu").at(), glm::vec2(50, 200));
     ui.click("Field menu/Reset");
     EXPECT_EQ(chosen, "Reset;");
+}
+
+TEST_F(MenuTest, OpenedByThePointerNoItemIsMarkedUntilAKeyAsksForOne) {
+    ui.click("Field").key(Key::enter);
+    EXPECT_EQ(chosen, "");
+    ui.key(Key::escape).click("Menu bar/File");
+    EXPECT_EQ(ui.key(Key::down).focused(), "File/Open");
+    EXPECT_TRUE(ui.is("File/Open", Is::ringed));
+    ui.key(Key::escape).click("Menu bar/File");
+    EXPECT_EQ(ui.key(Key::up).focused(), "File/Quit");
+    ui.key(Key::escape).click("Menu bar/File");
+    EXPECT_EQ(ui.type("r").focused(), "File/Recent");
+    ui.key(Key::enter).key(Key::enter);
+    EXPECT_EQ(chosen, "One;");
+}
+
+TEST_F(MenuTest, AMenuWithoutAnItemToChooseIsPassedAlongTheBar) {
+    shows_edit = true;
+    ui.frame().focus("Menu bar/File").key(Key::enter).key(Key::right);
+    EXPECT_TRUE(ui.exists("Edit/Undo"));
+    ui.key(Key::down);
+    EXPECT_EQ(ui.key(Key::right).focused(), "View/Grid");
+    ui.key(Key::left).key(Key::left);
+    EXPECT_EQ(ui.focused(), "File/Open");
+    EXPECT_EQ(ui.ui().overlay_count(), 1U);
 }
 
 TEST_F(MenuTest, AnOpenMenuAllocatesNothingAndComesToRest) {

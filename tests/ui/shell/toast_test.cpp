@@ -99,6 +99,43 @@ TEST_F(ToastTest, ItTakesTheKeyboardFromNobody) {
     EXPECT_EQ(ui.focused(), "Field");
 }
 
+TEST_F(ToastTest, AskedForTheyHaveTheKeyboardAndGiveItBack) {
+    ui.focus("Field");
+    toasts.add({.text = "First", .seconds = 2});
+    toasts.add({.kind = ToastKind::error, .text = "Second"});
+    ui.frame().frame();
+    toasts.take_focus();
+    EXPECT_EQ(ui.frame().focused(), "Notices/Second") << "the newest";
+    EXPECT_TRUE(ui.is("Notices/Second", Is::ringed));
+    EXPECT_EQ(ui.key(Key::up).focused(), "Notices/First");
+    EXPECT_TRUE(ui.frame(5).exists("Notices/First")) << "its time stands";
+    EXPECT_EQ(ui.key(Key::escape).focused(), "Field");
+    EXPECT_EQ(toasts.size(), 2U);
+    toasts.take_focus();
+    EXPECT_EQ(ui.frame().focused(), "Notices/Second");
+    EXPECT_EQ(ui.key(Key::del).frame().focused(), "Notices/First");
+    EXPECT_EQ(ui.key(Key::enter).frame().focused(), "Field");
+    EXPECT_EQ(toasts.size(), 0U);
+    toasts.take_focus();
+    EXPECT_EQ(ui.frame().focused(), "Field") << "there is none";
+}
+
+TEST_F(ToastTest, EnterIsItsButton) {
+    int acted = 0;
+    ui.focus("Field");
+    toasts.add({.text = "Other", .seconds = 0});
+    toasts.add({.text = "Exported", .action = "Show", .act = [&] { ++acted; }});
+    ui.frame();
+    toasts.take_focus();
+    ui.frame().key(Key::enter).frame();
+    EXPECT_EQ(acted, 1);
+    EXPECT_EQ(toasts.size(), 1U);
+    EXPECT_EQ(ui.focused(), "Field");
+    ui.click("Notices/Other");
+    EXPECT_EQ(acted, 1);
+    EXPECT_EQ(ui.focused(), "Field");
+}
+
 TEST_F(ToastTest, ItLiesInTheLowerRightCornerAndALongTextIsBroken) {
     toasts.add({.text = "Short"});
     ui.frame();
