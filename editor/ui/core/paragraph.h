@@ -1,40 +1,43 @@
 // Text of more than one line: broken at spaces and line breaks, words that are too long anywhere.
 #pragma once
 
+#include <array>
+#include <vector>
+
 #include "ui/draw/painter.h"
 
 namespace lapfx::ui {
 
-/// Calls `each(line)` for every line of `text` within `width` px, from the top.
-template <typename Each>
-void each_line(Fonts& fonts, std::string_view text, const TextStyle& style, float width, Each&& each);
+/// Finds where lines end, in one style. It goes by the widths of single characters, so that a long text is never shaped as a
+/// whole, let alone once for every line of it; kerning makes a line differ from that by a pixel or two.
+class LineBreaker {
+  public:
+    LineBreaker(Fonts& fonts, const TextStyle& style) : fonts_(fonts), style_(style) { ascii_.fill(-1); }
+    struct Line {
+        std::size_t bytes;  ///< with the spaces, or the line break, that it ends with
+        float width;        ///< px, of its spaces too
+    };
+    /// Of `text` what goes into a line of `width` px, one character at least.
+    Line first_line(std::string_view text, float width);
 
+  private:
+    float width_of(std::string_view character);
+
+    Fonts& fonts_;
+    TextStyle style_;
+    std::array<float, 128> ascii_;
+};
+
+/// Where the lines of `text` begin when none is to be wider than `width` px: at least one, the first at 0. Broken after spaces, which
+/// may hang over the edge, else anywhere between characters. After a line break there always is another line.
+void break_lines(Fonts& fonts, std::string_view text, const TextStyle& style, float width,
+                 std::vector<std::uint32_t>& begins);
+
+/// px. The same lines as break_lines() makes.
 float paragraph_height(Fonts& fonts, std::string_view text, const TextStyle& style, float width);
 /// px of the longest line when only line breaks break it.
 float paragraph_width(Fonts& fonts, std::string_view text, const TextStyle& style);
 void draw_paragraph(Painter& painter, const Rect& rect, std::string_view text, const TextStyle& style, Color color,
                     Align align = Align::start);
-
-template <typename Each>
-void each_line(Fonts& fonts, std::string_view text, const TextStyle& style, float width, Each&& each) {
-    while (true) {
-        const std::size_t stop = std::min(text.find('\n'), text.size());
-        std::string_view line = text.substr(0, stop);
-        do {
-            const Run& run = fonts.run(line, style);
-            std::size_t fits = run.width <= width + 0.5F ? line.size() : run.bytes_within(width);
-            if (fits < line.size()) {
-                const std::size_t space = line.rfind(' ', fits);
-                if (space != std::string_view::npos && space > 0) fits = space;
-                if (fits == 0) fits = run.stops.size() > 1 ? run.stops[1].byte : line.size();  // narrower than a letter
-            }
-            each(line.substr(0, fits));
-            line.remove_prefix(std::min(fits, line.size()));
-            while (line.starts_with(' ')) line.remove_prefix(1);
-        } while (!line.empty());
-        if (stop == text.size()) return;
-        text.remove_prefix(stop + 1);
-    }
-}
 
 }  // namespace lapfx::ui

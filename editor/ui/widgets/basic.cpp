@@ -19,6 +19,25 @@ void draw_label(Painter& painter, const Node& node, const TextLook& look) {
     painter.text(node.rect(), look.text, *look.run, look.style, look.color, look.align);
 }
 
+/// A node of one line that is whole in its tooltip where it has been cut. Told apart by where it stands: many may read the same,
+/// and what they read may change all the time. Without need it senses nothing. In what lights up as a whole it leaves the hover to that.
+Node& put_line(Ui& ui, Role role, std::string_view text, const TextStyle& style, const Run*& run) {
+    const Node& parent = ui.parent();
+    const bool takes_hover = !has(parent.sense, Sense::hover);
+    const std::uint64_t first = parent.last == no_node ? 1 : 0;
+    ui.push_seed(2 * std::uint64_t{first != 0 ? parent.end : parent.last} + first);
+    Node& node = ui.leaf(role, "line", takes_hover ? Sense::hover : Sense::none);
+    ui.pop_seed();
+    const Label label = split_label(ui.copy(text));
+    node.label = label.name, node.shown = label.shown;
+    node.is = Is::nothing;
+    node.sense = Sense::none;
+    run = &ui.fonts().run(node.shown, style);
+    const Node* before = takes_hover ? ui.before(node.id) : nullptr;
+    if (before != nullptr && before->extent[0] + 1 < run->width) node.sense = Sense::hover, node.tip = node.shown;
+    return node;
+}
+
 void draw_wrapped(Painter& painter, const Node& node, const TextLook& look) {
     draw_paragraph(painter, node.rect(), look.text, look.style, look.color, look.align);
 }
@@ -71,7 +90,9 @@ Response put_button(Ui& ui, Role role, std::string_view text, const ButtonOption
     if (with_text) {
         run = &ui.fonts().run(node.shown, ui.text_style());
         const float icon = options.icon == Icon::none ? 0.0F : ui.em(1) + ui.em(0.4F);
-        node.size[0] = px(std::ceil(run->width) + icon + 2 * ui.em(0.7F));
+        const float wish = std::ceil(run->width) + icon + 2 * ui.em(0.7F);
+        node.size[0] = px(wish);
+        if (node.tip.empty() && node.id == ui.hot() && ui.rect_before(node.id).w + 1 < wish) node.tip = node.shown;
         if (options.width.kind != SizeKind::fit) node.size[0] = options.width;
     } else {
         node.size[0] = px(height);
@@ -123,9 +144,9 @@ Color color_of(const Theme& theme, Tone tone) {
 
 void label(Ui& ui, std::string_view text, const LabelOptions& options) {
     TextStyle style = options.number ? ui.number_style() : ui.text_style(options.size, options.weight);
-    Node& node = ui.leaf(Role::label, text);
+    const Run* run = nullptr;
+    Node& node = options.wrap ? ui.leaf(Role::label, text) : put_line(ui, Role::label, text, style, run);
     node.text = node.shown;
-    const Run* run = options.wrap ? nullptr : &ui.fonts().run(node.shown, style);
     const TextLook look{node.shown, run, style,
                         ui.disabled() ? ui.theme().text_disabled : color_of(ui.theme(), options.tone), options.align};
     if (options.wrap) {
@@ -142,13 +163,13 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
 }
 
 void heading(Ui& ui, std::string_view text) {
-    Node& node = ui.leaf(Role::heading, text);
     const TextStyle style = ui.text_style(1.15F, Weight::bold);
-    const Run& run = ui.fonts().run(node.shown, style);
-    node.size[0] = px(std::ceil(run.width));
+    const Run* run = nullptr;
+    Node& node = put_line(ui, Role::heading, text, style, run);
+    node.size[0] = px(std::ceil(run->width));
     node.size[1] = px(ui.row_height());
     node.rigid = false;
-    ui.draw_with<draw_label>(node, TextLook{node.shown, &run, style, ui.theme().text, Align::start});
+    ui.draw_with<draw_label>(node, TextLook{node.shown, run, style, ui.theme().text, Align::start});
 }
 
 void separator(Ui& ui) {

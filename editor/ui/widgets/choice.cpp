@@ -66,8 +66,13 @@ int step(Key key, int at, int count) {
 }
 
 void lay_segment(Ui& ui, Node& node) {
-    node.size[0] = grow();
-    node.minimum[0] = std::ceil(ui.text_width(node.shown)) + 2 * ui.em(0.6F);
+    // A share by its text, so that all are cut at once where there is too little room, and none runs into what is beside them.
+    const float wish = std::ceil(ui.text_width(node.shown)) + 2 * ui.em(0.6F);
+    node.size[0] = grow(wish);
+    node.minimum[0] = ui.em(1.5F);
+    node.padding[0] = node.padding[2] =
+        static_cast<std::uint8_t>(std::min(std::ceil(wish / 2), 255.0F));  // is its wish
+    if (const float had = ui.rect_before(node.id).w; had > 0 && had + 1 < wish) node.tip = node.shown;
 }
 void lay_radio(Ui& ui, Node& node) {
     node.size[0] = px(std::ceil(ui.em(1.6F) + ui.text_width(node.shown)));

@@ -1,5 +1,7 @@
 #include "ui/widgets/combo.h"
 
+#include <cmath>
+
 #include "ui/value/utf8.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/text_field.h"
@@ -279,12 +281,24 @@ bool put_list(Ui& ui, Choosing& c, Node& root, int chosen, std::span<const std::
     return taken && c.at >= 0;
 }
 
+/// Less than a notch of the wheel, kept for the next.
+struct WheelRest {
+    float notches = 0;
+};
+
 /// Keys and wheel on the closed field.
 int closed_choice(Ui& ui, Id id, const Response& r, int chosen, std::span<const std::string_view> choices,
                   bool& opens) {
     const int last = static_cast<int>(choices.size()) - 1;
     int next = chosen;
-    if (r.wheel != 0) next = std::clamp(next + (r.wheel > 0 ? -1 : 1), 0, last);
+    if (r.wheel != 0) {
+        float& rest = ui.memory<WheelRest>(id).notches;
+        if (rest * r.wheel < 0) rest = 0;
+        rest += r.wheel;  // touch pads send parts of a notch
+        const float notches = std::trunc(rest);
+        rest -= notches;
+        next = std::clamp(next - static_cast<int>(std::clamp(notches, -1e6F, 1e6F)), 0, last);
+    }
     ui.events_of(id, [&](const Event& event) {
         if (event.kind == EventKind::text && event.codepoint > ' ') {
             Choosing& c = ui.memory<Choosing>(id);

@@ -2,10 +2,14 @@
 
 #include <optional>
 
+#include "ui/shell/menu.h"
+#include "ui/widgets/field.h"
+
 namespace lapfx::ui {
 
 namespace {
 
+constexpr std::string_view menu_kind = "text menu ";
 constexpr double blink = 0.53;             // s that the caret is seen, and then is not
 constexpr double blinks_for = 20 * blink;  // s after the last input: then the machine may sleep
 
@@ -161,6 +165,34 @@ void Editing::press(Ui& ui, const Event& event, std::size_t byte) {
     edit.place(byte, has(event.mods, Mods::shift));
     if (event.clicks == 2) edit.apply(TextCommand::select_word);
     if (event.clicks == 3) edit.apply(rules_.limits.lines ? TextCommand::select_line : TextCommand::select_all);
+}
+
+bool Editing::menu_open(Ui& ui, Id id) {
+    return ui.overlay_count() > 0 && ui.overlay_open(overlay_name(ui, menu_kind, id));
+}
+
+void Editing::menu(Ui& ui, Id id, std::string_view label, const Response& r, std::string& text, Edit& result) {
+    if (!r.context && ui.overlay_count() == 0) return;
+    const std::string_view name = overlay_name(ui, menu_kind, id);
+    if (r.context) {
+        using Side = Placement::Side;
+        bool by_key = false;
+        ui.events_of(id, [&](const Event& event) { by_key |= event.kind == EventKind::key; });
+        open_menu(ui, name,
+                  by_key ? Placement{.side = Side::below, .anchor = id}
+                         : Placement{.side = Side::pointer, .rect = {r.pointer.x, r.pointer.y, 0, 0}});
+    }
+    Menu menu(ui, name, ui.join({label, " menu"}));
+    if (!menu) return;
+    const bool board = ui.clipboard() != nullptr, selected = board && !edit.selected().empty();
+    const auto item = [&](std::string_view item_name, Icon icon, std::string_view shortcut, bool enabled) {
+        if (!menu_item(ui, item_name, {.icon = icon, .shortcut = shortcut, .enabled = enabled})) return;
+        take_key(ui, {.kind = EventKind::key, .mods = Mods::command, .key = key_of(shortcut.back())}, text, result);
+    };
+    item("Cut", Icon::none, "Ctrl+X", selected && !rules_.read_only);
+    item("Copy", Icon::copy, "Ctrl+C", selected);
+    item("Paste", Icon::none, "Ctrl+V", board && !rules_.read_only);
+    item("Select all", Icon::none, "Ctrl+A", !edit.text().empty());
 }
 
 bool Editing::caret_shown(Ui& ui) const {

@@ -31,6 +31,9 @@ struct Editing {
     /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all (of many
     /// lines: the line).
     void press(Ui& ui, const Event& event, std::size_t byte);
+    /// What a right click or the Menu key offers: built last by the field `id`, which keeps its text under edit while it is open.
+    void menu(Ui& ui, Id id, std::string_view label, const Response& response, std::string& text, Edit& result);
+    static bool menu_open(Ui& ui, Id id);
     /// Starts the blinking anew: after every input the caret is seen.
     void touch(Ui& ui) { active_ = ui.time(); }
     /// Whether the caret is to be seen now; asks for the frame in which that changes. After ten seconds it stays, and nothing

@@ -14,6 +14,7 @@ void draw_caption(Painter& painter, const Node& node, bool caption) {
     if (!caption) return;
     Rect rect = node.rect();
     rect = rect.cut_left(whole(rect.w * caption_share));
+    rect.cut_left(painter.em(caption_inset));
     rect.cut_right(painter.em(0.4F));
     const Theme& t = painter.theme();
     painter.text(rect, node.shown, painter.text_style(), has(node.is, Is::disabled) ? t.text_disabled : t.text);

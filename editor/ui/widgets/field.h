@@ -6,6 +6,7 @@
 namespace lapfx::ui {
 
 inline constexpr float caption_share = 0.45F;  ///< of a row, where it has a caption
+inline constexpr float caption_inset = 0.35F;  ///< em before it: clear of the focus ring
 /// The field of a row: what is right of the caption, or all of it when there is none.
 Rect field_part(const Rect& row, bool caption);
 void draw_caption(Painter& painter, const Node& node, bool caption);

@@ -53,13 +53,14 @@ void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
 }
 
 bool elided(Ui& ui, const Node& node) {
-    const float column = whole(ui.rect_before(node.id).w * caption_share) - ui.em(0.9F);
+    const float column = whole(ui.rect_before(node.id).w * caption_share) - ui.em(caption_inset) - ui.em(0.9F);
     return column > 0 && ui.text_width(node.shown) > column;
 }
 
 /// One number, with its label beside it or inside.
-Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions& o, bool caption,
+Edit put_param(Ui& ui, std::string_view label, double& value, const ParamOptions& options, bool caption,
                ParamActions* actions) {
+    const ParamOptions o = sound(options);
     Node& node = ui.leaf(Role::slider, label, number_sense);
     const Id id = node.id;
     NumberState* const state = number_state(ui, id);
@@ -127,6 +128,7 @@ void describe_number(Ui& ui, Node& node, const NumberState* state, const ParamOp
 
 void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {
     const Theme& t = painter.theme();
+    column.cut_left(painter.em(caption_inset));
     const Rect dot = column.cut_right(painter.em(0.9F)).inset(painter.em(0.1F), 0);
     if (look.changed) painter.icon(dot, Icon::dot, look.disabled ? t.text_disabled : t.accent);
     if (look.locked)
@@ -136,7 +138,7 @@ void draw_param_label(Painter& painter, Rect column, const LabelLook& look) {
 
 void draw_param_mark(Painter& painter, const Rect& field, float place, float width, Color color) {
     const float x = std::clamp(place - std::floor(width / 2), 0.0F, std::max(0.0F, field.w - width));
-    const float height = whole(field.h * 0.35F);  // below the digits
+    const float height = std::floor(field.h / 2 - painter.em(0.43F));  // below the digits
     painter.fill({field.x + x, field.bottom() - height, width, height}, color);
 }
 

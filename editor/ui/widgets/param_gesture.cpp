@@ -84,8 +84,12 @@ bool NumberGesture::set(double next) {
     return true;
 }
 
-void NumberGesture::once(double next) {
-    if (set(next)) edit_ |= Edit::once();
+void NumberGesture::once(NumberState& s, double next) {
+    if (!set(next)) return;
+    // within an arrow's repeats it is part of them, and ends them: there is one edit at a time
+    edit_.began |= s.stepping != id_;
+    edit_.committed = true;
+    if (s.stepping == id_) s.stepping = 0;
 }
 
 // --- typing ---
@@ -93,6 +97,7 @@ void NumberGesture::once(double next) {
 void NumberGesture::open(NumberState& s) {
     char buffer[32];
     const double now = shown();
+    end_steps(s);
     s.typing = id_;
     s.entry.open(ui_, std::isfinite(now) ? format_whole(buffer, o_, now) : std::string_view());
 }
@@ -104,7 +109,7 @@ void NumberGesture::type(NumberState& s, const Response& r) {
 }
 
 void NumberGesture::close(NumberState& s, bool keep) {
-    if (keep && s.entry.valid() && s.entry.modified()) once(s.entry.value());
+    if (keep && s.entry.valid() && s.entry.modified()) once(s, s.entry.value());
     s.typing = 0;
     s.tabbed_at = static_cast<std::uint32_t>(ui_.builds());
 }
@@ -119,6 +124,10 @@ void NumberGesture::press(NumberState& s, const Response& r) {
         s.dragging = s.began = false;
         s.travel = 0;
         s.start = value_, s.shown = shown();
+        if (s.stepping == id_) {  // a drag is an edit of its own: not in this build
+            s.travel += r.drag.x;
+            return end_steps(s);
+        }
     }
     if (s.held != id_) return;
     const bool holds = ui_.held() == id_ && r.held;
@@ -135,7 +144,7 @@ void NumberGesture::press(NumberState& s, const Response& r) {
         edit_.committed = true;
     } else if (r.released && !s.dragging && s.clicks == 2) {
         if (!s.on_label) return open(s);
-        if (o_.standard) once(*o_.standard);
+        if (o_.standard) once(s, *o_.standard);
     }
 }
 
@@ -162,7 +171,7 @@ void NumberGesture::wheel(NumberState& s, const Response& r) {
     s.wheel -= notches;
     if (notches == 0) return;
     const ParamLimits limits = limits_of(o_, shown());
-    once(std::clamp(stepped(o_, shown(), notches, has(r.mods, Mods::shift)), limits.low, limits.high));
+    once(s, std::clamp(stepped(o_, shown(), notches, has(r.mods, Mods::shift)), limits.low, limits.high));
 }
 
 void NumberGesture::show_cursor(const NumberState& s, const Response& r) const {
@@ -181,14 +190,21 @@ void NumberGesture::keys(NumberState& s, const Response& r) {
         const bool command = has(event.mods, Mods::command);
         if (const double count = steps_of(event.key); count != 0) return step(s, event, count);
         if (event.key == Key::enter) open(s);
-        if ((event.key == Key::backspace || event.key == Key::del) && o_.standard) once(*o_.standard);
+        if ((event.key == Key::backspace || event.key == Key::del) && o_.standard) once(s, *o_.standard);
         const ParamLimits ends = limits_of(o_, std::nan(""));
-        if (event.key == Key::home && command) once(ends.low);
-        if (event.key == Key::end && command) once(ends.high);
+        if (event.key == Key::home && command) once(s, ends.low);
+        if (event.key == Key::end && command) once(s, ends.high);
         if (event.key == key_of('C') && command) copy_number(ui_, o_, shown());
-        if (event.key == key_of('V') && command) once(number_to_paste(ui_, o_, shown()).value_or(shown()));
+        if (event.key != key_of('V') || !command) return;
+        if (const auto pasted = number_to_paste(ui_, o_, shown())) once(s, *pasted);
     });
-    if (s.stepping == id_ && (!ui_.key_down(s.step_key) || !r.focused)) s.stepping = 0, edit_.committed = true;
+    if (!ui_.key_down(s.step_key) || !r.focused) end_steps(s);
+}
+
+void NumberGesture::end_steps(NumberState& s) {
+    if (s.stepping != id_) return;
+    s.stepping = 0;
+    edit_.committed = true;
 }
 
 /// From the first press of an arrow until it is let go is one edit, however often it repeats.

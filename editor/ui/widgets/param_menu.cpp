@@ -29,8 +29,9 @@ Edit value_items(Ui& ui, double& value, const ParamOptions& o) {
     if (menu_item(ui, "Reset", {.icon = Icon::reset, .shortcut = "Backspace", .enabled = !is_standard(o, shown)}))
         edit = put(value, o, *o.standard);
     if (menu_item(ui, "Copy", {.icon = Icon::copy, .shortcut = "Ctrl+C"})) copy_number(ui, o, shown);
-    if (menu_item(ui, "Paste", {.shortcut = "Ctrl+V", .enabled = ui.clipboard() != nullptr}))
-        edit = put(value, o, number_to_paste(ui, o, shown).value_or(shown));
+    if (menu_item(ui, "Paste", {.shortcut = "Ctrl+V", .enabled = ui.clipboard() != nullptr})) {
+        if (const auto pasted = number_to_paste(ui, o, shown)) edit = put(value, o, *pasted);
+    }
     return edit;
 }
 

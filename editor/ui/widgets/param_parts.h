@@ -48,7 +48,7 @@ class NumberGesture {
 
   private:
     bool set(double shown);
-    void once(double shown);
+    void once(NumberState& s, double shown);
     double shown() const { return value_ * o_.display; }
     void open(NumberState& s);
     void type(NumberState& s, const Response& r);
@@ -57,6 +57,7 @@ class NumberGesture {
     void move(NumberState& s, float pixels, Mods mods);
     void keys(NumberState& s, const Response& r);
     void step(NumberState& s, const Event& event, double count);
+    void end_steps(NumberState& s);
     void wheel(NumberState& s, const Response& r);
     void show_cursor(const NumberState& s, const Response& r) const;
 

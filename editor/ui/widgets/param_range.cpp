@@ -130,17 +130,18 @@ Edit put_vector(Ui& ui, std::string_view label, Vector& value, ParamOptions o, s
 
 Edit range_param(Ui& ui, std::string_view label, double& low, double& high, const ParamOptions& options,
                  std::span<const double> standards) {
-    const Rect row = open_row(ui, Role::range, label, options);
-    const bool to_standard = put_name(ui, options);
-    ParamOptions of_low = with_standard(options, standards, 0), of_high = with_standard(options, standards, 1);
+    const ParamOptions o = sound(options);
+    const Rect row = open_row(ui, Role::range, label, o);
+    const bool to_standard = put_name(ui, o);
+    ParamOptions of_low = with_standard(o, standards, 0), of_high = with_standard(o, standards, 1);
     Edit edit;
     if (to_standard && !ui.disabled()) edit |= reset(low, of_low), edit |= reset(high, of_high);
-    of_low.hard_maximum = std::min(options.hard_maximum, high * options.display);
-    RangeLook look{.label = {.locked = options.locked, .disabled = ui.disabled()}};
+    of_low.hard_maximum = std::min(o.hard_maximum, high * o.display);
+    RangeLook look{.label = {.locked = o.locked, .disabled = ui.disabled()}};
     const float way = field_part(row, true).w;
     Handle handles[2];
     handles[0] = put_handle(ui, 0, way, low, of_low, look);
-    of_high.hard_minimum = std::max(options.hard_minimum, low * options.display);
+    of_high.hard_minimum = std::max(o.hard_minimum, low * o.display);
     handles[1] = put_handle(ui, 1, way, high, of_high, look);
     const bool typing = handles[0].typing() || handles[1].typing();
     const float between = typing ? 0.5F : std::clamp((look.place[0] + look.place[1]) / 2, least_zone, 1 - least_zone);
@@ -150,7 +151,7 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
     Node& node = ui.parent();
     look.label.text = node.shown;
     node.text = ui.join({look.text[0].number, " \u2013 ", look.text[1].whole});
-    node.is |= when(look.label.changed, Is::changed) | when(options.locked, Is::locked);
+    node.is |= when(look.label.changed, Is::changed) | when(o.locked, Is::locked);
     ui.draw_with<draw_range>(node, look);
     edit |= handles[0].edit, edit |= handles[1].edit;
     for (int i = 0; i < 2; ++i) {
@@ -166,8 +167,10 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
 Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, const ParamOptions& options,
                   std::span<const double> standards) {
     open_row(ui, Role::group, label, options);
-    ui.parent().gap = ui.em(0.2F);
     const bool to_standard = put_name(ui, options);
+    Node& fields = ui.open(Role::none, {}, Axis::x);  // the gaps are between them alone: they begin where others do
+    fields.size[0] = grow();
+    fields.gap = ui.em(0.2F);
     LabelLook look{.locked = options.locked, .disabled = ui.disabled()};
     Edit edit;
     for (std::size_t i = 0; i < std::min(values.size(), std::size(axes)); ++i) {
@@ -176,6 +179,7 @@ Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, cons
         edit |= number_field(ui, axes[i], values[i], one);
         look.changed |= !is_standard(one, values[i] * one.display);
     }
+    ui.close();
     Node& node = ui.parent();
     look.text = node.shown;
     node.is |= when(look.changed, Is::changed) | when(options.locked, Is::locked);

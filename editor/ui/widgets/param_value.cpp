@@ -43,6 +43,16 @@ ParamOptions seconds(ParamOptions options) {
     return options;
 }
 
+ParamOptions sound(ParamOptions o) {
+    if (!std::isfinite(o.minimum) || !std::isfinite(o.maximum)) o.minimum = 0, o.maximum = 1;
+    if (o.minimum > o.maximum) std::swap(o.minimum, o.maximum);
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    if (std::isnan(o.hard_minimum)) o.hard_minimum = -endless;
+    if (std::isnan(o.hard_maximum)) o.hard_maximum = endless;
+    if (o.hard_minimum > o.hard_maximum) std::swap(o.hard_minimum, o.hard_maximum);
+    return o;
+}
+
 ParamLimits limits_of(const ParamOptions& o, double from) {
     ParamLimits limits{std::max(o.minimum, o.hard_minimum), std::min(o.maximum, o.hard_maximum)};
     if (std::isfinite(from)) limits = {std::min(limits.low, from), std::max(limits.high, from)};

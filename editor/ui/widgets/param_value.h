@@ -38,6 +38,10 @@ ParamOptions percent(ParamOptions percents = {.minimum = 0, .maximum = 100, .ste
 /// s. Typed in ms or min just as well.
 ParamOptions seconds(ParamOptions options);
 
+/// With ranges that can be counted on, whatever a program has worked out: soft ends that are no numbers are 0 and 1, hard ones none
+/// at all, and those in the wrong order are swapped.
+ParamOptions sound(ParamOptions options);
+
 struct ParamLimits {
     double low, high;
 };

@@ -1,7 +1,6 @@
 #include "ui/widgets/text_area.h"
 
-#include <array>
-
+#include "ui/core/paragraph.h"
 #include "ui/value/utf8.h"
 #include "ui/widgets/editing.h"
 #include "ui/widgets/field.h"
@@ -194,7 +193,8 @@ void drag(Ui& ui, Area& area, const Response& r, const Rect& rect, float line_he
         const auto passed = static_cast<float>(std::clamp(ui.time() - area.scrolled, 0.0, 0.1));
         const float most = std::max(0.0F, area.scroll.content.y - area.scroll.view.y);
         area.scroll.offset.y = std::clamp(area.scroll.offset.y + drag_scroll_speed(ui, beyond) * passed, 0.0F, most);
-        ui.wake_at(ui.time() + 1.0 / 60, "selecting");
+        const bool goes_on = beyond < 0 ? area.scroll.offset.y > 0 : area.scroll.offset.y < most;
+        if (goes_on) ui.wake_at(ui.time() + 1.0 / 60, "selecting");
     }
     area.scrolled = ui.time();
     const glm::vec2 at{r.pointer.x, std::clamp(r.pointer.y, part.y, std::max(part.y, part.bottom() - 1))};
@@ -242,48 +242,9 @@ void show_caret(Area& area, float line_height, float pad) {
 
 }  // namespace
 
-void break_lines(Fonts& fonts, std::string_view text, const TextStyle& style, float width,
-                 std::vector<std::uint32_t>& begins) {
-    std::array<float, 128> ascii;
-    ascii.fill(-1);
-    const auto width_of = [&](std::string_view character) {
-        const auto c = static_cast<unsigned char>(character.front());
-        if (c >= 128 || character.size() > 1) return fonts.run(character, style).width;
-        if (ascii[c] < 0) ascii[c] = fonts.run(character, style).width;
-        return ascii[c];
-    };
-    begins.assign(1, 0);
-    float x = 0, since_space = 0;  // px of the line, and of it after the last space
-    std::size_t space = 0;         // where a line may begin: after the last space
-    for (std::size_t at = 0; at < text.size();) {
-        const std::size_t bytes = next_character(text, at);
-        const std::string_view character = text.substr(at, bytes);
-        at += bytes;
-        if (character.front() == '\n') {
-            begins.push_back(static_cast<std::uint32_t>(at));
-            x = since_space = 0, space = at;
-            continue;
-        }
-        const float w = width_of(character);
-        if (character == " ") {
-            x += w, since_space = 0, space = at;
-            continue;
-        }
-        const std::size_t here = at - bytes;
-        if (x + w > width + 0.5F && space > begins.back()) {
-            begins.push_back(static_cast<std::uint32_t>(space));
-            x = since_space;
-        }
-        if (x + w > width + 0.5F && here > begins.back()) {  // a word longer than a line
-            begins.push_back(static_cast<std::uint32_t>(here));
-            x = since_space = 0;
-        }
-        x += w, since_space += w;
-    }
-}
-
 Edit text_area(Ui& ui, std::string_view label, std::string& text, const TextAreaOptions& options) {
-    Node& node = ui.open(Role::text_area, label, Axis::y, Sense::hover | Sense::press | Sense::focus | Sense::typing);
+    Node& node = ui.open(Role::text_area, label, Axis::y,
+                         Sense::hover | Sense::press | Sense::focus | Sense::typing | Sense::context);
     TextStyle style = ui.text_style();
     style.monospace = options.monospace;
     const float line_height = ui.fonts().metrics(style).height, pad = std::round(above * ui.em(1));
@@ -298,12 +259,15 @@ Edit text_area(Ui& ui, std::string_view label, std::string& text, const TextArea
     if (r.hovered || r.held) ui.set_cursor(Cursor::text);
     Area& area = ui.memory<Area>(node.id);
     const Node* before = ui.before(node.id);
-    const bool was_focused = before != nullptr && has(before->is, Is::focused);
+    const bool was_focused = before != nullptr && (has(before->is, Is::focused) || has(before->is, Is::expanded));
+    const bool by_menu = was_focused && !r.focused && Editing::menu_open(ui, node.id);
+    const bool focused = r.focused || by_menu;
+    node.is |= when(by_menu, Is::expanded);
     const Rect rect = ui.rect_before(node.id);
     area.scroll.view.y = rect.h;
     Edit result;
     bool caret = false;
-    if (r.focused) {
+    if (focused) {
         if (!was_focused) {
             const TextLimits limits{.bytes = options.bytes, .lines = true};
             area.editing.open(ui, text, {.limits = limits, .read_only = options.read_only});
@@ -318,19 +282,22 @@ Edit text_area(Ui& ui, std::string_view label, std::string& text, const TextArea
         result = area.editing.close();
         area.bar_held = false;
     }
-    refresh(ui, area, r.focused ? std::string_view(area.editing.edit.text()) : std::string_view(text), style,
+    refresh(ui, area, focused ? std::string_view(area.editing.edit.text()) : std::string_view(text), style,
             text_part(rect, ui.em(1)).w);
-    if (r.focused && area.show_caret) show_caret(area, line_height, pad);
+    if (focused && area.show_caret) show_caret(area, line_height, pad);
     node.scroll = &area.scroll;
     node.scrolls[1] = true;
     node.text = ui.copy(std::string_view(area.text).substr(0, spoken_bytes));
-    ui.draw_with<draw_text_area>(node, AreaLook{&area, ui.copy(options.placeholder), line_height, r.focused, caret});
+    ui.draw_with<draw_text_area>(node, AreaLook{&area, ui.copy(options.placeholder), line_height, focused, caret});
     const void* look = node.arg;
+    const Id id = node.id;
+    const std::string_view name = node.label;
     Node& lines = ui.leaf(Role::none, {});  // as high as all of them, so that there is something to scroll
     lines.arg = look;
     lines.height_for_width = lay_out_area;
     lines.size[0] = grow();
     ui.close();
+    if (focused) area.editing.menu(ui, id, name, r, text, result);
     return result;
 }
 

@@ -18,9 +18,4 @@ struct TextAreaOptions {
 /// As text_field(), but Enter makes a line and Ctrl+Enter commits. Three presses take a line.
 Edit text_area(Ui& ui, std::string_view label, std::string& text, const TextAreaOptions& options = {});
 
-/// Where the lines of `text` begin when none is to be wider than `width` px: at least one, the first at 0. Broken after spaces, which
-/// may hang over the edge, else anywhere between characters. Linear: of letters the widths are added up, none is shaped twice.
-void break_lines(Fonts& fonts, std::string_view text, const TextStyle& style, float width,
-                 std::vector<std::uint32_t>& begins);
-
 }  // namespace lapfx::ui

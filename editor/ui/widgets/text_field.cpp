@@ -119,7 +119,8 @@ void drag(Ui& ui, Field& field, const Response& r, const Rect& part, const Run& 
         const auto passed = static_cast<float>(std::clamp(ui.time() - field.scrolled, 0.0, 0.1));
         const float most = std::max(0.0F, run.width + 2 - part.w);
         field.offset = std::clamp(field.offset + drag_scroll_speed(ui, beyond) * passed, 0.0F, most);
-        ui.wake_at(ui.time() + 1.0 / 60, "selecting");
+        const bool goes_on = beyond < 0 ? field.offset > 0 : field.offset < most;
+        if (goes_on) ui.wake_at(ui.time() + 1.0 / 60, "selecting");
     }
     field.scrolled = ui.time();
     const float x = std::clamp(r.pointer.x, part.x, part.right()) - part.x + field.offset;
@@ -177,7 +178,7 @@ bool put_clear(Ui& ui) {
 
 /// The node is left open when `search`.
 Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFieldOptions& options, bool search) {
-    const Sense sense = Sense::hover | Sense::press | Sense::focus | Sense::typing;
+    const Sense sense = Sense::hover | Sense::press | Sense::focus | Sense::typing | Sense::context;
     Node& node = search ? ui.open(Role::search_field, label, Axis::x, sense) : ui.leaf(Role::text_field, label, sense);
     node.size[0] = options.width.kind == SizeKind::fit ? px(ui.em(12)) : options.width;
     node.minimum[0] = ui.em(options.caption ? 8 : 4);
@@ -195,9 +196,12 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
     look.caption = options.caption, look.clear = search;
     look.style.monospace = options.monospace;
     const Node* before = ui.before(node.id);
-    const bool was_focused = before != nullptr && has(before->is, Is::focused);
+    const bool was_focused = before != nullptr && (has(before->is, Is::focused) || has(before->is, Is::expanded));
+    const bool by_menu = was_focused && !r.focused && Editing::menu_open(ui, node.id);
+    const bool focused = r.focused || by_menu;
+    node.is |= when(by_menu, Is::expanded);
     Edit result;
-    if (r.focused) {
+    if (focused) {
         Field& field = ui.memory<Field>(node.id);
         if (!was_focused) {
             field = {};
@@ -214,6 +218,10 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
     }
     node.text = text.size() == look.text.size() ? look.text : ui.copy({text.data(), whole(text, spoken_bytes)});
     ui.draw_with<draw_text_field>(node, look);
+    if (focused) {
+        const Id id = node.id;
+        ui.memory<Field>(id).editing.menu(ui, id, node.label, r, text, result);
+    }
     return result;
 }
 

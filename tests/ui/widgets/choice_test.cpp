@@ -100,5 +100,30 @@ TEST(Choice, SegmentsTouchAndShareTheWidth) {
     EXPECT_EQ(ui.rect("View/False colour").right(), 640);
 }
 
+TEST(Choice, SegmentsThatHaveTooLittleRoomStayWithinIt) {
+    int chosen = 0;
+    float width = 640;
+    Harness ui([&](Ui& u) {
+        Row row(u, {.width = px(width)});
+        segmented(u, "View", chosen, views);
+        button(u, "Beside");
+    });
+    ui.move_to("View/False colour");
+    EXPECT_EQ(ui.tip("View/False colour"), "");
+    width = 200;
+    ui.frame();
+    EXPECT_LE(ui.rect("View/False colour").right(), ui.rect("Beside").x);
+    EXPECT_EQ(ui.rect("Beside").right(), 200);
+    EXPECT_EQ(ui.frame().tip("View/False colour"), "False colour");
+    float fit = 0;
+    Harness toolbar([&](Ui& u) {
+        Row row(u, {.width = ui::fit()});
+        segmented(u, "View", chosen, views);
+        fit = 0;
+        for (const std::string_view view : views) fit += u.text_width(view);
+    });
+    EXPECT_GT(toolbar.rect("View/False colour").right(), fit) << "they wish to be seen whole";
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -104,6 +104,16 @@ TEST_F(ComboTest, OnlyTheCommandWheelChooses) {
     EXPECT_EQ(chosen, 2);
 }
 
+TEST_F(ComboTest, PartsOfANotchAddUp) {
+    for (int i = 0; i < 4; ++i) ui.wheel("Fruit", {0, -0.25F}, Mods::command);
+    EXPECT_EQ(chosen, 3);
+    EXPECT_EQ(edits, 1);
+    ui.wheel("Fruit", {0, -0.75F}, Mods::command).wheel("Fruit", {0, 0.5F}, Mods::command);
+    EXPECT_EQ(chosen, 3) << "turning back begins anew";
+    ui.wheel("Fruit", {0, 2}, Mods::command);
+    EXPECT_EQ(chosen, 1);
+}
+
 TEST_F(ComboTest, LettersGoToTheNextThatBeginsSo) {
     ui.focus("Fruit").type("a");
     EXPECT_EQ(chosen, 0);

@@ -4,6 +4,7 @@
 
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
+#include "ui/widgets/field.h"
 #include "ui/widgets/param.h"
 
 namespace lapfx::ui {
@@ -156,6 +157,7 @@ TEST(VectorParam, EachPartIsANodeOfItsOwn) {
     EXPECT_FALSE(ui.is("At/X", Is::changed));
     EXPECT_NEAR(ui.rect("At/X").w, ui.rect("At/Z").w, 1);
     EXPECT_EQ(ui.rect("At/Z").right(), ui.rect("At").right());
+    EXPECT_EQ(ui.rect("At/X").x, field_part(ui.rect("At"), true).x) << "where the fields of other params begin";
     ui.focus("At/X").type("7").key(Key::tab);
     EXPECT_EQ(at, glm::vec3(7, 2, 3));
     EXPECT_EQ(ui.text("At/Y"), "2") << "Tab goes on to the next part";

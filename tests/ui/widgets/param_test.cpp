@@ -420,6 +420,33 @@ TEST_F(Param, AnArrowHeldDownIsOneEdit) {
     EXPECT_EQ(edits.committed, 2) << "leaving ends it as well";
 }
 
+TEST_F(Param, WhateverComesWhileAnArrowIsDownThereIsOneEditAtATime) {
+    const auto open = [&] { return edits.began - edits.committed - edits.cancelled; };
+    const auto hold = [&] {
+        ui.focus("Speed").send({.kind = EventKind::key, .key = Key::right});
+        ASSERT_EQ(open(), 1);
+    };
+    hold();
+    ui.send({.kind = EventKind::key, .key = Key::backspace});
+    EXPECT_EQ(speed, 100);
+    EXPECT_EQ(edits.began, 1) << "within the edit that is open";
+    EXPECT_EQ(edits.committed, 1) << "which ends so";
+    ui.send({.kind = EventKind::key_up, .key = Key::right}).send({.kind = EventKind::key_up, .key = Key::backspace});
+    EXPECT_EQ(edits.committed, 1);
+    hold();
+    ui.key(Key::enter);
+    EXPECT_EQ(open(), 0) << "an open text";
+    ui.key(Key::escape).send({.kind = EventKind::key_up, .key = Key::right});
+    hold();
+    ui.send({.kind = EventKind::press, .at = field_center()});
+    EXPECT_EQ(open(), 0) << "a press";
+    ui.drag_by({10, 0});
+    EXPECT_EQ(open(), 1);
+    ui.release();
+    EXPECT_EQ(edits.began, 4);
+    EXPECT_EQ(open(), 0);
+}
+
 TEST_F(Param, CtrlHomeAndCtrlEndGoToTheEndsHomeAloneDoesNot) {
     ui.focus("Speed").key(Key::home).key(Key::end);
     EXPECT_EQ(speed, 100);
@@ -488,6 +515,19 @@ TEST_F(Param, CopyAndPasteKeepEveryDigit) {
     EXPECT_EQ(speed, 30);
     ui.click("Else").move_to("Speed").key('C', Mods::command);
     EXPECT_EQ(ui.clipboard().text, "30") << "under the pointer";
+}
+
+TEST_F(Param, PastingWhatIsNoNumberIsNoEdit) {
+    options = angle({.minimum = -180, .maximum = 180, .step = 1});
+    for (speed = 0.1; speed < 3; speed += 0.01) {  // 180/pi and back is not always the same number
+        const double before = speed;
+        ui.clipboard().text = "hello";
+        ui.frame().move_to("Speed").key('V', Mods::command);
+        ASSERT_EQ(speed, before);
+        ui.right_click("Speed").click(menu("Paste"));
+        ASSERT_EQ(speed, before);
+    }
+    EXPECT_EQ(edits.began + edits.changed, 0);
 }
 
 TEST_F(Param, TheMenuResetsCopiesAndPastes) {
@@ -685,6 +725,27 @@ TEST(ParamKinds, TheFieldAloneWorksAsWell) {
     EXPECT_EQ(red, 120);
     ui.click("R", {.clicks = 2}).type("7").key(Key::enter);
     EXPECT_EQ(red, 7);
+}
+
+TEST(ParamKinds, RangesThatMakeNoSenseAreNoFault) {
+    const double endless = std::numeric_limits<double>::infinity(), none = std::nan("");
+    double value = 0.5, low = 0.2, high = 0.8;
+    ParamOptions options;
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(640)});
+        param(u, "One", value, options);
+        range_param(u, "Two", low, high, options);
+    });
+    for (const auto& [from, to] : {std::pair{5.0, 1.0}, {none, none}, {0.0, endless}, {-endless, 1.0}, {3.0, none}}) {
+        for (const ValueScale scale : {ValueScale::linear, ValueScale::logarithmic, ValueScale::symmetric}) {
+            options = {.minimum = from, .maximum = to, .hard_minimum = none, .scale = scale};
+            ui.frame().focus("One").key(Key::right).drag("One", {20, 0}).drag("Two/High", {-20, 0});
+            EXPECT_TRUE(std::isfinite(value) && std::isfinite(low) && std::isfinite(high));
+        }
+    }
+    options = {.minimum = 5, .maximum = 1};
+    ui.frame().focus("One").key(Key::end, Mods::command);
+    EXPECT_EQ(value, 5);
 }
 
 TEST(ParamKinds, ALabelThatIsCutIsWholeInItsTooltip) {

@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "ui/core/paragraph.h"
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
 
@@ -163,6 +164,21 @@ TEST_F(TextAreaTest, ADragBelowTheEdgeScrolls) {
     EXPECT_GT(ui.node("Notes").scroll->offset.y, 50);
     ui.release();
     EXPECT_GT(copied().size(), 40U);
+}
+
+TEST_F(TextAreaTest, ADragBelowTheEndLetsTheMachineSleep) {
+    ui.press("Notes", {0.1F, 0.1F}).move({40, ui.rect("Notes").bottom() + 30});
+    EXPECT_GT(ui.output().wake_at, ui.time + 0.1);
+}
+
+TEST_F(TextAreaTest, ARightClickOffersWhatIsUsual) {
+    click_line(1, 0);
+    ui.key(Key::end, Mods::shift).right_click("Notes").click("Notes menu/Cut");
+    EXPECT_EQ(text, "one\n\nthree");
+    EXPECT_EQ(ui.focused(), "Notes");
+    ui.right_click("Notes").click("Notes menu/Paste");
+    EXPECT_EQ(text, "one\ntwo two\nthree");
+    EXPECT_EQ(commits, 0);
 }
 
 TEST_F(TextAreaTest, AReadOnlyOneTakesNoLineBreaks) {

@@ -146,6 +146,43 @@ TEST_F(TextFieldTest, ADragBeyondTheEdgeScrollsAndGoesOnWhileThePointerRests) {
     EXPECT_GT(ui.output().wake_at, ui.time + 0.1);
 }
 
+TEST_F(TextFieldTest, APointerHeldBeyondTheEndLetsTheMachineSleep) {
+    press_at(3);
+    ui.move({ui.rect("Name").right() + 40, ui.rect("Name").center().y});
+    EXPECT_GT(ui.output().wake_at, ui.time + 0.1) << "nothing is left to scroll to";
+}
+
+TEST_F(TextFieldTest, ARightClickKeepsTheSelectionAndOffersWhatIsUsual) {
+    ui.click("Name", {.clicks = 2, .at = {(place(8).x - ui.rect("Name").x) / ui.rect("Name").w, 0.5F}});
+    ui.type("b").key(Key::home, Mods::shift);
+    EXPECT_EQ(text, "alpha b gamma");
+    ui.right_click("Name");
+    EXPECT_TRUE(ui.exists("Name menu/Cut"));
+    EXPECT_EQ(commits, 0) << "still under edit";
+    ui.click("Name menu/Cut");
+    EXPECT_FALSE(ui.exists("Name menu/Cut"));
+    EXPECT_EQ(text, " gamma");
+    EXPECT_EQ(ui.clipboard().text, "alpha b");
+    EXPECT_EQ(ui.focused(), "Name");
+    ui.right_click("Name");
+    EXPECT_TRUE(ui.is("Name menu/Copy", Is::disabled));
+    ui.click("Name menu/Paste");
+    EXPECT_EQ(text, "alpha b gamma");
+    ui.right_click("Name").click("Name menu/Select all");
+    EXPECT_EQ(copied(), "alpha b gamma");
+    ui.right_click("Name").key(Key::escape);
+    EXPECT_EQ(ui.focused(), "Name");
+    EXPECT_EQ(copied(), "alpha b gamma") << "a menu that was left has changed nothing";
+    EXPECT_EQ(begins, 1);
+    ui.key(Key::enter);
+    EXPECT_EQ(commits, 1);
+    options.read_only = true;
+    ui.click("Other").right_click("Name");
+    EXPECT_TRUE(ui.is("Name menu/Cut", Is::disabled));
+    EXPECT_TRUE(ui.is("Name menu/Paste", Is::disabled));
+    EXPECT_FALSE(ui.is("Name menu/Copy", Is::disabled));
+}
+
 TEST_F(TextFieldTest, CommandArrowsGoByWordsAndEraseThem) {
     click_at(0);
     ui.key(Key::right, Mods::command).type("1");
