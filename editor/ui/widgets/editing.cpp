@@ -147,7 +147,7 @@ bool Editing::take_shortcut(Ui& ui, const Event& event) {
     if (redo || event.key == key_of('Z')) {
         const bool can = !rules_.read_only && (redo ? edit.can_redo() : edit.can_undo());
         if (can) return edit.apply(redo ? TextCommand::redo : TextCommand::undo);
-        if (ui.options().shortcuts != nullptr) ui.options().shortcuts->press(event.key, event.mods);
+        ui.press_shortcut(event.key, event.mods);
         return false;
     }
     if (event.key == key_of('A')) return edit.apply(TextCommand::select_all), true;
