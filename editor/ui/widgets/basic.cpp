@@ -1,5 +1,7 @@
 #include "ui/widgets/basic.h"
 
+#include <cmath>
+
 #include "ui/core/paragraph.h"
 
 namespace lapfx::ui {
@@ -16,7 +18,11 @@ struct TextLook {
 };
 
 void draw_label(Painter& painter, const Node& node, const TextLook& look) {
-    painter.text(node.rect(), look.text, *look.run, look.style, look.color, look.align);
+    Rect rect = node.rect();
+    // In the middle of a row its text stands on the same pixel as that of the fields beside it: half pixels are rounded once.
+    const bool odd = std::fmod(std::abs(painter.em(painter.theme().row_height) - rect.h), 2.0F) == 1;
+    if (odd) rect.y -= 1, rect.h += 1;
+    painter.text(rect, look.text, *look.run, look.style, look.color, look.align);
 }
 
 /// A node of one line that is whole in its tooltip where it has been cut. Told apart by where it stands: many may read the same,

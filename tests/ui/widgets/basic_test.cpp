@@ -45,6 +45,23 @@ TEST_F(BasicTest, SoIsAButton) {
     EXPECT_EQ(ui.tip("As wide as it likes"), "");
 }
 
+TEST(Basic, InARowALabelStandsAsHighAsWhatIsBesideIt) {
+    for (const float scale : {1.0F, 1.25F, 1.5F, 1.75F, 2.0F, 3.0F}) {
+        const auto build = [&](Ui& u) {
+            Row row(u);
+            label(u, "H");
+            button(u, "H");
+        };
+        Harness ui(build, {640, 480}, scale);
+        std::vector<float> tops;
+        for (const Instance& instance : ui.output().list->instances) {
+            if (instance.kind == InstanceKind::glyph) tops.push_back(instance.y);
+        }
+        ASSERT_EQ(tops.size(), 2U);
+        EXPECT_EQ(tops[0], tops[1]) << scale;
+    }
+}
+
 TEST(Basic, LabelsThatChangeAllTheTimeTakeNoMemory) {
     char digits[16] = {};
     int n = 1000;

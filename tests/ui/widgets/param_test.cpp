@@ -727,6 +727,25 @@ TEST(ParamKinds, TheFieldAloneWorksAsWell) {
     EXPECT_EQ(red, 7);
 }
 
+TEST(ParamKinds, TheMarkStandsBelowTheDigitsAndTheCaptionClearOfTheRing) {
+    for (const float scale : {0.75F, 1.0F, 1.25F, 1.5F, 2.0F, 3.0F}) {
+        double value = 98;
+        const auto build = [&](Ui& u) { param(u, "H", value, {.maximum = 100, .step = 1}); };
+        Harness ui(build, {640, 480}, scale);
+        float text_bottom = 0, text_left = 1e9F, mark_top = 1e9F;
+        for (const Instance& each : ui.output().list->instances) {
+            if (each.kind == InstanceKind::glyph) {
+                text_bottom = std::max(text_bottom, each.y + each.h), text_left = std::min(text_left, each.x);
+            } else if (each.color == dark_theme().accent) {
+                mark_top = std::min(mark_top, each.y);
+            }
+        }
+        EXPECT_GE(mark_top, text_bottom) << scale;
+        EXPECT_LT(mark_top, ui.rect("H").bottom() - 2 * scale) << "and can be seen";
+        EXPECT_GE(text_left, ui.rect("H").x + 3 * scale);
+    }
+}
+
 TEST(ParamKinds, RangesThatMakeNoSenseAreNoFault) {
     const double endless = std::numeric_limits<double>::infinity(), none = std::nan("");
     double value = 0.5, low = 0.2, high = 0.8;
