@@ -28,7 +28,7 @@ void pictures(ui::Ui& ui, PicturesState& s) {
     ui::image_view(ui, "Picture view", s.smoky.picture(), s.view,
                    {.nearest = s.nearest, .magnifier = s.magnifier, .sample_box = 3}, &s.region);
     ui::compare_view(ui, "Compare view", s.clean.picture(), s.smoky.picture(), s.compare,
-                     {.first_label = "clean", .second_label = "smoke", .nearest = s.nearest});
+                     {.first_label = "clean", .second_label = "smoke", .nearest = s.nearest, .magnifier = s.magnifier});
 }
 
 void scopes(ui::Ui& ui, PicturesState& s) {

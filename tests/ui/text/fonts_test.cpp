@@ -436,32 +436,6 @@ TEST_F(Text, TowersOfMarksAndOtherOddTextsAreOneLine) {
     }
 }
 
-// For the eye, with the hinting of this system: LAPFX_UI_LOOK=1 lapfx_ui_tests --gtest_filter=*Look*
-TEST(Look, AtIt) {
-    if (std::getenv("LAPFX_UI_LOOK") == nullptr) GTEST_SKIP() << "LAPFX_UI_LOOK is not set";
-    Fonts fonts;
-    Picture page{900, 860};
-    int y = 10;
-    for (const float size : {10.5F, 14.0F, 17.5F, 28.0F, 42.0F}) {
-        const auto line = [&](std::string_view text, TextStyle style) {
-            style.size = size;
-            const LineMetrics metrics = fonts.metrics(style);
-            const ui::Run& run = fonts.run(text, style);
-            page.draw(fonts.atlas(), run, 10, y + static_cast<int>(metrics.ascent));
-            y += static_cast<int>(metrics.height);
-        };
-        line("Smoke density 12.5 mm/s, AVATAR To Wave fi fl \xe2\x86\x92 illicit minimum", {});
-        line("0123456789 111.11 888.88 -4.20 e\xcc\x81 \xc3\xa9 a\xcc\x8a\xcc\xa3", {.tabular = true});
-        line("1111111111 bold 700 \xd0\x96\xd1\x83\xd0\xba \xce\xb1\xce\xb2\xce\xb3",
-             {.weight = Weight::bold, .tabular = true});
-        line("monospace 0x1F Il1|", {.monospace = true});
-        line("\xe4\xb8\xad\xf0\x9f\x98\x80 bad\xff\xfe bytes \x01", {.weight = Weight::medium});
-    }
-    std::ofstream file("/tmp/lapfx_ui_text.pgm", std::ios::binary);
-    file << "P5\n" << page.width << ' ' << page.height << "\n255\n";
-    for (const std::uint8_t value : page.pixels) file.put(static_cast<char>(255 - value));
-}
-
 TEST_F(Text, TheCaretStopsWhereEditingStepsTo) {
     const std::string texts[] = {
         "e\u0301a\u0302\u0323b",                                                     // combining marks

@@ -1,0 +1,14 @@
+// The names of a plot's series, each a switch; and what all of its parts know of a series.
+#pragma once
+
+#include "ui/canvas/plot.h"
+
+namespace lapfx::ui {
+
+bool hidden(const PlotState& state, std::size_t series);
+Color color_of(const Theme& theme, const PlotSeries& series, std::size_t number);
+
+/// At the upper right of the open node. Gives whether one was shown or hidden.
+bool legend(Ui& ui, std::span<const PlotSeries> series, PlotState& state);
+
+}  // namespace lapfx::ui
