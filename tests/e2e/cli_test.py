@@ -214,8 +214,11 @@ def contents(folder):
     found = {}
     for at, _, names in os.walk(folder):
         for name in names:
-            with open(os.path.join(at, name), "rb") as file:
-                found[os.path.relpath(os.path.join(at, name), folder)] = file.read()
+            try:
+                with open(os.path.join(at, name), "rb") as file:
+                    found[os.path.relpath(os.path.join(at, name), folder)] = file.read()
+            except FileNotFoundError:  # a file that was being written has just got its name
+                continue
     return found
 
 

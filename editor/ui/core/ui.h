@@ -100,7 +100,9 @@ struct Response {
 };
 
 /// What came of an edit; bits, since all may happen in one frame. A gesture is began, changed any number of times, and then
-/// either committed or cancelled; when cancelled the value is as it was. An undo step lies between began and committed.
+/// either committed or cancelled; when cancelled the value is as it was. An undo step lies between began and committed. One
+/// gesture at a time: all three at once, from a widget with one open, belong to that one. A widget that is no longer built in
+/// the middle of a gesture reports nothing more: for a listener that is a commit, as soon as nothing is held and focused.
 struct Edit {
     bool began = false, changed = false, committed = false, cancelled = false;
     explicit operator bool() const { return changed; }

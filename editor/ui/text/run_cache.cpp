@@ -20,6 +20,7 @@ RunCache::RunCache() {
     for (std::uint32_t i = 0; i < kept_spare; ++i) {
         spare_.push_back(i);
         entries_.push_back(fresh());
+        vacant_.reserve(entries_.capacity());  // dropping runs allocates nothing, then
     }
 }
 
@@ -43,6 +44,7 @@ Run& RunCache::add(std::string_view text, std::uint64_t style) {
     } else {
         index = static_cast<std::uint32_t>(entries_.size());
         entries_.push_back(fresh());
+        vacant_.reserve(entries_.capacity());  // dropping runs allocates nothing, then
     }
     Entry& entry = *entries_[index];
     entry.text = text;
