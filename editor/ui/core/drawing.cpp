@@ -17,8 +17,7 @@ bool same_number(const Number* a, const Number* b) {
 bool same_node(const Node& a, const Node& b) {
     return a.drawer == b.drawer && a.id == b.id && a.is == b.is && a.role == b.role && a.rect() == b.rect() &&
            a.clip == b.clip && a.layer == b.layer && std::memcmp(a.padding, b.padding, sizeof a.padding) == 0 &&
-           a.scroll == nullptr && a.shown == b.shown && a.text == b.text && a.label == b.label &&
-           same_number(a.number, b.number);
+           a.scroll == nullptr && a.shown == b.shown && a.text == b.text && same_number(a.number, b.number);
 }
 
 }  // namespace

@@ -192,6 +192,11 @@ class Ui {
     /// Of the last build; null: it was not there. Any widget's place before this frame's layout is the one of before.
     const Node* before(Id id);
     Rect rect_before(Id id);
+    /// What the last build had where the next node will stand; null: nothing. For what has no id.
+    const Node* in_place_before() const {
+        const std::size_t index = built_[now_].size();
+        return index < nodes_before().size() ? &nodes_before()[index] : nullptr;
+    }
 
     /// State that outlives frames. Made on first use, kept as long as the Ui.
     template <typename T>

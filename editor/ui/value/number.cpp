@@ -89,7 +89,9 @@ int decimals_of(double step) {
     if (!(magnitude > 0) || magnitude > largest) return 3;  // no step: what a person still reads
     for (int decimals = 0; decimals < 9; ++decimals) {
         const double digits = decimal(magnitude, decimals);
-        if (std::abs(digits - std::round(digits)) <= 1e-6 * digits) return decimals;
+        // A cast, not std::round, which is a call; beyond 2^53 all are whole.
+        const double nearest = digits < 9e15 ? static_cast<double>(static_cast<std::int64_t>(digits + 0.5)) : digits;
+        if (std::abs(digits - nearest) <= 1e-6 * digits) return decimals;
     }
     return 9;
 }

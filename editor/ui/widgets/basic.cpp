@@ -25,22 +25,21 @@ void draw_label(Painter& painter, const Node& node, const TextLook& look) {
     painter.text(rect, look.text, *look.run, look.style, look.color, look.align);
 }
 
-/// A node of one line that is whole in its tooltip where it has been cut. Told apart by where it stands: many may read the same,
-/// and what they read may change all the time. Without need it senses nothing. In what lights up as a whole it leaves the hover to that.
+/// A node of one line that is whole in its tooltip where it has been cut. Only then it has an id, told apart by where it stands:
+/// many may read the same, and what they read may change all the time. In what lights up as a whole it leaves the hover to that.
 Node& put_line(Ui& ui, Role role, std::string_view text, const TextStyle& style, const Run*& run) {
+    run = &ui.fonts().run(split_label(text).shown, style);
+    const Node* before = ui.in_place_before();
+    const bool cut = before != nullptr && before->role == role && before->extent[0] + 1 < run->width;
     const Node& parent = ui.parent();
-    const bool takes_hover = !has(parent.sense, Sense::hover);
+    if (!cut || has(parent.sense, Sense::hover)) return ui.leaf(role, text);
     const std::uint64_t first = parent.last == no_node ? 1 : 0;
     ui.push_seed(2 * std::uint64_t{first != 0 ? parent.end : parent.last} + first);
-    Node& node = ui.leaf(role, "line", takes_hover ? Sense::hover : Sense::none);
+    Node& node = ui.leaf(role, "line", Sense::hover);
     ui.pop_seed();
     const Label label = split_label(ui.copy(text));
     node.label = label.name, node.shown = label.shown;
-    node.is = Is::nothing;
-    node.sense = Sense::none;
-    run = &ui.fonts().run(node.shown, style);
-    const Node* before = takes_hover ? ui.before(node.id) : nullptr;
-    if (before != nullptr && before->extent[0] + 1 < run->width) node.sense = Sense::hover, node.tip = node.shown;
+    node.tip = node.shown;
     return node;
 }
 
