@@ -26,15 +26,15 @@ const FrameOutput& Ui::emit() {
     std::swap(list_, shown_);
     // The nodes of the build before are those of the list before only if no build lies between.
     const DrawnWith now{&theme(), input_.scale, fonts_.atlas().resets, build_};
-    drawn_anew_ = false;
     reuse_ = drawn_with_ == DrawnWith{now.theme, now.scale, now.resets, build_ - 1};
+    drawn_anew_ = !reuse_;
     Painter painter(list_, fonts_, theme(), input_.scale);
     painter.start(input_.size);
     draw_all(painter, true);
     painter.finish(options_.images);
     drawn_with_ = now;
     if (fonts_.atlas().resets != now.resets) drawn_with_ = {};  // grew while drawing
-    output_.changed = !(drawn_anew_ ? same_picture(list_, shown_) : same_frame(list_, shown_));
+    output_.changed = !take_shown();
     if (queue_head_ < queue_.size()) wake_at(time(), "events left");
     // What never comes to rest must not keep the machine busy for ever.
     if (unsettled_ > 0 && unsettled_ <= most_unsettled) wake_at(time(), "not yet at rest");
@@ -46,6 +46,25 @@ const FrameOutput& Ui::emit() {
     tree_ = nodes();
     fresh_ = true;
     return output_;
+}
+
+/// As long as everything is what it was, in its place, nothing is copied: places are kept free. From here on that is over.
+void Ui::copy_kept_places(std::uint32_t count) {
+    if (drawn_anew_) return;
+    drawn_anew_ = true;
+    if (count > 0)
+        std::memcpy(static_cast<void*>(list_.instances.data()), shown_.instances.data(), count * sizeof(Instance));
+}
+
+/// Whether the picture is the last one.
+bool Ui::take_shown() {
+    if (drawn_anew_) return same_picture(list_, shown_);
+    if (same_frame(list_, shown_)) {
+        std::swap(list_, shown_);  // its instances are there
+        return true;
+    }
+    copy_kept_places(static_cast<std::uint32_t>(list_.instances.size()));
+    return false;
 }
 
 void Ui::redraw(DrawList& list) {
@@ -70,15 +89,18 @@ void Ui::draw_node(std::uint32_t index, Painter& painter, bool keep) {
     if (reuse_ && keep && node.drawer->same != nullptr && index < nodes_before().size()) {
         const Node& old = nodes_before()[index];
         if (old.instances != Node::not_kept && same_node(node, old) && node.drawer->same(node.arg, old.arg)) {
-            node.first_instance = painter.copy({shown_.instances.data() + old.first_instance, old.instances});
-            drawn_anew_ |= node.first_instance != old.first_instance;
+            const std::span<const Instance> kept{shown_.instances.data() + old.first_instance, old.instances};
             node.instances = old.instances;
+            node.first_instance = old.first_instance;
+            if (!drawn_anew_ && painter.instances() == old.first_instance && painter.keep_places(kept)) return;
+            copy_kept_places(painter.instances());
+            node.first_instance = painter.copy(kept);
             return;
         }
     }
     node.drawer->draw(painter, node, node.arg);
     if (!keep) return;
-    drawn_anew_ |= painter.instances() != painter.node_begin();
+    if (painter.instances() != painter.node_begin()) copy_kept_places(painter.node_begin());
     if (node.drawer->same == nullptr) return;
     const bool plain = painter.drawn_plainly(node.first_instance);
     node.instances = plain ? painter.instances() - node.first_instance : Node::not_kept;
@@ -92,8 +114,8 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
             const Node& node = nodes()[open.back()];
             painter.set_clip(node.clip);
             painter.begin_node();
+            if (keep) copy_kept_places(painter.instances());
             node.draw_over(painter, node, node.arg);
-            drawn_anew_ = true;
             open.pop_back();
         }
     };
@@ -115,14 +137,14 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
         if (has(node.is, Is::ringed)) ringed = i;
         if (options_.debug && has(node.is, Is::duplicate)) {
             painter.set_clip(node.clip);
+            if (keep) copy_kept_places(painter.instances());
             painter.frame(node.rect(), theme().error, 2 * painter.hairline());
-            drawn_anew_ = true;
         }
         ++i;
     }
     finish_until(to);
     if (ringed == no_node || nodes()[ringed].layer != layer) return;
-    drawn_anew_ = true;
+    if (keep) copy_kept_places(painter.instances());
     const Node& node = nodes()[ringed];
     painter.set_clip(node.clip);
     painter.begin_node();

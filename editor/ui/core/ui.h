@@ -309,6 +309,8 @@ class Ui {
     void remember_anchors();
     void focus_new_overlay();
     void draw_all(Painter& painter, bool keep);
+    void copy_kept_places(std::uint32_t count);
+    bool take_shown();
     void draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep);
     void draw_node(std::uint32_t index, Painter& painter, bool keep);
 

@@ -69,6 +69,7 @@ class Instances {
     const Instance& back() const { return items_[size_ - 1]; }
     void clear() { size_ = 0; }
     void shorten(std::size_t size) { size_ = std::min(size, size_); }
+    void leave(std::size_t count) { room(count); }  ///< places that are written later, or not at all
     Instance& add() { return *new (room(1)) Instance; }
     /// Gives the first of the copies.
     Instance* add(std::span<const Instance> more) {

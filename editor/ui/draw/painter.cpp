@@ -60,6 +60,13 @@ std::uint32_t Painter::copy(std::span<const Instance> from) {
     return first;
 }
 
+bool Painter::keep_places(std::span<const Instance> of) {
+    if (of.empty()) return true;
+    if (of.front().clip != clip_index()) return false;
+    list_.instances.leave(of.size());
+    return true;
+}
+
 // --- batches and clips ---
 
 void Painter::start(glm::ivec2 size) {

@@ -126,6 +126,8 @@ class Painter {
     bool drawn_plainly(std::uint32_t& first);
     /// Instances of another list, with clip() for theirs. Gives the index of the first.
     std::uint32_t copy(std::span<const Instance> instances);
+    /// Leaves places for them free instead, if they would be the same; false: their clip has another index now.
+    bool keep_places(std::span<const Instance> instances);
 
     // Of the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
