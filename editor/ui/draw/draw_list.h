@@ -134,7 +134,7 @@ struct DrawList {
 };
 
 /// Whether both look the same, so that nothing has to be drawn. What is inside the host's own textures is not known here.
-/// Comparing is several times cheaper than a hash: half a microsecond for a thousand glyphs.
+/// Comparing costs a fraction of a hash, which has to multiply for every word.
 bool same_picture(const DrawList& a, const DrawList& b);
 /// All but the instances, which are as many.
 bool same_frame(const DrawList& a, const DrawList& b);
