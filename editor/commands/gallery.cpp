@@ -1,11 +1,10 @@
 // lapfx gallery: the UI toolkit's widgets in a window, as a picture, or as the tree that tests and screen readers see.
 #include "gallery/gallery.h"
 
-#include <glad/gl.h>
-
 #include <algorithm>
 #include <iostream>
 
+#include "app/target.h"
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/output.h"
@@ -67,24 +66,9 @@ class Still {
 
     /// With a current context.
     Image picture() {
-        unsigned texture = 0, framebuffer = 0;
-        glCreateTextures(GL_TEXTURE_2D, 1, &texture);
-        glTextureStorage2D(texture, 1, GL_RGBA8, size_.x, size_.y);
-        glCreateFramebuffers(1, &framebuffer);
-        glNamedFramebufferTexture(framebuffer, GL_COLOR_ATTACHMENT0, texture, 0);
-        ui::Renderer().draw(*output_->list, fonts_, &images_, framebuffer);
-        Image image{.width = size_.x, .height = size_.y, .pixels = {}, .name = ""};
-        const std::size_t row = static_cast<std::size_t>(size_.x) * 4;
-        std::vector<std::uint8_t> bottom_up(row * static_cast<std::size_t>(size_.y));
-        glBindFramebuffer(GL_READ_FRAMEBUFFER, framebuffer);
-        glPixelStorei(GL_PACK_ALIGNMENT, 1);
-        glReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, bottom_up.data());
-        for (std::size_t y = bottom_up.size(); y > 0; y -= row)
-            image.pixels.insert(image.pixels.end(), bottom_up.begin() + static_cast<std::ptrdiff_t>(y - row),
-                                bottom_up.begin() + static_cast<std::ptrdiff_t>(y));
-        glDeleteFramebuffers(1, &framebuffer);
-        glDeleteTextures(1, &texture);
-        return image;
+        const app::Target target(size_);
+        ui::Renderer().draw(*output_->list, fonts_, &images_, target.framebuffer());
+        return target.read();
     }
 
   private:

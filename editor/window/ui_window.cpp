@@ -239,18 +239,27 @@ void UiWindow::set_scale(float scale) {
 }
 
 void UiWindow::close() {
+    closed_ = true;
     glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
 }
 
-void UiWindow::run(const std::function<void(ui::Ui&)>& build) {
-    build_ = &build;
+void UiWindow::run(const UiProgram& program) {
+    program_ = &program;
     frame();
-    while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE) {
+    while (glfwWindowShouldClose(window_.get()) == GLFW_FALSE || stays()) {
         wait();
         if (fault_) std::rethrow_exception(std::exchange(fault_, nullptr));
         if (reason_ != nullptr) frame();
     }
-    build_ = nullptr;
+    program_ = nullptr;
+}
+
+/// Asked to close by the desktop: whether the program wants something first.
+bool UiWindow::stays() {
+    if (closed_ || !program_->may_close || program_->may_close()) return false;
+    glfwSetWindowShouldClose(window_.get(), GLFW_FALSE);
+    want("asked to close");
+    return true;
 }
 
 /// Returns when there may be something to do; `reason_` then says what, or is null.
@@ -273,7 +282,7 @@ void UiWindow::wait() {
 }
 
 void UiWindow::frame() {
-    if (build_ == nullptr || in_frame_) return;
+    if (program_ == nullptr || in_frame_) return;
     in_frame_ = true;
     const char* reason = std::exchange(reason_, nullptr);
     if (queued_ != nullptr) {  // one picture at most is on its way: what is shown is never older
@@ -283,7 +292,9 @@ void UiWindow::frame() {
     last_frame_ = glfwGetTime();
     const ui::FrameOutput* output = nullptr;
     try {
-        output = &ui_.frame({.size = size_, .scale = scale_, .time = last_frame_}, *build_);
+        if (program_->update) program_->update(last_frame_);
+        output = &ui_.frame({.size = size_, .scale = scale_, .time = last_frame_}, program_->build);
+        if (program_->draw && !iconified_) stale_ |= program_->draw();
     } catch (...) {
         in_frame_ = false;
         throw;

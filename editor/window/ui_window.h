@@ -72,6 +72,15 @@ struct UiWindowOptions {
     std::ostream* log = nullptr;  ///< gets a line for every frame
 };
 
+/// What runs in the window. Each in the window's thread, its context current.
+struct UiProgram {
+    std::function<void(double now)> update;  ///< before a frame; s. May be empty
+    std::function<void(ui::Ui&)> build;
+    std::function<bool()>
+        draw;  ///< pictures of the program's own, once a frame has been built; gives whether any changed. May be empty
+    std::function<bool()> may_close;  ///< the window is asked to close; false: it stays. May be empty
+};
+
 struct WindowStatistics {
     int waits = 0;   ///< times that the process slept, or looked whether there is an event
     int frames = 0;  ///< frames that were built
@@ -87,10 +96,15 @@ class UiWindow {
     UiWindow& operator=(const UiWindow&) = delete;
 
     /// Until the window is closed. What `build` throws comes out here.
-    void run(const std::function<void(ui::Ui&)>& build);
+    void run(const std::function<void(ui::Ui&)>& build) {
+        run(UiProgram{.update = {}, .build = build, .draw = {}, .may_close = {}});
+    }
+    void run(const UiProgram& program);
+    /// Whatever UiProgram::may_close says.
     void close();
 
     ui::Ui& ui() { return ui_; }
+    const Context& context() const { return context_; }
     float scale() const { return scale_; }
     /// From the next frame on; clamped. 0: as choose_scale() finds it.
     void set_scale(float scale);
@@ -118,6 +132,7 @@ class UiWindow {
     void want(const char* reason) { reason_ = reason; }
     void wait();
     void frame();
+    bool stays();
     void draw(const ui::DrawList& list);
     void show_pointer(const ui::FrameOutput& output);
 
@@ -128,7 +143,8 @@ class UiWindow {
     ui::Fonts fonts_;
     ui::Ui ui_;
     ui::Renderer renderer_;
-    const std::function<void(ui::Ui&)>* build_ = nullptr;
+    const UiProgram* program_ = nullptr;
+    bool closed_ = false;
     std::exception_ptr fault_;  ///< thrown in a callback, which GLFW, being C, cannot let through
 
     float scale_ = 1, screen_scale_ = 1;

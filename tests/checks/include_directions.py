@@ -2,6 +2,7 @@
 """Checks that dependencies run one way.
 
     editor, samples -> effects/include/lapfx/*.h
+    editor: commands -> window, panels -> app -> document -> lapfx/*.h
     effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> {organ, preset, gl} -> effects/include/lapfx/*.h
 
 With --self-test, checks the checker: each rule on made-up files that break it and on ones that keep it.
@@ -18,6 +19,8 @@ FACADE = ("effects.h", "preview.h")
 LEVELS = {"organ": 0, "preset": 0, "gl": 0, "bleeding": 1, "smoke": 1, "cautery": 1, "render": 2, "": 3}
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
+# Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
+EDITOR_LEVELS = {"document": 0, "output": 0, "app": 1, "panels": 2, "gallery": 2, "window": 2, "commands": 3}
 GL = ("glad/", "GL/", "EGL/", "GLES", "KHR/")
 
 
@@ -95,6 +98,21 @@ def outside_fault(target):
     return None
 
 
+def editor_fault(path, target, name):
+    """What is edited knows no UI; the editor knows no panels; panels know no window and no OpenGL."""
+    here = path.split("/")[1]
+    if here in ("document", "panels") and name.startswith((*GL, "GLFW/")):
+        return f"editor/{here} does not know OpenGL and the window system"
+    if target is None or not target.startswith("editor/") or here not in EDITOR_LEVELS:
+        return None
+    there = target.split("/")[1]
+    if there == "ui" and here == "document":
+        return "what is edited knows nothing of the UI"
+    if there in EDITOR_LEVELS and there != here and EDITOR_LEVELS[there] >= EDITOR_LEVELS[here]:
+        return f"editor/{there} is above or beside editor/{here}"
+    return None
+
+
 def fault_of(path, target, name):
     if path.startswith(PUBLIC):
         return public_fault(path, target, name)
@@ -102,9 +120,9 @@ def fault_of(path, target, name):
         return effects_fault(path, target)
     if path.startswith("editor/ui/"):
         return toolkit_fault(target, name)
-    if path.startswith("editor/panels/") and name.startswith((*GL, "GLFW/")):
-        return "panels draw through the UI toolkit, not with OpenGL"
-    if path.startswith(("editor/", "samples/")):
+    if path.startswith("editor/"):
+        return outside_fault(target) or editor_fault(path, target, name)
+    if path.startswith("samples/"):
         return outside_fault(target)
     return None  # tests may look anywhere
 
@@ -189,7 +207,13 @@ EXAMPLES = [
     ("the UI toolkit does not know the window system", {"editor/ui/input.h": "#include <GLFW/glfw3.h>"}),
     ("the UI toolkit stands alone", {"editor/ui/a.cpp": '#include "lapfx/preset.h"', PUBLIC + "preset.h": ""}),
     ("the UI toolkit stands alone", {"editor/ui/a.cpp": '#include "panels/b.h"', "editor/panels/b.h": ""}),
-    ("panels draw through the UI toolkit", {"editor/panels/a.cpp": "#include <glad/gl.h>"}),
+    ("editor/panels does not know OpenGL", {"editor/panels/a.cpp": "#include <glad/gl.h>"}),
+    ("what is edited knows nothing of the UI",
+     {"editor/document/a.cpp": '#include "ui/b.h"', "editor/ui/b.h": ""}),
+    ("editor/panels is above or beside editor/app",
+     {"editor/app/a.cpp": '#include "panels/b.h"', "editor/panels/b.h": ""}),
+    (None, {"editor/panels/a.cpp": '#include "app/b.h"\n#include "ui/c.h"', "editor/app/b.h": "",
+            "editor/ui/c.h": ""}),
     ("only lapfx/*.h may be included here",
      {"editor/app.cpp": '#include "../effects/render/frame.h"', "effects/render/frame.h": ""}),
     ("only lapfx/*.h may be included here", {"samples/make.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),

@@ -140,6 +140,7 @@ class Ui {
 
     void set_theme(const Theme& theme) { options_.theme = &theme; }
     void set_reduced_motion(bool reduced) { options_.reduced_motion = reduced; }
+    void set_shortcuts(Shortcuts* shortcuts) { options_.shortcuts = shortcuts; }
     const UiOptions& options() const { return options_; }
     const Theme& theme() const { return *options_.theme; }
     Fonts& fonts() { return fonts_; }

@@ -11,18 +11,28 @@ Fonts& Harness::fonts() {
     return fonts;
 }
 
-Harness::Harness(std::function<void(Ui&)> build, glm::ivec2 frame_size, float frame_scale, Shortcuts* shortcuts)
+Harness::Harness(std::function<void(Ui&)> build, glm::ivec2 frame_size, float frame_scale, Shortcuts* shortcuts,
+                 ImageStore* images)
     : size(frame_size),
       scale(frame_scale),
       build_(std::move(build)),
-      ui_(fonts(), {.clipboard = &clipboard_, .images = &images_, .shortcuts = shortcuts}) {
+      ui_(fonts(),
+          {.clipboard = &clipboard_, .images = images != nullptr ? images : &images_, .shortcuts = shortcuts}) {
     frame();
 }
 
 Harness& Harness::frame(double seconds) {
     time += seconds;
+    if (before_) before_(time);
     output_ = &ui_.frame({.size = size, .scale = scale, .time = time}, build_);
+    if (after_) after_();
     return *this;
+}
+
+Harness& Harness::around(std::function<void(double)> before, std::function<void()> after) {
+    before_ = std::move(before);
+    after_ = std::move(after);
+    return frame();
 }
 
 Harness& Harness::settle() {

@@ -33,7 +33,9 @@ struct Click {
 class Harness {
   public:
     explicit Harness(std::function<void(Ui&)> build, glm::ivec2 size = {640, 480}, float scale = 1,
-                     Shortcuts* shortcuts = nullptr);
+                     Shortcuts* shortcuts = nullptr, ImageStore* images = nullptr);
+    /// Called around every frame from now on, as a window's program is: with the time before, and after it.
+    Harness& around(std::function<void(double)> before, std::function<void()> after);
 
     /// Fonts of all tests: Inter, slight hinting, whatever the host says.
     static Fonts& fonts();
@@ -70,7 +72,7 @@ class Harness {
     Ui& ui() { return ui_; }
     const FrameOutput& output() const { return *output_; }
     TestClipboard& clipboard() { return clipboard_; }
-    ImageStore& images() { return images_; }
+    ImageStore& images() { return *ui_.options().images; }
     double time = 100;
     glm::ivec2 size;
     float scale;
@@ -81,6 +83,8 @@ class Harness {
     TestClipboard clipboard_;
     ImageStore images_;
     std::function<void(Ui&)> build_;
+    std::function<void(double)> before_;
+    std::function<void()> after_;
     Ui ui_;
     const FrameOutput* output_ = nullptr;
     glm::vec2 pointer_{0};

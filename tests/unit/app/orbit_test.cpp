@@ -1,4 +1,4 @@
-#include "window/orbit.h"
+#include "app/orbit.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "render/camera.h"
 
-namespace lapfx::window {
+namespace lapfx::app {
 namespace {
 
 SceneCamera camera() {
@@ -153,4 +153,4 @@ TEST(Frame, AnOrganOfNoSizeIsSeenFromADistance) {
 }
 
 }  // namespace
-}  // namespace lapfx::window
+}  // namespace lapfx::app

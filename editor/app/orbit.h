@@ -4,7 +4,7 @@
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
 
-namespace lapfx::window {
+namespace lapfx::app {
 
 /// Turns the eye around the target: `right` about the camera's up, `up` about its right axis. Never over the poles.
 void orbit(SceneCamera& camera, double right, double up);
@@ -18,4 +18,4 @@ void zoom(SceneCamera& camera, double factor);
 /// A camera that sees the whole organ from the front.
 SceneCamera frame(const OrganReport& organ);
 
-}  // namespace lapfx::window
+}  // namespace lapfx::app

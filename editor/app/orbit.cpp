@@ -1,11 +1,11 @@
-#include "window/orbit.h"
+#include "app/orbit.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
 
-namespace lapfx::window {
+namespace lapfx::app {
 
 namespace {
 
@@ -55,4 +55,4 @@ SceneCamera frame(const OrganReport& organ) {
     return camera;
 }
 
-}  // namespace lapfx::window
+}  // namespace lapfx::app

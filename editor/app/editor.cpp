@@ -1,0 +1,150 @@
+#include "app/editor.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "app/autosave.h"
+#include "app/browser.h"
+#include "app/exports.h"
+#include "app/hot_reload.h"
+#include "app/keying_bench.h"
+#include "app/layouts.h"
+#include "app/open.h"
+#include "app/reference.h"
+#include "app/settings.h"
+#include "app/snapshots.h"
+#include "app/tuning.h"
+
+namespace lapfx::app {
+
+namespace {
+
+constexpr double still_longest = 0.5;  // s; a frame that took longer (a stopped process) does not make time jump
+
+}  // namespace
+
+Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
+    : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}),
+      file_dialog(options.files != nullptr ? *options.files : ui::system_files()),
+      images(image_store),
+      options_(std::move(options)),
+      settings_(std::make_unique<Settings>(options_.folders)),
+      tuning_(std::make_unique<Tuning>(*this)),
+      snapshots_(std::make_unique<Snapshots>(*this)),
+      autosave_(std::make_unique<Autosave>(*this)),
+      layouts_(std::make_unique<Layouts>()),
+      browser_(std::make_unique<Browser>(*this)),
+      keying_(std::make_unique<KeyingBench>(*this)),
+      reference_(std::make_unique<Reference>(*this)),
+      exports_(std::make_unique<Exports>(*this)),
+      hot_reload_(std::make_unique<HotReload>(*this)) {
+    timeline.loop = true;
+}
+
+Editor::~Editor() = default;
+
+void Editor::set_ui(ui::Ui& ui) {
+    if (ui_ == &ui) return;
+    ui_ = &ui;
+    jobs.set_wake([&ui] { ui.wake("job"); });
+}
+
+void Editor::open(const std::vector<std::string>& files) {
+    Opened opened{.content = document.content(),
+                  .scene_file = document.scene_file(),
+                  .preset_file = document.preset_file(),
+                  .warnings = {}};
+    try {
+        open_files(opened, files);
+    } catch (const Error& error) {
+        return tell(error);
+    }
+    document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    selected.clear();
+    looking.camera = document.scene().camera;
+    for (const std::string& file : files) settings_->note_recent(file);
+    for (const std::string& warning : opened.warnings) toasts.add({.kind = ui::ToastKind::warning, .text = warning});
+}
+
+void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then) {
+    file_asked_ = std::move(then);
+    file_dialog.open(*ui_, std::move(request));
+}
+
+void Editor::build_file_dialog() {
+    const auto chosen = file_dialog.build(*ui_);
+    if (!chosen || !file_asked_) return;
+    const auto then = std::exchange(file_asked_, nullptr);
+    then(*chosen);
+}
+
+void Editor::tell(const std::vector<Fault>& faults) {
+    for (const Fault& fault : faults) toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
+}
+
+double Editor::duration() const {
+    return document.scene().duration;
+}
+
+void Editor::seek(double time) {
+    timeline.time = std::clamp(time, 0.0, duration());
+}
+
+Shot Editor::shot() const {
+    SceneCamera camera = document.scene().camera;
+    if (!looking.endoscope) {
+        const double exposure = camera.exposure;
+        camera = looking.camera;
+        camera.exposure = exposure;
+        camera.vignette = 0;
+    }
+    return {.time = timeline.time, .camera = camera, .overlay = looking.overlay};
+}
+
+/// A tool in the hand needs time, and may be held beyond the end; else play goes round, or stops.
+void Editor::advance(double seconds) {
+    if (!playing()) return;
+    double time = timeline.time + timeline.speed * seconds;
+    const double begin = timeline.has_range ? timeline.range.low : 0;
+    const double end = timeline.has_range ? timeline.range.high : duration();
+    if (!preview.tool_on() && (time >= end || time < begin)) {
+        if (timeline.loop && end > begin) {
+            time = begin + std::fmod(std::fmod(time - begin, end - begin) + (end - begin), end - begin);
+        } else {
+            time = std::clamp(time, begin, end);
+            timeline.speed = 0;
+        }
+    }
+    timeline.time = time;
+}
+
+/// A widget that went away in the middle of its gesture reports nothing more.
+void Editor::tidy_gesture() {
+    if (!document.in_gesture() || ui_ == nullptr) return;
+    if (ui_->held() == 0 && ui_->focus() == 0) document.commit();
+}
+
+void Editor::update(double now) {
+    if (options_.exact) jobs.finish();
+    jobs.take();
+    if (now_ >= 0) advance(std::clamp(now - now_, 0.0, still_longest));
+    now_ = now;
+    tidy_gesture();
+    if (!options_.exact) autosave_->update(now);
+    browser_->update(now);
+    keying_->update(now);
+    reference_->update(now);
+    exports_->update(now);
+    hot_reload_->update(now);
+}
+
+bool Editor::draw() {
+    preview.follow(document);
+    return preview.draw(shot());
+}
+
+bool Editor::wants_frame() const {
+    return playing() || preview.tool_on() || preview.late();
+}
+
+}  // namespace lapfx::app

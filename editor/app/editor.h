@@ -1,0 +1,158 @@
+// The editor without its panels: the document, what is shown of it, and everything that panels share. Panels (editor/panels) are
+// functions on this; a test drives them without a window.
+//
+//     ui::ImageStore images;
+//     app::Editor editor(images, {.data_folder = "..."});
+//     editor.open({"samples/lagb.scene.json"});
+//     each frame:  editor.update(now);  ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); });  editor.draw();
+//
+// UI thread, context current.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/jobs.h"
+#include "app/preview_host.h"
+#include "document/document.h"
+#include "document/folders.h"
+#include "ui/canvas/timeline.h"
+#include "ui/shell/commands.h"
+#include "ui/shell/file_dialog.h"
+#include "ui/shell/toast.h"
+
+namespace lapfx::app {
+
+class Autosave;
+class Browser;
+class Exports;
+class HotReload;
+class KeyingBench;
+class Layouts;
+class Reference;
+class Settings;
+class Snapshots;
+class Tuning;
+
+struct EditorOptions {
+    std::filesystem::path data_folder;                ///< of the shipped presets, samples and shaders
+    std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
+    document::Folders folders;                        ///< of the user: settings, state, cache
+    /// For pictures and tests: clips and references are decoded exactly, jobs waited for, nothing is autosaved.
+    bool exact = false;
+    std::string renderer;             ///< GL_RENDERER, for the status bar
+    bool software = false;            ///< no GPU
+    ui::FileSystem* files = nullptr;  ///< of file dialogs; null: this computer's
+};
+
+/// How the organ is looked at.
+struct Looking {
+    /// True: through the scene's camera, with its vignette, and fixed: what `lapfx render` shows. False: freely, by `camera`.
+    bool endoscope = true;
+    SceneCamera camera;
+    Overlay overlay = Overlay::none;
+};
+
+/// What the left button does on the organ.
+struct ToolInHand {
+    std::optional<ToolAction> action;  ///< none: it looks around
+    double power = 1, strength = 1;
+};
+
+class Editor {
+  public:
+    Editor(ui::ImageStore& images, EditorOptions options);
+    ~Editor();
+    Editor(const Editor&) = delete;
+    Editor& operator=(const Editor&) = delete;
+
+    // --- what is edited ---------------------------------------------------------------------------------------------
+    document::Document document;
+    Looking looking;
+    ToolInHand tool;
+    ui::TimelineState timeline;         ///< time, speed, range of play
+    std::vector<std::size_t> selected;  ///< of the scene's events, ascending
+    std::size_t clip = 0;               ///< of the preset's clips, the one that panels show
+
+    // --- parts ------------------------------------------------------------------------------------------------------
+    Jobs jobs;
+    PreviewHost preview;
+    ui::CommandTable commands;
+    ui::Toasts toasts;
+    ui::FileDialog file_dialog;
+    ui::ImageStore& images;
+
+    Settings& settings() { return *settings_; }     ///< what the user chose: theme, recent files, keys
+    Tuning& tuning() { return *tuning_; }           ///< locks, favourites, randomise, copied groups
+    Snapshots& snapshots() { return *snapshots_; }  ///< A to D
+    Autosave& autosave() { return *autosave_; }
+    Layouts& layouts() { return *layouts_; }
+    Browser& browser() { return *browser_; }  ///< presets with thumbnails
+    KeyingBench& keying() { return *keying_; }
+    Reference& reference() { return *reference_; }
+    Exports& exports() { return *exports_; }
+    HotReload& hot_reload() { return *hot_reload_; }
+    const EditorOptions& options() const { return options_; }
+
+    // --- files ------------------------------------------------------------------------------------------------------
+    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts.
+    void open(const std::vector<std::string>& files);
+    /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked). While the
+    /// UI is built: ui() must be there.
+    void ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then);
+    /// Once a frame, by the workspace.
+    void build_file_dialog();
+    /// A toast for each fault, and a line in the log of faults.
+    void tell(const std::vector<Fault>& faults);
+    void tell(const Error& error) { tell(error.faults()); }
+
+    // --- a frame ----------------------------------------------------------------------------------------------------
+    /// Once before each frame: time goes on, results of jobs are applied. `now`: s, any origin.
+    void update(double now);
+    /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
+    void set_ui(ui::Ui& ui);
+    ui::Ui& ui() { return *ui_; }
+    /// Once after each frame: draws what the panels asked for. Gives whether a picture has changed, so that the window has to be
+    /// drawn although its list is the same.
+    bool draw();
+    Shot shot() const;  ///< of the viewport, as it is now
+    bool playing() const { return timeline.speed != 0; }
+    double duration() const;  ///< s, of the scene
+    void seek(double time);
+    /// The next frame comes at once: something moves by itself.
+    bool wants_frame() const;
+
+    /// Closing: asks first when something is not saved.
+    void ask_to_close() { closing_ = true; }
+    bool closing() const { return closing_; }  ///< the question is open
+    void stay() { closing_ = false; }
+    void close() { closed_ = true; }
+    bool closed() const { return closed_; }  ///< the window is to close
+
+  private:
+    void advance(double seconds);
+    void tidy_gesture();
+
+    EditorOptions options_;
+    ui::Ui* ui_ = nullptr;
+    std::unique_ptr<Settings> settings_;
+    std::unique_ptr<Tuning> tuning_;
+    std::unique_ptr<Snapshots> snapshots_;
+    std::unique_ptr<Autosave> autosave_;
+    std::unique_ptr<Layouts> layouts_;
+    std::unique_ptr<Browser> browser_;
+    std::unique_ptr<KeyingBench> keying_;
+    std::unique_ptr<Reference> reference_;
+    std::unique_ptr<Exports> exports_;
+    std::unique_ptr<HotReload> hot_reload_;
+    std::function<void(const std::vector<std::string>&)> file_asked_;
+    double now_ = -1;
+    bool closing_ = false, closed_ = false;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,89 @@
+// Long work beside the UI: files read, organs made ready, presets rendered. Each job has a name, a progress and can be cancelled;
+// what comes of it is applied on the UI thread.
+//
+//     jobs.start("Loading stomach.glb", [=](Job& job) -> Jobs::Apply {
+//         auto organ = std::make_shared<Organ>(load_organ(path));   // worker thread; what it throws becomes the job's fault
+//         job.set_progress(0.5);
+//         return [=, this] { show(*organ); };                        // UI thread, in Jobs::take()
+//     });
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <span>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "lapfx/error.h"
+
+namespace lapfx::app {
+
+/// What a job's own thread sees of it.
+class Job {
+  public:
+    explicit Job(std::string name) : name_(std::move(name)) {}
+    const std::string& name() const { return name_; }
+    /// 0..1; negative: nobody knows.
+    double progress() const { return progress_.load(std::memory_order_relaxed); }
+    void set_progress(double share) { progress_.store(share, std::memory_order_relaxed); }
+    bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+    void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
+
+  private:
+    std::string name_;
+    std::atomic<double> progress_ = -1;
+    std::atomic<bool> cancelled_ = false;
+};
+
+class Jobs {
+  public:
+    using Apply = std::function<void()>;
+    using Work = std::function<Apply(Job&)>;
+    using Failed = std::function<void(const std::vector<Fault>&)>;
+
+    /// `wake`: any thread; called when a job has ended. `threads`: at least one.
+    explicit Jobs(std::function<void()> wake = {}, int threads = 2);
+    /// Cancels all and waits for those that run.
+    ~Jobs();
+    Jobs(const Jobs&) = delete;
+    Jobs& operator=(const Jobs&) = delete;
+
+    /// UI thread. `failed` is told, on the UI thread, what the work threw. Of a cancelled job nothing is applied or told.
+    /// Valid until the end of the job; keep it to cancel by.
+    std::shared_ptr<Job> start(std::string name, Work work, Failed failed);
+    /// UI thread, once a frame: applies what has come. Gives whether there was anything.
+    bool take();
+    /// Waits for all that were started, also by what is applied meanwhile: for tests and pictures.
+    void finish();
+
+    /// Jobs that wait or run, the oldest first, without those cancelled.
+    std::vector<std::shared_ptr<Job>> running() const;
+    bool busy() const;
+    void set_wake(std::function<void()> wake);
+
+  private:
+    struct Entry {
+        std::shared_ptr<Job> job;
+        Work work;
+        Failed failed;
+        Apply apply;
+        std::vector<Fault> faults;
+    };
+    void run();
+    static void carry_out(Entry& entry);
+
+    mutable std::mutex mutex_;
+    std::condition_variable wanted_, ended_;
+    std::deque<std::shared_ptr<Entry>> waiting_;
+    std::vector<std::shared_ptr<Entry>> running_, done_;
+    bool stopping_ = false;
+    std::function<void()> wake_;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,41 @@
+// How panels are arranged: named layouts, the standard ones and the user's own.
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/widgets/dock_layout.h"
+
+namespace lapfx::app {
+
+/// Names of all panels; also their paths in the semantic tree, below "Workspace".
+inline constexpr std::array<std::string_view, 12> panel_names = {"View",      "Preset",    "Clips",   "Keying",
+                                                                 "Reference", "Timeline",  "Curves",  "Amounts",
+                                                                 "Presets",   "Snapshots", "History", "Scene"};
+
+class Layouts {
+  public:
+    Layouts();
+
+    ui::DockLayout shown;  ///< as the user has it now
+    const std::string& name() const { return name_; }
+    /// Of the standard ones ("Tune", "Key", "Compare", "Stage") and the user's own.
+    std::vector<std::string> names() const;
+    /// False: there is none of this name; case does not matter.
+    bool choose(std::string_view name);
+    void reset() { choose(name_); }
+    /// Keeps what is shown under this name; a standard name is refused (false).
+    bool keep(const std::string& name);
+    bool remove(const std::string& name);
+    bool standard(std::string_view name) const;
+    const std::vector<ui::NamedLayout>& own() const { return own_; }
+    void set_own(std::vector<ui::NamedLayout> own) { own_ = std::move(own); }
+
+  private:
+    std::string name_;
+    std::vector<ui::NamedLayout> own_;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,110 @@
+#include "app/open.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "app/orbit.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string lower_extension(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extension;
+}
+
+void open_scene(Opened& opened, const fs::path& file) {
+    opened.content.scene = load_scene(file);
+    opened.content.preset = preset_of(opened.content.scene);
+    opened.scene_file = file;
+    opened.preset_file =
+        opened.content.scene.preset.empty() ? fs::path() : opened.content.scene.folder / opened.content.scene.preset;
+}
+
+void open_preset(Opened& opened, const fs::path& file) {
+    opened.content.preset = load_preset(file);
+    opened.preset_file = file;
+}
+
+/// Seen from the front. What belonged to the former organ goes: events, tool, the endoscope's round picture.
+void open_organ(Opened& opened, const fs::path& file) {
+    Scene& scene = opened.content.scene;
+    scene.organ = {.file = fs::absolute(file).string()};
+    scene.tool = {};
+    scene.events.clear();
+    const OrganReport organ = report(load_organ(file));
+    for (const std::string& warning : organ.warnings) opened.warnings.push_back(file.string() + ": " + warning);
+    const double exposure = scene.camera.exposure;
+    scene.camera = frame(organ);
+    scene.camera.exposure = exposure;
+    scene.camera.vignette = 0.0;
+    scene.light.focus_distance = glm::distance(scene.camera.eye, scene.camera.target);
+    opened.scene_file.clear();
+}
+
+/// A smoke video becomes the plume; the haze stays.
+void open_clip(Opened& opened, const fs::path& file) {
+    const bool numbered =
+        file.filename().string().find('%') != std::string::npos;  // the preview tells if none is there
+    if (!numbered && !fs::exists(file))
+        throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = "no such file"});
+    Preset& preset = opened.content.preset;
+    preset.folder = fs::absolute(file).parent_path();
+    auto& clips = preset.smoke.clips;
+    std::erase_if(clips, [](const SmokeClip& clip) { return clip.role == ClipRole::plume; });
+    clips.insert(clips.begin(), {.file = file.filename().string()});
+    opened.preset_file.clear();
+}
+
+}  // namespace
+
+bool is_organ_name(const fs::path& file) {
+    static const std::set<std::string> extensions{".glb", ".gltf", ".obj", ".ply", ".stl", ".off"};
+    return extensions.contains(lower_extension(file));
+}
+
+FileKind kind_of(const fs::path& file) {
+    if (is_organ_name(file)) return FileKind::organ;
+    if (lower_extension(file) != ".json") return FileKind::video;
+    return check_document(file).kind == "preset" ? FileKind::preset : FileKind::scene;
+}
+
+Preset preset_of(const Scene& scene) {
+    return scene.preset.empty() ? Preset{} : load_preset(scene.folder / scene.preset);
+}
+
+Opened open_sample(const fs::path& data_folder) {
+    Opened opened;
+    open_scene(opened, data_folder / "samples" / "lagb.scene.json");
+    return opened;
+}
+
+void open_files(Opened& opened, const std::vector<std::string>& files) {
+    std::vector<std::string> presets, organs, clips;
+    for (const std::string& file : files) {
+        switch (kind_of(file)) {
+            case FileKind::scene:
+                open_scene(opened, file);
+                break;
+            case FileKind::preset:
+                presets.push_back(file);
+                break;
+            case FileKind::organ:
+                organs.push_back(file);
+                break;
+            default:
+                clips.push_back(file);
+        }
+    }
+    for (const std::string& file : presets) open_preset(opened, file);
+    for (const std::string& file : organs) open_organ(opened, file);
+    for (const std::string& file : clips) open_clip(opened, file);
+}
+
+}  // namespace lapfx::app

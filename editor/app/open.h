@@ -1,0 +1,36 @@
+// Opening files, whatever they are: scenes, presets, organs, clips. Used by the editor and by its command line.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "document/document.h"
+
+namespace lapfx::app {
+
+enum class FileKind { scene, preset, organ, video, unknown };
+
+/// By its name; of a .json by its "format". Throws Error (bad_input) for a .json that is neither scene nor preset.
+FileKind kind_of(const std::filesystem::path& file);
+
+bool is_organ_name(const std::filesystem::path& file);
+
+/// What a document becomes when a file is put into it.
+struct Opened {
+    document::Content content;
+    std::filesystem::path scene_file, preset_file;  ///< empty: none of its own
+    std::vector<std::string> warnings;
+};
+
+/// The sample scene with its preset. Throws Error.
+Opened open_sample(const std::filesystem::path& data_folder);
+
+/// Puts files into `opened`: a scene takes the place of all, a preset of the preset, an organ of the scene's organ (seen from the
+/// front, without events), a video becomes the plume. In whatever order they are named, the scene comes first. Throws Error.
+void open_files(Opened& opened, const std::vector<std::string>& files);
+
+/// The preset that a scene names; the default one if it names none. Throws Error.
+Preset preset_of(const Scene& scene);
+
+}  // namespace lapfx::app

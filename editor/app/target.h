@@ -1,0 +1,32 @@
+// A picture that is drawn into and shown or read: a texture of sRGB-encoded RGBA8 with its framebuffer. Context current.
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include "lapfx/organ.h"
+
+namespace lapfx::app {
+
+class Target {
+  public:
+    Target() = default;
+    explicit Target(glm::ivec2 size) { resize(size); }
+    ~Target() { release(); }
+    Target(const Target&) = delete;
+    Target& operator=(const Target&) = delete;
+
+    /// At least 1x1 (assert). Another size has other names, and nothing drawn yet.
+    void resize(glm::ivec2 size);
+    glm::ivec2 size() const { return size_; }
+    unsigned texture() const { return texture_; }  ///< GL name; 0 before the first resize()
+    unsigned framebuffer() const { return framebuffer_; }
+    /// Rows from the top. Waits for the GPU.
+    Image read() const;
+
+  private:
+    void release();
+    glm::ivec2 size_{0};
+    unsigned texture_ = 0, framebuffer_ = 0;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,67 @@
+// What the program can do that belongs to no single panel: files, undo, the window.
+#include "app/layouts.h"
+#include "app/open.h"
+#include "app/settings.h"
+#include "panels/panels.h"
+#include "ui/shell/key_editor.h"
+#include "ui/shell/palette.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+using ui::Key;
+using ui::key_of;
+using ui::Mods;
+
+}  // namespace
+
+void add_commands(app::Editor& editor) {
+    add_file_commands(editor);
+    add_edit_commands(editor);
+    add_play_commands(editor);
+    add_tool_commands(editor);
+    add_view_commands(editor);
+    add_preset_commands(editor);
+    add_clip_commands(editor);
+    add_reference_commands(editor);
+    add_snapshot_commands(editor);
+    add_export_commands(editor);
+    add_window_commands(editor);
+}
+
+void add_file_commands(app::Editor& editor) {
+    editor.commands.add(
+        {.id = "file.quit", .title = "Quit", .group = "File", .chord = {key_of('Q'), Mods::command}, .run = [&editor] {
+             editor.ask_to_close();
+         }});
+}
+
+void add_edit_commands(app::Editor& editor) {
+    editor.commands.add({.id = "edit.undo",
+                         .title = "Undo",
+                         .group = "Edit",
+                         .chord = {key_of('Z'), Mods::command},
+                         .run = [&editor] { editor.document.undo(); },
+                         .enabled = [&editor] { return editor.document.can_undo(); }});
+    editor.commands.add({.id = "edit.redo",
+                         .title = "Redo",
+                         .group = "Edit",
+                         .chord = {key_of('Z'), Mods::command | Mods::shift},
+                         .run = [&editor] { editor.document.redo(); },
+                         .enabled = [&editor] { return editor.document.can_redo(); }});
+}
+
+void add_window_commands(app::Editor& editor) {
+    editor.commands.add({.id = "window.palette",
+                         .title = "Command palette",
+                         .group = "Window",
+                         .chord = {key_of('P'), Mods::command},
+                         .run = [&editor] { ui::open_palette(editor.ui()); }});
+    editor.commands.add(
+        {.id = "help.keys", .title = "Keys", .group = "Help", .chord = {Key::f1, Mods::none}, .run = [&editor] {
+             ui::toggle_cheat_sheet(editor.ui());
+         }});
+}
+
+}  // namespace lapfx::panels

@@ -1,0 +1,8 @@
+#include "panels/panels.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::panels {
+
+void settings_dialog([[maybe_unused]] ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {}
+
+}  // namespace lapfx::panels

@@ -1,0 +1,83 @@
+#include "editor/support/editor_test.h"
+
+#include <cstdlib>
+
+#include "app/layouts.h"
+#include "app/open.h"
+#include "panels/panels.h"
+
+namespace lapfx::test {
+
+namespace fs = std::filesystem;
+
+void EditorTest::SetUp() {
+    GpuTest::SetUp();
+    if (IsSkipped()) return;
+    std::string pattern = (fs::temp_directory_path() / "lapfx-editor-XXXXXX").string();
+    folder_ = ::mkdtemp(pattern.data());
+    start();
+}
+
+void EditorTest::TearDown() {
+    ui_.reset();
+    editor_.reset();
+    std::error_code error;
+    fs::remove_all(folder_, error);
+    GpuTest::TearDown();
+}
+
+void EditorTest::start(glm::ivec2 size) {
+    ui_.reset();
+    editor_.reset();
+    const fs::path data = LAPFX_SOURCE_DIR;
+    editor_ = std::make_unique<app::Editor>(
+        images_, app::EditorOptions{
+                     .data_folder = data,
+                     .clip_folders = {data / "samples" / "clips"},
+                     .folders = {.config = folder_ / "config", .state = folder_ / "state", .cache = folder_ / "cache"},
+                     .exact = true,
+                     .renderer = "test",
+                     .software = true,
+                     .files = nullptr});
+    panels::add_commands(*editor_);
+    ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
+                                        &editor_->commands, &images_);
+    ui_->around([this](double now) { editor_->update(now); }, [this] { editor_->draw(); });
+}
+
+void EditorTest::open_sample() {
+    app::Opened opened = app::open_sample(LAPFX_SOURCE_DIR);
+    editor_->document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    editor_->looking.camera = editor_->document.scene().camera;
+    ui_->frame().frame();
+}
+
+void EditorTest::open(const std::vector<std::string>& files) {
+    editor_->open(files);
+    ui_->frame().frame();
+}
+
+void EditorTest::layout(std::string_view name) {
+    ASSERT_TRUE(editor_->layouts().choose(name));
+    ui_->frame().frame();
+}
+
+Image EditorTest::picture(double time) {
+    editor_->timeline.speed = 0;
+    editor_->seek(time);
+    ui_->frame();
+    return editor_->preview.read();
+}
+
+std::size_t EditorTest::differing(const Image& a, const Image& b, int tolerance) {
+    if (a.width != b.width || a.height != b.height) return a.pixels.size() / 4;
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < a.pixels.size(); i += 4) {
+        int most = 0;
+        for (std::size_t c = 0; c < 3; ++c) most = std::max(most, std::abs(a.pixels[i + c] - b.pixels[i + c]));
+        count += most > tolerance ? 1 : 0;
+    }
+    return count;
+}
+
+}  // namespace lapfx::test
