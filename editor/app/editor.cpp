@@ -9,6 +9,7 @@
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "app/meter.h"
 #include "app/open.h"
 #include "app/reference.h"
 #include "app/settings.h"
@@ -37,7 +38,8 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       keying_(std::make_unique<KeyingBench>(*this)),
       reference_(std::make_unique<Reference>(*this)),
       exports_(std::make_unique<Exports>(*this)),
-      hot_reload_(std::make_unique<HotReload>(*this)) {
+      hot_reload_(std::make_unique<HotReload>(*this)),
+      meter_(std::make_unique<Meter>()) {
     timeline.loop = true;
 }
 
@@ -136,11 +138,16 @@ void Editor::update(double now) {
     reference_->update(now);
     exports_->update(now);
     hot_reload_->update(now);
+    if (!options_.exact) meter_->frame(now, playing());  // pictures of the editor do not depend on the machine
 }
 
 bool Editor::draw() {
     preview.follow(document);
-    return preview.draw(shot());
+    if (options_.exact) return preview.draw(shot());
+    meter_->scene.begin();
+    const bool drawn = preview.draw(shot());
+    meter_->scene.end();
+    return drawn;
 }
 
 bool Editor::wants_frame() const {

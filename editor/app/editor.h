@@ -34,6 +34,7 @@ class Exports;
 class HotReload;
 class KeyingBench;
 class Layouts;
+class Meter;
 class Reference;
 class Settings;
 class Snapshots;
@@ -96,6 +97,7 @@ class Editor {
     KeyingBench& keying() { return *keying_; }
     Reference& reference() { return *reference_; }
     Exports& exports() { return *exports_; }
+    Meter& meter() { return *meter_; }  ///< what a frame costs
     HotReload& hot_reload() { return *hot_reload_; }
     const EditorOptions& options() const { return options_; }
 
@@ -150,6 +152,7 @@ class Editor {
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Exports> exports_;
     std::unique_ptr<HotReload> hot_reload_;
+    std::unique_ptr<Meter> meter_;
     std::function<void(const std::vector<std::string>&)> file_asked_;
     double now_ = -1;
     bool closing_ = false, closed_ = false;

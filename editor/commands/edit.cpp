@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "app/layouts.h"
+#include "app/meter.h"
 #include "app/open.h"
 #include "app/settings.h"
 #include "app/target.h"
@@ -98,7 +99,12 @@ void show_window(const Options& o) {
                                                                       .files = nullptr});
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);
-    window.run({.update = [&](double now) { editor->update(now); },
+    window.run({.update =
+                    [&](double now) {
+                        editor->meter().ui = window.statistics().ui_seconds;
+                        if (o.scale == 0) window.set_user_scale(editor->settings().scale);
+                        editor->update(now);
+                    },
                 .build =
                     [&](ui::Ui& u) {
                         panels::workspace(u, *editor);

@@ -52,16 +52,4 @@ void add_edit_commands(app::Editor& editor) {
                          .enabled = [&editor] { return editor.document.can_redo(); }});
 }
 
-void add_window_commands(app::Editor& editor) {
-    editor.commands.add({.id = "window.palette",
-                         .title = "Command palette",
-                         .group = "Window",
-                         .chord = {key_of('P'), Mods::command},
-                         .run = [&editor] { ui::open_palette(editor.ui()); }});
-    editor.commands.add(
-        {.id = "help.keys", .title = "Keys", .group = "Help", .chord = {Key::f1, Mods::none}, .run = [&editor] {
-             ui::toggle_cheat_sheet(editor.ui());
-         }});
-}
-
 }  // namespace lapfx::panels

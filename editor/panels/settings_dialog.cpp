@@ -1,8 +1,50 @@
+#include <array>
+
+#include "app/settings.h"
 #include "panels/panels.h"
+#include "ui/shell/dialog.h"
+#include "ui/shell/key_editor.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/tabs.h"
 
 namespace lapfx::panels {
 
-void settings_dialog([[maybe_unused]] ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {}
+namespace {
+
+constexpr std::array<std::string_view, 8> scale_names = {"Screen", "75 %",  "100 %", "125 %",
+                                                         "150 %",  "175 %", "200 %", "300 %"};
+constexpr std::array<float, 8> scales = {0, 0.75F, 1, 1.25F, 1.5F, 1.75F, 2, 3};
+
+void looks(ui::Ui& ui, app::Settings& settings) {
+    const ui::Column column(ui, {.width = ui::grow(), .gap = 0.6F});
+    constexpr std::array<std::string_view, 2> themes = {"Dark", "Light"};
+    int theme = settings.light ? 1 : 0;
+    ui::label(ui, "Theme", {.tone = ui::Tone::dim});
+    if (ui::segmented(ui, "Theme##choice", theme, themes).changed) settings.light = theme == 1;
+    int chosen = 0;
+    for (std::size_t i = 0; i < scales.size(); ++i)
+        if (scales[i] == settings.scale) chosen = static_cast<int>(i);
+    ui::label(ui, "Size of text and controls (Ctrl+=, Ctrl+- change it for this window)", {.tone = ui::Tone::dim});
+    if (ui::segmented(ui, "Size", chosen, scale_names).changed)
+        settings.scale = scales[static_cast<std::size_t>(chosen)];
+    ui::checkbox(ui, "Reduced motion", settings.reduced_motion, "Carets do not blink, progress does not run");
+}
+
+}  // namespace
+
+void settings_dialog(ui::Ui& ui, app::Editor& editor) {
+    ui::Dialog dialog(ui, "settings", "Settings", {.width = 44, .height = 34, .icon = ui::Icon::gear});
+    if (!dialog) return;
+    constexpr std::array<std::string_view, 2> pages = {"Looks", "Keys"};
+    {
+        int& page = ui.memory<int>(ui.id_of("page"));
+        const ui::Tabs tabs(ui, "Pages", page, pages);
+        if (page == 0)
+            looks(ui, editor.settings());
+        else
+            ui::key_editor(ui, editor.commands);
+    }
+    dialog.buttons({{.label = "Close", .standard = true, .cancel = true}});
+}
 
 }  // namespace lapfx::panels

@@ -3,10 +3,9 @@
 #include "app/layouts.h"
 #include "app/settings.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
 #include "ui/shell/key_editor.h"
-#include "ui/shell/menu.h"
 #include "ui/shell/palette.h"
-#include "ui/shell/status_bar.h"
 #include "ui/widgets/dock.h"
 
 namespace lapfx::panels {
@@ -19,27 +18,6 @@ constexpr std::array<Build, app::panel_names.size()> panel_functions = {
     curves_panel, amounts_panel, presets_panel, snapshots_panel, history_panel,   scene_panel,
 };
 
-void menus(ui::Ui& ui, app::Editor& editor) {
-    const ui::MenuBar bar(ui);
-    for (const std::string_view group :
-         {"File", "Edit", "Play", "Tool", "View", "Preset", "Clip", "Reference", "Window", "Help"}) {
-        bool any = false;
-        for (std::size_t i = 0; i < editor.commands.size(); ++i) any |= editor.commands[i].group == group;
-        if (!any) continue;
-        const ui::BarMenu menu(ui, group);
-        if (!menu) continue;
-        for (std::size_t i = 0; i < editor.commands.size(); ++i)
-            if (editor.commands[i].group == group) ui::command_item(ui, editor.commands, editor.commands[i].id);
-    }
-}
-
-void status(ui::Ui& ui, app::Editor& editor) {
-    const ui::StatusBar bar(ui);
-    ui::status_text(ui, "Document", editor.document.scene().name);
-    ui::spacer(ui);
-    ui::status_text(ui, "Renderer", editor.options().renderer);
-}
-
 }  // namespace
 
 void workspace(ui::Ui& ui, app::Editor& editor) {
@@ -48,16 +26,18 @@ void workspace(ui::Ui& ui, app::Editor& editor) {
     ui.set_reduced_motion(editor.settings().reduced_motion);
     {
         const ui::Column window(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
-        menus(ui, editor);
+        menu_bar(ui, editor);
+        first_hint(ui, editor);
         ui::dock(ui, "Workspace", editor.layouts().shown, app::panel_names,
                  [&](std::size_t panel) { panel_functions[panel](ui, editor); });
-        status(ui, editor);
+        status_bar(ui, editor);
     }
     organ_dialog(ui, editor);
     export_dialog(ui, editor);
     closing_dialog(ui, editor);
     recovery_dialog(ui, editor);
     settings_dialog(ui, editor);
+    layout_dialog(ui, editor);
     editor.build_file_dialog();
     ui::palette(ui, editor.commands);
     ui::cheat_sheet(ui, editor.commands);

@@ -238,6 +238,12 @@ void UiWindow::set_scale(float scale) {
     want("scale");
 }
 
+void UiWindow::set_user_scale(float scale) {
+    if (scale == options_.scale) return;
+    options_.scale = scale;
+    set_scale(scale);
+}
+
 void UiWindow::close() {
     closed_ = true;
     glfwSetWindowShouldClose(window_.get(), GLFW_TRUE);
@@ -291,9 +297,12 @@ void UiWindow::frame() {
     }
     last_frame_ = glfwGetTime();
     const ui::FrameOutput* output = nullptr;
+    double build_began = 0, build_ended = 0;
     try {
         if (program_->update) program_->update(last_frame_);
+        build_began = glfwGetTime();
         output = &ui_.frame({.size = size_, .scale = scale_, .time = last_frame_}, program_->build);
+        build_ended = glfwGetTime();
         if (program_->draw && !iconified_) stale_ |= program_->draw();
     } catch (...) {
         in_frame_ = false;
@@ -305,14 +314,18 @@ void UiWindow::frame() {
     show_pointer(*output);
     stale_ |= output->changed;
     const bool drawn = stale_ && !iconified_;
-    if (drawn) draw(*output->list);
+    if (drawn) {
+        const double draw_began = glfwGetTime();
+        renderer_.draw(*output->list, fonts_, options_.images, 0);
+        statistics_.ui_seconds = build_ended - build_began + glfwGetTime() - draw_began;
+        show();
+    }
     if (options_.log != nullptr)
         *options_.log << "frame " << statistics_.frames << " at " << last_frame_
                       << " s: " << (reason == nullptr ? "asked for" : reason) << (drawn ? ", drawn" : "") << std::endl;
 }
 
-void UiWindow::draw(const ui::DrawList& list) {
-    renderer_.draw(list, fonts_, options_.images, 0);
+void UiWindow::show() {
     glfwSwapBuffers(window_.get());
     queued_ = glFenceSync(GL_SYNC_GPU_COMMANDS_COMPLETE, 0);
     stale_ = false;

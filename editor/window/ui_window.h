@@ -82,9 +82,10 @@ struct UiProgram {
 };
 
 struct WindowStatistics {
-    int waits = 0;   ///< times that the process slept, or looked whether there is an event
-    int frames = 0;  ///< frames that were built
-    int drawn = 0;   ///< of these, drawn
+    int waits = 0;          ///< times that the process slept, or looked whether there is an event
+    int frames = 0;         ///< frames that were built
+    int drawn = 0;          ///< of these, drawn
+    double ui_seconds = 0;  ///< of the CPU, for the last frame drawn: built, laid out, its list sent
 };
 
 class UiWindow {
@@ -108,6 +109,8 @@ class UiWindow {
     float scale() const { return scale_; }
     /// From the next frame on; clamped. 0: as choose_scale() finds it.
     void set_scale(float scale);
+    /// The user's choice, as UiWindowOptions::scale; what keys have changed since stays until it is another one.
+    void set_user_scale(float scale);
     /// While a job runs the window looks for its results four times a second at least, whatever becomes of its wake().
     void set_busy(bool busy) { busy_ = busy; }
     const WindowStatistics& statistics() const { return statistics_; }
@@ -133,7 +136,7 @@ class UiWindow {
     void wait();
     void frame();
     bool stays();
-    void draw(const ui::DrawList& list);
+    void show();
     void show_pointer(const ui::FrameOutput& output);
 
     UiWindowOptions options_;

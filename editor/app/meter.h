@@ -1,0 +1,30 @@
+// What the editor costs: for the status bar.
+#pragma once
+
+#include <cstddef>
+
+#include "app/gpu_timer.h"
+
+namespace lapfx::app {
+
+class Meter {
+  public:
+    GpuTimer scene;  ///< the preview, on the GPU
+    double ui = 0;   ///< s of the CPU for the last frame of the UI: built, laid out, drawn; the window tells
+    /// Once a frame. `now`: s.
+    void frame(double now, bool playing);
+    double frames_per_second() const { return rate_; }  ///< while it plays; 0: it stands
+    std::size_t memory() const {
+        return memory_;
+    }  ///< bytes of the process that are in main memory; at most a second old
+
+  private:
+    double last_ = -1, looked_ = -1e9, rate_ = 0;
+    bool played_ = false;
+    std::size_t memory_ = 0;
+};
+
+/// Bytes of this process in main memory; 0 where that is not known.
+std::size_t resident_memory();
+
+}  // namespace lapfx::app

@@ -1,0 +1,31 @@
+#include "app/settings.h"
+#include "panels/parts.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::panels {
+
+void first_hint(ui::Ui& ui, app::Editor& editor) {
+    if (editor.settings().hint_seen) return;
+    const ui::Panel panel(ui, "First steps", {.width = ui::grow(), .padding = 0.5F});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    {
+        const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
+        ui::label(ui,
+                  "1  Press Space to play. Drag any value under Preset: the next frame shows it. Ctrl+Z takes it back.",
+                  {.width = ui::grow()});
+        ui::label(
+            ui,
+            "2  Drop an organ, a smoke clip or a surgery video into the window. Press 1 and work on the organ with "
+            "the cautery.",
+            {.width = ui::grow()});
+        ui::label(
+            ui,
+            "3  Compare with the video under Reference (Ctrl+3), then export the preset for your simulator (Ctrl+E). "
+            "F1 shows all keys.",
+            {.width = ui::grow()});
+    }
+    if (ui::button(ui, "Got it", {.tip = "Closes these lines; Help > First steps shows them again"}))
+        editor.settings().hint_seen = true;
+}
+
+}  // namespace lapfx::panels

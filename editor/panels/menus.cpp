@@ -1,0 +1,47 @@
+// The menu bar: every command by its group, in the order in which they were added.
+#include <algorithm>
+#include <array>
+
+#include "panels/parts.h"
+#include "ui/shell/menu.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+constexpr std::array<std::string_view, 10> groups = {"File", "Edit", "Preset",    "Clip",   "Tool",
+                                                     "Play", "View", "Reference", "Window", "Help"};
+/// Commands that begin another part of their menu.
+constexpr std::array<std::string_view, 14> parts = {
+    "file.save",        "export.open",        "file.quit",       "edit.history",     "snapshot.show_a",
+    "snapshot.keep_a",  "view.endoscope",     "view.vessels",    "view.reload",      "window.palette",
+    "window.show_view", "window.layout_tune", "window.settings", "help.first_steps",
+};
+
+bool begins_part(std::string_view id) {
+    return std::find(parts.begin(), parts.end(), id) != parts.end();
+}
+
+void items(ui::Ui& ui, ui::CommandTable& commands, std::string_view group) {
+    bool any = false;
+    for (std::size_t i = 0; i < commands.size(); ++i) {
+        if (commands[i].group != group) continue;
+        if (any && begins_part(commands[i].id)) ui::menu_separator(ui);
+        any = true;
+        ui::command_item(ui, commands, commands[i].id);
+    }
+}
+
+}  // namespace
+
+void menu_bar(ui::Ui& ui, app::Editor& editor) {
+    const ui::MenuBar bar(ui);
+    for (const std::string_view group : groups) {
+        bool any = false;
+        for (std::size_t i = 0; i < editor.commands.size() && !any; ++i) any = editor.commands[i].group == group;
+        if (!any) continue;
+        if (const ui::BarMenu menu(ui, group); menu) items(ui, editor.commands, group);
+    }
+}
+
+}  // namespace lapfx::panels

@@ -1,0 +1,61 @@
+// The bottom line: what is open, what is being done, what it costs.
+#include <cstdio>
+
+#include "app/meter.h"
+#include "panels/panels.h"
+#include "panels/parts.h"
+#include "ui/shell/progress.h"
+#include "ui/shell/status_bar.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+std::string_view formatted(ui::Ui& ui, const char* format, double value) {
+    char text[64];
+    std::snprintf(text, sizeof text, format, value);
+    return ui.copy(text);
+}
+
+/// What runs beside the UI; the oldest, and how many more.
+void jobs(ui::Ui& ui, app::Editor& editor) {
+    const auto running = editor.jobs.running();
+    if (running.empty()) return;
+    app::Job& job = *running.front();
+    const std::string_view more =
+        running.size() > 1 ? formatted(ui, "and %.0f more", static_cast<double>(running.size() - 1)) : "";
+    if (ui::progress(ui, job.name(), job.progress(), {.cancellable = true, .text = more, .width = ui::px(ui.em(24))}))
+        job.cancel();
+}
+
+}  // namespace
+
+void status_bar(ui::Ui& ui, app::Editor& editor) {
+    const ui::StatusBar bar(ui);
+    const std::string& scene = editor.document.scene().name;
+    const std::string& preset = editor.document.preset().name;
+    ui::status_text(ui, "Scene",
+                    ui.join({scene.empty() ? "Unnamed scene" : scene, editor.document.scene_unsaved() ? " *" : ""}),
+                    {.tip = "The scene: what the preset is previewed on. * marks changes that are not saved."});
+    ui::status_text(
+        ui, "Preset",
+        ui.join({preset.empty() ? "Unnamed preset" : preset, editor.document.preset_unsaved() ? " *" : ""}),
+        {.tone = ui::Tone::normal, .tip = "The preset: what a simulator loads. * marks changes that are not saved."});
+    ui::spacer(ui);
+    jobs(ui, editor);
+    app::Meter& meter = editor.meter();
+    if (meter.frames_per_second() > 0)
+        ui::status_text(ui, "Frame rate", formatted(ui, "%.0f fps", meter.frames_per_second()),
+                        {.number = true, .width = 4, .tip = "Frames per second while it plays"});
+    ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * meter.scene.seconds()),
+                    {.number = true, .width = 7.5F, .tip = "What the preview costs, each frame"});
+    ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * meter.ui),
+                    {.number = true, .width = 5.5F, .tip = "What the user interface costs, each frame"});
+    ui::status_text(ui, "Memory", formatted(ui, "%.0f MB", static_cast<double>(meter.memory()) / 1e6),
+                    {.number = true, .width = 4.5F, .tip = "Main memory in use by the editor"});
+    const app::EditorOptions& o = editor.options();
+    ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",
+                    {.tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});
+}
+
+}  // namespace lapfx::panels

@@ -1,0 +1,115 @@
+// The window itself: panels, layouts, themes, settings, help.
+#include "app/layouts.h"
+#include "app/settings.h"
+#include "panels/panels.h"
+#include "panels/parts.h"
+#include "ui/shell/dialog.h"
+#include "ui/shell/key_editor.h"
+#include "ui/shell/palette.h"
+#include "ui/widgets/text_field.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+using ui::Key;
+using ui::key_of;
+using ui::Mods;
+
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return result;
+}
+
+void add_panel_commands(app::Editor& editor) {
+    for (const std::string_view panel : app::panel_names)
+        editor.commands.add({.id = "window.show_" + lower(panel),
+                             .title = "Show " + std::string(panel),
+                             .group = "Window",
+                             .run = [&editor, panel] { editor.layouts().shown.show(panel); }});
+}
+
+void add_layout_commands(app::Editor& editor) {
+    char digit = '1';
+    for (const std::string& name : editor.layouts().names())
+        editor.commands.add({.id = "window.layout_" + lower(name),
+                             .title = "Layout: " + name,
+                             .group = "Window",
+                             .chord = {key_of(digit++), Mods::command},
+                             .run = [&editor, name] { editor.layouts().choose(name); },
+                             .checked = [&editor, name] { return editor.layouts().name() == name; }});
+    editor.commands.add({.id = "window.reset_layout",
+                         .title = "Reset layout",
+                         .group = "Window",
+                         .run = [&editor] { editor.layouts().reset(); },
+                         .tip = "Puts the panels of this layout back to where they were"});
+    editor.commands.add({.id = "window.layouts",
+                         .title = "Own layouts...",
+                         .group = "Window",
+                         .run = [&editor] { ui::open_dialog(editor.ui(), "layouts"); },
+                         .tip = "Keeps the panels as they are under a name, or goes to one that was kept"});
+}
+
+}  // namespace
+
+void add_window_commands(app::Editor& editor) {
+    add_panel_commands(editor);
+    add_layout_commands(editor);
+    editor.commands.add({.id = "window.settings",
+                         .title = "Settings...",
+                         .group = "Window",
+                         .chord = {key_of(','), Mods::command},
+                         .icon = ui::Icon::gear,
+                         .run = [&editor] { ui::open_dialog(editor.ui(), "settings"); }});
+    editor.commands.add({.id = "window.light",
+                         .title = "Light theme",
+                         .group = "Window",
+                         .run = [&editor] { editor.settings().light = !editor.settings().light; },
+                         .checked = [&editor] { return editor.settings().light; }});
+    editor.commands.add({.id = "window.notices",
+                         .title = "Go to notices",
+                         .group = "Window",
+                         .chord = {key_of('N'), Mods::command | Mods::shift},
+                         .run = [&editor] { editor.toasts.take_focus(); },
+                         .tip = "The keyboard goes to the newest notice; Esc gives it back"});
+    editor.commands.add({.id = "window.palette",
+                         .title = "Command palette",
+                         .group = "Window",
+                         .chord = {key_of('P'), Mods::command},
+                         .run = [&editor] { ui::open_palette(editor.ui()); }});
+    editor.commands.add(
+        {.id = "help.keys", .title = "Keys", .group = "Help", .chord = {Key::f1, Mods::none}, .run = [&editor] {
+             ui::toggle_cheat_sheet(editor.ui());
+         }});
+    editor.commands.add({.id = "help.first_steps", .title = "First steps", .group = "Help", .run = [&editor] {
+                             editor.settings().hint_seen = false;
+                         }});
+}
+
+void layout_dialog(ui::Ui& ui, app::Editor& editor) {
+    ui::Dialog dialog(ui, "layouts", "Own layouts", {.width = 26});
+    if (!dialog) return;
+    app::Layouts& layouts = editor.layouts();
+    std::string& name = ui.memory<std::string>(ui.id_of("new name"));
+    ui::text_field(
+        ui, "Name", name,
+        {.placeholder = "Name of the panels as they are now", .caption = true, .invalid = layouts.standard(name)});
+    if (layouts.standard(name))
+        ui::label(ui, ui.join({"\"", name, "\" is one that comes with lapfx; choose another name."}),
+                  {.tone = ui::Tone::error, .wrap = true});
+    for (const ui::NamedLayout& own : std::vector<ui::NamedLayout>(layouts.own())) {
+        ui.push_seed(own.name);
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        ui::label(ui, own.name, {.width = ui::grow()});
+        if (ui::button(ui, ui.join({"Show##", own.name}))) layouts.choose(own.name), dialog.close();
+        if (ui::button(ui, ui.join({"Remove##", own.name}))) layouts.remove(own.name);
+        ui.pop_seed();
+    }
+    const auto pressed =
+        dialog.buttons({{.label = "Close", .cancel = true},
+                        {.label = "Keep", .standard = true, .enabled = !name.empty() && !layouts.standard(name)}});
+    if (pressed == 1) layouts.keep(name), name.clear();
+}
+
+}  // namespace lapfx::panels
