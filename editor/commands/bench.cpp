@@ -116,6 +116,7 @@ void add_bench(CLI::App& app) {
         return std::pair(part, options);
     };
     add("bleeding", "CPU time and bytes per frame of blood on small and large organs", bench_bleeding);
+    add("editor", "What the editor's panels cost beside the scene that they show", bench_editor);
     add("frame", "What 15 smoke clips add to a frame, and what a haptic thread notices of them", bench_frame);
     auto ui_options = std::make_shared<BenchOptions>();
     CLI::App* ui = verb->add_subcommand("ui", "The editor's UI toolkit beside Dear ImGui on the same screens");

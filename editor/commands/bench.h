@@ -39,6 +39,7 @@ double thread_seconds();
 double median(std::vector<double> values);
 
 BenchReport bench_bleeding(const BenchOptions& options);
+BenchReport bench_editor(const BenchOptions& options);
 BenchReport bench_frame(const BenchOptions& options);
 BenchReport bench_streaming(const BenchOptions& options);
 

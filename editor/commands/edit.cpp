@@ -5,13 +5,12 @@
 #include "app/meter.h"
 #include "app/open.h"
 #include "app/settings.h"
-#include "app/target.h"
 #include "commands/command.h"
+#include "commands/headless_editor.h"
 #include "commands/options.h"
 #include "commands/output.h"
 #include "commands/session.h"
 #include "panels/panels.h"
-#include "ui/gl/renderer.h"
 #include "window/ui_window.h"
 
 namespace lapfx::commands {
@@ -35,7 +34,6 @@ app::Opened open_all(const std::vector<std::string>& files) {
 }
 
 void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
-    panels::add_commands(editor);
     editor.document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     editor.looking.camera = editor.document.scene().camera;
     if (!o.theme.empty()) editor.settings().light = o.theme == "light";
@@ -47,38 +45,15 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
     if (o.at >= 0) editor.seek(o.at);
 }
 
-/// Frames until no other is asked for, with a clock that goes by frames: the same picture every time.
 void write_screenshot(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
     if (!o.screenshot.ends_with(".png")) throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
     check_folder(o.screenshot);
     app::Opened opened = open_all(o.files);
-    const Context context = Context::create(parse_backend(o.backend));
-    ui::ImageStore images;
-    app::Editor editor(images, {.data_folder = data_folder(),
-                                .clip_folders = clip_folders(),
-                                .folders = {},
-                                .exact = true,
-                                .renderer = context.renderer(),
-                                .software = context.software(),
-                                .files = nullptr});
-    if (o.at < 0 && o.files.empty()) editor.timeline.time = 6;
-    set_up(editor, std::move(opened), o);
-    ui::Fonts fonts({.hinting = ui::Hinting::slight});  // whatever the host prefers
-    ui::Ui ui(fonts, {.images = &images, .shortcuts = &editor.commands, .reduced_motion = true});
-    const ui::FrameOutput* output = nullptr;
-    double time = 0;
-    for (int i = 0; i < 20; ++i) {
-        time += 1.0 / 60;
-        editor.update(time);
-        output = &ui.frame({.size = size, .scale = o.scale > 0 ? o.scale : 1.0F, .time = time},
-                           [&](ui::Ui& u) { panels::workspace(u, editor); });
-        const bool changed = editor.draw();
-        if (!changed && output->wake_at > time + 0.1 && !editor.jobs.busy()) break;
-    }
-    const app::Target target(size);
-    ui::Renderer().draw(*output->list, fonts, &images, target.framebuffer());
-    write_png(o.screenshot, target.read());
+    HeadlessEditor headless(size, o.scale, o.backend);
+    set_up(headless.editor(), std::move(opened), o);
+    headless.settle();
+    write_png(o.screenshot, headless.picture());
 }
 
 void show_window(const Options& o) {
@@ -97,6 +72,7 @@ void show_window(const Options& o) {
                                                                       .renderer = window.context().renderer(),
                                                                       .software = window.context().software(),
                                                                       .files = nullptr});
+    panels::add_commands(*editor);
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);
     window.run({.update =

@@ -1,0 +1,78 @@
+// What the editor's panels cost beside what they stand around: a frame of the scene and of the UI, on the sample scene, playing,
+// with a value that changes in every frame.
+#include <glad/gl.h>
+
+#include <chrono>
+
+#include "app/layouts.h"
+#include "app/open.h"
+#include "commands/bench.h"
+#include "commands/headless_editor.h"
+#include "commands/progress.h"
+#include "commands/session.h"
+#include "panels/panels.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+constexpr int frames = 60, warm_up = 5;
+constexpr glm::ivec2 window{1440, 900};
+
+double ms_since(Clock::time_point start) {
+    return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct Costs {
+    std::vector<double> scene, ui;
+};
+
+/// GL is waited for after each part, so that each pays for its own drawing.
+Costs measure(HeadlessEditor& headless, Progress& progress) {
+    app::Editor& editor = headless.editor();
+    Costs costs;
+    for (int i = 0; i < warm_up + frames; ++i) {
+        editor.seek(3.0 + 0.05 * i);
+        editor.document.change("Opacity", [&](document::Content& c) { c.preset.bleeding.opacity = 0.8 + 0.001 * i; });
+        const auto scene_start = Clock::now();
+        editor.draw();
+        glFinish();
+        const double scene = ms_since(scene_start);
+        const auto ui_start = Clock::now();
+        headless.frame();  // the picture is drawn already
+        headless.draw_ui();
+        glFinish();
+        if (i >= warm_up) {
+            costs.ui.push_back(ms_since(ui_start));
+            costs.scene.push_back(scene);
+        }
+        progress.step();
+    }
+    return costs;
+}
+
+}  // namespace
+
+BenchReport bench_editor(const BenchOptions&) {
+    HeadlessEditor headless(window, 1.0F, "auto");
+    BenchReport report{
+        .bench = "editor", .renderer = headless.context().renderer(), .rows = {}, .ratios = {}, .table = {}};
+    app::Opened opened = app::open_sample(data_folder());
+    headless.editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    double worst = 0;
+    const std::vector<std::string> layouts = headless.editor().layouts().names();
+    Progress progress("measuring", static_cast<int>(layouts.size()) * (warm_up + frames));
+    for (const std::string& layout : layouts) {
+        headless.editor().layouts().choose(layout);
+        headless.settle();
+        Costs costs = measure(headless, progress);
+        const double scene = median(costs.scene), ui = median(costs.ui);
+        report.rows.push_back({.of = {{"layout", layout}}, .measured = {{"scene_ms", scene}, {"ui_ms", ui}}});
+        worst = std::max(worst, ui / scene);
+    }
+    report.ratios["editor_ui_over_scene"] = worst;
+    return report;
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,55 @@
+#include "commands/headless_editor.h"
+
+#include "app/settings.h"
+#include "commands/session.h"
+#include "panels/panels.h"
+
+namespace lapfx::commands {
+
+HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact)
+    : size_(size),
+      scale_(scale > 0 ? scale : 1.0F),
+      context_(Context::create(parse_backend(backend))),
+      fonts_({.hinting = ui::Hinting::slight}),  // whatever the host prefers
+      editor_(std::make_unique<app::Editor>(images_, app::EditorOptions{.data_folder = data_folder(),
+                                                                        .clip_folders = clip_folders(),
+                                                                        .folders = {},
+                                                                        .exact = exact,
+                                                                        .renderer = context_.renderer(),
+                                                                        .software = context_.software(),
+                                                                        .files = nullptr})),
+      ui_(std::make_unique<ui::Ui>(
+          fonts_, ui::UiOptions{.images = &images_, .shortcuts = &editor_->commands, .reduced_motion = true})),
+      target_(size) {
+    panels::add_commands(*editor_);
+    editor_->settings().reduced_motion = true;
+}
+
+HeadlessEditor::~HeadlessEditor() = default;
+
+void HeadlessEditor::frame(double seconds) {
+    time_ += seconds;
+    editor_->update(time_);
+    output_ = &ui_->frame({.size = size_, .scale = scale_, .time = time_},
+                          [this](ui::Ui& u) { panels::workspace(u, *editor_); });
+    drew_ = editor_->draw();
+}
+
+void HeadlessEditor::settle() {
+    constexpr int most_frames = 30;
+    for (int i = 0; i < most_frames; ++i) {
+        frame();
+        if (!drew_ && output_->wake_at > time_ + 0.1 && !editor_->jobs.busy()) return;
+    }
+}
+
+void HeadlessEditor::draw_ui() {
+    renderer_.draw(*output_->list, fonts_, &images_, target_.framebuffer());
+}
+
+Image HeadlessEditor::picture() {
+    draw_ui();
+    return target_.read();
+}
+
+}  // namespace lapfx::commands
