@@ -23,6 +23,8 @@ class Body {
 
     void set(std::span<const ToolContact> contacts, const Preset& preset);
     void set_contacts(std::span<const ToolContact> contacts, const Preset& preset);
+    /// The scene's factor on bleeding over time.
+    void set_strength(const FactorCurve& strength) { bleed_.set_strength(strength); }
     /// As Effects::set_shape.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay);

@@ -5,33 +5,16 @@
 #include <sstream>
 
 #include "body.h"
+#include "cautery/power_cpu.h"
 #include "cautery/recorder.h"
 #include "gl/shader_source.h"
 #include "gl/state_guard.h"
+#include "inputs.h"
 #include "render/view_block.h"
 #include "smoke/contact_fat_cpu.h"
 #include "smoke/smoke.h"
 
 namespace lapfx {
-
-namespace {
-
-void require_valid(const Preset& preset) {
-    if (std::vector<Fault> faults = check(preset_table(), &preset); !faults.empty())
-        throw Error(Failure::bad_input, std::move(faults));
-}
-
-/// Unit. Throws Error (bad_input) for what is no direction.
-glm::dvec3 direction_of(const glm::dvec3& gravity) {
-    const double length = glm::length(gravity);
-    if (length > 1e-6 && std::isfinite(length)) return gravity / length;
-    throw Error(Failure::bad_input, Fault{.file = "",
-                                          .place = "/gravity",
-                                          .reason = "a vector of length " + std::to_string(length) +
-                                                    " has no direction; expected one longer than 0.000001"});
-}
-
-}  // namespace
 
 struct Effects::State {
     State(const Organ& organ, const EffectsOptions& wanted, const VesselParameters& vessels)
@@ -44,6 +27,8 @@ struct Effects::State {
     Preset preset;
     ToolQueue queue;
     cautery::Recorder recorder;
+    Curves curves;
+    cautery::PowerCurve power;
     double time = 0.0;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
@@ -57,16 +42,22 @@ struct Effects::State {
     VesselParameters fat_of;  // what `fat` was asked for
     const smoke::ContactFat::Sample fat_at = [this](const glm::dvec3& place) { return body->tissue().fat(place); };
 
-    void take_smoke() { smoke.set_contacts(recorder.contacts(), fat.update(recorder.contacts(), fat_at)); }
+    /// What the tool has done, with the power of its time.
+    std::span<const ToolContact> acting() { return power.apply(recorder.contacts()); }
+    void take_smoke(std::span<const ToolContact> contacts) {
+        smoke.set_contacts(contacts, fat.update(contacts, fat_at));
+    }
     void refresh() {
-        body->set(recorder.contacts(), preset);
+        const std::span<const ToolContact> contacts = acting();
+        body->set(contacts, preset);
         if (!(fat_of == preset.vessels)) fat.clear();
         fat_of = preset.vessels;
-        take_smoke();
+        take_smoke(contacts);
     }
     void take_contacts() {
-        body->set_contacts(recorder.contacts(), preset);
-        take_smoke();
+        const std::span<const ToolContact> contacts = acting();
+        body->set_contacts(contacts, preset);
+        take_smoke(contacts);
     }
     /// The tool touches the organ as it is now; contacts are of the shape at rest.
     void drain_queue() {
@@ -102,6 +93,16 @@ void Effects::set_contacts(std::span<const ToolContact> contacts) {
     state_->take_contacts();
 }
 
+void Effects::set_curves(const Curves& curves) {
+    State& s = *state_;
+    if (curves == s.curves) return;
+    s.curves = curves;
+    s.power.set(curves.cautery_power);
+    s.body->set_strength(FactorCurve(curves.bleeding_strength));
+    s.smoke.set_factor(FactorCurve(curves.emission));
+    s.take_contacts();
+}
+
 ToolQueue& Effects::tool_queue() noexcept {
     return state_->queue;
 }
@@ -122,12 +123,13 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     State& s = *state_;
     assert(origin.size() == organ.positions.size());
     auto body = std::make_unique<Body>(organ, s.down, s.options.seed, s.preset.vessels);
-    body->set(s.recorder.contacts(), s.preset);
+    body->set_strength(FactorCurve(s.curves.bleeding_strength));
+    body->set(s.acting(), s.preset);
     body->set_overlay(s.overlay);
     body->inherit(*s.body, origin, s.time);
     s.body = std::move(body);
     s.fat.clear();
-    s.take_smoke();
+    s.take_smoke(s.acting());
 }
 
 void Effects::set_overlay(Overlay overlay) {
@@ -166,11 +168,9 @@ void Effects::bind_bleeding() const noexcept {
 Amounts Effects::amounts() const noexcept {
     const bleeding::BleedField& bleed = state_->body->bleed();
     const bleeding::BloodAmount blood = bleed.amount();
-    const auto waiting = std::count_if(bleed.wounds().begin(), bleed.wounds().end(),
-                                       [](const WoundStatus& w) { return w.state == WoundState::waiting; });
     return {.blood_area = blood.area,
             .blood_volume = blood.volume,
-            .wounds = static_cast<int>(bleed.wounds().size()) - static_cast<int>(waiting),
+            .wounds = static_cast<int>(bleed.wounds().size()) - waiting_wounds(bleed.wounds()),
             .bleeding_wounds = bleed.growing(state_->time),
             .left_out_wounds = static_cast<int>(state_->body->left_out_wounds()),
             .lost_samples = state_->recorder.dropped() + state_->queue.missed(),

@@ -35,6 +35,7 @@ struct Preview::State {
                            {.scale = wanted.organ.scale, .rotation = wanted.organ.rotation})),
           effects(organ, preset, effects_options(wanted, options)),
           tool(load_tool(wanted)) {
+        effects.set_curves(scene.curves);
         effects.set_contacts(scene.events);
         effects.set_overlay(options.overlay);
     }
@@ -104,6 +105,9 @@ void Preview::set_overlay(Overlay overlay) {
 }
 void Preview::set_camera(const SceneCamera& camera) {
     state_->scene.camera = camera;
+}
+void Preview::set_curves(const Curves& curves) {
+    state_->effects.set_curves(curves);
 }
 void Preview::set_contacts(std::span<const ToolContact> contacts) {
     state_->effects.set_contacts(contacts);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/amounts.h"
 #include "app/autosave.h"
 #include "app/browser.h"
 #include "app/exports.h"
@@ -32,6 +33,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       settings_(std::make_unique<Settings>(options_.folders)),
       tuning_(std::make_unique<Tuning>(*this)),
       snapshots_(std::make_unique<Snapshots>(*this)),
+      amounts_(std::make_unique<AmountsOverTime>(*this)),
       autosave_(std::make_unique<Autosave>(*this)),
       layouts_(std::make_unique<Layouts>()),
       browser_(std::make_unique<Browser>(*this)),
@@ -133,6 +135,7 @@ void Editor::update(double now) {
     now_ = now;
     tidy_gesture();
     if (!options_.exact) autosave_->update(now);
+    amounts_->update(now);
     browser_->update(now);
     keying_->update(now);
     reference_->update(now);

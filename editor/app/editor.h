@@ -28,6 +28,7 @@
 
 namespace lapfx::app {
 
+class AmountsOverTime;
 class Autosave;
 class Browser;
 class Exports;
@@ -91,6 +92,7 @@ class Editor {
     Settings& settings() { return *settings_; }     ///< what the user chose: theme, recent files, keys
     Tuning& tuning() { return *tuning_; }           ///< locks, favourites, randomise, copied groups
     Snapshots& snapshots() { return *snapshots_; }  ///< A to D
+    AmountsOverTime& amounts() { return *amounts_; }  ///< of the whole scene
     Autosave& autosave() { return *autosave_; }
     Layouts& layouts() { return *layouts_; }
     Browser& browser() { return *browser_; }  ///< presets with thumbnails
@@ -145,6 +147,7 @@ class Editor {
     std::unique_ptr<Settings> settings_;
     std::unique_ptr<Tuning> tuning_;
     std::unique_ptr<Snapshots> snapshots_;
+    std::unique_ptr<AmountsOverTime> amounts_;
     std::unique_ptr<Autosave> autosave_;
     std::unique_ptr<Layouts> layouts_;
     std::unique_ptr<Browser> browser_;

@@ -84,6 +84,7 @@ void PreviewHost::follow_scene(const Scene& scene) {
     if (text == scene_text_) return;
     scene_text_ = std::move(text);
     changed_ = true;
+    preview_->set_curves(scene.curves);
     preview_->set_contacts(scene.events);
 }
 

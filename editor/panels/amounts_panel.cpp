@@ -1,10 +1,122 @@
+// The amounts over the scene's time: what the preset gives, beside what it is compared with. A click goes to that time.
+#include "app/amounts.h"
 #include "panels/panels.h"
+#include "ui/canvas/plot.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::panels {
 
-void amounts_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "amounts_panel");
+namespace {
+
+using app::amount_infos;
+
+/// One plot, with the data that it draws made ready.
+struct AmountPlot {
+    ui::PlotState state;
+    std::vector<ui::PlotData> data;  ///< of the scene, then of the others
+};
+struct AmountPlots {
+    std::uint64_t version = 0;
+    std::array<AmountPlot, amount_infos.size()> all;
+};
+
+void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
+    if (plots.version == amounts.version()) return;
+    plots.version = amounts.version();
+    for (std::size_t kind = 0; kind < plots.all.size(); ++kind) {
+        auto& data = plots.all[kind].data;
+        data.resize(1 + amounts.others().size());
+        if (const app::AmountSeries* scene = amounts.scene()) data[0].set(scene->values[kind], scene->times);
+        for (std::size_t i = 0; i < amounts.others().size(); ++i)
+            data[i + 1].set(amounts.others()[i].values[kind], amounts.others()[i].times);
+    }
+}
+
+/// "812 mm2", with the series' name where there are several.
+std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotData& data, const app::AmountInfo& info,
+                             double time, bool named) {
+    const double last = data.size() > 0 ? data.x(data.size() - 1) : 0;
+    const double value = data.value_at(std::min(time, last));
+    ui::ShortText text;
+    if (named) text.add(name).add(" ");
+    if (std::isfinite(value))
+        text.add(value, info.decimals).add_unit(info.unit);
+    else
+        text.add("-");
+    return ui.join({text.view(), "###", name});
+}
+
+void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t kind) {
+    const app::AmountsOverTime& amounts = editor.amounts();
+    const app::AmountInfo& info = amount_infos[kind];
+    AmountPlot& plot = plots.all[kind];
+    std::array<ui::PlotSeries, 9> series;
+    const std::size_t count = std::min(plot.data.size(), series.size());
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::string_view name = i == 0 ? "Scene" : std::string_view(amounts.others()[i - 1].name);
+        series[i] = {.name = legend_text(ui, name, plot.data[i], info, editor.timeline.time, count > 1),
+                     .data = &plot.data[i],
+                     .kind = ui::PlotKind::line,
+                     .color = static_cast<int>((kind + 2 * i) % 8),
+                     .reference = i > 0};
+    }
+    const ui::PlotResult result =
+        ui::plot(ui, info.name, std::span(series).first(count),
+                 {.x_name = {},
+                  .x_unit = "s",
+                  .y_name = info.name,
+                  .y_unit = info.unit,
+                  .width = ui::grow(),
+                  .height = ui::grow(),
+                  .residual = nullptr,
+                  .tip = ui.join({info.help, " Click: go to that time. Ctrl+C copies what is in sight as CSV."}),
+                  .state = &plot.state,
+                  .mark = editor.timeline.time});
+    if (result.clicked) editor.seek(result.x);
+    if (!result.moved) return;
+    for (AmountPlot& other : plots.all) {  // time is one for all
+        if (&other == &plot) continue;
+        other.state.fitted = plot.state.fitted;
+        other.state.x = plot.state.x;
+    }
+}
+
+void nothing_known(ui::Ui& ui, app::Editor& editor) {
+    const app::AmountsOverTime& amounts = editor.amounts();
+    if (!amounts.faults().empty())
+        return ui::label(ui, amounts.faults().front().text(),
+                         {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    if (editor.document.scene().organ.file.empty())
+        return ui::label(ui, "No organ yet: open a mesh or a scene, and its blood and smoke are plotted here.",
+                         {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+    ui::label(ui, "The amounts of this scene are being worked out.", {.tone = ui::Tone::dim});
+}
+
+}  // namespace
+
+void amounts_panel(ui::Ui& ui, app::Editor& editor) {
+    app::AmountsOverTime& amounts = editor.amounts();
+    amounts.want();
+    if (amounts.stale() && !amounts.busy())
+        ui.wake_at(std::isfinite(amounts.due()) ? amounts.due() : ui.time(), "amounts");
+    ui::Node& room = ui.open(ui::Role::none, "Plots", ui::Axis::y);
+    const ui::Id id = room.id;
+    room.size[0] = room.size[1] = ui::grow();
+    room.gap = ui.em(0.4F);
+    ui.follow_size(room);
+    if (amounts.scene() == nullptr) {
+        nothing_known(ui, editor);
+        return ui.close();
+    }
+    auto& plots = ui.memory<AmountPlots>(id);
+    take_series(plots, amounts);
+    const ui::Rect before = ui.rect_before(id);
+    const std::size_t columns = before.w >= ui.em(64) ? 4 : before.w >= ui.em(30) && before.h >= ui.em(14) ? 2 : 1;
+    for (std::size_t first = 0; first < plots.all.size(); first += columns) {
+        const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
+        for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, editor, plots, i);
+    }
+    ui.close();
 }
 
 }  // namespace lapfx::panels

@@ -1,10 +1,223 @@
+// Factors over the scene's time on cautery power, bleeding and smoke, drawn by hand.
+#include <cmath>
+
+#include "document/curve_text.h"
 #include "panels/panels.h"
+#include "ui/canvas/curve_editor.h"
 #include "ui/widgets/basic.h"
 
 namespace lapfx::panels {
 
-void curves_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "curves_panel");
+namespace {
+
+using Points = std::vector<CurvePoint>;
+
+struct CurveKind {
+    std::string_view key;
+    Points Curves::*points;
+};
+constexpr std::array<CurveKind, 3> kinds = {{
+    {"cautery_power", &Curves::cautery_power},
+    {"bleeding_strength", &Curves::bleeding_strength},
+    {"emission", &Curves::emission},
+}};
+
+constexpr double roundest = 1000.0;   // parts of a s, and of the value: what a hand can mean
+constexpr double same_moment = 2e-3;  // s; a point is there already
+constexpr double usual_high = 2.0;    // of the value axis, until a point goes there
+
+/// One curve as it is shown.
+struct ShownCurve {
+    Points points;
+    ui::Curve curve;
+    bool stale = true;
+    double high = usual_high;
+};
+struct CurvesShown {
+    int kind = 0;
+    std::array<ShownCurve, kinds.size()> all;
+};
+
+/// Without points the curve is 1 all the time: one point, to begin with.
+Points or_even(const Points& points) {
+    return points.empty() ? Points{{0.0, 1.0}} : points;
+}
+
+bool ascending(const Points& points) {
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (!(points[i].time > points[i - 1].time)) return false;
+    return true;
+}
+
+/// Makes `shown` what the scene has. The scale stays while something is dragged.
+void follow(ShownCurve& shown, const Points& points, double highest, bool dragging) {
+    if (!shown.stale && shown.points == points && dragging) return;
+    if (shown.stale || shown.points != points) {
+        shown.stale = false;
+        shown.points = points;
+        std::vector<ui::CurvePoint> drawn;
+        for (const CurvePoint& point : or_even(points)) {
+            const bool later = drawn.empty() || point.time > drawn.back().x;
+            if (later && std::isfinite(point.time) && std::isfinite(point.value))
+                drawn.push_back({.x = point.time, .y = point.value, .handle = ui::CurveHandle::linear});
+        }
+        if (drawn.empty()) drawn.push_back({.x = 0, .y = 1, .handle = ui::CurveHandle::linear});
+        shown.curve.set_points(drawn);
+    }
+    if (dragging) return;
+    double top = 0;
+    for (const CurvePoint& point : points) top = std::max(top, point.value);
+    shown.high = top < usual_high ? std::min(usual_high, highest) : highest;
+}
+
+/// What was drawn, in round figures where these are told apart.
+Points points_of(const ui::Curve& curve) {
+    Points exact, round;
+    for (const ui::CurvePoint& p : curve.points()) {
+        exact.push_back({p.x, p.y});
+        round.push_back({std::round(p.x * roundest) / roundest, std::round(p.y * roundest) / roundest});
+    }
+    return ascending(round) ? round : exact;
+}
+
+std::size_t nearest_to(const Points& points, double time) {
+    std::size_t nearest = 0;
+    for (std::size_t i = 1; i < points.size(); ++i)
+        if (std::abs(points[i].time - time) < std::abs(points[nearest].time - time)) nearest = i;
+    return nearest;
+}
+
+class CurveTools {
+  public:
+    CurveTools(ui::Ui& ui, app::Editor& editor, const CurveKind& kind, const Table& table)
+        : ui_(ui), editor_(editor), kind_(kind), table_(table) {}
+
+    const Points& points() const { return editor_.document.scene().curves.*kind_.points; }
+
+    void build() {
+        const double now = editor_.timeline.time;
+        const bool there = !points().empty() && std::abs(points()[nearest_to(points(), now)].time - now) < same_moment;
+        ui_.push_disabled(there || points().size() >= table_.list->maximum);
+        if (ui::icon_button(ui_, ui::Icon::plus, "Add point",
+                            {.tip = "Adds a point at the time that is shown", .quiet = true}))
+            add(now);
+        ui_.pop_disabled();
+        ui_.push_disabled(points().empty());
+        if (ui::icon_button(
+                ui_, ui::Icon::minus, "Remove point",
+                {.tip = "Removes the point nearest to the time that is shown (Delete: those selected)", .quiet = true}))
+            remove(now);
+        if (ui::icon_button(ui_, ui::Icon::copy, "Copy as text",
+                            {.tip = "Copies the points, one a line: time in s and value", .quiet = true}) &&
+            ui_.clipboard() != nullptr)
+            ui_.clipboard()->set(document::curve_text(points()));
+        ui_.pop_disabled();
+        ui_.push_disabled(ui_.clipboard() == nullptr);
+        if (ui::button(ui_, "Paste",
+                       {.tip = "Points from copied text, one a line: time in s and value", .quiet = true}))
+            paste();
+        ui_.pop_disabled();
+        ui_.push_disabled(points().empty());
+        if (ui::icon_button(ui_, ui::Icon::reset, "Reset", {.tip = "No points: 1 all the time", .quiet = true}))
+            change("Reset " + std::string(table_.name), {});
+        ui_.pop_disabled();
+    }
+
+  private:
+    void change(std::string name, Points made) {
+        editor_.document.change(std::move(name), [&](document::Content& c) { c.scene.curves.*kind_.points = made; });
+    }
+    void add(double time) {
+        Points made = points();
+        const double value = std::round(curve_at(made, time) * roundest) / roundest;
+        const auto at = std::find_if(made.begin(), made.end(), [&](const CurvePoint& p) { return p.time > time; });
+        made.insert(at, {std::round(time * roundest) / roundest, value});
+        change("Add curve point", std::move(made));
+    }
+    void remove(double time) {
+        Points made = points();
+        made.erase(made.begin() + static_cast<std::ptrdiff_t>(nearest_to(made, time)));
+        change("Remove curve point", std::move(made));
+    }
+    void paste() {
+        try {
+            change("Paste " + std::string(table_.name), document::parse_curve_text(ui_.clipboard()->get(), table_));
+        } catch (const Error& error) {
+            const Fault& fault = error.faults().front();
+            editor_.toasts.add({.kind = ui::ToastKind::error,
+                                .text = "What was copied is no curve: " + fault.place + ": " + fault.reason});
+        }
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    const CurveKind& kind_;
+    const Table& table_;
+};
+
+void value_now(ui::Ui& ui, const app::Editor& editor, const Points& points) {
+    ui::ShortText text;
+    text.add("x ").add(curve_at(points, editor.timeline.time), 2).add(" at ").add(editor.timeline.time, 2).add(" s");
+    ui::label(ui, text.view(), {.tone = ui::Tone::dim, .number = true});
+}
+
+void take(app::Editor& editor, const ui::Edit& edit, const CurveKind& kind, const Table& table, ShownCurve& shown) {
+    Points drawn = points_of(shown.curve);
+    // Handles of other kinds are no change here: all goes straight.
+    if (edit.changed) shown.stale = true;
+    if (drawn.size() > table.list->maximum) {
+        editor.toasts.add({.kind = ui::ToastKind::warning,
+                           .text = std::string(table.name) + ": a curve has at most " +
+                                   std::to_string(table.list->maximum) + " points"});
+        return;
+    }
+    if (drawn == or_even(editor.document.scene().curves.*kind.points))
+        drawn = editor.document.scene().curves.*kind.points;
+    editor.document.take(edit, table.name, [&](document::Content& c) { c.scene.curves.*kind.points = drawn; });
+}
+
+}  // namespace
+
+void curves_panel(ui::Ui& ui, app::Editor& editor) {
+    static const ui::Curve even({{.x = 0, .y = 1, .handle = ui::CurveHandle::linear}});
+    static const std::array tables = {document::curve_table(kinds[0].key), document::curve_table(kinds[1].key),
+                                      document::curve_table(kinds[2].key)};
+    static const std::array names = {tables[0]->name, tables[1]->name, tables[2]->name};
+    auto& memory = ui.memory<CurvesShown>(ui.id_of("Curves"));
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
+    std::size_t number = 0;
+    {
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F, .cross = ui::Place::center});
+        ui::segmented(ui, "Curve", memory.kind, names);
+        number = static_cast<std::size_t>(memory.kind);
+        CurveTools tools(ui, editor, kinds[number], *tables[number]);
+        ui::space(ui, 0.6F);
+        value_now(ui, editor, tools.points());
+        ui::spacer(ui);
+        tools.build();
+    }
+    const CurveKind& kind = kinds[number];
+    const Table& table = *tables[number];
+    const Points& points = editor.document.scene().curves.*kind.points;
+    ShownCurve& shown = memory.all[number];
+    follow(shown, points, table.find_row("value")->maximum, editor.document.in_gesture());
+    const double end = std::max(editor.duration(), points.empty() ? 0.0 : points.back().time);
+    const ui::Edit edit = ui::curve_editor(ui, table.name, shown.curve,
+                                           {.x = {0, std::max(end, 0.1)},
+                                            .y = {0, shown.high},
+                                            .x_step = 0.05,
+                                            .y_step = 0.05,
+                                            .x_name = "Time",
+                                            .x_unit = "s",
+                                            .y_name = "Factor",
+                                            .y_unit = {},
+                                            .standard = &even,
+                                            .live = editor.timeline.time,
+                                            .tools = false,
+                                            .width = ui::grow(),
+                                            .height = ui::grow(),
+                                            .tip = table.help});
+    if (edit.began || edit.changed || edit.committed || edit.cancelled) take(editor, edit, kind, table, shown);
 }
 
 }  // namespace lapfx::panels

@@ -5,8 +5,6 @@
 #include <tuple>
 #include <utility>
 
-#include "bleeding/wound_cpu.h"
-
 namespace lapfx::bleeding {
 
 namespace {
@@ -80,6 +78,7 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
         parameters.coagulation_time == parameters_.coagulation_time && metric_of(parameters) == metric_of(parameters_);
     stale_ = stale_ || !same_values;
     parameters_ = parameters;
+    if (!same_values) strength_ = Strength(strength_.curve(), parameters_);
     amount_known_ = false;
     if (const float wanted = driest(); wanted != dry_) {
         dry_ = wanted;
@@ -133,6 +132,12 @@ void BleedField::set_clearing(std::span<const ToolContact> contacts, const Bleed
     if (clearing_.set(contacts, parameters)) stale_ = true;
 }
 
+void BleedField::set_strength(const FactorCurve& strength) {
+    if (strength == strength_.curve()) return;
+    strength_ = Strength(strength, parameters_);
+    stale_ = true;
+}
+
 void BleedField::keep(std::vector<glm::vec2> values, double time) {
     kept_ = std::move(values);
     kept_at_ = time;
@@ -150,7 +155,8 @@ double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexce
 /// has long been reached.
 bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     if (!clearing_.any() || flowed == b.flowed) return false;
-    return std::min(flowed, b.flowed) - flow(b.wound, parameters_, clearing_.latest()) < parameters_.max_extent;
+    return std::min(flowed, b.flowed) - flow(b.wound, parameters_, clearing_.latest(), strength_) <
+           parameters_.max_extent;
 }
 
 void BleedField::update(double time) noexcept {
@@ -162,8 +168,9 @@ void BleedField::update(double time) noexcept {
         only_grows = only_grows && clot == b.clot;
         changed = changed || clot != b.clot;
         b.clot = clot;
-        status_[i] = {b.wound, state_of(b.wound, parameters_, time), source_value(b.wound, parameters_, time)};
-        const double flowed = flow(b.wound, parameters_, time), source = source_of(b, flowed);
+        status_[i] = {b.wound, state_of(b.wound, parameters_, time, strength_),
+                      source_value(b.wound, parameters_, time, strength_)};
+        const double flowed = flow(b.wound, parameters_, time, strength_), source = source_of(b, flowed);
         only_grows = only_grows && source >= b.source;
         changed = changed || source != b.source || refills(b, flowed);
     }
@@ -173,7 +180,7 @@ void BleedField::update(double time) noexcept {
     only_grows = only_grows && !clearing_.any();
     if (!only_grows) wipe();
     for (Bleeder& b : bleeders_) {
-        b.flowed = flow(b.wound, parameters_, time);
+        b.flowed = flow(b.wound, parameters_, time, strength_);
         const double source = source_of(b, b.flowed);
         if (only_grows && source == b.source) continue;
         b.source = source;
@@ -248,7 +255,7 @@ void BleedField::write(Bleeder& b) noexcept {
 /// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not.
 float BleedField::shown(const Bleeder& b, const Reached& at) const noexcept {
     const auto since = [&](double time) {
-        const double source = source_of(b, b.flowed - flow(b.wound, parameters_, time));
+        const double source = source_of(b, b.flowed - flow(b.wound, parameters_, time, strength_));
         if (source <= 0.0) return dry_;
         const float inside = static_cast<float>(source) - at.distance;
         return inside >= 0.0f
@@ -313,8 +320,9 @@ BloodAmount BleedField::amount() const noexcept {
 }
 
 int BleedField::growing(double time) const noexcept {
-    return static_cast<int>(std::count_if(bleeders_.begin(), bleeders_.end(),
-                                          [&](const Bleeder& b) { return grows(b.wound, parameters_, time); }));
+    return static_cast<int>(std::count_if(bleeders_.begin(), bleeders_.end(), [&](const Bleeder& b) {
+        return grows(b.wound, parameters_, time, strength_);
+    }));
 }
 
 }  // namespace lapfx::bleeding

@@ -16,6 +16,7 @@
 
 #include "bleeding/clearing_cpu.h"
 #include "bleeding/front_cpu.h"
+#include "bleeding/wound_cpu.h"
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
 #include "lapfx/wound.h"
@@ -43,6 +44,8 @@ class BleedField {
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
     /// Suction and irrigation among the contacts.
     void set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters);
+    /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
+    void set_strength(const FactorCurve& strength);
     /// Blood that is there from `time` on, whatever the wounds say, until it is cleared: per surface vertex, bleed value and
     /// clot. It clots on when the wounds have that were open by then.
     void keep(std::vector<glm::vec2> values, double time);
@@ -89,6 +92,7 @@ class BleedField {
 
     const Surface& surface_;
     BleedingParameters parameters_;
+    Strength strength_;    // of parameters_
     double longest_edge_;  // mm
     float dry_;            // driest(): of the members above
     FrontRoom room_;

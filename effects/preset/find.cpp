@@ -138,8 +138,15 @@ void check_table(const Table& table, void* owner, const std::string& pointer, st
         }
         const std::size_t size = child.list->size(member);
         if (size > child.list->maximum) faults.push_back({"", inner, preset::too_many(size, child.list->maximum)});
-        for (std::size_t i = 0; i < std::min(size, child.list->maximum); ++i)
+        const std::size_t looked_at = std::min(size, child.list->maximum), before_list = faults.size();
+        for (std::size_t i = 0; i < looked_at; ++i)
             check_table(child, child.list->at(member, i), join_pointer(inner, std::to_string(i)), faults);
+        if (child.order == nullptr || faults.size() != before_list) continue;
+        for (std::size_t i = 1; i < looked_at; ++i)
+            if (std::string reason = child.order->check(child.list->at(member, i - 1), child.list->at(member, i));
+                !reason.empty())
+                faults.push_back(
+                    {"", join_pointer(join_pointer(inner, std::to_string(i)), child.order->key), std::move(reason)});
     }
 }
 

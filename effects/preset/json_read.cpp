@@ -206,8 +206,14 @@ void Reader::read_list(const Table& table, const Json& list, void* member, const
         return;
     }
     table.list->resize(member, list.items.size());
+    const std::size_t before = faults_.size();
     for (std::size_t i = 0; i < list.items.size(); ++i)
         read_object(table, &list.items[i], table.list->at(member, i), join_pointer(pointer, std::to_string(i)));
+    if (table.order == nullptr || faults_.size() != before) return;
+    for (std::size_t i = 1; i < list.items.size(); ++i)
+        if (std::string reason = table.order->check(table.list->at(member, i - 1), table.list->at(member, i));
+            !reason.empty())
+            add(join_pointer(join_pointer(pointer, std::to_string(i)), table.order->key), std::move(reason));
 }
 
 }  // namespace

@@ -97,6 +97,50 @@ constexpr Parameter event_rows[] = {
                          "Strength of the wound: a factor on the preset's speed."),
 };
 
+constexpr Parameter curve_time = required(
+    number<&CurvePoint::time>("time", "Time", event_time, "When the factor has this value; after the point before."));
+constexpr Parameter power_rows[] = {
+    curve_time,
+    number<&CurvePoint::value>("value", "Value", {0, 1, 0.01}, "Factor on the power of hot contacts; 1 is their own."),
+};
+constexpr Parameter strength_rows[] = {
+    curve_time,
+    number<&CurvePoint::value>("value", "Value", {0, 4, 0.01},
+                               "Factor on the speed at which blood spreads; 0 lets it stand."),
+};
+constexpr Parameter emission_rows[] = {
+    curve_time,
+    number<&CurvePoint::value>("value", "Value", {0, 4, 0.01}, "Factor on the smoke that heat makes, plume and haze."),
+};
+
+constexpr OrderRule ascending{"time", [](const void* before, const void* point) -> std::string {
+                                  const double first = static_cast<const CurvePoint*>(before)->time;
+                                  const double then = static_cast<const CurvePoint*>(point)->time;
+                                  if (then > first) return "";
+                                  return number_text(then) + " s is not after " + number_text(first) +
+                                         " s, the time of the point before";
+                              }};
+
+constexpr std::size_t most_curve_points = 256;
+
+constexpr Table curve_tables[] = {
+    ordered(ascending, list<&Curves::cautery_power, most_curve_points>("cautery_power", "Cautery power",
+                                                                       "Factor on the power of hot contacts over time: "
+                                                                       "heat and smoke follow. Straight between "
+                                                                       "points; none: 1 all the time.",
+                                                                       {power_rows})),
+    ordered(ascending, list<&Curves::bleeding_strength, most_curve_points>(
+                           "bleeding_strength", "Bleeding strength",
+                           "Factor on the speed at which the blood of open wounds spreads, over time. Straight between "
+                           "points; none: 1 all the time.",
+                           {strength_rows})),
+    ordered(ascending, list<&Curves::emission, most_curve_points>(
+                           "emission", "Emission",
+                           "Factor on the smoke that heat makes, over time. Straight between points; none: 1 all the "
+                           "time.",
+                           {emission_rows})),
+};
+
 constexpr Parameter reference_rows[] = {
     path<&SceneReference::file>("file", "File", "The surgery video or image sequence to match; empty for none."),
     number<&SceneReference::offset>("offset", "Offset", {-86'400, 86'400, 0.05, "s"},
@@ -125,6 +169,7 @@ constexpr Table scene_tables[] = {
     table<&Scene::camera>("camera", "Camera", "The endoscope.", {camera_rows, {}, camera_rules}),
     table<&Scene::light>("light", "Light", "The endoscope's lamp, at the camera.", {light_rows}),
     list<&Scene::events, most_events>("events", "Events", "What the tool does, in any order.", {event_rows}),
+    table<&Scene::curves>("curves", "Curves", "Factors over the scene's time.", {{}, curve_tables}),
     table<&Scene::reference>("reference", "Reference", "The surgery video to match.", {reference_rows}),
 };
 

@@ -155,6 +155,11 @@ constexpr Table list(std::string_view key, std::string_view name, std::string_vi
     return made;
 }
 
+constexpr Table ordered(const OrderRule& rule, Table made) {
+    made.order = &rule;
+    return made;
+}
+
 /// The groups of a preset: each is built beside its effect.
 Table bleeding_table();
 Table vessels_table();

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "smoke/plume_cpu.h"
+
 namespace lapfx::smoke {
 
 namespace {
@@ -38,19 +40,41 @@ double first_difference(std::span<const Span> before, std::span<const Span> now)
     return first;
 }
 
+/// The integral of s * exp(-loss * (passed - s)) over 0..passed.
+double rising_integral(double loss, double passed) {
+    const double x = loss * passed;
+    if (x < 1e-3) return passed * passed * (0.5 + x * (-1.0 / 6.0 + x * (1.0 / 24.0 - x / 120.0)));
+    return (passed + std::expm1(-x) / loss) / loss;
+}
+
 }  // namespace
+
+void list_haze(std::span<const ToolContact> contacts, std::span<const double> fat, const PlumeParameters& plume,
+               std::vector<Emission>& emissions, std::vector<Suction>& suctions) {
+    emissions.clear();
+    suctions.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const ToolContact& contact = contacts[i];
+        if (contact.hot())
+            emissions.push_back({contact.time, contact.end(), emission(contact, fat[i], plume)});
+        else if (contact.action == ToolAction::suction)
+            suctions.push_back({contact.time, contact.end()});
+    }
+}
 
 double HazeCurve::changed_from(std::span<const Emission> emissions, std::span<const Suction> suctions) const {
     return std::min(first_difference(std::span<const Emission>(emissions_), emissions),
                     first_difference(std::span<const Suction>(suctions_), suctions));
 }
 
-void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction> suctions,
-                    const HazeParameters& haze) {
+void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
+                    const FactorCurve& factor) {
     double from = changed_from(emissions, suctions);
-    if (accumulation_ != haze.accumulation || ventilation_ != haze.ventilation || suction_ != haze.suction)
+    if (accumulation_ != haze.accumulation || ventilation_ != haze.ventilation || suction_ != haze.suction ||
+        !(factor_ == factor))
         from = -never;
     accumulation_ = haze.accumulation, ventilation_ = haze.ventilation, suction_ = haze.suction;
+    factor_ = factor;
     emissions_.assign(emissions.begin(), emissions.end());
     suctions_.assign(suctions.begin(), suctions.end());
 
@@ -63,15 +87,18 @@ void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction
         if (counts(e) && std::isfinite(e.power)) add(e.start, e.power, 1, 0), add(e.end, -e.power, -1, 0);
     for (const Suction& s : suctions)
         if (counts(s)) add(s.start, 0.0, 0, 1), add(s.end, 0.0, 0, -1);
+    for (const CurvePoint& point : factor_.points()) add(point.time, 0.0, 0, 0);
     // Ties in one order, whatever that of the lists: sums of powers are then the same to the last bit.
     std::sort(events_.begin(), events_.end());
     for (const Event& event : events_) {
-        Piece piece = pieces_.empty() ? Piece{event.time, 0.0, 0.0, 0, 0} : pieces_.back();
+        Piece piece = pieces_.empty() ? Piece{event.time, 0.0, 1.0, 0.0, 0.0, 0, 0} : pieces_.back();
         piece.density = at(piece, event.time);
         piece.start = event.time;
         piece.emissions += event.emissions;
         piece.suctions += event.suctions;
         piece.power = piece.emissions > 0 ? piece.power + event.power : 0.0;  // no rounding is left when all has ended
+        piece.factor = factor_.at(event.time);
+        piece.slope = factor_.slope_after(event.time);
         pieces_.push_back(piece);
     }
 }
@@ -81,7 +108,9 @@ double HazeCurve::at(const Piece& piece, double time) const noexcept {
     const double loss = ventilation_ + (piece.suctions > 0 ? suction_ : 0.0);
     // The integral of exp(-loss * s) over what has passed; expm1 keeps it exact as the loss goes to 0, where it is that time.
     const double integral = loss > 1e-9 ? -std::expm1(-loss * passed) / loss : passed;
-    return piece.density * std::exp(-loss * passed) + accumulation_ * piece.power * integral;
+    double made = piece.factor * integral;
+    if (piece.slope != 0.0) made += piece.slope * rising_integral(loss, passed);
+    return piece.density * std::exp(-loss * passed) + accumulation_ * piece.power * made;
 }
 
 double HazeCurve::density(double time) const noexcept {

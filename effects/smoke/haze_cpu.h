@@ -1,16 +1,19 @@
 // Density of the environmental smoke over time, in closed form, so that any time can be asked for in any order. Any thread, one
 // at a time for set().
 //
-//   dE/dt = accumulation * emission(t) - (ventilation + suction while any runs) * E,   E = 0 before the first emission
+//   dE/dt = accumulation * factor(t) * emission(t) - (ventilation + suction while any runs) * E,   E = 0 before the first emission
 //
-// Between two moments at which something starts or ends, both rates are constant and the solution is an exponential; set()
-// works out the value at each of these moments, density() goes on from the last one.
+// The factor is the scene's (lapfx/curves.h), linear between two of its points. Between two moments at which something starts or
+// ends, or at which the factor has a point, the emission is linear and the loss constant, and the solution is an exponential and
+// a line; set() works out the value at each of these moments, density() goes on from the last one.
 #pragma once
 
 #include <span>
 #include <vector>
 
 #include "lapfx/preset.h"
+#include "lapfx/tool.h"
+#include "preset/factor_curve.h"
 
 namespace lapfx::smoke {
 
@@ -35,7 +38,8 @@ class HazeCurve {
   public:
     /// In any order. Spans that end before they start, or are not finite, count as nothing. Works out anew only what lies behind
     /// the first change since the call before: a growing contact costs a comparison of the lists.
-    void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze);
+    void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
+             const FactorCurve& factor = {});
 
     /// E(t), optical thickness at the focus distance. O(log contacts).
     double density(double time) const noexcept;
@@ -53,6 +57,8 @@ class HazeCurve {
     struct Piece {
         double start;
         double density;  ///< at `start`
+        double factor;   ///< at `start`
+        double slope;    ///< of the factor, 1/s
         double power;    ///< of all emissions together
         int emissions, suctions;
     };
@@ -61,9 +67,14 @@ class HazeCurve {
 
     std::vector<Emission> emissions_;
     std::vector<Suction> suctions_;
+    FactorCurve factor_;
     double accumulation_ = 0.0, ventilation_ = 0.0, suction_ = 0.0;
     std::vector<Piece> pieces_;
     std::vector<Event> events_;  // kept for its memory
 };
+
+/// What contacts do to the haze; the lists are replaced. `fat`: 0..1 for each contact.
+void list_haze(std::span<const ToolContact> contacts, std::span<const double> fat, const PlumeParameters& plume,
+               std::vector<Emission>& emissions, std::vector<Suction>& suctions);
 
 }  // namespace lapfx::smoke

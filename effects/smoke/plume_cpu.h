@@ -7,6 +7,7 @@
 
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
+#include "preset/factor_curve.h"
 #include "smoke/burns_cpu.h"
 
 namespace lapfx::smoke {
@@ -25,7 +26,9 @@ inline double emission(const ToolContact& contact, double fat, const PlumeParame
 /// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows and fades. A touch
 /// that is shorter than `fade_in` leaves no more than it has faded in by its end. Power and fat count as their mean over the last
 /// `fade_in`: smoke takes that long to follow them, so it does not flicker where one contact goes on as another.
-PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time) noexcept;
+/// `factor`: on the smoke over time.
+PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time,
+                       const FactorCurve& factor = {}) noexcept;
 
 /// How a clip is laid out: the same for every frame of one chance.
 struct ClipTurn {

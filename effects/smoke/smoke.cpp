@@ -102,17 +102,14 @@ void Smoke::set_contacts(std::span<const ToolContact> contacts, std::span<const 
     set_haze();
 }
 
+void Smoke::set_factor(const FactorCurve& factor) {
+    factor_ = factor;
+    set_haze();
+}
+
 void Smoke::set_haze() {
-    emissions_.clear();
-    suctions_.clear();
-    for (std::size_t i = 0; i < contacts_.size(); ++i) {
-        const ToolContact& contact = contacts_[i];
-        if (contact.hot())
-            emissions_.push_back({contact.time, contact.end(), emission(contact, fat_[i], parameters_.plume)});
-        else if (contact.action == ToolAction::suction)
-            suctions_.push_back({contact.time, contact.end()});
-    }
-    haze_.set(emissions_, suctions_, parameters_.haze);
+    list_haze(contacts_, fat_, parameters_.plume, emissions_, suctions_);
+    haze_.set(emissions_, suctions_, parameters_.haze, factor_);
 }
 
 Smoke::Shown Smoke::show(std::size_t clip, double time, Policy policy) noexcept {
@@ -156,7 +153,7 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
     const glm::vec2 size(clips_.info(clip).size);
     std::optional<Shown> shown;
     for (const Burn& burn : burns_.after(time - plume.fade_out)) {
-        const PlumeState state = plume_state(burn, plume, up, time);
+        const PlumeState state = plume_state(burn, plume, up, time, factor_);
         if (state.density * settings.weight <= 0.0) continue;
         if (!shown) shown = show(clip, time, policy);
         const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + burn.number);

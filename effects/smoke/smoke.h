@@ -33,6 +33,9 @@ class Smoke {
     /// `fat`: 0..1 for each contact, of the tissue there; it smokes more (PlumeParameters::fat_gain).
     void set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat);
 
+    /// The scene's factor on smoke over time (lapfx/curves.h); 1 at first.
+    void set_factor(const FactorCurve& factor);
+
     /// `up`: unit, organ space, where smoke rises to. Into the bound framebuffer and viewport.
     void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
 
@@ -66,6 +69,7 @@ class Smoke {
     std::vector<ToolContact> contacts_;
     std::vector<double> fat_;     // parallel to contacts_
     std::vector<double> latest_;  // the same: when it and all before it have ended, s
+    FactorCurve factor_;
     BurnList burns_;
     HazeCurve haze_;
     std::vector<Emission> emissions_;

@@ -139,6 +139,8 @@ class Gestures {
         }
         if (r.held && !r.released) return;
         if (m_.drag == Drag::box) zoom_to_box();
+        if (m_.drag == Drag::pan && r.button == Button::left && glm::length(way) < 3 && frame_.plot.contains(m_.from))
+            result.clicked = true, result.x = frame_.x.value_at(m_.to.x);
         m_.drag = Drag::none;
     }
     static Span sorted(double a, double b) { return a < b ? Span{a, b} : Span{b, a}; }
@@ -447,6 +449,9 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
     for (std::size_t i = 0; i < look.series.size(); ++i) {
         if (!hidden(look.state, i)) draw_series(p, f, look.state, look.series[i], color_of(t, look.series[i], i));
     }
+    if (!std::isnan(look.options.mark))
+        p.fill({whole(f.x.px_of(look.options.mark)), f.plot.y, std::max(1.0F, 1.5F * p.hairline()), f.plot.h},
+               t.accent);
     if (!look.box.empty()) {
         p.fill(look.box, with_alpha(t.focus, 0.15F));
         p.frame(look.box, t.focus, p.hairline());

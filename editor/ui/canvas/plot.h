@@ -11,6 +11,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 
 #include "ui/canvas/axis.h"
@@ -50,6 +51,7 @@ struct PlotOptions {
     const PlotData* residual = nullptr;
     std::string_view tip = {};
     PlotState* state = nullptr;
+    double mark = std::numeric_limits<double>::quiet_NaN();  ///< an upright line there, as of a playhead; NaN: none
 };
 
 struct PlotResult {
@@ -57,6 +59,8 @@ struct PlotResult {
     bool range_changed = false;  ///< state.range or has_range
     int series = -1;             ///< under the pointer; -1: none
     std::size_t index = 0;       ///< of its sample
+    bool clicked = false;        ///< the left button was pressed and released in one place of the ground
+    double x = 0;                ///< of that place
 };
 
 PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> series, const PlotOptions& options = {});

@@ -35,7 +35,9 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/amounts.h"
 #include "lapfx/context.h"
+#include "lapfx/curves.h"
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
@@ -54,17 +56,6 @@ struct EffectsOptions {
     std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
     bool wait_for_clips = false;  ///< true: exact frames, for offline rendering; false: never wait, repeat the last
     StreamingOptions streaming = {};
-};
-
-/// Amounts at the current time, without reading back from the GPU.
-struct Amounts {
-    double blood_area = 0.0;    ///< mm2 of organ surface whose bleed value is above the threshold
-    double blood_volume = 0.0;  ///< mm3, a proxy: a layer from 0 at its edge to `thickness` at `deep_at` and beyond
-    int wounds = 0;             ///< that have opened by now
-    int bleeding_wounds = 0;    ///< that still spread
-    int left_out_wounds = 0;    ///< that came when there were 4096 already
-    std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
-    double haze = 0.0;               ///< E, optical thickness at the focus distance
 };
 
 /// A point on the organ under a ray.
@@ -87,6 +78,9 @@ class Effects {
     /// All contacts so far, past and running; what happened is a function of this list and the time.
     /// They take the place of what the tool queue has brought so far.
     void set_contacts(std::span<const ToolContact> contacts);
+    /// Factors over time on cautery power, bleeding and smoke; none at first. Also on what has happened already. A simulator leaves
+    /// them alone.
+    void set_curves(const Curves& curves);
     /// Samples of a haptic thread; seek() takes what has come. Valid as long as the Effects that it came from, also when
     /// that is moved.
     ToolQueue& tool_queue() noexcept;
@@ -127,6 +121,7 @@ class Effects {
     /// it changes the host's state, as it is meant to.
     void bind_bleeding() const noexcept;
 
+    /// At the current time.
     Amounts amounts() const noexcept;
     /// Every wound of the contacts, with what it was doing at the last seek(); those of contacts that are yet to come are waiting.
     /// Valid until the next call that is not const.

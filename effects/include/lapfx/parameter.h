@@ -71,6 +71,12 @@ struct Rule {
     std::string (*check)(const void* owner);  ///< empty, or what is wrong
 };
 
+/// What has to hold between an element of a list and the one before: ascending times.
+struct OrderRule {
+    std::string_view key;                                           ///< the row that is blamed, of the later one
+    std::string (*check)(const void* before, const void* element);  ///< empty, or what is wrong
+};
+
 /// A struct of parameters: a JSON object, or (with `list`) an array of such objects.
 struct Table {
     std::string_view key;   ///< JSON key in the parent, empty for the root
@@ -87,7 +93,8 @@ struct Table {
         void (*resize)(void* list, std::size_t size);
         std::size_t maximum;  ///< most elements allowed
     };
-    const List* list = nullptr;  ///< set when `member` is a std::vector
+    const List* list = nullptr;        ///< set when `member` is a std::vector
+    const OrderRule* order = nullptr;  ///< of a list; checked once its elements are allowed by themselves
     /// Set for an object that may be left out: whether it is there, a bool in the parent's struct. Where it is not, its
     /// values mean nothing and are neither written nor checked.
     bool* (*present)(void* owner) = nullptr;

@@ -40,6 +40,7 @@ class Preview {
     void set_preset(const Preset& preset);
     void set_overlay(Overlay overlay);
     void set_camera(const SceneCamera& camera);
+    void set_curves(const Curves& curves);
     /// As Effects: all contacts at once, or samples of a tool as it moves; and what has happened so far.
     void set_contacts(std::span<const ToolContact> contacts);
     ToolQueue& tool_queue();

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/curves.h"
 #include "lapfx/parameter.h"
 #include "lapfx/tool.h"
 
@@ -63,6 +64,7 @@ struct Scene {
     SceneCamera camera;
     SceneLight light;
     std::vector<ToolContact> events;  ///< what the tool does, in any order
+    Curves curves;                    ///< factors over the scene's time
     SceneReference reference;
 
     std::filesystem::path folder;  ///< where it was loaded from; not written

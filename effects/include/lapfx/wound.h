@@ -18,7 +18,7 @@ struct Wound {
 /// What a wound is doing at a time.
 enum class WoundState {
     waiting,   ///< not open yet
-    bleeding,  ///< its blood spreads
+    bleeding,  ///< its blood spreads, or stands while the bleeding strength is 0 (curves.h)
     spent,     ///< open, its blood at the largest extent
     clotting,  ///< coagulated: the flow dies down
     closed,    ///< coagulated, its flow has ended

@@ -353,5 +353,27 @@ TEST(Plot, HoldsWithNoSeriesNoSamplesAndNoRoom) {
     }
 }
 
+TEST_F(PlotTest, AClickOnTheGroundTellsItsPlaceAndADragDoesNot) {
+    std::vector<double> clicks;
+    Harness other{[&](Ui& u) {
+                      const PlotSeries series[] = {{"Up", &scene.up_data}};
+                      const PlotResult r = plot(u, "Plot", series, scene.options);
+                      if (r.clicked) clicks.push_back(r.x);
+                  },
+                  {640, 400}};
+    const auto press_and_release = [&](glm::vec2 from, glm::vec2 by, Button button = Button::left) {
+        other.send({.kind = EventKind::press, .button = button, .at = from});
+        if (by != glm::vec2(0)) other.drag_by(by);
+        other.send({.kind = EventKind::release, .button = button, .at = from + by});
+    };
+    press_and_release({x_px(7, 0, 10), 100}, {0, 0});
+    ASSERT_EQ(clicks.size(), 1U);
+    EXPECT_NEAR(clicks[0], 7, 0.01);
+    press_and_release({x_px(2, 0, 10), 100}, {60, 0});
+    press_and_release({left - 20, 100}, {0, 0});
+    press_and_release({x_px(2, 0, 10), 100}, {0, 0}, Button::right);
+    EXPECT_EQ(clicks.size(), 1U) << "panned, on an axis, the other button";
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -123,6 +123,39 @@ TEST(CheckDocument, TellsPresetsFromScenes) {
                 ElementsAre(file + ": /organ/file: missing; expected the name of a local file"));
 }
 
+TEST(Scene, HasCurvesOverTime) {
+    const Scene scene = parse_scene(scene_text(organ + R"(, "curves": {
+        "bleeding_strength": [{"time": 0, "value": 0}, {"time": 2.5, "value": 4}], "emission": [{"time": 3}]})"),
+                                    "s.json");
+    EXPECT_TRUE(scene.curves.cautery_power.empty());
+    EXPECT_EQ(scene.curves.bleeding_strength, (std::vector<CurvePoint>{{0.0, 0.0}, {2.5, 4.0}}));
+    EXPECT_EQ(scene.curves.emission, (std::vector<CurvePoint>{{3.0, 1.0}}));
+    const std::string written = write_scene(scene);
+    EXPECT_EQ(parse_scene(written, "again").curves, scene.curves);
+    EXPECT_EQ(write_scene(parse_scene(written, "again")), written);
+}
+
+TEST(Scene, FaultsOfCurvesNameTheirPlace) {
+    EXPECT_THAT(
+        scene_faults(scene_text(organ + R"(, "curves": {
+        "cautery_power": [{"time": 1, "value": 1.5}, {"value": 1}],
+        "bleeding_strength": [{"time": 1}, {"time": 2}, {"time": 2}, {"time": 1.5}],
+        "emission": [{"time": -1, "value": -1}], "speed": []})")),
+        ElementsAre("s.json: /curves/speed: unknown; nearest is \"emission\"",
+                    "s.json: /curves/cautery_power/0/value: 1.5 is above the maximum 1 (allowed: 0 to 1)",
+                    "s.json: /curves/cautery_power/1/time: missing; expected a number from 0 to 3600 s",
+                    "s.json: /curves/bleeding_strength/2/time: 2 s is not after 2 s, the time of the point before",
+                    "s.json: /curves/bleeding_strength/3/time: 1.5 s is not after 2 s, the time of the point before",
+                    "s.json: /curves/emission/0/time: -1 is below the minimum 0 s (allowed: 0 to 3600 s)",
+                    "s.json: /curves/emission/0/value: -1 is below the minimum 0 (allowed: 0 to 4)"));
+    Scene scene;
+    scene.organ.file = "o.ply";
+    scene.curves.emission = {{2.0, 1.0}, {1.0, 1.0}};
+    const std::vector<Fault> faults = check(scene_table(), &scene);
+    ASSERT_EQ(faults.size(), 1u);
+    EXPECT_EQ(faults[0].place, "/curves/emission/1/time");
+}
+
 }  // namespace
 
 }  // namespace lapfx

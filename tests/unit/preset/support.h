@@ -109,6 +109,7 @@ inline Scene full_scene() {
     Scene scene;
     scene.organ.file = "../organ.ply";
     scene.events = {{}, {.action = ToolAction::tear, .time = 2.0}};
+    scene.curves = {.cautery_power = {{1.0, 0.5}}, .bleeding_strength = {{0.5, 2.0}}, .emission = {{3.0, 1.5}}};
     return scene;
 }
 

@@ -66,6 +66,9 @@ TEST(Tables, EveryMemberOfASceneHasItsRow) {
     expect_complete<SceneCamera>(*scene.find("camera"));
     expect_complete<SceneLight>(*scene.find("light"));
     expect_complete<ToolContact>(*scene.find("events"));
+    expect_complete<Curves>(*scene.find("curves"));
+    for (const char* key : {"cautery_power", "bleeding_strength", "emission"})
+        expect_complete<CurvePoint>(*scene.find("curves")->find(key));
     expect_complete<SceneReference>(*scene.find("reference"));
 }
 
@@ -104,6 +107,9 @@ void expect_unique_keys(const Table& table) {
         expect_unique_keys(child);
     }
     for (const Rule& rule : table.rules) EXPECT_TRUE(table.find_row(rule.key)) << rule.key;
+    if (table.order) {
+        EXPECT_TRUE(table.list && table.find_row(table.order->key)) << table.order->key;
+    }
     for (const Parameter& row : table.rows)
         if (!row.same_as.empty()) {
             ASSERT_TRUE(table.find_row(row.same_as));

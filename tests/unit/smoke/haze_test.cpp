@@ -184,5 +184,43 @@ TEST(Haze, ALongOperationAddsUpWithoutDrift) {
     EXPECT_NEAR(density(emissions, h, end), expected, 1e-9);
 }
 
+/// The equation by the midpoint rule, with a factor on the emissions.
+double integrated_with(const FactorCurve& factor, const Emissions& emissions, const HazeParameters& h, double time) {
+    constexpr double step = 1.0 / 8192.0;
+    double value = 0.0;
+    for (double t = 0.0; t < time - step / 2.0; t += step) {
+        double power = 0.0;
+        for (const Emission& e : emissions)
+            if (t >= e.start && t < e.end) power += e.power;
+        const double source = h.accumulation * power * factor.at(t + step / 2.0);
+        value += step * (source - h.ventilation * (value + 0.5 * step * (source - h.ventilation * value)));
+    }
+    return value;
+}
+
+TEST(Haze, AFactorOverTimeIsExact) {
+    const FactorCurve factor(std::vector<CurvePoint>{{0.5, 0.0}, {1.5, 2.0}, {2.25, 0.25}, {8.125, 3.0}});
+    for (const auto& parameters : {haze(0.12, 0.05), haze(1.5, 2.0), haze(0.7, 0.0), haze(0.7, 1e-6)}) {
+        HazeCurve curve;
+        curve.set(three, {}, parameters, factor);
+        for (const double time : times)
+            EXPECT_NEAR(curve.density(time), integrated_with(factor, three, parameters, time), 1e-6)
+                << parameters.ventilation << " at " << time;
+    }
+}
+
+TEST(Haze, AFactorMayChangeAndGo) {
+    HazeCurve curve;
+    const HazeParameters h = haze(0.7, 0.3);
+    curve.set(three, {}, h);
+    const double plain = curve.density(4.0);
+    curve.set(three, {}, h, FactorCurve(std::vector<CurvePoint>{{3.0, 1.5}}));
+    EXPECT_NEAR(curve.density(4.0), 1.5 * plain, 1e-12);
+    curve.set(three, {}, h, FactorCurve(std::vector<CurvePoint>{{0.0, 0.0}, {9.0, 0.0}}));
+    EXPECT_EQ(curve.density(4.0), 0.0);
+    curve.set(three, {}, h);
+    EXPECT_EQ(curve.density(4.0), plain);
+}
+
 }  // namespace
 }  // namespace lapfx::smoke

@@ -245,5 +245,22 @@ TEST(ClipTurn, IsSeededUnlessThePresetSaysHow) {
     EXPECT_NEAR(clip_turn(clip, 0x80000000u).angle, 0.0f, 1e-4f);
 }
 
+TEST(Plume, AFactorOverTimeIsTakenAsItsMeanOverTheFadeIn) {
+    BurnList burns;
+    const ToolContact one = contact();
+    burns.set(std::span(&one, 1), std::vector<double>{0.0});
+    const Burn burn = burns.after(-1e9).front();
+    const auto with = [&](const FactorCurve& factor, double time) {
+        return plume_state(burn, parameters(), up, time, factor).density;
+    };
+    const FactorCurve half(std::vector<CurvePoint>{{0.0, 0.5}}),
+        rising(std::vector<CurvePoint>{{2.0, 0.0}, {3.0, 2.0}});
+    for (const double time : {1.2, 2.0, 3.0, 4.0}) EXPECT_DOUBLE_EQ(with(half, time), 0.5 * density(time)) << time;
+    EXPECT_EQ(with(rising, 2.0), 0.0);
+    EXPECT_NEAR(with(rising, 2.8), 1.2 * density(2.8), 1e-12) << "the mean from 2.4 to 2.8 s";
+    EXPECT_NEAR(with(rising, 4.5), 1.6 * density(4.5), 1e-12)
+        << "what is left of it fades with the strength of its end";
+}
+
 }  // namespace
 }  // namespace lapfx::smoke

@@ -1,0 +1,136 @@
+#include "app/amounts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <mutex>
+#include <optional>
+
+#include "app/editor.h"
+
+namespace lapfx::app {
+
+namespace {
+
+constexpr double settled_after = 0.15;  // s without a change: a drag does not start a job for each of its steps
+constexpr double sample_time = 0.05;    // s, within the counts below
+constexpr double fewest = 60, most = 600;
+constexpr double never = std::numeric_limits<double>::infinity();
+
+std::string organ_key(const Scene& scene) {
+    Scene key;
+    key.organ = scene.organ;
+    key.gravity = scene.gravity;
+    return write_scene(key) + scene.folder.string();
+}
+
+/// All that the amounts of a scene with a preset depend on.
+std::string key_of(const document::Content& content) {
+    Scene scene;
+    scene.duration = content.scene.duration;
+    scene.events = content.scene.events;
+    scene.curves = content.scene.curves;
+    Preset preset;
+    preset.bleeding = content.preset.bleeding;
+    preset.vessels = content.preset.vessels;
+    preset.cautery = content.preset.cautery;
+    preset.smoke.plume = content.preset.smoke.plume;
+    preset.smoke.haze = content.preset.smoke.haze;
+    return organ_key(content.scene) + write_scene(scene) + write_preset(preset);
+}
+
+}  // namespace
+
+void AmountSeries::add(double time, const Amounts& amounts) {
+    times.push_back(time);
+    of(AmountKind::blood_area).push_back(amounts.blood_area);
+    of(AmountKind::blood_volume).push_back(amounts.blood_volume);
+    of(AmountKind::haze).push_back(amounts.haze);
+    of(AmountKind::bleeding_wounds).push_back(amounts.bleeding_wounds);
+}
+
+/// Kept from job to job, for an organ takes longest to make ready. A job that was cancelled may still be in it for a moment.
+struct AmountsOverTime::Model {
+    std::mutex mutex;
+    std::string organ;  // what it was made of
+    std::optional<AmountsModel> model;
+
+    AmountsModel& of(const Scene& scene) {
+        std::string wanted = organ_key(scene);
+        if (model && wanted == organ) return *model;
+        model.reset();
+        model.emplace(
+            load_organ(scene.folder / scene.organ.file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation}),
+            AmountsOptions{.gravity = scene.gravity});
+        organ = std::move(wanted);
+        return *model;
+    }
+};
+
+AmountsOverTime::AmountsOverTime(Editor& editor) : editor_(editor), model_(std::make_shared<Model>()) {}
+AmountsOverTime::~AmountsOverTime() {
+    if (job_) job_->cancel();
+}
+
+bool AmountsOverTime::stale() const {
+    return followed_ != editor_.document.version() || known_ != wanted_key_;
+}
+
+void AmountsOverTime::lay_over(AmountSeries series) {
+    ++version_;
+    std::erase_if(others_, [&](const AmountSeries& other) { return other.name == series.name; });
+    if (!series.times.empty()) others_.push_back(std::move(series));
+}
+
+void AmountsOverTime::update(double now) {
+    due_ = never;
+    if (std::exchange(wanted_, false)) follow(now);
+}
+
+void AmountsOverTime::follow(double now) {
+    if (followed_ != editor_.document.version()) {
+        followed_ = editor_.document.version();
+        std::string key = key_of(editor_.document.content());
+        if (key != wanted_key_) wanted_key_ = std::move(key), changed_at_ = now;
+    }
+    if (wanted_key_ == known_ || (job_ && asked_ == wanted_key_)) return;
+    if (job_) job_->cancel(), job_.reset();
+    const bool settled = scene_ == nullptr || editor_.options().exact || now >= changed_at_ + settled_after;
+    if (settled)
+        start();
+    else
+        due_ = changed_at_ + settled_after;
+}
+
+void AmountsOverTime::start() {
+    asked_ = wanted_key_;
+    const Scene& scene = editor_.document.scene();
+    if (scene.organ.file.empty()) {
+        known_ = asked_, scene_.reset(), faults_.clear(), ++version_;
+        return;
+    }
+    const auto work = [model = model_, content = editor_.document.content(), key = asked_,
+                       this](Job& job) -> Jobs::Apply {
+        const std::lock_guard lock(model->mutex);
+        auto series = std::make_shared<AmountSeries>();
+        series->name = "Scene";
+        if (job.cancelled()) return {};
+        AmountsModel& amounts = model->of(content.scene);
+        amounts.set(content.preset, content.scene.events, content.scene.curves);
+        const int count = static_cast<int>(std::clamp(std::ceil(content.scene.duration / sample_time), fewest, most));
+        for (int i = 0; i <= count && !job.cancelled(); ++i) {
+            const double time = content.scene.duration * i / count;
+            series->add(time, amounts.at(time));
+            job.set_progress(static_cast<double>(i) / count);
+        }
+        return [this, key, series] {
+            job_.reset(), faults_.clear();
+            scene_ = series, known_ = key, ++version_;
+        };
+    };
+    job_ = editor_.jobs.start("Amounts", work, [this, key = asked_](const std::vector<Fault>& faults) {
+        job_.reset(), scene_.reset();
+        faults_ = faults, known_ = key, ++version_;
+    });
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,99 @@
+// The core's own amounts over the scene's time, worked out beside the UI whenever what they depend on has settled, and only while
+// somebody looks at them.
+//
+//     AmountsOverTime& amounts = editor.amounts();
+//     amounts.want();                                     // in each build that shows them
+//     if (const AmountSeries* scene = amounts.scene()) plot(scene->times, scene->of(AmountKind::haze));
+//
+// UI thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lapfx/amounts.h"
+#include "lapfx/error.h"
+
+namespace lapfx::app {
+
+class Editor;
+class Job;
+
+enum class AmountKind : std::uint8_t { blood_area, blood_volume, haze, bleeding_wounds };
+
+struct AmountInfo {
+    std::string_view name, unit;
+    int decimals;  ///< that tell something
+    std::string_view help;
+};
+inline constexpr std::array<AmountInfo, 4> amount_infos = {{
+    {"Blood area", "mm2", 0, "Organ surface that blood covers."},
+    {"Blood volume", "mm3", 0, "A proxy: the covered surface times the thickness of the layer."},
+    {"Haze", "", 2, "Optical thickness of the smoke in the whole view, at the focus distance."},
+    {"Wounds bleeding", "", 0, "Wounds whose blood still spreads."},
+}};
+
+/// What something gave over a scene's time.
+struct AmountSeries {
+    std::string name;           ///< "Scene", "Reference", "A"
+    std::vector<double> times;  ///< s, ascending
+    std::array<std::vector<double>, amount_infos.size()> values;
+
+    std::vector<double>& of(AmountKind kind) { return values[static_cast<std::size_t>(kind)]; }
+    const std::vector<double>& of(AmountKind kind) const { return values[static_cast<std::size_t>(kind)]; }
+    void add(double time, const Amounts& amounts);
+};
+
+class AmountsOverTime {
+  public:
+    explicit AmountsOverTime(Editor& editor);
+    ~AmountsOverTime();
+    AmountsOverTime(const AmountsOverTime&) = delete;
+    AmountsOverTime& operator=(const AmountsOverTime&) = delete;
+
+    /// They are looked at in this frame.
+    void want() { wanted_ = true; }
+    /// Once a frame, by the editor. `now`: s, the clock of the UI.
+    void update(double now);
+    /// When update() wants to be called next, s; infinity: whenever.
+    double due() const { return due_; }
+
+    /// Null: nothing is known yet. Of an older state of the document while it is stale().
+    const AmountSeries* scene() const { return scene_ ? scene_.get() : nullptr; }
+    bool stale() const;
+    bool busy() const { return job_ != nullptr; }  ///< a job is at it; it wakes the UI at its end
+    /// Why they cannot be worked out.
+    const std::vector<Fault>& faults() const { return faults_; }
+
+    /// Laid over the scene's by those who have others, a reference or a snapshot: set() with the same name replaces, without times
+    /// takes away.
+    void lay_over(AmountSeries series);
+    const std::vector<AmountSeries>& others() const { return others_; }
+    /// Changes when any series does.
+    std::uint64_t version() const { return version_; }
+
+  private:
+    struct Model;
+    void follow(double now);
+    void start();
+
+    Editor& editor_;
+    bool wanted_ = false;
+    std::uint64_t followed_ = 0;  // version of the document
+    std::string wanted_key_;      // all that the amounts depend on
+    std::string known_, asked_;   // the same, of scene_ or its faults, and of the job
+    double changed_at_ = 0.0, due_ = std::numeric_limits<double>::infinity();
+    std::shared_ptr<Model> model_;  // of the jobs, one after the other
+    std::shared_ptr<Job> job_;
+    std::shared_ptr<const AmountSeries> scene_;
+    std::vector<Fault> faults_;
+    std::vector<AmountSeries> others_;
+    std::uint64_t version_ = 1;
+};
+
+}  // namespace lapfx::app

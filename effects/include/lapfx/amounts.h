@@ -1,0 +1,61 @@
+// How much blood and smoke there is: what simulators score trainees by, and what is matched to a surgery video. Effects gives the
+// amounts of what it draws; AmountsModel works them out without drawing, without OpenGL, on any thread: for plots over a whole
+// scene and for fits.
+//
+//     lapfx::AmountsModel model(organ, {.gravity = scene.gravity});
+//     model.set(preset, scene.events, scene.curves);
+//     for (double time = 0.0; time <= scene.duration; time += 0.1) plot(time, model.at(time).blood_area);
+//
+// The same figures as those of Effects, to the last bit. Lengths mm, times s. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
+#include <span>
+
+#include "lapfx/curves.h"
+#include "lapfx/error.h"
+#include "lapfx/organ.h"
+#include "lapfx/preset.h"
+#include "lapfx/tool.h"
+
+namespace lapfx {
+
+/// At one time, without reading back from the GPU.
+struct Amounts {
+    double blood_area = 0.0;    ///< mm2 of organ surface whose bleed value is above the threshold
+    double blood_volume = 0.0;  ///< mm3, a proxy: a layer from 0 at its edge to `thickness` at `deep_at` and beyond
+    int wounds = 0;             ///< that have opened by now
+    int bleeding_wounds = 0;    ///< that still spread
+    int left_out_wounds = 0;    ///< that came when there were 4096 already
+    std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
+    double haze = 0.0;               ///< E, optical thickness at the focus distance
+};
+
+struct AmountsOptions {
+    glm::dvec3 gravity{0.0, -1.0, 0.0};  ///< direction in organ space
+};
+
+class AmountsModel {
+  public:
+    /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Throws Error (bad_input) for a
+    /// gravity without a direction.
+    explicit AmountsModel(const Organ& organ, const AmountsOptions& options = {});
+    AmountsModel(AmountsModel&&) noexcept;
+    AmountsModel& operator=(AmountsModel&&) noexcept;
+    ~AmountsModel();
+
+    /// Takes the place of what was set before; what has not changed costs nothing. Clips need not be there: they give no amounts.
+    /// Throws Error (bad_input) for a preset whose values are not allowed, and keeps what it had.
+    void set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves = {});
+
+    /// Any time, in any order; forwards costs least. Those that are not finite count as 0.
+    Amounts at(double time) noexcept;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lapfx

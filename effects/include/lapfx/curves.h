@@ -1,0 +1,39 @@
+// Factors over time: how cautery power, bleeding and smoke change in the course of a scene, so that a preview can follow a
+// surgery video in which nothing is even.
+//
+//     lapfx::Curves curves;
+//     curves.bleeding_strength = {{.time = 2.0, .value = 0.0}, {.time = 4.0, .value = 1.5}};  // 0 up to 2 s, rises, then 1.5
+//     effects.set_curves(curves);
+//
+// Straight between two points; before the first and after the last one, their values. No points: 1 all the time. Plain data.
+#pragma once
+
+#include <span>
+#include <vector>
+
+namespace lapfx {
+
+struct CurvePoint {
+    double time = 0.0;   ///< s
+    double value = 1.0;  ///< a factor, 0 and more
+
+    friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
+};
+
+/// Points in ascending order of time. What cannot be is left out: a point that is not finite, below 0, or not after the one before.
+struct Curves {
+    /// On the power of a hot contact at that moment: heat and smoke follow. 0..1, for power has an upper end.
+    std::vector<CurvePoint> cautery_power;
+    /// On the rate at which the blood of open wounds spreads: at 0 it stands still, and it never goes back. Pulse and clotting
+    /// keep their times.
+    std::vector<CurvePoint> bleeding_strength;
+    /// On the smoke that heat makes: density of the plume, and what goes into the haze.
+    std::vector<CurvePoint> emission;
+
+    friend bool operator==(const Curves&, const Curves&) = default;
+};
+
+/// The factor at `time`; the points as in Curves.
+double curve_at(std::span<const CurvePoint> points, double time) noexcept;
+
+}  // namespace lapfx

@@ -1,0 +1,97 @@
+// Amounts over the scene's time: those of the preview, anew after each change, and a way to go to a time.
+#include "app/amounts.h"
+
+#include <gmock/gmock.h>
+
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+using app::AmountKind;
+using testing::HasSubstr;
+
+class AmountsPanel : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        layout("Compare");
+        ui().settle();
+    }
+    const app::AmountSeries& series() { return *editor().amounts().scene(); }
+    double last(AmountKind kind) { return series().of(kind).back(); }
+};
+
+TEST_F(AmountsPanel, HasTheFiguresOfThePreview) {
+    ASSERT_NE(editor().amounts().scene(), nullptr);
+    EXPECT_FALSE(editor().amounts().stale());
+    EXPECT_DOUBLE_EQ(series().times.back(), editor().duration());
+    for (const std::size_t i : {40U, 120U, 240U}) {
+        picture(series().times[i]);
+        const Amounts shown = editor().preview.preview()->amounts();
+        EXPECT_EQ(series().of(AmountKind::blood_area)[i], shown.blood_area) << i;
+        EXPECT_EQ(series().of(AmountKind::haze)[i], shown.haze) << i;
+    }
+    EXPECT_GT(last(AmountKind::blood_area), 1.0);
+}
+
+TEST_F(AmountsPanel, FollowsTheDocument) {
+    const double before = last(AmountKind::haze), area = last(AmountKind::blood_area);
+    editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{0.0, 2.0}}; });
+    ui().frame().settle();
+    EXPECT_NEAR(last(AmountKind::haze), 2.0 * before, 1e-9);
+    EXPECT_EQ(last(AmountKind::blood_area), area);
+    editor().document.undo();
+    ui().frame().settle();
+    EXPECT_EQ(last(AmountKind::haze), before);
+    const std::uint64_t version = editor().amounts().version();
+    editor().document.change("Camera", [](auto& c) { c.scene.camera.eye.x += 5; });
+    ui().frame().settle();
+    EXPECT_EQ(editor().amounts().version(), version) << "amounts have nothing to do with the camera";
+}
+
+TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
+    ui().click("**/Amounts/**/Blood area", {.at = {0.6F, 0.6F}});
+    const double there = editor().timeline.time;
+    EXPECT_GT(there, 0.3 * editor().duration());
+    EXPECT_LT(there, 0.9 * editor().duration());
+    ui().frame();
+    EXPECT_THAT(ui().dump(), HasSubstr(" mm2"));
+}
+
+TEST_F(AmountsPanel, OthersAreLaidOver) {
+    app::AmountSeries other{.name = "Reference", .times = {0.0, 5.0}, .values = {}};
+    for (auto& values : other.values) values = {1.0, 2.0};
+    editor().amounts().lay_over(other);
+    ui().frame();
+    EXPECT_TRUE(ui().exists("**/Amounts/**/Haze/Reference"));
+    other.times.clear();
+    editor().amounts().lay_over(other);
+    ui().frame();
+    EXPECT_FALSE(ui().exists("**/Amounts/**/Haze/Reference"));
+}
+
+TEST_F(AmountsPanel, AFaultIsToldInPlace) {
+    editor().document.change("Organ", [](auto& c) { c.scene.organ.file = "gone.glb"; });
+    ui().frame().settle();
+    EXPECT_EQ(editor().amounts().scene(), nullptr);
+    EXPECT_THAT(ui().dump(), HasSubstr("gone.glb"));
+    editor().document.undo();
+    ui().frame().settle();
+    EXPECT_NE(editor().amounts().scene(), nullptr);
+}
+
+TEST_F(AmountsPanel, NothingIsWorkedOutWhileNobodyLooks) {
+    layout("Tune");
+    ui().settle();
+    const std::uint64_t version = editor().amounts().version();
+    editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{0.0, 2.0}}; });
+    ui().frame().settle();
+    EXPECT_EQ(editor().amounts().version(), version);
+    EXPECT_TRUE(editor().amounts().stale());
+}
+
+}  // namespace
+}  // namespace lapfx::test
