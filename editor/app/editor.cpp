@@ -47,6 +47,7 @@ void Editor::set_ui(ui::Ui& ui) {
     if (ui_ == &ui) return;
     ui_ = &ui;
     jobs.set_wake([&ui] { ui.wake("job"); });
+    reference_->set_wake([&ui] { ui.wake("reference"); });
 }
 
 void Editor::open(const std::vector<std::string>& files) {
@@ -140,7 +141,10 @@ void Editor::update(double now) {
 
 bool Editor::draw() {
     preview.follow(document);
-    return preview.draw(shot());
+    const bool compared = reference_->draw();
+    // What nobody sees is not drawn, as long as something is: amounts follow what was drawn last.
+    if (reference_->compares() && !layouts_->seen("View")) return compared;
+    return preview.draw(shot()) || compared;
 }
 
 bool Editor::wants_frame() const {

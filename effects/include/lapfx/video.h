@@ -5,8 +5,8 @@
 //     if (!video.read(video.frame_at(12.5), image)) log("a frame is missing; the one before it is shown");
 //
 // Any video, single image or numbered images ("frame_%04d.png"): one plain local file, or those images; never a URL or what a file
-// names besides. Times in s from the first frame. One thread at a time, any thread. Opening reads the whole file once, without
-// decoding it: with gigabytes do that beside the UI.
+// names besides. Times in s from the first frame. One thread at a time, any thread; info(), frame_at() and time_of() from others
+// meanwhile, too. Opening reads the whole file once, without decoding it: with gigabytes do that beside the UI.
 #pragma once
 
 #include <atomic>
