@@ -1,7 +1,7 @@
 // Makes the sample reference: a surgery video as if from another operation than the sample scene's, to be matched. It is rendered
 // with another preset, camera and seed, half a second later, and seen through an endoscope's camera and a frugal encoder.
 //
-//     make_sample_reference --output samples/reference/operation.mp4       about two minutes on a software renderer
+//     make_sample_reference --output samples/reference/operation.mp4       about a minute on a software renderer
 //     make_sample_reference --output /tmp/quick.mp4 --size 160x128 --frames 5
 //
 // A host of the core: it needs lapfx/*.h alone, and the `ffmpeg` program with libx264. The bytes depend on the renderer and on the
@@ -25,7 +25,7 @@ struct Options {
     std::filesystem::path output, samples = LAPFX_SAMPLES;
     int width = 640, height = 512;
     int frames = static_cast<int>(seconds * frames_per_second);
-    std::string quality = "-crf 28 -preset slow";
+    std::string quality = "-crf 25 -preset slow";
 };
 
 /// Brisker than the sample scene's own, with more smoke.
@@ -33,11 +33,11 @@ lapfx::Preset another_preset(const std::filesystem::path& presets) {
     lapfx::Preset preset = lapfx::load_preset(presets / "gastric_banding.json");
     preset.bleeding = lapfx::load_preset(presets / "brisk_bleed.json").bleeding;
     preset.bleeding.speed = 8.5;
-    preset.bleeding.max_extent = 24;
+    preset.bleeding.max_extent = 22;
     preset.bleeding.noise_scale = 5;
     preset.bleeding.pulse_strength = 0.35;
     preset.smoke.plume = lapfx::load_preset(presets / "hook_cautery_plume.json").smoke.plume;
-    preset.smoke.haze.accumulation = 0.14;
+    preset.smoke.haze.accumulation = 0.08;
     preset.smoke.haze.ventilation = 0.08;
     return preset;
 }
