@@ -14,7 +14,7 @@ namespace camera {
 struct Camera {
     float softness = 0.55f;     ///< px, standard deviation of the lens's blur
     float electrons = 1900.0f;  ///< that a pixel of full light collects: fewer, more noise
-    float read_noise = 6.0f;    ///< electrons, standard deviation, in the dark, too
+    float read_noise = 2.5f;    ///< electrons, standard deviation, in the dark, too
     float grain = 0.6f;         ///< px, standard deviation of the blur that mosaic and cleaning up leave in the noise
     float color_grain = 1.4f;   ///< px, likewise of its colour
     std::uint32_t seed = 0;
