@@ -51,6 +51,7 @@ void Editor::set_ui(ui::Ui& ui) {
     if (ui_ == &ui) return;
     ui_ = &ui;
     jobs.set_wake([&ui] { ui.wake("job"); });
+    reference_->set_wake([&ui] { ui.wake("reference"); });
 }
 
 void Editor::open(const std::vector<std::string>& files) {
@@ -144,11 +145,18 @@ void Editor::update(double now) {
     if (!options_.exact) meter_->frame(now, playing());  // pictures of the editor do not depend on the machine
 }
 
+bool Editor::draw_pictures() {
+    const bool compared = reference_->draw();
+    // What nobody sees is not drawn, as long as something is: amounts follow what was drawn last.
+    if (reference_->compares() && !layouts_->seen("View")) return compared;
+    return preview.draw(shot()) || compared;
+}
+
 bool Editor::draw() {
     preview.follow(document);
-    if (options_.exact) return preview.draw(shot());
+    if (options_.exact) return draw_pictures();
     meter_->scene.begin();
-    const bool drawn = preview.draw(shot());
+    const bool drawn = draw_pictures();
     meter_->scene.end();
     return drawn;
 }

@@ -140,6 +140,7 @@ class Editor {
 
   private:
     void advance(double seconds);
+    bool draw_pictures();
     void tidy_gesture();
 
     EditorOptions options_;

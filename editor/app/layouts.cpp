@@ -73,6 +73,13 @@ bool Layouts::standard(std::string_view name) const {
     return std::any_of(standards.begin(), standards.end(), [&](const Standard& s) { return same_name(s.name, name); });
 }
 
+bool Layouts::seen(std::string_view panel) const {
+    const int leaf = shown.find(panel);
+    if (leaf < 0) return false;
+    const ui::DockNode& node = shown.nodes[static_cast<std::size_t>(leaf)];
+    return node.tabs[static_cast<std::size_t>(node.active)] == panel;
+}
+
 bool Layouts::choose(std::string_view name) {
     for (const Standard& standard : standards) {
         if (!same_name(standard.name, name)) continue;

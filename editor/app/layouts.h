@@ -21,6 +21,8 @@ class Layouts {
 
     ui::DockLayout shown;  ///< as the user has it now
     const std::string& name() const { return name_; }
+    /// Whether the panel is in front of its tabs.
+    bool seen(std::string_view panel) const;
     /// Of the standard ones ("Tune", "Key", "Compare", "Stage") and the user's own.
     std::vector<std::string> names() const;
     /// False: there is none of this name; case does not matter.

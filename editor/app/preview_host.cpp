@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace lapfx::app {
 
@@ -55,6 +56,7 @@ void PreviewHost::make(const document::Document& document) {
     changed_ = true;
     try {
         preview_ = std::make_unique<Preview>(document.scene(), document.preset(), options_);
+        overlay_ = options_.overlay;
         organ_faults_.clear();
         preset_faults_.clear();
         scene_text_ = write_scene(document.scene());
@@ -96,15 +98,23 @@ void PreviewHost::resize(glm::ivec2 size) {
 }
 
 bool PreviewHost::draw(const Shot& shot) {
-    if (!preview_ || target_.texture() == 0) return false;
-    const bool same =
-        shot.time == last_.time && same_camera(shot.camera, last_.camera) && shot.overlay == last_.overlay;
-    if (same && !changed_ && !tool_on_ && !late()) return false;
-    if (shot.overlay != last_.overlay) preview_->set_overlay(shot.overlay);
+    return draw_into(target_, shot, last_, drawn_);
+}
+
+bool PreviewHost::draw_into(PreviewCopy& copy, const Shot& shot) {
+    return draw_into(copy.target, shot, copy.shot, copy.revision);
+}
+
+bool PreviewHost::draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn) {
+    if (!preview_ || target.texture() == 0) return false;
+    if (std::exchange(changed_, false)) ++revision_;
+    const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay;
+    if (same && drawn == revision_ && !tool_on_ && !late()) return false;
+    if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
     preview_->set_camera(shot.camera);
-    preview_->draw(shot.time, target_.size(), target_.framebuffer());
-    last_ = shot;
-    changed_ = false;
+    preview_->draw(shot.time, target.size(), target.framebuffer());
+    last = shot;
+    drawn = revision_;
     return true;
 }
 

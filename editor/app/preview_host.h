@@ -21,6 +21,13 @@ struct Shot {
     Overlay overlay = Overlay::none;
 };
 
+/// Another place to draw it into, of a size of its own, and what was drawn there last.
+struct PreviewCopy {
+    Target target;
+    Shot shot;
+    std::uint64_t revision = 0;  ///< of the host; 0: nothing yet
+};
+
 class PreviewHost {
   public:
     explicit PreviewHost(const PreviewOptions& options);
@@ -35,6 +42,8 @@ class PreviewHost {
     void resize(glm::ivec2 size);
     /// Draws if the picture would differ from the last one; gives whether it did. Nothing is drawn without an organ.
     bool draw(const Shot& shot);
+    /// The same into `copy`, whose target has a size.
+    bool draw_into(PreviewCopy& copy, const Shot& shot);
     /// Clips play by themselves while time stands only if one is late: whether a draw() would get a better picture.
     bool late() const;
 
@@ -63,6 +72,7 @@ class PreviewHost {
 
   private:
     void make(const document::Document& document);
+    bool draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn);
     void follow_preset(const Preset& preset);
     void follow_scene(const Scene& scene);
     void push_sample(double time, glm::dvec3 place, bool touching);
@@ -74,7 +84,9 @@ class PreviewHost {
     std::string scene_text_, preset_text_, organ_key_;
     std::vector<Fault> preset_faults_, organ_faults_;
     bool changed_ = true;
+    std::uint64_t revision_ = 1, drawn_ = 0;  ///< of what it shows beside the shot; the one in the target
     Shot last_;
+    Overlay overlay_ = Overlay::none;  ///< that the preview has
 
     bool tool_on_ = false;
     ToolSample tool_;

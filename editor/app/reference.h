@@ -1,19 +1,104 @@
-// The surgery video that is to be matched, and how it is compared with the preview.
+// The surgery video that is to be matched, and how it is compared with the preview. The scene names it; here it is opened, followed
+// by the timeline, and shown.
+//
+//     editor.reference().choose("operation.mp4");  // the scene's reference from now on: an undo step
+//     ...
+//     while the panel is built:  reference.follow();  ui::image_view(u, "Video", reference.picture(), reference.compare.view);
+//
+// UI thread; what decodes is beside it (video_feed.h), but with EditorOptions::exact.
 #pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/preview_host.h"
+#include "app/video_feed.h"
+#include "ui/canvas/axis.h"
+#include "ui/canvas/compare_view.h"
 
 namespace lapfx::app {
 
 class Editor;
 
+enum class CompareWay : std::uint8_t { reference, beside, wipe, difference, onion };
+
 class Reference {
   public:
-    explicit Reference(Editor& editor) : editor_(editor) {}
+    static constexpr glm::ivec2 largest_compared{1280,
+                                                 1024};  ///< px that the preview is drawn at for comparing, at most
+
+    explicit Reference(Editor& editor);
+    ~Reference();
+
+    // --- which ------------------------------------------------------------------------------------------------------
+    /// An undo step: the scene's reference, from its first frame on. One of numbered images stands for all of them.
+    void choose(const std::filesystem::path& file);
+    void choose_sample();
+    void remove();
+    bool named() const { return !file_.empty(); }                ///< the scene names one
+    const std::filesystem::path& file() const { return file_; }  ///< where it is
+    bool opening() const { return feed_.opening(); }
+    const VideoReader* video() const { return feed_.video().get(); }  ///< null: none that can be shown
+    const std::vector<Fault>& faults() const { return feed_.faults(); }
+
+    // --- when -------------------------------------------------------------------------------------------------------
+    /// s in the reference: the scene's time and the offset, or of the frame that is held. May be outside of it.
+    double time() const;
+    int frame() const;  ///< the one for that time; -1 without video()
+    /// Keeps to this frame whatever the timeline does: to find what belongs to a moment of the scene.
+    void hold(int frame);
+    void step(int frames) { hold(frame() + frames); }
+    void let_go() { held_.reset(); }
+    bool held() const { return held_.has_value(); }
+    /// An undo step: the offset with which the frame that is held belongs to the scene's time as it is; it is let go.
+    void align();
+    /// s of the scene, from the reference's first frame to its end; nothing without video().
+    std::optional<ui::Span> span() const;
+
+    // --- shown ------------------------------------------------------------------------------------------------------
+    /// By the panel in every build: the frame for the time is wanted.
+    void follow();
+    /// The newest frame that has come.
+    ui::Picture picture() const;
+    bool good() const { return feed_.good(); }  ///< the file could give it
+    /// Both of one size, for compare_view: the scene through its camera at the timeline's time, drawn after this frame; the
+    /// reference, counted in the same pixels.
+    ui::Picture compared_preview();
+    ui::Picture compared_reference() const;
+    CompareWay way = CompareWay::reference;
+    ui::CompareState compare;  ///< its view is that of the reference alone, too
+
+    // --- of the editor ------------------------------------------------------------------------------------------------
+    void set_wake(std::function<void()> wake) { feed_.set_wake(std::move(wake)); }
     /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+    void update(double now);
+    /// Once after each frame: draws the preview for comparing, if it is seen. Gives whether it differs.
+    bool draw();
+    bool compares() const { return compares_; }  ///< that picture was asked for in the last build
 
   private:
+    class ReferencePixels;
+    class PreviewPixels;
+
+    void follow_scene();
+    void show_newest();
+    glm::ivec2 compared_size() const;
+
     Editor& editor_;
+    VideoFeed feed_;
+    std::filesystem::path file_;
+    std::uint64_t followed_ = 0;  ///< version of the document
+    std::optional<int> held_;
+    ui::ImageHandle image_ = 0;  ///< of the editor's images
+    bool compares_ = false;
+    PreviewCopy copy_;
+    std::unique_ptr<ReferencePixels> pixels_, compared_pixels_;
+    std::unique_ptr<PreviewPixels> preview_pixels_;
 };
+
+/// "frame_%04d.png" for "frame_0012.png" where more of them are numbered on beside it; else the file itself.
+std::filesystem::path whole_sequence(const std::filesystem::path& file);
 
 }  // namespace lapfx::app

@@ -1,12 +1,311 @@
+// The reference: the surgery video that is to be matched, alone or against the preview.
+#include "app/reference.h"
+
+#include <array>
+
+#include "app/layouts.h"
+#include "app/open.h"
 #include "panels/panels.h"
+#include "ui/canvas/image_view.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/param.h"
 
 namespace lapfx::panels {
 
-void reference_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "reference_panel");
+namespace {
+
+using app::CompareWay;
+using app::Reference;
+
+constexpr std::array<std::string_view, 5> ways = {"Reference", "Beside", "Wipe", "Difference", "Onion"};
+
+void choose_next_way(Reference& reference) {
+    reference.way = static_cast<CompareWay>((static_cast<std::size_t>(reference.way) + 1) % ways.size());
 }
 
-void add_reference_commands([[maybe_unused]] app::Editor& editor) {}
+void ask_for_video(app::Editor& editor) {
+    const std::filesystem::path now = editor.reference().file();
+    editor.ask_file(
+        {.title = "Open reference video",
+         .folder = now.parent_path().string(),
+         .filters = {{"Videos",
+                      {".mp4", ".mov", ".mkv", ".avi", ".webm", ".m4v", ".mpg", ".mpeg", ".wmv", ".ts", ".ogv"}},
+                     {"Images", {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"}}}},
+        [&editor](const std::vector<std::string>& files) { editor.reference().choose(files.front()); });
+}
+
+/// A video becomes the reference; a scene, a preset or an organ is what it is anywhere in the window.
+void take_dropped(app::Editor& editor, std::string_view paths) {
+    std::vector<std::string> files;
+    for (std::size_t from = 0; from < paths.size();) {
+        const std::size_t end = std::min(paths.find('\n', from), paths.size());
+        if (end > from) files.emplace_back(paths.substr(from, end - from));
+        from = end + 1;
+    }
+    if (files.empty()) return;
+    try {
+        if (app::kind_of(files.front()) == app::FileKind::video) return editor.reference().choose(files.front());
+    } catch (const Error& error) {
+        return editor.tell(error);
+    }
+    editor.open(files);
+}
+
+void accept_drops(ui::Ui& ui, app::Editor& editor) {
+    ui::Node& panel = ui.parent();
+    panel.sense = panel.sense | ui::Sense::drop;
+    ui.events_of(panel.id, [&](const ui::Event& event) {
+        if (event.kind == ui::EventKind::drop) take_dropped(editor, event.paths);
+    });
+}
+
+/// In the middle of the panel, of a width that reads well.
+class Notice {
+  public:
+    explicit Notice(ui::Ui& ui)
+        : ground_(ui,
+                  {.width = ui::grow(), .height = ui::grow(), .cross = ui::Place::center, .main = ui::Place::center}),
+          text_(ui, {.width = ui::px(ui.em(30)), .gap = 0.5F, .cross = ui::Place::center}) {}
+
+  private:
+    ui::Column ground_, text_;
+};
+
+void invite(ui::Ui& ui, app::Editor& editor) {
+    const Notice notice(ui);
+    ui::label(ui, "The video to match", {.size = 1.25F, .weight = ui::Weight::bold});
+    ui::space(ui, 0.2F);
+    ui::label(ui, "Drop a surgery video or numbered images here, or open them.", {.tone = ui::Tone::dim});
+    ui::label(ui, "It plays by the timeline; its offset aligns it with the scene.", {.tone = ui::Tone::dim});
+    ui::label(ui, "M goes through the ways of comparing it with the preview.", {.tone = ui::Tone::dim});
+    ui::space(ui, 0.4F);
+    const ui::Row buttons(ui);
+    if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "A video or images from a file", .primary = true}))
+        ask_for_video(editor);
+    if (ui::button(ui, "Sample reference",
+                   {.tip = "A video of lapfx's own, of another operation than the sample scene's"}))
+        editor.reference().choose_sample();
+}
+
+void ways_out(ui::Ui& ui, app::Editor& editor) {
+    const ui::Row buttons(ui);
+    if (ui::button(ui, "Choose another file...", {.icon = ui::Icon::folder, .tip = "Another video as the reference"}))
+        ask_for_video(editor);
+    if (ui::button(ui, "Remove", {.tip = "The scene has no reference then", .quiet = true}))
+        editor.reference().remove();
+}
+
+void tell_faults(ui::Ui& ui, app::Editor& editor) {
+    const Notice notice(ui);
+    ui::label(ui, "This reference cannot be shown", {.size = 1.25F, .weight = ui::Weight::bold});
+    for (const Fault& fault : editor.reference().faults())
+        ui::label(ui, fault.text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    ui::space(ui, 0.4F);
+    ways_out(ui, editor);
+}
+
+/// The last frame is still there.
+void warn_of_faults(ui::Ui& ui, app::Editor& editor) {
+    if (editor.reference().faults().empty()) return;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::label(ui, editor.reference().faults().front().text(), {.tone = ui::Tone::warning, .width = ui::grow()});
+    ways_out(ui, editor);
+}
+
+void way_of_comparing(ui::Ui& ui, app::Editor& editor) {
+    Reference& reference = editor.reference();
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    {
+        const ui::Row box(ui, {.width = ui::px(ui.em(27))});
+        int way = static_cast<int>(reference.way);
+        if (ui::segmented(ui, "Compare", way, ways)) reference.way = static_cast<CompareWay>(way);
+    }
+    ui::space(ui, 0.4F);
+    if (reference.way == CompareWay::difference)
+        ui::number_field(ui, "Gain", reference.compare.gain,
+                         {.minimum = 1,
+                          .maximum = 100,
+                          .hard_minimum = 1,
+                          .hard_maximum = 100,
+                          .scale = ui::ValueScale::logarithmic,
+                          .standard = 4.0,
+                          .tip = "Factor on what differs: a difference of 8 code values at 4 is shown as 32",
+                          .width = ui::px(ui.em(9))});
+    if (reference.way == CompareWay::onion) {
+        ui::ParamOptions options = ui::percent();
+        options.hard_minimum = 0, options.hard_maximum = 100;
+        options.standard = 50.0, options.tip = "Share of the second picture", options.width = ui::px(ui.em(9));
+        ui::number_field(ui, "Mix", reference.compare.mix, options);
+    }
+    if (reference.way != CompareWay::reference)
+        ui::toggle(ui, "Swap", reference.compare.swapped,
+                   {.tip = "Reference first, preview second: X in the picture. F held shows the second alone"});
+    ui::spacer(ui);
+    const std::string name = reference.file().filename().string();
+    ui::label(ui, name, {.tone = ui::Tone::dim});
+    ui.last().tip = ui.copy(reference.file().string());
+    if (ui::icon_button(ui, ui::Icon::folder, "Open reference video", {.quiet = true})) ask_for_video(editor);
+}
+
+void frame_by_frame(ui::Ui& ui, Reference& reference) {
+    const int last = reference.video()->info().frames - 1;
+    double frame = reference.frame();
+    if (ui::icon_button(ui, ui::Icon::step_back, "Frame before",
+                        {.tip = "The reference alone goes back by a frame and is held there", .quiet = true}))
+        reference.step(-1);
+    if (ui::number_field(ui, "Frame", frame,
+                         {.maximum = static_cast<double>(std::max(last, 1)),
+                          .hard_minimum = 0,
+                          .hard_maximum = static_cast<double>(last),
+                          .step = 1,
+                          .tip = "Frame of the reference. Changed, it is held there, whatever the timeline does",
+                          .integer = true,
+                          .width = ui::px(ui.em(9))}))
+        reference.hold(static_cast<int>(frame));
+    if (ui::icon_button(ui, ui::Icon::step_forward, "Frame after",
+                        {.tip = "The reference alone goes on by a frame and is held there", .quiet = true}))
+        reference.step(1);
+}
+
+void alignment(ui::Ui& ui, app::Editor& editor) {
+    Reference& reference = editor.reference();
+    bool held = reference.held();
+    if (ui::toggle(ui, "Hold", held, {.icon = ui::Icon::lock, .tip = "Stay at this frame while the timeline goes on"}))
+        held ? reference.hold(reference.frame()) : reference.let_go();
+    ui.push_disabled(!reference.held());
+    if (ui::button(ui, "Align start here",
+                   {.tip = "The frame that is held belongs to the scene's time as it is now: sets the offset"}))
+        reference.align();
+    ui.pop_disabled();
+    double offset = editor.document.scene().reference.offset;
+    const ui::Edit edit = ui::number_field(ui, "Offset", offset,
+                                           ui::seconds({.minimum = -10,
+                                                        .maximum = 10,
+                                                        .hard_minimum = -86'400,
+                                                        .hard_maximum = 86'400,
+                                                        .step = 0.01,
+                                                        .unit = "s",
+                                                        .standard = 0.0,
+                                                        .tip = "Time in the reference when the scene starts",
+                                                        .width = ui::px(ui.em(10))}));
+    editor.document.take(edit, "Reference offset", [&](document::Content& c) { c.scene.reference.offset = offset; });
+}
+
+/// Where it stands, and what keeps that from being what one expects.
+void place_in_time(ui::Ui& ui, const Reference& reference) {
+    char text[64];
+    const double time = reference.time(), duration = reference.video()->info().duration;
+    std::snprintf(text, sizeof text, "%.2f of %.2f s", time, duration);
+    if (time < 0)
+        ui::label(ui, "Before its start", {.tone = ui::Tone::warning});
+    else if (time >= duration && !reference.held())
+        ui::label(ui, "After its end", {.tone = ui::Tone::warning});
+    else if (!reference.good())
+        ui::label(ui, "Frame missing: the one before it", {.tone = ui::Tone::warning});
+    ui::label(ui, text, {.tone = ui::Tone::dim, .number = true});
+    if (!reference.video()->info().warning.empty()) ui.last().tip = ui.copy(reference.video()->info().warning);
+}
+
+void time_row(ui::Ui& ui, app::Editor& editor) {
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    frame_by_frame(ui, editor.reference());
+    ui::space(ui, 0.2F);
+    alignment(ui, editor);
+    ui::spacer(ui);
+    place_in_time(ui, editor.reference());
+}
+
+void comparison(ui::Ui& ui, Reference& reference) {
+    constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
+                                  ui::CompareKind::difference, ui::CompareKind::onion};
+    reference.compare.kind = kinds[static_cast<std::size_t>(reference.way)];
+    // The view takes letters for itself.
+    ui.events_of(ui.id_of("Comparison"), [&](const ui::Event& event) {
+        if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat)
+            choose_next_way(reference);
+    });
+    ui::compare_view(ui, "Comparison", reference.compared_preview(), reference.compared_reference(), reference.compare,
+                     {.first_label = "Preview",
+                      .second_label = "Reference",
+                      .tip = "Wheel: zoom. F held: the second alone. X: swap. M: next way of comparing"});
+}
+
+void pictures(ui::Ui& ui, Reference& reference) {
+    if (reference.picture().image == 0) {
+        const Notice notice(ui);
+        ui::label(ui, "Decoding...", {.tone = ui::Tone::dim});
+        return;
+    }
+    if (reference.way != CompareWay::reference) return comparison(ui, reference);
+    ui::image_view(ui, "Video", reference.picture(), reference.compare.view,
+                   {.tip = "Wheel: zoom. 0: all of it. 1: pixel by pixel. M: next way of comparing"});
+}
+
+}  // namespace
+
+void reference_panel(ui::Ui& ui, app::Editor& editor) {
+    accept_drops(ui, editor);
+    Reference& reference = editor.reference();
+    reference.follow();
+    if (!reference.named()) return invite(ui, editor);
+    if (reference.video() == nullptr) {
+        if (!reference.opening()) return tell_faults(ui, editor);
+        const Notice notice(ui);
+        ui::label(ui, ui.join({"Opening ", reference.file().filename().string(), "..."}), {.tone = ui::Tone::dim});
+        return;
+    }
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
+    way_of_comparing(ui, editor);
+    time_row(ui, editor);
+    warn_of_faults(ui, editor);
+    pictures(ui, reference);
+}
+
+void add_reference_commands(app::Editor& editor) {
+    using ui::key_of;
+    using ui::Mods;
+    const auto shown = [&editor] { return editor.reference().video() != nullptr; };
+    editor.commands.add({.id = "reference.open",
+                         .title = "Open reference video",
+                         .group = "Reference",
+                         .chord = {key_of('V'), Mods::command | Mods::shift},
+                         .run =
+                             [&editor] {
+                                 editor.layouts().shown.show("Reference");
+                                 ask_for_video(editor);
+                             },
+                         .tip = "The surgery video that is to be matched"});
+    editor.commands.add({.id = "reference.sample",
+                         .title = "Sample reference",
+                         .group = "Reference",
+                         .run =
+                             [&editor] {
+                                 editor.layouts().shown.show("Reference");
+                                 editor.reference().choose_sample();
+                             },
+                         .tip = "A video of lapfx's own, of another operation than the sample scene's"});
+    editor.commands.add({.id = "reference.next_way",
+                         .title = "Next way of comparing",
+                         .group = "Reference",
+                         .chord = {key_of('M'), Mods::none},
+                         .run =
+                             [&editor] {
+                                 if (editor.layouts().seen("Reference")) return choose_next_way(editor.reference());
+                                 editor.layouts().shown.show("Reference");
+                             },
+                         .enabled = shown,
+                         .tip = "Reference, beside, wipe, difference, onion; shows the panel first"});
+    editor.commands.add({.id = "reference.align",
+                         .title = "Align start here",
+                         .group = "Reference",
+                         .run = [&editor] { editor.reference().align(); },
+                         .enabled = [&editor] { return editor.reference().held(); },
+                         .tip = "The frame that is held belongs to the scene's time as it is now"});
+    editor.commands.add({.id = "reference.remove",
+                         .title = "Remove reference",
+                         .group = "Reference",
+                         .run = [&editor] { editor.reference().remove(); },
+                         .enabled = [&editor] { return editor.reference().named(); }});
+}
 
 }  // namespace lapfx::panels

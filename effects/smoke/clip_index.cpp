@@ -112,12 +112,16 @@ struct Packets {
     bool cut = false;       ///< one lacks a part
 };
 
-Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::size_t maximum) {
+Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::size_t maximum,
+                     const std::atomic<bool>* stop) {
     Packets packets;
     std::vector<Entry>& entries = packets.shown;
     const libav::Packet packet(libav::made(av_packet_alloc()));
     const AVCodecParameters& codec = *file.video().codecpar;
     while (file.next(*packet)) {
+        if (stop != nullptr && stop->load(std::memory_order_relaxed))
+            throw Error(Failure::runtime,
+                        Fault{.file = path.string(), .place = "", .reason = "was not read to its end"});
         ++packets.count;
         packets.cut = packets.cut || (packet->flags & AV_PKT_FLAG_CORRUPT) != 0;
         if (is_hidden(codec, *packet)) continue;
@@ -213,8 +217,8 @@ int ClipIndex::frame_at(std::int64_t pts) const {
     return apart(pts, *after) <= apart(*(after - 1), pts) ? index : index - 1;
 }
 
-ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum) {
-    const Packets packets = read_packets(file, path, static_cast<std::size_t>(maximum));
+ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const std::atomic<bool>* stop) {
+    const Packets packets = read_packets(file, path, static_cast<std::size_t>(maximum), stop);
     const std::vector<Entry>& entries = packets.shown;
     if (entries.empty()) throw bad_clip(path, "holds no frame that can be decoded");
     ClipIndex index;

@@ -1,6 +1,7 @@
 // Which frames a clip has and when they are shown, from its packets alone.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -40,8 +41,10 @@ struct ClipIndex {
     int frame_at(std::int64_t pts) const;
 };
 
-/// Reads the file to its end, and leaves it there. Throws Error (bad_input): no frame, more than `maximum`.
-ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum);
+/// Reads the file to its end, and leaves it there. Throws Error (bad_input): no frame, more than `maximum`. `stop`, if given, is
+/// asked between packets: Error (runtime).
+ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum,
+                     const std::atomic<bool>* stop = nullptr);
 
 /// A sequence of images has no times of its own.
 ClipIndex index_sequence(const ImageSequence& sequence);

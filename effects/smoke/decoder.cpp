@@ -10,6 +10,7 @@
 #include "smoke/frame_reader.h"
 
 extern "C" {
+#include <libavutil/display.h>
 #include <libavutil/pixdesc.h>
 }
 
@@ -38,6 +39,36 @@ struct Decoded {
     }
 };
 
+/// The file's own word for how it is turned: in each frame, or once for all of them.
+const std::int32_t* display_matrix(const AVFrame& frame, const AVStream& video) {
+    constexpr std::size_t bytes = 9 * sizeof(std::int32_t);
+    const AVFrameSideData* own = av_frame_get_side_data(&frame, AV_FRAME_DATA_DISPLAYMATRIX);
+    if (own != nullptr && own->size >= bytes) return reinterpret_cast<const std::int32_t*>(own->data);
+    std::size_t size = 0;
+    const std::uint8_t* data = av_stream_get_side_data(&video, AV_PKT_DATA_DISPLAYMATRIX, &size);
+    return data != nullptr && size >= bytes ? reinterpret_cast<const std::int32_t*>(data) : nullptr;
+}
+
+/// The nearest quarter turn: (x, y) is shown at (m[0] x + m[3] y, m[1] x + m[4] y).
+Turn turn_of(const AVFrame& frame, const AVStream& video) {
+    const std::int32_t* m = display_matrix(frame, video);
+    if (m == nullptr) return {};
+    const auto size = [](std::int32_t v) { return std::abs(static_cast<std::int64_t>(v)); };
+    const bool transposed = size(m[1]) + size(m[3]) > size(m[0]) + size(m[4]);
+    return {.mirrored = {(transposed ? m[1] : m[0]) < 0, (transposed ? m[3] : m[4]) < 0}, .transposed = transposed};
+}
+
+/// What cannot be meant counts as square.
+double pixel_aspect_of(const AVFrame& frame, const AVStream& video) {
+    constexpr double most = 10.0;
+    for (const AVRational aspect :
+         {video.sample_aspect_ratio, video.codecpar->sample_aspect_ratio, frame.sample_aspect_ratio}) {
+        const double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 0.0;
+        if (ratio >= 1.0 / most && ratio <= most) return ratio;
+    }
+    return 1.0;
+}
+
 double seconds() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
@@ -52,7 +83,7 @@ int ClipInfo::frame_at(double time) const {
 struct Decoder::State {
     State(const fs::path& clip, Layout wanted) : path(clip), layout(wanted) {}
 
-    void look_through(int maximum_frames);
+    void look_through(int maximum_frames, const std::atomic<bool>* stop);
     void open_known(const ClipInfo& known);
     void describe(const AVFrame& frame, const ClipIndex& found);
     bool brings_opacity();
@@ -67,6 +98,7 @@ struct Decoder::State {
     const fs::path path;
     const Layout layout;
     ClipInfo info;
+    glm::ivec2 size{0};  ///< of pictures
     std::shared_ptr<const ClipIndex> index;
     std::unique_ptr<FrameReader> reader;  ///< none for a sequence of images
     std::unique_ptr<FrameConverter> converter;
@@ -84,7 +116,7 @@ Step Decoder::State::step(Decoded& into, const std::atomic<bool>* stop) {
     return reader->next(*index, *into.frame, into.number, stop);
 }
 
-void Decoder::State::look_through(int maximum_frames) {
+void Decoder::State::look_through(int maximum_frames, const std::atomic<bool>* stop) {
     const std::optional<ImageSequence> sequence = find_sequence(path, maximum_frames);
     auto found = std::make_shared<ClipIndex>();
     if (sequence) {
@@ -92,7 +124,7 @@ void Decoder::State::look_through(int maximum_frames) {
         reader = std::make_unique<FrameReader>(sequence->file(0));
     } else {
         reader = std::make_unique<FrameReader>(path);
-        *found = index_clip(reader->file(), path, maximum_frames);
+        *found = index_clip(reader->file(), path, maximum_frames, stop);
         reader->restart();
     }
     index = found;
@@ -107,7 +139,7 @@ void Decoder::State::look_through(int maximum_frames) {
 }
 
 void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
-    info.size = {frame.width, frame.height};
+    info.size = size = {frame.width, frame.height};
     if (frame.width < 1 || frame.height < 1) throw bad_clip(path, "holds no picture");
     if (frame.width > maximum_side || frame.height > maximum_side)
         throw bad_clip(path, "is " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
@@ -116,6 +148,8 @@ void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
     const char* format = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame.format));
     info.pixel_format = format == nullptr ? "unknown" : format;
     info.color = matrix_of(found.color);
+    info.turn = turn_of(frame, reader->file().video());
+    info.pixel_aspect = pixel_aspect_of(frame, reader->file().video());
     info.times = found.times;
     info.duration = found.duration;
     info.warning = found.warning.empty() ? reader->warning() : found.warning;
@@ -134,6 +168,7 @@ bool Decoder::State::brings_opacity() {
 
 void Decoder::State::open_known(const ClipInfo& known) {
     info = known;
+    size = known.size;
     index = known.index;
     if (!index->sequence) reader = std::make_unique<FrameReader>(path);
 }
@@ -234,9 +269,9 @@ bool Decoder::State::read(int frame, Picture& into, const std::atomic<bool>* sto
     return shown.number == frame;
 }
 
-Decoder::Decoder(const fs::path& path, Layout layout, int maximum_frames)
+Decoder::Decoder(const fs::path& path, Layout layout, int maximum_frames, const std::atomic<bool>* stop)
     : state_(std::make_unique<State>(path, layout)) {
-    state_->look_through(maximum_frames);
+    state_->look_through(maximum_frames, stop);
     state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
 }
 
@@ -256,7 +291,12 @@ const ClipInfo& Decoder::info() const {
 }
 
 PictureFormat Decoder::format() const {
-    return {.size = state_->info.size, .layout = state_->layout, .alpha = state_->info.alpha};
+    return {.size = state_->size, .layout = state_->layout, .alpha = state_->info.alpha};
+}
+
+void Decoder::scale_to(glm::ivec2 size) {
+    state_->size = size;
+    state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
 }
 
 bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noexcept {

@@ -17,6 +17,12 @@ namespace lapfx::smoke {
 
 struct ClipIndex;
 
+/// How a player turns a file's pictures to show them upright: mirrored along the file's axes, then x and y exchanged.
+struct Turn {
+    glm::bvec2 mirrored{false};
+    bool transposed = false;
+};
+
 /// What a clip is, known from looking through the file's packets without decoding them all.
 struct ClipInfo {
     glm::ivec2 size{0};         ///< pixels, as it is to be shown (a rotation that the file asks for is not applied)
@@ -24,6 +30,8 @@ struct ClipInfo {
     std::string codec;          ///< FFmpeg's name: "h264", "vp8", "png"
     std::string pixel_format;   ///< FFmpeg's name: "yuv420p"
     ColorMatrix color;          ///< of Layout::planar
+    Turn turn;                  ///< that the file asks for; not applied
+    double pixel_aspect = 1.0;  ///< width over height of a pixel; not applied either
     std::vector<double> times;  ///< s, when each frame is shown, from 0, ascending (variable frame rates are kept)
     double duration = 0.0;      ///< s, the last frame's time included
     std::string warning;        ///< what is odd about the file but does not keep it from playing; one line, or empty
@@ -37,8 +45,9 @@ struct ClipInfo {
 class Decoder {
   public:
     /// Opens and looks through the file. Throws Error (bad_input): not a plain local file, a playlist, not a video, no
-    /// picture, no frame, a side over 8192 pixels, over `maximum_frames`.
-    Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = 100'000);
+    /// picture, no frame, a side over 8192 pixels, over `maximum_frames`. `stop`, if given, ends that early: Error (runtime).
+    Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = 100'000,
+            const std::atomic<bool>* stop = nullptr);
     /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error (bad_input)
     /// when the file is gone or no video any more.
     Decoder(const std::filesystem::path& path, Layout layout, const ClipInfo& known);
@@ -48,6 +57,8 @@ class Decoder {
 
     const ClipInfo& info() const;
     PictureFormat format() const;
+    /// Pictures are of this size from now on, whatever the file's.
+    void scale_to(glm::ivec2 size);
 
     /// Frame `index` (0 .. frame_count - 1) into `into`. Going on to the next frame, or forward by a few, decodes those; any
     /// other jump seeks. A frame that the file cannot give (corrupt, missing, of another size that cannot be scaled) is the last

@@ -1,0 +1,226 @@
+#include "app/reference.h"
+
+#include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "app/editor.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* sample = "samples/reference/operation.mp4";
+
+glm::vec4 pixel_of(const Image& image, glm::ivec2 at) {
+    if (at.x < 0 || at.y < 0 || at.x >= image.width || at.y >= image.height) return glm::vec4(0);
+    const auto row = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(image.width);
+    const std::uint8_t* p = image.pixels.data() + 4 * (row + static_cast<std::size_t>(at.x));
+    return {p[0], p[1], p[2], p[3]};
+}
+
+bool is_image_name(const fs::path& file) {
+    static const std::set<std::string> extensions{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
+    std::string extension = file.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+    return extensions.contains(extension);
+}
+
+/// As a scene in `folder` names it: relative where it lies below.
+std::string named_in(const fs::path& folder, const fs::path& file) {
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(fs::absolute(file), error);
+    if (error) return fs::absolute(file).string();
+    const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder), error));
+    const bool below = !error && !relative.empty() && *relative.begin() != "..";
+    return below ? relative.generic_string() : whole.string();
+}
+
+}  // namespace
+
+/// The frame that is shown; with a size, as if it had that many pixels.
+class Reference::ReferencePixels : public ui::PickSource {
+  public:
+    explicit ReferencePixels(const Image& image) : image_(image) {}
+    glm::ivec2 size{0};
+    glm::vec4 pixel(glm::ivec2 at) const override {
+        if (size.x < 1 || size.y < 1) return pixel_of(image_, at);
+        const glm::dvec2 scale = glm::dvec2(image_.width, image_.height) / glm::dvec2(size);
+        return pixel_of(image_, glm::ivec2((glm::dvec2(at) + 0.5) * scale));
+    }
+
+  private:
+    const Image& image_;
+};
+
+/// Read back when somebody asks, once for each picture.
+class Reference::PreviewPixels : public ui::PickSource {
+  public:
+    explicit PreviewPixels(const Target& target) : target_(target) {}
+    void forget() { known_ = false; }
+    glm::vec4 pixel(glm::ivec2 at) const override {
+        if (!std::exchange(known_, true)) image_ = target_.read();
+        return pixel_of(image_, at);
+    }
+
+  private:
+    const Target& target_;
+    mutable Image image_;
+    mutable bool known_ = false;
+};
+
+fs::path whole_sequence(const fs::path& file) {
+    const std::string stem = file.stem().string();
+    std::size_t digits = 0;
+    while (digits < stem.size() && digits < 9 &&
+           std::isdigit(static_cast<unsigned char>(stem[stem.size() - 1 - digits])))
+        ++digits;
+    if (digits == 0 || !is_image_name(file) || stem.find('%') != std::string::npos) return file;
+    const std::string before = stem.substr(0, stem.size() - digits), extension = file.extension().string();
+    const long number = std::stol(stem.substr(before.size()));
+    const auto numbered = [&](long n) {
+        std::string text = std::to_string(n);
+        if (text.size() < digits) text.insert(0, digits - text.size(), '0');
+        std::error_code error;
+        return fs::is_regular_file(file.parent_path() / (before + text + extension), error);
+    };
+    if (!numbered(number + 1) && (number == 0 || !numbered(number - 1))) return file;
+    return file.parent_path() / (before + "%0" + std::to_string(digits) + "d" + extension);
+}
+
+Reference::Reference(Editor& editor)
+    : editor_(editor),
+      feed_(editor.options().exact),
+      pixels_(std::make_unique<ReferencePixels>(feed_.image())),
+      compared_pixels_(std::make_unique<ReferencePixels>(feed_.image())),
+      preview_pixels_(std::make_unique<PreviewPixels>(copy_.target)) {
+    compare.kind = ui::CompareKind::side_by_side;
+}
+
+Reference::~Reference() {
+    if (image_ != 0) editor_.images.remove(image_);
+}
+
+void Reference::choose(const fs::path& file) {
+    const std::string name = named_in(editor_.document.scene().folder, whole_sequence(file));
+    editor_.document.change("Reference video", [&](document::Content& c) { c.scene.reference = {.file = name}; });
+    follow_scene();
+}
+
+void Reference::choose_sample() {
+    choose(editor_.options().data_folder / sample);
+}
+
+void Reference::remove() {
+    editor_.document.change("Remove reference", [](document::Content& c) { c.scene.reference = {}; });
+    follow_scene();
+}
+
+double Reference::time() const {
+    if (held_ && video() != nullptr) return video()->time_of(std::min(*held_, video()->info().frames - 1));
+    return editor_.timeline.time + editor_.document.scene().reference.offset;
+}
+
+int Reference::frame() const {
+    if (video() == nullptr) return -1;
+    // Half a thousandth on: sums of times and offsets fall just short of a frame's own.
+    return held_ ? std::min(*held_, video()->info().frames - 1) : video()->frame_at(time() + 5e-4);
+}
+
+void Reference::hold(int frame) {
+    if (video() != nullptr) held_ = std::clamp(frame, 0, video()->info().frames - 1);
+}
+
+void Reference::align() {
+    if (!held_ || video() == nullptr) return;
+    const double offset = time() - editor_.timeline.time;
+    editor_.document.change("Align reference", [&](document::Content& c) {
+        c.scene.reference.offset = std::round(offset * 1e4) / 1e4;  // far below a frame, and short in the file
+    });
+    held_.reset();
+}
+
+std::optional<ui::Span> Reference::span() const {
+    if (video() == nullptr) return std::nullopt;
+    const double begin = -editor_.document.scene().reference.offset;
+    return ui::Span{begin, begin + video()->info().duration};
+}
+
+void Reference::follow_scene() {
+    if (std::exchange(followed_, editor_.document.version()) == editor_.document.version()) return;
+    const Scene& scene = editor_.document.scene();
+    const fs::path file = scene.reference.file.empty() ? fs::path() : scene.folder / scene.reference.file;
+    if (file == file_) return;
+    file_ = file;
+    held_.reset();
+    compare.view = {};
+    feed_.open(file_);
+}
+
+void Reference::show_newest() {
+    const Image& image = feed_.image();
+    const glm::ivec2 size(image.width, image.height);
+    if (feed_.frame() < 0 || image.pixels.empty()) return;
+    if (image_ == 0)
+        image_ = editor_.images.add(size, image.pixels);
+    else
+        editor_.images.update(image_, size, image.pixels);
+}
+
+void Reference::update(double) {
+    follow_scene();
+    if (feed_.take()) show_newest();
+    compares_ = false;
+}
+
+void Reference::follow() {
+    follow_scene();
+    const int wanted = frame();
+    if (wanted < 0) return;
+    const int before = feed_.frame();
+    feed_.want(wanted);
+    if (feed_.frame() != before) show_newest();  // at once only where it is exact
+}
+
+ui::Picture Reference::picture() const {
+    if (feed_.frame() < 0 || image_ == 0) return {};
+    return {.image = image_, .size = {feed_.image().width, feed_.image().height}, .pixels = pixels_.get()};
+}
+
+glm::ivec2 Reference::compared_size() const {
+    const glm::dvec2 size = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
+    const glm::dvec2 room = glm::dvec2(largest_compared) / size;
+    return glm::max(glm::ivec2(glm::round(size * std::min({1.0, room.x, room.y}))), glm::ivec2(1));
+}
+
+ui::Picture Reference::compared_preview() {
+    compares_ = editor_.preview.ready();
+    if (!compares_) return {.image = 0, .size = compared_size()};
+    if (copy_.target.size() != compared_size()) {
+        copy_.target.resize(compared_size());
+        copy_.revision = 0;
+    }
+    return {.image = copy_.target.texture(),
+            .size = compared_size(),
+            .pixels = copy_.revision == 0 ? nullptr : preview_pixels_.get()};
+}
+
+ui::Picture Reference::compared_reference() const {
+    compared_pixels_->size = compared_size();
+    return {.image = image_, .size = compared_size(), .pixels = compared_pixels_.get()};
+}
+
+bool Reference::draw() {
+    if (!compares_ || copy_.target.texture() == 0) return false;
+    const Shot shot{.time = editor_.timeline.time, .camera = editor_.document.scene().camera, .overlay = Overlay::none};
+    if (!editor_.preview.draw_into(copy_, shot)) return false;
+    preview_pixels_->forget();
+    return true;
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,107 @@
+// Frames of one video at a time, decoded beside the UI: the newest wish counts, and nobody waits for it.
+//
+//     VideoFeed feed({.wake = [&] { ui.wake("video"); }});
+//     feed.open("operation.mp4");
+//     ...
+//     each frame:  feed.take();  if (feed.video()) feed.want(feed.video()->frame_at(time));
+//                  show(feed.image());
+//
+// It also looks once a second whether the file is still there and still the same: what vanished is told, what changed is opened
+// again, and meanwhile the last frame stays. UI thread.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "lapfx/error.h"
+#include "lapfx/video.h"
+
+namespace lapfx::app {
+
+class VideoFeed {
+  public:
+    /// `exact`: there is no thread, open() and want() do it all at once: for tests and pictures.
+    explicit VideoFeed(bool exact = false);
+    ~VideoFeed();
+    VideoFeed(const VideoFeed&) = delete;
+    VideoFeed& operator=(const VideoFeed&) = delete;
+
+    /// Any thread calls it, when there is something to take().
+    void set_wake(std::function<void()> wake);
+    /// Another video; empty: none. What was shown is gone.
+    void open(const std::filesystem::path& file);
+    void want(int frame);
+    /// What has come since. Gives whether there was anything.
+    bool take();
+
+    bool opening() const { return !shown_.settled; }
+    /// Null: not opened. Its read() is not yours to call.
+    const std::shared_ptr<const VideoReader>& video() const { return shown_.video; }
+    /// What is wrong: without video() nothing can be shown, else the last frame stays.
+    const std::vector<Fault>& faults() const { return shown_.faults; }
+    const Image& image() const { return image_; }
+    int frame() const { return shown_.frame; }  ///< that image() is; -1: none yet
+    bool good() const { return shown_.good; }   ///< false: the file could not give it, this is the one before it
+
+  private:
+    /// How a file can be told from what it was.
+    struct Stamp {
+        std::filesystem::file_time_type written;
+        std::uintmax_t size = 0;
+        friend bool operator==(const Stamp&, const Stamp&) = default;
+    };
+    struct Wish {
+        std::uint64_t opening = 0;
+        std::filesystem::path file;
+        int frame = -1;
+    };
+    struct Shown {
+        std::uint64_t opening = 0;
+        bool settled = true;  ///< opened, or could not be
+        std::shared_ptr<const VideoReader> video;
+        std::vector<Fault> faults;
+        int frame = -1;
+        bool good = true;
+    };
+
+    static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
+    void run();
+    void serve(const Wish& wish);
+    void open_now(const Wish& wish);
+    void look_after_file();
+    void read_frame(int frame);
+    void publish(bool with_image);
+
+    const bool exact_;
+    std::mutex mutex_;
+    std::condition_variable wished_;
+    bool stopping_ = false;
+    Wish wish_;
+    Shown ready_;        ///< what take() finds
+    Image ready_image_;  ///< with it
+    bool fresh_ = false, fresh_image_ = false;
+    std::function<void()> wake_;
+    std::atomic<bool> give_up_ = false;  ///< another file is wanted: no way to a frame is worth going on
+
+    // the thread's own
+    Shown made_;
+    Image made_image_;
+    std::filesystem::path file_;
+    std::shared_ptr<VideoReader> reader_;
+    std::optional<Stamp> opened_, seen_;
+
+    // the UI's own
+    Shown shown_;
+    Image image_;
+    Wish wished_last_;
+    std::thread thread_;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,223 @@
+// The reference panel: a video that follows the timeline, is aligned with it and compared with the preview.
+#include "app/reference.h"
+
+#include <fstream>
+
+#include "app/layouts.h"
+#include "editor/support/editor_test.h"
+#include "support/clips.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* panel = "Workspace/Reference";
+
+class ReferencePanel : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        layout("Compare");
+    }
+    app::Reference& reference() { return editor().reference(); }
+    std::string named() { return editor().document.scene().reference.file; }
+    static std::string in(const std::string& name) { return std::string(panel) + "/" + name; }
+    /// Ten frames a second, each of another brightness.
+    fs::path video(const std::string& name = "v.avi", int frames = 30) {
+        return write_clip(folder() / name, frames, {64, 32}, 10);
+    }
+    void drop(const fs::path& file) {
+        ui().drop(panel, file.string());
+        ui().frame().frame();
+    }
+};
+
+TEST_F(ReferencePanel, TheSampleSceneHasOneThatFollowsTheTimeline) {
+    ASSERT_NE(reference().video(), nullptr);
+    EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
+    EXPECT_NEAR(reference().video()->info().duration, 8.0, 0.05);
+    editor().seek(4);
+    ui().frame();
+    EXPECT_EQ(reference().frame(), 112) << "half a second on, 25 a second";
+    EXPECT_EQ(ui().value(in("Frame")), 112);
+    const ui::Picture picture = reference().picture();
+    const glm::vec4 before = picture.pixels->pixel({320, 250});
+    editor().seek(0);
+    ui().frame();
+    EXPECT_GT(glm::distance(before, picture.pixels->pixel({320, 250})), 20.0F) << "blood has gone there";
+    const auto span = reference().span();
+    ASSERT_TRUE(span.has_value());
+    EXPECT_NEAR(span->low, -0.5, 1e-9);
+}
+
+TEST_F(ReferencePanel, WithoutOneItSaysWhatToDo) {
+    reference().remove();
+    ui().frame();
+    EXPECT_FALSE(ui().exists(in("Video")));
+    ui().click(in("Sample reference")).frame();
+    EXPECT_EQ(named(), "reference/operation.mp4") << "relative: it lies below the scene";
+    EXPECT_TRUE(ui().exists(in("Video")));
+    editor().document.undo();
+    ui().frame();
+    EXPECT_EQ(named(), "");
+    EXPECT_FALSE(ui().exists(in("Video")));
+}
+
+TEST_F(ReferencePanel, AVideoDroppedOnItIsTheReference) {
+    const fs::path file = video();
+    drop(file);
+    EXPECT_EQ(named(), fs::canonical(file).string());
+    EXPECT_EQ(editor().document.scene().reference.offset, 0.0);
+    EXPECT_EQ(reference().picture().size, glm::ivec2(64, 32));
+    EXPECT_EQ(editor().document.steps().back().name, "Reference video");
+    EXPECT_EQ(editor().document.preset().smoke.clips.size(), 3U) << "and no clip of the preset";
+    editor().document.undo();
+    ui().frame();
+    EXPECT_EQ(named(), "reference/operation.mp4");
+    EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
+}
+
+TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
+    const fs::path file = folder() / "notes.mp4";
+    std::ofstream(file) << "words, not a video";
+    drop(file);
+    EXPECT_EQ(reference().video(), nullptr);
+    EXPECT_NE(ui().dump().find("notes.mp4: is not a video that can be decoded"), std::string::npos) << ui().dump();
+    ui().click(in("Choose another file...")).frame();
+    EXPECT_NE(ui().dump().find("Open reference video"), std::string::npos);
+    ui().key(ui::Key::escape).frame();
+    ui().click(in("Remove")).frame();
+    EXPECT_EQ(named(), "");
+}
+
+TEST_F(ReferencePanel, AFileThatVanishesKeepsItsLastFrame) {
+    const fs::path file = video();
+    drop(file);
+    editor().seek(1.0);
+    ui().frame();
+    fs::rename(file, folder() / "away.avi");
+    ui().frame().frame();
+    EXPECT_NE(ui().dump().find("v.avi: is gone; its last frame stays"), std::string::npos) << ui().dump();
+    EXPECT_TRUE(ui().exists(in("Video")));
+    EXPECT_TRUE(ui().exists(in("Choose another file...")));
+    fs::rename(folder() / "away.avi", file);
+    ui().frame().frame();
+    EXPECT_EQ(ui().dump().find("is gone"), std::string::npos);
+}
+
+TEST_F(ReferencePanel, AFrameThatIsHeldIsAlignedWithTheScene) {
+    drop(video());
+    editor().seek(2.0);
+    ui().frame();
+    EXPECT_EQ(reference().frame(), 20);
+    EXPECT_TRUE(ui().is(in("Align start here"), ui::Is::disabled));
+    ui().click(in("Frame after")).click(in("Frame after")).click(in("Frame after")).click(in("Frame before")).frame();
+    EXPECT_EQ(reference().frame(), 22);
+    editor().seek(0.5);
+    ui().frame();
+    EXPECT_EQ(reference().frame(), 22) << "held";
+    ui().click(in("Align start here")).frame();
+    EXPECT_NEAR(editor().document.scene().reference.offset, 1.7, 1e-6);
+    EXPECT_FALSE(reference().held());
+    EXPECT_EQ(reference().frame(), 22);
+    editor().seek(0.6);
+    ui().frame();
+    EXPECT_EQ(reference().frame(), 23);
+    EXPECT_EQ(editor().document.steps().back().name, "Align reference");
+    editor().document.undo();
+    EXPECT_EQ(editor().document.scene().reference.offset, 0.0);
+}
+
+TEST_F(ReferencePanel, TheOffsetIsOneStepAGesture) {
+    const std::size_t steps = editor().document.done();
+    ui().click(in("Offset"), {.clicks = 2}).type("-1.25").key(ui::Key::enter).frame();
+    EXPECT_NEAR(editor().document.scene().reference.offset, -1.25, 1e-9);
+    EXPECT_EQ(editor().document.done(), steps + 1);
+    EXPECT_EQ(editor().document.steps().back().name, "Reference offset");
+    editor().seek(1.0);
+    ui().frame();
+    EXPECT_EQ(reference().frame(), 0);
+    EXPECT_NE(ui().dump().find("Before its start"), std::string::npos);
+    editor().seek(11.5);
+    ui().frame();
+    EXPECT_EQ(reference().frame(), 199);
+    EXPECT_NE(ui().dump().find("After its end"), std::string::npos);
+}
+
+TEST_F(ReferencePanel, KeysGoThroughTheWaysAndSwap) {
+    EXPECT_EQ(reference().way, app::CompareWay::reference);
+    ui().key('M').frame();
+    EXPECT_EQ(reference().way, app::CompareWay::beside);
+    ui().click(in("Comparison"));
+    ui().key('M').frame();
+    EXPECT_EQ(reference().way, app::CompareWay::wipe) << "also where letters belong to the picture";
+    ui().key('X').frame();
+    EXPECT_TRUE(reference().compare.swapped);
+    EXPECT_TRUE(ui().is(in("Swap"), ui::Is::checked));
+    ui().click(in("Compare/Difference")).frame();
+    EXPECT_TRUE(ui().exists(in("Gain")));
+    ui().click(in("Compare/Onion")).frame();
+    EXPECT_TRUE(ui().exists(in("Mix")));
+    ui().key('M').frame();
+    EXPECT_EQ(reference().way, app::CompareWay::reference);
+    EXPECT_TRUE(ui().exists(in("Video")));
+}
+
+TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
+    editor().seek(6);
+    ui().click(in("Compare/Wipe")).frame().frame();
+    const ui::Picture beside = reference().compared_preview();
+    ASSERT_EQ(beside.size, glm::ivec2(640, 512));
+    ASSERT_NE(beside.pixels, nullptr);
+    layout("Tune");
+    editor().preview.resize(beside.size);
+    app::Shot shot = editor().shot();
+    editor().preview.draw(shot);
+    const Image view = editor().preview.read();
+    ASSERT_EQ(glm::ivec2(view.width, view.height), beside.size);
+    for (const glm::ivec2 at :
+         {glm::ivec2(320, 256), glm::ivec2(200, 300), glm::ivec2(400, 180), glm::ivec2(330, 240)}) {
+        const std::uint8_t* p = view.pixels.data() + 4 * (at.y * view.width + at.x);
+        EXPECT_EQ(beside.pixels->pixel(at), glm::vec4(p[0], p[1], p[2], p[3])) << at.x << ", " << at.y;
+    }
+}
+
+TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
+    ui().frame();
+    EXPECT_FALSE(reference().compares());
+    ui().click(in("Compare/Beside")).frame();
+    EXPECT_TRUE(reference().compares());
+    EXPECT_FALSE(reference().draw()) << "nothing has changed";
+    editor().seek(3);
+    EXPECT_TRUE(reference().draw());
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 12; });
+    editor().preview.follow(editor().document);
+    EXPECT_TRUE(reference().draw());
+    layout("Tune");
+    EXPECT_FALSE(reference().compares());
+}
+
+TEST_F(ReferencePanel, LargeReferencesAreComparedAtASizeThatCanBeDrawn) {
+    drop(write_clip(folder() / "large.avi", 2, {1600, 800}, 10));
+    ui().click(in("Compare/Difference")).frame();
+    EXPECT_EQ(reference().compared_preview().size, glm::ivec2(1280, 640));
+    EXPECT_EQ(reference().compared_reference().size, glm::ivec2(1280, 640));
+    const ui::Picture whole = reference().picture(), counted = reference().compared_reference();
+    EXPECT_EQ(counted.pixels->pixel({1279, 639}), whole.pixels->pixel({1599, 799}));
+}
+
+TEST_F(ReferencePanel, EverythingHasANameForTheKeyboard) {
+    for (const char* way : {"Reference", "Beside", "Wipe", "Difference", "Onion"}) {
+        ui().click(in(std::string("Compare/") + way)).frame();
+        EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{}) << way;
+    }
+    reference().remove();
+    ui().frame();
+    EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
+}
+
+}  // namespace
+}  // namespace lapfx::test
