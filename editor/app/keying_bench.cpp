@@ -167,6 +167,11 @@ void KeyingBench::set_eyedropper(bool on) {
     if (on && !look.grid) look.view = static_cast<int>(BenchView::source);
 }
 
+double KeyingBench::standing_at() const {
+    const double duration = shelf.of(editor_.clip).report.duration;
+    return std::min(look.time.value_or(0.4 * duration), duration);
+}
+
 KeyingBench::Request KeyingBench::request() const {
     Request wanted;
     const SmokeClip* one = clip();
@@ -179,7 +184,7 @@ KeyingBench::Request KeyingBench::request() const {
                    .polarity = one->polarity,
                    .color = plume ? smoke.plume.color : smoke.haze.color,
                    .extinction = plume ? smoke.plume.extinction : smoke.haze.extinction};
-    wanted.time = look.time;
+    wanted.time = standing_at();
     if (look.follow) {
         const double end = one->out > one->in ? std::min(one->out, facts.report.duration) : facts.report.duration;
         const double length = std::max(end - one->in, 1e-3);

@@ -34,14 +34,14 @@ enum class Behind { grey, checker, tissue, preview };
 struct BenchLook {
     bool grid = true;  ///< all four views, else `view`
     int view = 1;
-    bool follow = false;  ///< the timeline's time, from the clip's in point on, else `time`
-    double time = 0;      ///< s of the clip
-    Behind behind = Behind::grey;
+    bool follow = false;         ///< the timeline's time, from the clip's in point on, else `time`
+    std::optional<double> time;  ///< s of the clip; none: where smoke is seen, as a rule
+    Behind behind = Behind::tissue;
     bool waveform = false;  ///< in place of the vectorscope
     bool eyedropper = false;
     int sample_box = 3;  ///< pixels a side
     bool log_counts = true;
-    float scopes = 0.62F;  ///< share of the panel that the views have
+    float scopes = 0.64F;  ///< share of the panel that the views have
     ui::ViewState state;
 };
 
@@ -76,6 +76,7 @@ class KeyingBench {
     std::span<const std::uint32_t> histogram() const { return bins_; }  ///< of luma; of 255 - luma for dark smoke
     ui::ImageHandle vectors() const { return vectors_.handle(); }
     ui::ImageHandle waves() const { return waves_.handle(); }
+    double standing_at() const;  ///< s of the clip, without following
     int frame() const { return frame_; }
     int frames() const { return frames_; }
     double time() const { return time_; }    ///< s of the clip, of the frame shown

@@ -152,6 +152,7 @@ void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t n
     ui::Node& line = ui.open(ui::Role::none, {}, ui::Axis::x);
     line.size[0] = ui::grow(), line.size[1] = ui::px(height);
     line.cross = ui::Place::center;
+    line.gap = ui.em(0.5F);
     line.padding[2] = static_cast<std::uint8_t>(ui.em(0.5F));
     const ClipLook look = look_of(ui, editor, number);
     ui::Node& node = ui.leaf(ui::Role::list_item, "##clip", ui::RowList::item_sense);
@@ -282,6 +283,7 @@ void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double d
 
 void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::space(ui, 0.05F);  // clear of the focus ring, as the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
     ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
     if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Another file in the place of this one"}))

@@ -41,6 +41,12 @@ app::KeyingBench& bench_of(app::Editor& editor) {
 
 // --- above the pictures ----------------------------------------------------------------------------------------------------
 
+/// Room of so many em for something that takes all it gets.
+class Room : public ui::Row {
+  public:
+    Room(ui::Ui& ui, float ems) : ui::Row(ui, {.width = ui::px(ui.em(ems)), .cross = ui::Place::center}) {}
+};
+
 void clip_choice(ui::Ui& ui, app::Editor& editor) {
     const auto& clips = editor.document.preset().smoke.clips;
     std::array<std::string_view, 64> names;
@@ -57,6 +63,7 @@ void behind_choice(ui::Ui& ui, KeyingBench& bench) {
     constexpr std::array<std::string_view, 4> names = {"Grey", "Checker", "Tissue", "Preview"};
     int behind = static_cast<int>(bench.look.behind);
     ui::label(ui, "over", {.tone = ui::Tone::dim});
+    const Room room(ui, 19);
     if (ui::segmented(ui, "Behind", behind, names)) bench.look.behind = static_cast<app::Behind>(behind);
 }
 
@@ -64,11 +71,14 @@ void tools(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     clip_choice(ui, editor);
-    constexpr std::array<std::string_view, 5> names = {"All four", "Source", "Matte", "Keyed", "Composite"};
+    constexpr std::array<std::string_view, 5> names = {"All", "Source", "Matte", "Keyed", "Composite"};
     int shown = bench.look.grid ? 0 : bench.look.view + 1;
-    if (ui::segmented(ui, "Views", shown, names)) {
-        bench.look.grid = shown == 0;
-        if (shown > 0) bench.look.view = shown - 1;
+    {
+        const Room room(ui, 25);
+        if (ui::segmented(ui, "Views", shown, names)) {
+            bench.look.grid = shown == 0;
+            if (shown > 0) bench.look.view = shown - 1;
+        }
     }
     behind_choice(ui, bench);
     ui::spacer(ui);
@@ -131,7 +141,7 @@ void scrub(ui::Ui& ui, app::Editor& editor) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     if (ui::icon_button(ui, Icon::step_back, "Previous frame", {.quiet = true})) step_frame(editor, -1);
     if (ui::icon_button(ui, Icon::step_forward, "Next frame", {.quiet = true})) step_frame(editor, 1);
-    double time = bench.look.follow ? bench.time() : bench.look.time;
+    double time = bench.look.follow ? bench.time() : bench.standing_at();
     const bool moved = ui::number_field(ui, "Clip time", time,
                                         {.maximum = duration,
                                          .hard_minimum = 0,
@@ -151,7 +161,8 @@ void scrub(ui::Ui& ui, app::Editor& editor) {
 
 // --- the thresholds --------------------------------------------------------------------------------------------------------
 
-void luma_histogram(ui::Ui& ui, app::Editor& editor) {
+/// `height`: em.
+void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
     KeyingBench& bench = bench_of(editor);
     const std::size_t number = editor.clip;
     const KeyingParameters& keying = bench.keying();
@@ -167,7 +178,7 @@ void luma_histogram(ui::Ui& ui, app::Editor& editor) {
          .log_counts = &bench.look.log_counts,
          .unit = "code values",
          .tip = "How often each value occurs in this frame. Below low is background, above high is whole smoke",
-         .height = 7});
+         .height = height});
     ui.pop_seed();
     editor.document.take(result.low, "Luma low",
                          [&](Content& c) { KeyingBench::keying_of(c, number).luma_low = levels.low; });
@@ -204,7 +215,7 @@ void scope(ui::Ui& ui, app::Editor& editor) {
         const bool off = !(bench.keying().chroma_high > 0);
         ui::label(ui,
                   bench.look.waveform ? "Waveform"
-                  : off               ? "Chroma (not used: both circles at 0)"
+                  : off               ? "Chroma: off"
                                       : "Chroma",
                   {.tone = ui::Tone::dim, .size = 0.86F, .width = ui::grow()});
         ui::toggle(ui, "Waveform", bench.look.waveform,
@@ -223,6 +234,7 @@ void whose_keying(ui::Ui& ui, app::Editor& editor) {
     const std::size_t number = editor.clip;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     ui::label(ui, "Thresholds for", {.width = ui::grow()});
+    const Room room(ui, 13);
     int own = bench_of(editor).clip()->own_keying ? 1 : 0;
     const ui::Edit edit = ui::segmented(ui, "Thresholds for", own, names);
     editor.document.take(edit, "Own keying", [&](Content& c) {
@@ -239,8 +251,10 @@ void pick_and_suggest(ui::Ui& ui, app::Editor& editor) {
     constexpr std::array<std::string_view, 4> names = {"1", "3", "5", "11"};
     constexpr std::array<int, 4> sides = {1, 3, 5, 11};
     int box = static_cast<int>(std::find(sides.begin(), sides.end(), bench.look.sample_box) - sides.begin());
-    if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
-    ui::label(ui, "px", {.tone = ui::Tone::dim});
+    {
+        const Room room(ui, 7);
+        if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
+    }
     ui::spacer(ui);
     ui::command_button(ui, editor.commands, "clip.suggest");
 }
@@ -292,10 +306,11 @@ void rows(ui::Ui& ui, app::Editor& editor) {
     }
 }
 
-void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow) {
+/// `height`: em, that there is room for.
+void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
     if (narrow) {
         const ui::ScrollArea area(ui, "Thresholds", {.gap = 0.3F});
-        luma_histogram(ui, editor);
+        luma_histogram(ui, editor, 8);
         rows(ui, editor);
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
         scope(ui, editor);
@@ -304,13 +319,13 @@ void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow) {
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.8F, .cross = ui::Place::stretch});
     {
         const ui::Column scopes(ui, {.width = ui::grow(1.15F), .height = ui::grow()});
-        luma_histogram(ui, editor);
+        luma_histogram(ui, editor, std::max(height - 2.2F, 5.0F));
     }
     {
         const ui::Column held(ui, {.width = ui::grow(0.8F), .height = ui::grow()});
         scope(ui, editor);
     }
-    const ui::ScrollArea area(ui, "Thresholds", {.width = ui::px(ui.em(25)), .gap = 0.3F});
+    const ui::ScrollArea area(ui, "Thresholds", {.width = ui::px(ui.em(27)), .gap = 0.3F});
     rows(ui, editor);
 }
 
@@ -347,19 +362,19 @@ void keying_panel(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     bench.show();
     if (bench.stale()) ui.wake_at(ui.time(), "the keying bench follows");
-    const float width = ui.rect_before(ui.parent().id).w;
-    const bool narrow = width < ui.em(52);
+    const ui::Rect room = ui.rect_before(ui.parent().id);
+    const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
     tools(ui, editor);
     ui::Splitter split(ui, "Pictures and thresholds", ui::Axis::y, bench.look.scopes,
-                       {.first_minimum = 8, .second_minimum = 8, .standard = 0.62F});
+                       {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {
         const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
         pictures(ui, editor);
         scrub(ui, editor);
     }
     split.next();
-    thresholds(ui, editor, narrow);
+    thresholds(ui, editor, narrow, (1 - bench.look.scopes) * room.h / ui.em(1) - 2);
 }
 
 }  // namespace lapfx::panels
