@@ -95,6 +95,8 @@ void ask_for_another(app::Editor& editor) {
 
 // --- the list --------------------------------------------------------------------------------------------------------------
 
+constexpr float weight_width = 7.5F;  // em
+
 struct ClipLook {
     ui::ImageHandle image = 0;
     std::string_view title, facts, playing;
@@ -105,6 +107,7 @@ void draw_clip(ui::Painter& painter, const ui::Node& node, const ClipLook& look)
     const ui::Theme& t = painter.theme();
     ui::draw_item_ground(painter, node, look.ringed);
     ui::Rect rect = node.rect().inset(painter.em(0.4F), painter.em(0.35F));
+    rect.cut_right(painter.em(weight_width + 0.4F));
     const ui::Rect picture = rect.cut_left(std::round(rect.h * 16 / 9));
     rect.cut_left(painter.em(0.6F));
     if (look.image != 0) {
@@ -149,14 +152,11 @@ ClipLook look_of(ui::Ui& ui, app::Editor& editor, std::size_t number) {
 
 void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t number, float height) {
     ui.push_seed(number);
-    ui::Node& line = ui.open(ui::Role::none, {}, ui::Axis::x);
-    line.size[0] = ui::grow(), line.size[1] = ui::px(height);
-    line.cross = ui::Place::center;
-    line.gap = ui.em(0.5F);
-    line.padding[2] = static_cast<std::uint8_t>(ui.em(0.5F));
     const ClipLook look = look_of(ui, editor, number);
-    ui::Node& node = ui.leaf(ui::Role::list_item, "##clip", ui::RowList::item_sense);
+    ui::Node& node = ui.open(ui::Role::list_item, "##clip", ui::Axis::x, ui::RowList::item_sense);
     node.size[0] = ui::grow(), node.size[1] = ui::px(height);
+    node.cross = ui::Place::center, node.main = ui::Place::end;
+    node.padding[2] = static_cast<std::uint8_t>(ui.em(0.5F));
     node.label = ui.join({ui.copy(std::to_string(number + 1)), " ", look.title});
     node.text = ui.join({look.title, ", ", look.facts, ", ", look.playing});
     node.tip = node.text;
@@ -175,7 +175,7 @@ void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t n
                                             .step = row.step,
                                             .standard = 1.0,
                                             .tip = tip_of(row),
-                                            .width = ui::px(ui.em(7.5F))});
+                                            .width = ui::px(ui.em(weight_width))});
     editor.document.take(edit, "Weight", [&](Content& c) { c.preset.smoke.clips[number].weight = weight; });
     ui.close();
     ui.pop_seed();

@@ -26,6 +26,8 @@ using document::Content;
 using ui::Icon;
 
 constexpr std::array<std::string_view, app::bench_views> view_names = {"Source", "Matte", "Keyed", "Composite"};
+constexpr std::array<std::string_view, app::bench_views> captions = {
+    "Source picture", "Matte: the opacity", "Keyed: the smoke alone", "Composite: over what is chosen above"};
 constexpr std::array<std::string_view, app::bench_views> view_tips = {
     "The clip's frame as it is", "The smoke's opacity: white is whole smoke",
     "The smoke alone, in its own colour, without what was behind it",
@@ -102,7 +104,7 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
     const auto index = static_cast<std::size_t>(view);
     const bool picks = view == BenchView::source && bench.look.eyedropper;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
-    ui::label(ui, picks ? "Source: click the background" : view_names[index],
+    ui::label(ui, picks ? "Source picture: click its background" : captions[index],
               {.tone = picks ? ui::Tone::warning : ui::Tone::dim, .size = 0.86F});
     ui.push_seed("view");
     const ui::ImageViewResult result = ui::image_view(ui, view_names[index], bench.picture(view), bench.look.state,
@@ -148,6 +150,7 @@ void scrub(ui::Ui& ui, app::Editor& editor) {
                                          .hard_maximum = duration,
                                          .step = 0.04,
                                          .unit = "s",
+                                         .decimals = 2,
                                          .tip = "Where in the clip the bench stands"})
                            .changed;
     if (moved) bench.look.time = time, bench.look.follow = false;
@@ -170,7 +173,8 @@ void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
     ui::Levels levels{.low = keying.luma_low, .high = keying.luma_high};
     static const KeyingParameters standard;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
-    ui::label(ui, dark ? "Darkness (255 - luma)" : "Luma", {.tone = ui::Tone::dim, .size = 0.86F});
+    ui::label(ui, dark ? "Darkness (255 - luma) in this frame" : "Luma in this frame",
+              {.tone = ui::Tone::dim, .size = 0.86F});
     ui.push_seed("scope");
     const ui::HistogramResult result = ui::histogram(
         ui, "Luma", {.bins = bench.histogram()}, alpha ? nullptr : &levels,
@@ -223,7 +227,7 @@ void scope(ui::Ui& ui, app::Editor& editor) {
     }
     ui.push_seed("scope");
     if (bench.look.waveform)
-        ui::waveform(ui, "Waveform", bench.waves(), {.tip = "Luma, across the picture"});
+        ui::waveform(ui, "Luma waveform", bench.waves(), {.tip = "Luma, across the picture"});
     else
         chroma_scope(ui, editor);
     ui.pop_seed();
@@ -366,7 +370,7 @@ void keying_panel(ui::Ui& ui, app::Editor& editor) {
     const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
     tools(ui, editor);
-    ui::Splitter split(ui, "Pictures and thresholds", ui::Axis::y, bench.look.scopes,
+    ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {
         const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
