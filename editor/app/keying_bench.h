@@ -1,19 +1,136 @@
-// A frame of a clip on its way to smoke: source, matte, keyed, composite; and what of it is counted.
+// A frame of a clip on its way to smoke: source, matte, keyed, composite; and what of it is counted. It follows the clip that is
+// selected (Editor::clip), its keying, and the bench's own time or the timeline's.
+//
+//     editor.keying().update(now);                               // once before each frame
+//     editor.keying().show();                                    // by the panel: the pictures are wanted
+//     ui::image_view(ui, "Matte", editor.keying().picture(BenchView::matte), view);
+//
+// Frames are read by a job, never waited for: pictures are late by it, and the newest wish is the next that is met. Once a frame is
+// there a changed threshold is seen in the next frame. In exact mode everything is done at once. UI thread.
 #pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/clip_shelf.h"
+#include "document/document.h"
+#include "lapfx/suggest.h"
+#include "ui/canvas/image_view.h"
+#include "ui/canvas/scope.h"
 
 namespace lapfx::app {
 
 class Editor;
+class BenchWork;
+
+enum class BenchView { source, matte, keyed, composite };
+inline constexpr std::size_t bench_views = 4;
+enum class Behind { grey, checker, tissue, preview };
+
+/// How one looks at it; no part of the document.
+struct BenchLook {
+    bool grid = true;  ///< all four views, else `view`
+    int view = 1;
+    bool follow = false;         ///< the timeline's time, from the clip's in point on, else `time`
+    std::optional<double> time;  ///< s of the clip; none: where smoke is seen, as a rule
+    Behind behind = Behind::tissue;
+    bool waveform = false;  ///< in place of the vectorscope
+    bool eyedropper = false;
+    int sample_box = 3;  ///< pixels a side
+    bool log_counts = true;
+    float scopes = 0.64F;  ///< share of the panel that the views have
+    ui::ViewState state;
+};
+
+/// Code values of a picture, for readouts.
+struct BenchPixels : ui::PickSource {
+    Image image;
+    glm::vec4 pixel(glm::ivec2 at) const override;
+};
 
 class KeyingBench {
   public:
-    explicit KeyingBench(Editor& editor) : editor_(editor) {}
-    /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
+    explicit KeyingBench(Editor& editor);
+    ~KeyingBench();
+    void update(double now);
     Editor& editor() { return editor_; }
 
+    ClipShelf shelf;
+    BenchLook look;
+
+    /// While the UI is built: update() makes the pictures from now on, as long as this is called.
+    void show() { wanted_ = true; }
+    bool shown() const { return shown_; }
+    /// Another frame has to come: what is shown is not what was asked for last, and no job will wake the UI.
+    bool stale() const;
+
+    /// The source picture comes into sight with it.
+    void set_eyedropper(bool on);
+
+    // --- what is shown -------------------------------------------------------------------------------------------------
+    bool ready() const { return frames_ > 0; }
+    ui::Picture picture(BenchView view) const;
+    std::span<const std::uint32_t> histogram() const { return bins_; }  ///< of luma; of 255 - luma for dark smoke
+    ui::ImageHandle vectors() const { return vectors_.handle(); }
+    ui::ImageHandle waves() const { return waves_.handle(); }
+    double standing_at() const;  ///< s of the clip, without following
+    int frame() const { return frame_; }
+    int frames() const { return frames_; }
+    double time() const { return time_; }    ///< s of the clip, of the frame shown
+    bool broken() const { return broken_; }  ///< the frame cannot be decoded; the one before is shown
+    const std::vector<Fault>& faults() const { return faults_; }
+
+    // --- keying --------------------------------------------------------------------------------------------------------
+    const SmokeClip* clip() const;  ///< null: none is selected
+    /// What holds for the clip: its own keying, or the preset's.
+    const KeyingParameters& keying() const;
+    static KeyingParameters& keying_of(document::Content& content, std::size_t clip);
+
+    /// Thresholds out of the clip, by a job; one undo step, with polarity.
+    void suggest();
+    const std::shared_ptr<Job>& suggesting() const { return suggesting_; }
+    void cancel_suggesting();
+    /// Of the clip that is selected, as long as nobody has selected another one.
+    const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
+    const std::vector<Fault>& suggestion_faults() const { return suggestion_faults_; }
+    void forget_suggestion();
+
+    void take_backdrop() { backdrop_time_ = -1; }  ///< the preview as it is now, for Behind::preview
+
   private:
+    friend class BenchWork;
+    struct Request;
+    struct Result;
+    Request request() const;
+    void follow_backdrop();
+    void start(const Request& request);
+    void take(Result& result);
+    void show_pictures(Result& result);
+
     Editor& editor_;
+    bool wanted_ = false, shown_ = false;
+    std::shared_ptr<BenchWork> work_;
+    std::shared_ptr<Job> job_;
+    std::unique_ptr<Request> asked_;  ///< last
+    std::shared_ptr<const Image> backdrop_;
+    double backdrop_time_ = -1, time_before_ = -1;
+
+    std::array<BenchPixels, bench_views> pixels_;
+    std::array<ui::ImageHandle, bench_views> handles_{};
+    std::array<std::uint32_t, 256> bins_{};
+    ui::ScopeImage vectors_, waves_;
+    int frame_ = 0, frames_ = 0;
+    double time_ = 0;
+    bool broken_ = false;
+    std::vector<Fault> faults_;
+
+    std::shared_ptr<Job> suggesting_;
+    std::optional<KeyingSuggestion> suggestion_;
+    std::vector<Fault> suggestion_faults_;
+    std::string suggested_for_;
 };
 
 }  // namespace lapfx::app

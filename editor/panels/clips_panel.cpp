@@ -1,12 +1,434 @@
+// The preset's smoke clips: a list with pictures, and below it how the selected one is used. Videos dropped here are added.
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <sstream>
+
+#include "app/keying_bench.h"
+#include "app/layouts.h"
+#include "panels/clip_parameters.h"
 #include "panels/panels.h"
+#include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/rows.h"
+#include "ui/widgets/section.h"
 
 namespace lapfx::panels {
 
-void clips_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "clips_panel");
+namespace {
+
+using app::ClipFacts;
+using document::Content;
+using ui::Icon;
+using ui::Mods;
+
+const std::vector<SmokeClip>& clips_of(const app::Editor& editor) {
+    return editor.document.preset().smoke.clips;
 }
 
-void add_clip_commands([[maybe_unused]] app::Editor& editor) {}
+std::string file_name(const std::string& file) {
+    return std::filesystem::path(file).filename().string();
+}
+
+/// Whole numbers without decimals, else one.
+std::string short_number(double value) {
+    std::ostringstream text;
+    const double tenth = std::round(10 * value) / 10;
+    text << std::fixed;
+    text.precision(tenth == std::round(tenth) ? 0 : 1);
+    text << tenth;
+    return text.str();
+}
+
+std::string facts_text(const ClipFacts& facts) {
+    const ClipReport& r = facts.report;
+    if (r.frames == 1) return std::to_string(r.size.x) + "x" + std::to_string(r.size.y) + ", one image";
+    return std::to_string(r.size.x) + "x" + std::to_string(r.size.y) + ", " + short_number(r.duration) + " s at " +
+           short_number(r.frames_per_second) + " fps" + (r.alpha ? ", own opacity" : "");
+}
+
+std::string playing_text(const ClipStatus& status) {
+    const int share = status.frames > 0 ? 100 * status.resident / status.frames : 0;
+    std::string text = std::to_string(share) + " % resident, " + std::to_string(status.misses) + " misses";
+    if (status.broken > 0) text += ", " + std::to_string(status.broken) + " broken frames";
+    return text;
+}
+
+// --- changing the list -----------------------------------------------------------------------------------------------------
+
+void remove_clip(app::Editor& editor) {
+    const std::size_t number = editor.clip;
+    editor.document.change("Remove clip", [&](Content& c) {
+        c.preset.smoke.clips.erase(c.preset.smoke.clips.begin() + static_cast<std::ptrdiff_t>(number));
+    });
+    if (editor.clip > 0 && editor.clip >= clips_of(editor).size()) --editor.clip;
+}
+
+void duplicate_clip(app::Editor& editor) {
+    const std::size_t number = editor.clip;
+    editor.document.change("Duplicate clip", [&](Content& c) {
+        auto& clips = c.preset.smoke.clips;
+        const SmokeClip copy = clips[number];
+        clips.insert(clips.begin() + static_cast<std::ptrdiff_t>(number) + 1, copy);
+    });
+    editor.clip = number + 1;
+}
+
+void move_clip(app::Editor& editor, int by) {
+    const std::size_t from = editor.clip, to = from + static_cast<std::size_t>(by);
+    editor.document.change(by < 0 ? "Move clip up" : "Move clip down",
+                           [&](Content& c) { std::swap(c.preset.smoke.clips[from], c.preset.smoke.clips[to]); });
+    editor.clip = to;
+}
+
+void ask_for_clips(app::Editor& editor) {
+    editor.ask_file(clip_request("Add smoke clips", true),
+                    [&editor](const std::vector<std::string>& files) { editor.keying().shelf.add(files); });
+}
+
+void ask_for_another(app::Editor& editor) {
+    editor.ask_file(
+        clip_request("Another file for this clip", false),
+        [&editor](const std::vector<std::string>& files) { editor.keying().shelf.add(files, editor.clip); });
+}
+
+// --- the list --------------------------------------------------------------------------------------------------------------
+
+constexpr float weight_width = 7.5F;  // em
+
+struct ClipLook {
+    ui::ImageHandle image = 0;
+    std::string_view title, facts, playing;
+    bool wrong = false, warned = false, ringed = false;
+};
+
+void draw_clip(ui::Painter& painter, const ui::Node& node, const ClipLook& look) {
+    const ui::Theme& t = painter.theme();
+    ui::draw_item_ground(painter, node, look.ringed);
+    ui::Rect rect = node.rect().inset(painter.em(0.4F), painter.em(0.35F));
+    rect.cut_right(painter.em(weight_width + 0.4F));
+    const ui::Rect picture = rect.cut_left(std::round(rect.h * 16 / 9));
+    rect.cut_left(painter.em(0.6F));
+    if (look.image != 0) {
+        painter.image(picture, look.image);
+    } else {
+        painter.fill(picture, t.canvas);
+        painter.icon(picture.inset(picture.w * 0.38F, picture.h * 0.3F), look.wrong ? Icon::error : Icon::image,
+                     look.wrong ? t.error : t.text_disabled);
+    }
+    const float line = std::floor(rect.h / 3);
+    ui::Rect title = rect.cut_top(line);
+    if (look.wrong || look.warned) {
+        painter.icon(title.cut_right(line).inset(painter.em(0.1F)), look.wrong ? Icon::error : Icon::warning,
+                     look.wrong ? t.error : t.warning);
+    }
+    painter.text(title, look.title, painter.text_style(), t.text);
+    painter.text(rect.cut_top(line), look.facts, painter.text_style(0.86F), look.wrong ? t.error : t.text_dim);
+    painter.text(rect, look.playing, painter.text_style(0.86F), t.text_dim);
+}
+
+ClipLook look_of(ui::Ui& ui, app::Editor& editor, std::size_t number) {
+    const app::ClipShelf& shelf = editor.keying().shelf;
+    const ClipFacts& facts = shelf.of(number);
+    const std::vector<std::string>& faults = shelf.faults(number);
+    const SmokeClip& clip = clips_of(editor)[number];
+    ClipLook look{.image = facts.thumbnail, .title = ui.copy(file_name(clip.file)), .facts = {}, .playing = {}};
+    look.wrong = !faults.empty();
+    look.warned = shelf.outside(number) || !facts.report.warning.empty();
+    if (look.wrong)
+        look.facts = ui.copy(faults.front());
+    else if (facts.known)
+        look.facts = ui.copy(facts_text(facts));
+    else
+        look.facts = facts.job && !facts.job->cancelled() ? "looking through the file" : "not looked through";
+    if (const ClipStatus* status = shelf.playing(number))
+        look.playing =
+            ui.copy(std::string(clip.role == ClipRole::plume ? "plume, " : "haze, ") + playing_text(*status));
+    else
+        look.playing = clip.role == ClipRole::plume ? "plume, not in the preview" : "haze, not in the preview";
+    return look;
+}
+
+void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t number, float height) {
+    ui.push_seed(number);
+    const ClipLook look = look_of(ui, editor, number);
+    ui::Node& node = ui.open(ui::Role::list_item, "##clip", ui::Axis::x, ui::RowList::item_sense);
+    node.size[0] = ui::grow(), node.size[1] = ui::px(height);
+    node.cross = ui::Place::center, node.main = ui::Place::end;
+    node.padding[2] = static_cast<std::uint8_t>(ui.em(0.5F));
+    node.label = ui.join({ui.copy(std::to_string(number + 1)), " ", look.title});
+    node.text = ui.join({look.title, ", ", look.facts, ", ", look.playing});
+    node.tip = node.text;
+    list.respond(number, node);
+    ClipLook drawn = look;
+    drawn.ringed = list.ringed(number);
+    ui.draw_with<draw_clip>(node, drawn);
+
+    const Parameter& row = *clip_table().find_row("weight");
+    double weight = clips_of(editor)[number].weight;
+    const ui::Edit edit = ui::number_field(ui, "Weight", weight,
+                                           {.minimum = row.minimum,
+                                            .maximum = row.maximum,
+                                            .hard_minimum = row.minimum,
+                                            .hard_maximum = row.maximum,
+                                            .step = row.step,
+                                            .standard = 1.0,
+                                            .tip = tip_of(row),
+                                            .width = ui::px(ui.em(weight_width))});
+    editor.document.take(edit, "Weight", [&](Content& c) { c.preset.smoke.clips[number].weight = weight; });
+    ui.close();
+    ui.pop_seed();
+}
+
+void clip_list(ui::Ui& ui, app::Editor& editor) {
+    const std::size_t count = clips_of(editor).size();
+    const float height = ui.em(4.4F);
+    const auto key = [](std::size_t i) { return static_cast<std::uint64_t>(i); };
+    const ui::RowList::KeyOf key_of = key;
+    auto& selection = ui.memory<ui::Selection>(ui.id_of("List"));
+    if (selection.current != editor.clip || selection.keys.size() != 1) selection.only(editor.clip);
+    const float shown = std::min(static_cast<float>(count), 4.5F);
+    const ui::RowList::KeyOf& keys = key_of;
+    ui::RowList list(ui, "List", selection, keys,
+                     {.count = count,
+                      .line_height = height,
+                      .area = {.height = ui::px(std::round(shown * height)),
+                               .role = ui::Role::list,
+                               .sense = ui::Sense::erase,
+                               .tip = "The clips of this preset; drop smoke videos here to add them"}});
+    bool removes = false;
+    ui.events_of(list.area().id(), [&](const ui::Event& event) {
+        removes |= event.kind == ui::EventKind::key && event.key == ui::Key::del;
+    });
+    for (std::size_t i = list.first(); i < std::min(list.last(), count); ++i) list_item(ui, editor, list, i, height);
+    const ui::RowEvents& events = list.events();
+    if (events.selected && selection.current < count) editor.clip = selection.current;
+    if (events.opened != ui::no_row) editor.commands.run("clip.bench");
+    if (removes) editor.commands.run("clip.remove");
+}
+
+// --- what is wrong ---------------------------------------------------------------------------------------------------------
+
+void fault_line(ui::Ui& ui, std::string_view text, ui::Tone tone) {
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    ui::label(ui, text, {.tone = tone, .wrap = true, .width = ui::grow()});
+}
+
+void refused_files(ui::Ui& ui, app::ClipShelf& shelf) {
+    if (shelf.refused().empty()) return;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    {
+        const ui::Column faults(ui, {.width = ui::grow()});
+        for (const Fault& fault : shelf.refused())
+            ui::label(ui, ui.copy("Not added: " + fault.text()),
+                      {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    }
+    if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) shelf.forget_refused();
+}
+
+void work_in_hand(ui::Ui& ui, app::ClipShelf& shelf) {
+    if (!shelf.work()) return;
+    if (ui::progress(ui, shelf.work()->name(), shelf.work()->progress(), {.cancellable = true})) shelf.cancel_work();
+}
+
+/// What is wrong with the selected clip, and the ways out.
+void clip_faults(ui::Ui& ui, app::Editor& editor) {
+    app::ClipShelf& shelf = editor.keying().shelf;
+    const std::size_t number = editor.clip;
+    for (const std::string& fault : shelf.faults(number)) fault_line(ui, fault, ui::Tone::error);
+    const ClipFacts& facts = shelf.of(number);
+    if (!facts.report.warning.empty()) fault_line(ui, facts.report.warning, ui::Tone::warning);
+    const bool outside = shelf.outside(number);
+    if (outside) {
+        const std::string home = shelf.home().string();
+        fault_line(
+            ui,
+            ui.copy(home.empty()
+                        ? "The preset has no folder yet; clips have to lie beside it: save the preset, then copy."
+                        : "This file lies outside of the preset's folder, " + home +
+                              ": a simulator would not find it."),
+            ui::Tone::warning);
+    }
+    const bool lost = !facts.known && !facts.faults.empty();
+    if (!outside && !lost) return;
+    const ui::Row row(ui);
+    if (outside) ui::command_button(ui, editor.commands, "clip.copy");
+    if (lost && ui::button(ui, "Choose file...", {.icon = Icon::folder, .tip = "Another file in its place"}))
+        ask_for_another(editor);
+    if (lost && ui::button(ui, "Look again", {.tip = "The file may be there by now"})) shelf.look_again();
+}
+
+// --- the selected clip -----------------------------------------------------------------------------------------------------
+
+/// Both ends of what is played, in one row; an end of 0 is the clip's.
+void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double duration, std::size_t number) {
+    double low = std::min(clip.in, duration), high = clip.out > 0 ? std::min(clip.out, duration) : duration;
+    const std::array<double, 2> standards{0, duration};
+    const ui::Edit edit = ui::range_param(ui, "In and out", low, high,
+                                          {.minimum = 0,
+                                           .maximum = duration,
+                                           .hard_minimum = 0,
+                                           .hard_maximum = duration,
+                                           .step = 0.1,
+                                           .unit = "s",
+                                           .tip = "The part of the clip that is played, and then played again"},
+                                          standards);
+    editor.document.take(edit, "In and out", [&](Content& c) {
+        SmokeClip& to = c.preset.smoke.clips[number];
+        to.in = low < high ? low : std::max(0.0, high - 0.1);
+        to.out = high >= duration ? 0.0 : std::max(high, to.in + 1e-3);
+    });
+}
+
+void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::space(ui, 0.05F);  // clear of the focus ring, as the captions below
+    ui::label(ui, "File", {.width = ui::fraction(0.45F)});
+    ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
+    if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Another file in the place of this one"}))
+        ask_for_another(editor);
+}
+
+void clip_rows(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size_t number) {
+    static const SmokeClip standard;
+    const auto in = [number](Content& c) -> void* { return &c.preset.smoke.clips[number]; };
+    const double duration = editor.keying().shelf.of(number).report.duration;
+    const ui::Section section(ui, "Use");
+    if (!section) return;
+    file_row(ui, editor, clip);
+    for (const Parameter& row : clip_table().rows) {
+        if (row.key == "out" && duration > 0) continue;  // with "in"
+        if (row.key == "in" && duration > 0) {
+            in_and_out(ui, editor, clip, duration, number);
+            continue;
+        }
+        clip_row(ui, editor, row, &clip, &standard, in);
+    }
+}
+
+void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size_t number) {
+    const ui::Section section(ui, "Keying of this clip", {.open = false});
+    if (!section) return;
+    bool own = clip.own_keying;
+    const ui::Edit edit = ui::checkbox(ui, "Own keying", own,
+                                       "This clip has thresholds of its own; else those of the preset hold for it");
+    editor.document.take(edit, "Own keying", [&](Content& c) {
+        SmokeClip& to = c.preset.smoke.clips[number];
+        if (own) to.keying = c.preset.smoke.keying;  // goes on from what is seen
+        to.own_keying = own;
+    });
+    ui::command_button(ui, editor.commands, "clip.bench");
+    if (!own || !clips_of(editor)[number].own_keying) {
+        ui::label(ui, "The keying of the preset holds.", {.tone = ui::Tone::dim});
+        return;
+    }
+    const auto in = [number](Content& c) -> void* { return &c.preset.smoke.clips[number].keying; };
+    for (const Parameter& row : keying_table().rows)
+        clip_row(ui, editor, row, &clip.keying, &editor.document.preset().smoke.keying, in);
+}
+
+void nothing_yet(ui::Ui& ui) {
+    ui::label(ui, "This preset has no smoke clip: haze is an even veil, and there is no plume.",
+              {.wrap = true, .width = ui::grow()});
+    ui::label(ui, "Drop smoke videos here, or add them by the button above.",
+              {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+}
+
+/// Files dropped anywhere on the panel.
+void take_drops(ui::Ui& ui, app::Editor& editor) {
+    ui::Node& panel = ui.parent();
+    panel.sense = panel.sense | ui::Sense::drop;
+    ui.events_of(panel.id, [&](const ui::Event& event) {
+        if (event.kind != ui::EventKind::drop) return;
+        std::vector<std::string> files;
+        std::istringstream lines(event.paths);
+        for (std::string line; std::getline(lines, line);)
+            if (!line.empty()) files.push_back(line);
+        editor.keying().shelf.add(files);
+    });
+}
+
+}  // namespace
+
+void clips_panel(ui::Ui& ui, app::Editor& editor) {
+    take_drops(ui, editor);
+    {
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        ui::command_button(ui, editor.commands, "clip.add");
+        ui::spacer(ui);
+        for (const char* id : {"clip.up", "clip.down", "clip.duplicate", "clip.remove"})
+            ui::command_button(ui, editor.commands, id, true);
+    }
+    app::ClipShelf& shelf = editor.keying().shelf;
+    work_in_hand(ui, shelf);
+    refused_files(ui, shelf);
+    if (clips_of(editor).empty()) return nothing_yet(ui);
+    clip_list(ui, editor);
+    const std::size_t number = editor.clip;
+    if (number >= clips_of(editor).size()) return;
+    ui.push_seed(number);
+    const ui::ScrollArea area(ui, "Selected clip", {.gap = 0.3F});
+    clip_faults(ui, editor);
+    const SmokeClip clip = clips_of(editor)[number];
+    clip_rows(ui, editor, clip, number);
+    own_keying(ui, editor, clip, number);
+    ui.pop_seed();
+}
+
+void add_clip_commands(app::Editor& editor) {
+    const auto any = [&editor] { return editor.clip < clips_of(editor).size(); };
+    const auto add = [&](std::string id, std::string title, ui::Chord chord, Icon icon, std::function<void()> run,
+                         std::function<bool()> enabled, std::string tip) {
+        editor.commands.add({.id = std::move(id),
+                             .title = std::move(title),
+                             .group = "Clip",
+                             .chord = chord,
+                             .icon = icon,
+                             .run = std::move(run),
+                             .enabled = std::move(enabled),
+                             .tip = std::move(tip)});
+    };
+    add(
+        "clip.add", "Add clip...", {ui::key_of('A'), Mods::command | Mods::shift}, Icon::plus,
+        [&editor] { ask_for_clips(editor); }, [] { return true; }, "Smoke videos for this preset");
+    add(
+        "clip.replace", "Replace file...", {}, Icon::folder, [&editor] { ask_for_another(editor); }, any,
+        "Another file for the selected clip");
+    add(
+        "clip.duplicate", "Duplicate clip", {}, Icon::copy, [&editor] { duplicate_clip(editor); }, any,
+        "The selected clip once more; started elsewhere, it looks like another one");
+    add(
+        "clip.remove", "Remove clip", {}, Icon::cross, [&editor] { remove_clip(editor); }, any,
+        "Takes the selected clip out of the preset; its file stays");
+    add(
+        "clip.up", "Move clip up", {}, Icon::chevron_up, [&editor] { move_clip(editor, -1); },
+        [&editor, any] { return any() && editor.clip > 0; }, "Clips that come first are kept in GPU memory first");
+    add(
+        "clip.down", "Move clip down", {}, Icon::chevron_down, [&editor] { move_clip(editor, 1); },
+        [&editor] { return editor.clip + 1 < clips_of(editor).size(); },
+        "Clips that come first are kept in GPU memory first");
+    add(
+        "clip.copy", "Copy clips beside the preset", {}, Icon::copy, [&editor] { editor.keying().shelf.copy_beside(); },
+        [&editor] { return editor.keying().shelf.any_outside() && !editor.keying().shelf.home().empty(); },
+        "Clips that lie elsewhere are copied into the preset's folder and named there");
+    add(
+        "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().shown.show("Keying"); }, any,
+        "Source, matte, keyed and composite of the selected clip");
+    add(
+        "clip.suggest", "Suggest keying", {ui::key_of('K'), Mods::command}, Icon::star,
+        [&editor] { editor.keying().suggest(); },
+        [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
+        "Thresholds and polarity out of what the clip's pictures hold");
+    editor.commands.add({.id = "clip.eyedropper",
+                         .title = "Eyedropper",
+                         .group = "Clip",
+                         .chord = {ui::key_of('K'), Mods::none},
+                         .icon = Icon::eyedropper,
+                         .run = [&editor] { editor.keying().set_eyedropper(!editor.keying().look.eyedropper); },
+                         .enabled = [&editor] { return editor.keying().shown() && editor.keying().ready(); },
+                         .checked = [&editor] { return editor.keying().look.eyedropper; },
+                         .tip = "Takes the key colour from the source picture"});
+}
 
 }  // namespace lapfx::panels

@@ -1,10 +1,384 @@
+// The keying bench: a frame of the selected clip on its way to smoke, and the thresholds where one sees what they do: as handles on
+// a histogram and a vectorscope, as numbers, by eyedropper, by suggestion.
+#include "app/keying_bench.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "panels/clip_parameters.h"
 #include "panels/panels.h"
+#include "ui/canvas/histogram.h"
+#include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
+#include "ui/widgets/splitter.h"
 
 namespace lapfx::panels {
 
-void keying_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "keying_panel");
+namespace {
+
+using app::BenchView;
+using app::KeyingBench;
+using document::Content;
+using ui::Icon;
+
+constexpr std::array<std::string_view, app::bench_views> view_names = {"Source", "Matte", "Keyed", "Composite"};
+constexpr std::array<std::string_view, app::bench_views> captions = {
+    "Source picture", "Matte: the opacity", "Keyed: the smoke alone", "Composite: over what is chosen above"};
+constexpr std::array<std::string_view, app::bench_views> view_tips = {
+    "The clip's frame as it is", "The smoke's opacity: white is whole smoke",
+    "The smoke alone, in its own colour, without what was behind it",
+    "The smoke over the background that is chosen above, in the preset's colour, at density 1 and without noise"};
+
+bool has_alpha(app::Editor& editor) {
+    return editor.keying().shelf.of(editor.clip).report.alpha;
+}
+
+app::KeyingBench& bench_of(app::Editor& editor) {
+    return editor.keying();
+}
+
+// --- above the pictures ----------------------------------------------------------------------------------------------------
+
+/// Room of so many em for something that takes all it gets.
+class Room : public ui::Row {
+  public:
+    Room(ui::Ui& ui, float ems) : ui::Row(ui, {.width = ui::px(ui.em(ems)), .cross = ui::Place::center}) {}
+};
+
+void clip_choice(ui::Ui& ui, app::Editor& editor) {
+    const auto& clips = editor.document.preset().smoke.clips;
+    std::array<std::string_view, 64> names;
+    const std::size_t count = std::min(clips.size(), names.size());
+    for (std::size_t i = 0; i < count; ++i)
+        names[i] = ui.copy(std::to_string(i + 1) + "  " + std::filesystem::path(clips[i].file).filename().string());
+    int chosen = static_cast<int>(editor.clip);
+    if (ui::combo(ui, "Clip", chosen, {names.data(), count},
+                  {.tip = "The clip that is looked at; also chosen in the list of clips", .width = ui::px(ui.em(14))}))
+        editor.clip = static_cast<std::size_t>(std::max(chosen, 0));
+}
+
+void behind_choice(ui::Ui& ui, KeyingBench& bench) {
+    constexpr std::array<std::string_view, 4> names = {"Grey", "Checker", "Tissue", "Preview"};
+    int behind = static_cast<int>(bench.look.behind);
+    ui::label(ui, "over", {.tone = ui::Tone::dim});
+    const Room room(ui, 19);
+    if (ui::segmented(ui, "Behind", behind, names)) bench.look.behind = static_cast<app::Behind>(behind);
+}
+
+void tools(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    clip_choice(ui, editor);
+    constexpr std::array<std::string_view, 5> names = {"All", "Source", "Matte", "Keyed", "Composite"};
+    int shown = bench.look.grid ? 0 : bench.look.view + 1;
+    {
+        const Room room(ui, 25);
+        if (ui::segmented(ui, "Views", shown, names)) {
+            bench.look.grid = shown == 0;
+            if (shown > 0) bench.look.view = shown - 1;
+        }
+    }
+    behind_choice(ui, bench);
+    ui::spacer(ui);
+    if (bench.look.state.fitted) return;
+    if (ui::button(ui, "Fit", {.tip = "All of the picture; 0 does the same, 1 shows it pixel by pixel", .quiet = true}))
+        bench.look.state = {};
+}
+
+// --- the pictures ----------------------------------------------------------------------------------------------------------
+
+void take_color(app::Editor& editor, const glm::vec4& value) {
+    const std::size_t number = editor.clip;
+    editor.document.change("Key colour", [&](Content& c) {
+        KeyingBench::keying_of(c, number).key_color = glm::clamp(glm::dvec3(value) / 255.0, 0.0, 1.0);
+    });
+    bench_of(editor).look.eyedropper = false;
+}
+
+void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
+    KeyingBench& bench = bench_of(editor);
+    const auto index = static_cast<std::size_t>(view);
+    const bool picks = view == BenchView::source && bench.look.eyedropper;
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
+    ui::label(ui, picks ? "Source picture: click its background" : captions[index],
+              {.tone = picks ? ui::Tone::warning : ui::Tone::dim, .size = 0.86F});
+    ui.push_seed("view");
+    const ui::ImageViewResult result = ui::image_view(ui, view_names[index], bench.picture(view), bench.look.state,
+                                                      {.magnifier = picks,
+                                                       .eyedropper = picks,
+                                                       .sample_box = picks ? bench.look.sample_box : 1,
+                                                       .tip = view_tips[index]});
+    ui.pop_seed();
+    if (result.picked) take_color(editor, result.value);
+}
+
+void pictures(ui::Ui& ui, app::Editor& editor) {
+    const KeyingBench& bench = bench_of(editor);
+    if (!bench.look.grid) {
+        one_view(ui, editor, static_cast<BenchView>(std::clamp(bench.look.view, 0, 3)));
+        return;
+    }
+    for (const int line : {0, 2}) {
+        const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .cross = ui::Place::stretch});
+        one_view(ui, editor, static_cast<BenchView>(line));
+        one_view(ui, editor, static_cast<BenchView>(line + 1));
+    }
+}
+
+void step_frame(app::Editor& editor, int by) {
+    KeyingBench& bench = bench_of(editor);
+    const ClipReport& report = bench.shelf.of(editor.clip).report;
+    bench.look.follow = false;
+    const double frame = std::clamp(bench.frame() + by, 0, std::max(bench.frames() - 1, 0));
+    bench.look.time = (frame + 0.5) / std::max(report.frames_per_second, 1e-6);  // its middle: times are rounded
+}
+
+void scrub(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const double duration = bench.shelf.of(editor.clip).report.duration;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    if (ui::icon_button(ui, Icon::step_back, "Previous frame", {.quiet = true})) step_frame(editor, -1);
+    if (ui::icon_button(ui, Icon::step_forward, "Next frame", {.quiet = true})) step_frame(editor, 1);
+    double time = bench.look.follow ? bench.time() : bench.standing_at();
+    const bool moved = ui::number_field(ui, "Clip time", time,
+                                        {.maximum = duration,
+                                         .hard_minimum = 0,
+                                         .hard_maximum = duration,
+                                         .step = 0.04,
+                                         .unit = "s",
+                                         .decimals = 2,
+                                         .tip = "Where in the clip the bench stands"})
+                           .changed;
+    if (moved) bench.look.time = time, bench.look.follow = false;
+    ui::label(ui, ui.copy("frame " + std::to_string(bench.frame() + 1) + " of " + std::to_string(bench.frames())),
+              {.tone = bench.broken() ? ui::Tone::warning : ui::Tone::dim, .number = true});
+    if (bench.broken()) ui::label(ui, "cannot be decoded: the one before is shown", {.tone = ui::Tone::warning});
+    ui::toggle(
+        ui, "Follow", bench.look.follow,
+        {.tip = "Goes with the timeline, from the clip's in point on. In the preview a seeded clip starts elsewhere"});
+}
+
+// --- the thresholds --------------------------------------------------------------------------------------------------------
+
+/// `height`: em.
+void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
+    KeyingBench& bench = bench_of(editor);
+    const std::size_t number = editor.clip;
+    const KeyingParameters& keying = bench.keying();
+    const bool dark = bench.clip()->polarity == ClipPolarity::dark, alpha = has_alpha(editor);
+    ui::Levels levels{.low = keying.luma_low, .high = keying.luma_high};
+    static const KeyingParameters standard;
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
+    ui::label(ui, dark ? "Darkness (255 - luma) in this frame" : "Luma in this frame",
+              {.tone = ui::Tone::dim, .size = 0.86F});
+    ui.push_seed("scope");
+    const ui::HistogramResult result = ui::histogram(
+        ui, "Luma", {.bins = bench.histogram()}, alpha ? nullptr : &levels,
+        {.reset = {.low = standard.luma_low, .high = standard.luma_high},
+         .log_counts = &bench.look.log_counts,
+         .unit = "code values",
+         .tip = "How often each value occurs in this frame. Below low is background, above high is whole smoke",
+         .height = height});
+    ui.pop_seed();
+    editor.document.take(result.low, "Luma low",
+                         [&](Content& c) { KeyingBench::keying_of(c, number).luma_low = levels.low; });
+    editor.document.take(result.high, "Luma high",
+                         [&](Content& c) { KeyingBench::keying_of(c, number).luma_high = levels.high; });
+}
+
+void chroma_scope(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const std::size_t number = editor.clip;
+    const KeyingParameters& keying = bench.keying();
+    ui::KeyCircles circles{.color = glm::vec3(255.0 * keying.key_color),
+                           .chroma_low = keying.chroma_low,
+                           .chroma_high = keying.chroma_high,
+                           .reset_low = 0,
+                           .reset_high = 0};
+    const ui::VectorscopeResult result =
+        ui::vectorscope(ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
+                        {.tip = "Colours of this frame. Inside of the inner circle is background, outside of the outer "
+                                "one is whole smoke"});
+    editor.document.take(result.low, "Chroma low", [&](Content& c) {
+        KeyingBench::keying_of(c, number).chroma_low = std::clamp(circles.chroma_low, 0.0, 180.0);
+    });
+    editor.document.take(result.high, "Chroma high", [&](Content& c) {
+        KeyingBench::keying_of(c, number).chroma_high = std::clamp(circles.chroma_high, 0.0, 180.0);
+    });
+}
+
+void scope(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
+    {
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        const bool off = !(bench.keying().chroma_high > 0);
+        ui::label(ui,
+                  bench.look.waveform ? "Waveform"
+                  : off               ? "Chroma: off"
+                                      : "Chroma",
+                  {.tone = ui::Tone::dim, .size = 0.86F, .width = ui::grow()});
+        ui::toggle(ui, "Waveform", bench.look.waveform,
+                   {.tip = "Luma across the picture, in place of its colours", .quiet = true});
+    }
+    ui.push_seed("scope");
+    if (bench.look.waveform)
+        ui::waveform(ui, "Luma waveform", bench.waves(), {.tip = "Luma, across the picture"});
+    else
+        chroma_scope(ui, editor);
+    ui.pop_seed();
+}
+
+void whose_keying(ui::Ui& ui, app::Editor& editor) {
+    constexpr std::array<std::string_view, 2> names = {"All clips", "This clip"};
+    const std::size_t number = editor.clip;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::label(ui, "Thresholds for", {.width = ui::grow()});
+    const Room room(ui, 13);
+    int own = bench_of(editor).clip()->own_keying ? 1 : 0;
+    const ui::Edit edit = ui::segmented(ui, "Thresholds for", own, names);
+    editor.document.take(edit, "Own keying", [&](Content& c) {
+        SmokeClip& clip = c.preset.smoke.clips[number];
+        if (own == 1) clip.keying = c.preset.smoke.keying;  // goes on from what is seen
+        clip.own_keying = own == 1;
+    });
+}
+
+void pick_and_suggest(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::command_button(ui, editor.commands, "clip.eyedropper");
+    constexpr std::array<std::string_view, 4> names = {"1", "3", "5", "11"};
+    constexpr std::array<int, 4> sides = {1, 3, 5, 11};
+    int box = static_cast<int>(std::find(sides.begin(), sides.end(), bench.look.sample_box) - sides.begin());
+    {
+        const Room room(ui, 7);
+        if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
+    }
+    ui::spacer(ui);
+    ui::command_button(ui, editor.commands, "clip.suggest");
+}
+
+void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    if (bench.suggesting()) {
+        if (ui::progress(ui, "Suggesting", -1, {.cancellable = true})) bench.cancel_suggesting();
+        return;
+    }
+    for (const Fault& fault : bench.suggestion_faults())
+        ui::label(ui, ui.copy(fault.text()), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    if (!bench.suggestion()) return;
+    const KeyingSuggestion& found = *bench.suggestion();
+    const int percent = static_cast<int>(std::lround(100 * found.confidence));
+    const std::string text = "Suggested, " + std::to_string(percent) + " % sure" +
+                             (found.confidence < 0.5 ? " (look before you trust it): " : ": ") + found.reason;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    ui::label(ui, ui.copy(text),
+              {.tone = found.confidence < 0.5 ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
+    if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) bench.forget_suggestion();
+}
+
+bool is_threshold(std::string_view key) {
+    return key.starts_with("luma_") || key.starts_with("chroma_") || key == "key_color";
+}
+
+void rows(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const std::size_t number = editor.clip;
+    whose_keying(ui, editor);
+    pick_and_suggest(ui, editor);
+    told_by_suggest(ui, editor);
+    const bool alpha = has_alpha(editor);
+    if (alpha)
+        ui::label(ui, "This clip brings its own opacity, which takes the place of thresholds.",
+                  {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+    static const KeyingParameters standard;
+    static const SmokeClip standard_clip;
+    const SmokeClip clip = *bench.clip();
+    clip_row(ui, editor, *clip_table().find_row("polarity"), &clip, &standard_clip,
+             [number](Content& c) -> void* { return &c.preset.smoke.clips[number]; });
+    const KeyingParameters keying = bench.keying();
+    for (const Parameter& row : keying_table().rows) {
+        ui.push_disabled(alpha && is_threshold(row.key));
+        clip_row(ui, editor, row, &keying, &standard,
+                 [number](Content& c) -> void* { return &KeyingBench::keying_of(c, number); });
+        ui.pop_disabled();
+    }
+}
+
+/// `height`: em, that there is room for.
+void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
+    if (narrow) {
+        const ui::ScrollArea area(ui, "Thresholds", {.gap = 0.3F});
+        luma_histogram(ui, editor, 8);
+        rows(ui, editor);
+        const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
+        scope(ui, editor);
+        return;
+    }
+    const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.8F, .cross = ui::Place::stretch});
+    {
+        const ui::Column scopes(ui, {.width = ui::grow(1.15F), .height = ui::grow()});
+        luma_histogram(ui, editor, std::max(height - 2.2F, 5.0F));
+    }
+    {
+        const ui::Column held(ui, {.width = ui::grow(0.8F), .height = ui::grow()});
+        scope(ui, editor);
+    }
+    const ui::ScrollArea area(ui, "Thresholds", {.width = ui::px(ui.em(27)), .gap = 0.3F});
+    rows(ui, editor);
+}
+
+// --- without a picture -----------------------------------------------------------------------------------------------------
+
+void nothing_to_show(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    const app::ClipFacts& facts = bench.shelf.of(editor.clip);
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .padding = 1});
+    if (bench.clip() == nullptr) {
+        ui::label(ui, "No smoke clip to key. Add a video of smoke in front of a plain background.",
+                  {.wrap = true, .width = ui::grow()});
+        const ui::Row row(ui);
+        ui::command_button(ui, editor.commands, "clip.add");
+        return;
+    }
+    if (facts.job && !facts.job->cancelled()) {
+        if (ui::progress(ui, facts.job->name(), facts.job->progress(), {.cancellable = true})) facts.job->cancel();
+        return;
+    }
+    for (const Fault& fault : facts.faults)
+        ui::label(ui, ui.copy(fault.text()), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    for (const Fault& fault : bench.faults())
+        ui::label(ui, ui.copy(fault.text()), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    if (facts.known && bench.faults().empty()) return ui::label(ui, "Reading the frame", {.tone = ui::Tone::dim});
+    const ui::Row row(ui);
+    ui::command_button(ui, editor.commands, "clip.replace");
+    if (ui::button(ui, "Look again", {.tip = "The file may be there by now"})) bench.shelf.look_again();
+}
+
+}  // namespace
+
+void keying_panel(ui::Ui& ui, app::Editor& editor) {
+    KeyingBench& bench = bench_of(editor);
+    bench.show();
+    if (bench.stale()) ui.wake_at(ui.time(), "the keying bench follows");
+    const ui::Rect room = ui.rect_before(ui.parent().id);
+    const bool narrow = room.w < ui.em(52);
+    if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
+    tools(ui, editor);
+    ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
+                       {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
+    {
+        const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
+        pictures(ui, editor);
+        scrub(ui, editor);
+    }
+    split.next();
+    thresholds(ui, editor, narrow, (1 - bench.look.scopes) * room.h / ui.em(1) - 2);
 }
 
 }  // namespace lapfx::panels

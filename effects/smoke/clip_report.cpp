@@ -1,8 +1,8 @@
+#include "smoke/clip_report.h"
+
 #include <algorithm>
 
-#include "lapfx/clip.h"
 #include "smoke/clip_file.h"
-#include "smoke/decoder.h"
 
 namespace lapfx {
 
@@ -25,9 +25,7 @@ bool varies(const std::vector<double>& times) {
 
 }  // namespace
 
-ClipReport report_clip(const std::filesystem::path& path) {
-    const smoke::Decoder decoder(path, smoke::Layout::planar, maximum_frames);
-    const smoke::ClipInfo& info = decoder.info();
+ClipReport smoke::report_of(const ClipInfo& info) {
     ClipReport report;
     report.size = info.size;
     report.frames = info.frame_count();
@@ -39,6 +37,15 @@ ClipReport report_clip(const std::filesystem::path& path) {
     report.pixel_format = info.pixel_format;
     report.warning = info.warning;
     return report;
+}
+
+ClipReport report_clip(const std::filesystem::path& path) {
+    return smoke::report_of(smoke::Decoder(path, smoke::Layout::planar, maximum_frames).info());
+}
+
+std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
+                                std::span<const std::filesystem::path> folders) {
+    return smoke::find_clip(file, preset_folder, folders);
 }
 
 void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders) {

@@ -31,6 +31,11 @@ struct ClipReport {
 /// playlist, not a video that can be decoded, a side over 8192 pixels.
 ClipReport report_clip(const std::filesystem::path& path);
 
+/// Where the clip `file` of a preset lies: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
+/// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file` and where it was looked for.
+std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
+                                std::span<const std::filesystem::path> folders);
+
 /// Whether every clip of a preset is there and can be decoded: looked for in its folder, then, bare names, in `folders`.
 /// `name` names the preset in faults. Throws Error (bad_input) with a fault for each clip that cannot be used, whose place is its
 /// "/smoke/clips/N/file".

@@ -1,0 +1,360 @@
+#include "app/clip_shelf.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/editor.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr glm::ivec2 thumbnail_size{128, 72};
+constexpr double between_asking = 0.25;  // s
+constexpr std::size_t most_clips = 64;   // of a preset's table
+
+/// What a job finds out of a file.
+struct Found {
+    fs::path path;
+    ClipReport report;
+    std::vector<std::uint8_t> thumbnail;
+};
+
+/// `path` within `folder`, as a preset there names it; empty: it lies elsewhere.
+std::string within(const fs::path& path, const fs::path& folder) {
+    if (folder.empty()) return {};
+    std::error_code error;
+    const fs::path relative =
+        fs::weakly_canonical(path, error).lexically_proximate(fs::weakly_canonical(folder, error));
+    if (relative.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
+    return relative.generic_string();
+}
+
+/// A name in `folder` that no file has, and none of `taken`.
+fs::path free_name(const fs::path& folder, const fs::path& wanted, const std::map<std::string, std::string>& taken) {
+    const auto used = [&](const fs::path& name) {
+        return fs::exists(folder / name) ||
+               std::any_of(taken.begin(), taken.end(), [&](const auto& one) { return one.second == name; });
+    };
+    fs::path name = wanted;
+    for (int i = 2; used(name); ++i)
+        name = wanted.stem().string() + "_" + std::to_string(i) + wanted.extension().string();
+    return name;
+}
+
+Error cannot_copy(const fs::path& from, const fs::path& to, const std::string& reason) {
+    return {Failure::runtime,
+            Fault{.file = to.string(), .place = "", .reason = "cannot copy " + from.string() + ": " + reason}};
+}
+
+/// Never half a file: written beside, then renamed. False: cancelled.
+bool copy_file(const fs::path& from, const fs::path& to, const std::function<bool(std::uintmax_t)>& goes_on) {
+    const fs::path part = to.string() + ".part";
+    std::error_code error;
+    {
+        std::ifstream in(from, std::ios::binary);
+        std::ofstream out(part, std::ios::binary | std::ios::trunc);
+        if (!in) throw cannot_copy(from, to, "it cannot be read");
+        if (!out) throw cannot_copy(from, to, "the folder cannot be written to");
+        std::vector<char> block(1 << 20);
+        while (in && out) {
+            in.read(block.data(), static_cast<std::streamsize>(block.size()));
+            out.write(block.data(), in.gcount());
+            if (goes_on(static_cast<std::uintmax_t>(in.gcount()))) continue;
+            out.close();
+            fs::remove(part, error);
+            return false;
+        }
+        out.close();
+        if (!out || in.bad()) {
+            fs::remove(part, error);
+            throw cannot_copy(from, to, in.bad() ? "it cannot be read" : "the disk is full or failing");
+        }
+    }
+    fs::rename(part, to, error);
+    if (!error) return true;
+    const std::string reason = error.message();
+    fs::remove(part, error);
+    throw cannot_copy(from, to, reason);
+}
+
+const ClipFacts unknown_clip{};
+const std::vector<std::string> no_faults;
+
+}  // namespace
+
+std::vector<std::uint8_t> shrunk(const Image& image, glm::ivec2 size) {
+    std::vector<std::uint8_t> rgba;
+    const glm::dvec2 whole(image.width, image.height);
+    const double step = std::min(whole.x / size.x, whole.y / size.y);
+    const glm::dvec2 corner = 0.5 * (whole - step * glm::dvec2(size));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const glm::ivec2 last(image.width - 1, image.height - 1);
+            const glm::ivec2 from = glm::clamp(glm::ivec2(corner + step * glm::dvec2(x, y)), glm::ivec2(0), last);
+            const glm::ivec2 to = glm::clamp(glm::ivec2(corner + step * glm::dvec2(x + 1, y + 1)), from, last);
+            std::uint32_t sum[4] = {}, count = 0;
+            for (int v = from.y; v <= to.y; ++v)
+                for (int u = from.x; u <= to.x; ++u, ++count)
+                    for (std::size_t c = 0; c < 4; ++c)
+                        sum[c] +=
+                            image.pixels[4 * (static_cast<std::size_t>(v) * static_cast<std::size_t>(image.width) +
+                                              static_cast<std::size_t>(u)) +
+                                         c];
+            for (const std::uint32_t s : sum) rgba.push_back(static_cast<std::uint8_t>(s / count));
+        }
+    return rgba;
+}
+
+// --- what is known -------------------------------------------------------------------------------------------------------
+
+ClipFacts& ClipShelf::find(const std::string& file) {
+    const std::string key = editor_.document.preset().folder.string() + '\n' + file;
+    const auto [place, made] = known_.try_emplace(key);
+    if (made) look(key, file);
+    return place->second;
+}
+
+void ClipShelf::look(const std::string& key, const std::string& file) {
+    const fs::path folder = editor_.document.preset().folder;
+    const auto found = std::make_shared<Found>();
+    const auto work = [=, folders = editor_.options().clip_folders, this](Job&) -> Jobs::Apply {
+        found->path = find_clip(file, folder, folders);
+        KeyingReader reader(found->path);
+        found->report = reader.report();
+        KeyingFrame frame;
+        reader.read(found->report.frames * 2 / 5, frame);  // smoke is there by then, as a rule
+        found->thumbnail = shrunk(source_picture(frame), thumbnail_size);
+        return [=, this] {
+            ClipFacts& facts = known_[key];
+            facts = {.path = found->path,
+                     .known = true,
+                     .report = found->report,
+                     .faults = {},
+                     .thumbnail = facts.thumbnail,
+                     .job = {}};
+            if (facts.thumbnail == 0)
+                facts.thumbnail = editor_.images.add(thumbnail_size, found->thumbnail);
+            else
+                editor_.images.update(facts.thumbnail, thumbnail_size, found->thumbnail);
+            ++grown_;
+        };
+    };
+    const auto failed = [=, this](const std::vector<Fault>& faults) {
+        ClipFacts& facts = known_[key];
+        facts = {.path = found->path,
+                 .known = false,
+                 .report = {},
+                 .faults = faults,
+                 .thumbnail = facts.thumbnail,
+                 .job = {}};
+        ++grown_;
+    };
+    known_[key].job = editor_.jobs.start("Looking through " + fs::path(file).filename().string(), work, failed);
+}
+
+void ClipShelf::look_again() {
+    for (auto& [key, facts] : known_) {
+        if (facts.job != nullptr) facts.job->cancel();
+        look(key, key.substr(key.find('\n') + 1));
+    }
+}
+
+const ClipStatus* ClipShelf::playing(std::size_t clip) const {
+    return clip < playing_.size() && playing_[clip].file == of(clip).path ? &playing_[clip] : nullptr;
+}
+
+void ClipShelf::update(double now) {
+    if (work_ && work_->cancelled()) work_.reset();
+    if (const bool changed = editor_.document.version() + grown_ != followed_;
+        changed || now - asked_ > between_asking) {
+        asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it
+        playing_ = editor_.preview.ready() ? editor_.preview.preview()->clips() : std::vector<ClipStatus>{};
+    }
+    follow();
+    if (!editor_.options().exact || !editor_.jobs.busy()) return;
+    editor_.jobs.finish();
+    follow();
+}
+
+void ClipShelf::follow() {
+    const std::uint64_t version = editor_.document.version() + grown_;
+    if (version == followed_) return;
+    followed_ = version;
+    const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
+    seen_ = {};
+    seen_.faults.resize(clips.size());
+    for (const SmokeClip& clip : clips) seen_.facts.push_back(&find(clip.file));
+    for (const ClipFacts* facts : seen_.facts) seen_.outside.push_back(is_outside(*facts));
+    constexpr std::string_view place = "/smoke/clips/";
+    for (const Fault& fault : editor_.document.preset_faults()) {
+        if (!fault.place.starts_with(place)) continue;
+        const std::size_t clip = static_cast<std::size_t>(std::atoi(fault.place.c_str() + place.size()));
+        const std::size_t key = fault.place.find('/', place.size());
+        if (clip < clips.size())
+            seen_.faults[clip].push_back(fault.place.substr(std::min(key + 1, fault.place.size())) + ": " +
+                                         fault.reason);
+    }
+    for (std::size_t i = 0; i < clips.size(); ++i)
+        for (const Fault& fault : seen_.facts[i]->faults) seen_.faults[i].push_back(fault.text());
+}
+
+const ClipFacts& ClipShelf::of(std::size_t clip) const {
+    return clip < seen_.facts.size() ? *seen_.facts[clip] : unknown_clip;
+}
+
+const std::vector<std::string>& ClipShelf::faults(std::size_t clip) const {
+    return clip < seen_.faults.size() ? seen_.faults[clip] : no_faults;
+}
+
+bool ClipShelf::outside(std::size_t clip) const {
+    return clip < seen_.outside.size() && seen_.outside[clip];
+}
+
+bool ClipShelf::any_outside() const {
+    return std::find(seen_.outside.begin(), seen_.outside.end(), true) != seen_.outside.end();
+}
+
+fs::path ClipShelf::home() const {
+    const fs::path& file = editor_.document.preset_file();
+    return file.empty() ? editor_.document.preset().folder : fs::absolute(file).parent_path();
+}
+
+bool ClipShelf::is_outside(const ClipFacts& facts) const {
+    if (facts.path.empty()) return false;
+    for (const fs::path& folder : editor_.options().clip_folders)
+        if (facts.path.parent_path() == folder) return false;
+    return within(facts.path, home()).empty();
+}
+
+// --- adding ----------------------------------------------------------------------------------------------------------------
+
+/// Whether some clip is found in the preset's folder only.
+bool ClipShelf::needs_folder() const {
+    const Preset& preset = editor_.document.preset();
+    return std::any_of(preset.smoke.clips.begin(), preset.smoke.clips.end(), [&](const SmokeClip& clip) {
+        return !fs::path(clip.file).is_absolute() && fs::exists(preset.folder / clip.file);
+    });
+}
+
+/// How the preset, as it lies now, names this file.
+std::string ClipShelf::name_of(const fs::path& file) const {
+    for (const fs::path& folder : editor_.options().clip_folders)
+        if (file.parent_path() == folder) return file.filename().string();
+    const std::string inside = within(file, editor_.document.preset().folder);
+    return inside.empty() ? file.string() : inside;
+}
+
+void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
+    if (files.empty()) return;
+    cancel_work();
+    refused_.clear();
+    const auto faults = std::make_shared<std::vector<Fault>>();
+    const auto work = [=, this](Job& job) -> Jobs::Apply {
+        std::vector<std::string> good;
+        for (std::size_t i = 0; i < files.size() && !job.cancelled(); ++i) {
+            if (files.size() > 1) job.set_progress(static_cast<double>(i) / static_cast<double>(files.size()));
+            try {
+                KeyingReader opened(files[i]);
+                good.push_back(fs::absolute(files[i]).lexically_normal().string());
+            } catch (const Error& error) {
+                faults->insert(faults->end(), error.faults().begin(), error.faults().end());
+            }
+        }
+        return [=, this] {
+            work_.reset();
+            refused_ = *faults;
+            take_found(good, replace);
+        };
+    };
+    const std::string name =
+        files.size() == 1 ? fs::path(files[0]).filename().string() : std::to_string(files.size()) + " clips";
+    work_ = editor_.jobs.start("Looking through " + name, work, [this](const std::vector<Fault>& told) {
+        work_.reset();
+        refused_ = told;
+    });
+}
+
+void ClipShelf::take_found(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
+    if (files.empty()) return;
+    document::Document& document = editor_.document;
+    // Where no other clip depends on it, the folder is that of the new ones: they are seen at once.
+    const fs::path folder = fs::path(files[0]).parent_path();
+    const bool elsewhere = fs::path(name_of(files[0])).is_absolute();
+    if (elsewhere && !needs_folder()) document.edit([&](document::Content& c) { c.preset.folder = folder; });
+    if (replace) {
+        if (*replace >= document.preset().smoke.clips.size()) return;
+        return document.change("Replace clip", [&](document::Content& c) {
+            SmokeClip& clip = c.preset.smoke.clips[*replace];
+            clip.file = name_of(files[0]);
+            clip.in = clip.out = 0;  // of another file
+        });
+    }
+    std::size_t added = 0;
+    document.change(files.size() == 1 ? "Add clip" : "Add " + std::to_string(files.size()) + " clips",
+                    [&](document::Content& c) {
+                        for (const std::string& file : files) {
+                            if (c.preset.smoke.clips.size() >= most_clips) break;
+                            c.preset.smoke.clips.push_back({.file = name_of(file)});
+                            ++added;
+                        }
+                    });
+    if (added > 0) editor_.clip = document.preset().smoke.clips.size() - 1;
+    if (added < files.size())
+        refused_.push_back({.file = files[added],
+                            .place = "",
+                            .reason = "a preset has at most " + std::to_string(most_clips) + " clips"});
+}
+
+void ClipShelf::copy_beside() {
+    const fs::path to = home();
+    if (to.empty()) return;
+    std::map<std::string, fs::path> from;  // by name in the preset
+    const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
+    for (std::size_t i = 0; i < clips.size(); ++i)
+        if (outside(i)) from[clips[i].file] = of(i).path;
+    if (from.empty()) return;
+    cancel_work();
+    refused_.clear();
+    const auto work = [=, this](Job& job) -> Jobs::Apply {
+        std::error_code error;
+        std::uintmax_t bytes = 0, done = 0;
+        for (const auto& [name, path] : from) bytes += std::max<std::uintmax_t>(fs::file_size(path, error), 1);
+        std::map<std::string, std::string> names;
+        for (const auto& [name, path] : from) {
+            const fs::path free = free_name(to, path.filename(), names);
+            const bool whole = copy_file(path, to / free, [&](std::uintmax_t more) {
+                job.set_progress(static_cast<double>(done += more) / static_cast<double>(bytes));
+                return !job.cancelled();
+            });
+            if (!whole) return {};
+            names[name] = free.string();
+        }
+        return [=, this] {
+            work_.reset();
+            take_copied(names);
+        };
+    };
+    work_ = editor_.jobs.start("Copying clips beside the preset", work, [this](const std::vector<Fault>& told) {
+        work_.reset();
+        refused_ = told;
+    });
+}
+
+void ClipShelf::take_copied(const std::map<std::string, std::string>& names) {
+    document::Document& document = editor_.document;
+    document.edit([&](document::Content& c) { c.preset.folder = home(); });
+    document.change("Copy clips beside the preset", [&](document::Content& c) {
+        for (SmokeClip& clip : c.preset.smoke.clips)
+            if (const auto name = names.find(clip.file); name != names.end()) clip.file = name->second;
+    });
+}
+
+void ClipShelf::cancel_work() {
+    if (work_) work_->cancel();
+    work_.reset();
+}
+
+}  // namespace lapfx::app

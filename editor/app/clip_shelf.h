@@ -1,0 +1,102 @@
+// The preset's clips as files: where each lies, what it holds, what is wrong with it, a small picture; adding, replacing and
+// copying them. Files are looked through by jobs, each once.
+//
+//     shelf.update(now);                                // once before each frame
+//     const ClipFacts& facts = shelf.of(editor.clip);   // while the UI is built
+//     shelf.add({"/videos/plume.mp4"});                 // looked through first; then one undo step
+//
+// UI thread.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/jobs.h"
+#include "lapfx/keying.h"
+#include "lapfx/streaming.h"
+#include "ui/draw/draw_list.h"
+
+namespace lapfx::app {
+
+class Editor;
+
+/// What is known of one clip's file.
+struct ClipFacts {
+    std::filesystem::path path;  ///< empty: not found
+    bool known = false;          ///< `report` holds
+    ClipReport report{};
+    std::vector<Fault> faults;      ///< why it cannot be used
+    ui::ImageHandle thumbnail = 0;  ///< 16:9
+    std::shared_ptr<Job> job;       ///< that looks through it now
+};
+
+class ClipShelf {
+  public:
+    explicit ClipShelf(Editor& editor) : editor_(editor) {}
+    ClipShelf(const ClipShelf&) = delete;
+    ClipShelf& operator=(const ClipShelf&) = delete;
+
+    /// `now`: s.
+    void update(double now);
+
+    /// Of the preset's clips, by number; of a number that is none, nothing is known.
+    const ClipFacts& of(std::size_t clip) const;
+    /// How it plays in the preview, a few times a second; null: not in it.
+    const ClipStatus* playing(std::size_t clip) const;
+    /// All that is wrong with a clip, file and values, a line each.
+    const std::vector<std::string>& faults(std::size_t clip) const;
+    /// Not inside of the folder that the preset file is in, nor on the search path: its name would not be found again. Copy it.
+    bool outside(std::size_t clip) const;
+    bool any_outside() const;
+    /// Where the preset's clips are to lie; empty: nobody knows yet.
+    std::filesystem::path home() const;
+    /// All files are looked through anew: they have changed on the disk.
+    void look_again();
+
+    // --- changing ----------------------------------------------------------------------------------------------------
+    /// Looks through files, by a job, and adds those that are clips, or puts the first one in the place of clip `replace`. What is
+    /// wrong with the others is in refused().
+    void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
+    /// Copies every clip that lies outside into home(), by a job, and names it there.
+    void copy_beside();
+    /// A job of add() or copy_beside(); null: none runs.
+    const std::shared_ptr<Job>& work() const { return work_; }
+    void cancel_work();
+    const std::vector<Fault>& refused() const { return refused_; }
+    void forget_refused() { refused_.clear(); }
+
+  private:
+    struct Seen {
+        std::uint64_t version = 0;
+        std::vector<ClipFacts*> facts;
+        std::vector<std::vector<std::string>> faults;
+        std::vector<bool> outside;
+    };
+    ClipFacts& find(const std::string& file);
+    void look(const std::string& key, const std::string& file);
+    void take_found(const std::vector<std::string>& files, std::optional<std::size_t> replace);
+    void take_copied(const std::map<std::string, std::string>& names);
+    std::string name_of(const std::filesystem::path& file) const;
+    bool needs_folder() const;
+    bool is_outside(const ClipFacts& facts) const;
+    void follow();
+
+    Editor& editor_;
+    std::map<std::string, ClipFacts> known_;  ///< by folder and name
+    Seen seen_;
+    std::uint64_t grown_ = 1;  ///< with every result of a job
+    std::uint64_t followed_ = 0;
+    std::shared_ptr<Job> work_;
+    std::vector<Fault> refused_;
+    std::vector<ClipStatus> playing_;
+    double asked_ = -1;  ///< s, when the preview was asked for it
+};
+
+/// Of 16:9, cut out of the middle; RGBA of `size`.
+std::vector<std::uint8_t> shrunk(const Image& image, glm::ivec2 size);
+
+}  // namespace lapfx::app

@@ -1,0 +1,354 @@
+#include "app/keying_bench.h"
+
+#include <algorithm>
+#include <cmath>
+#include <tuple>
+
+#include "app/editor.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr glm::u8vec3 grey{118, 118, 118};  // sRGB of a light that is a fifth: middle grey
+constexpr glm::u8vec3 tissue{142, 58, 50};  // of a liver under an endoscope
+constexpr int checker_side = 16;            // px
+constexpr int scope_samples = 350;          // a side: more show nothing else
+constexpr int quick_pixels = 720 * 576;     // keyed within a frame without edges
+
+auto values(const KeyingParameters& k) {
+    return std::make_tuple(k.luma_low, k.luma_high, k.key_color.x, k.key_color.y, k.key_color.z, k.chroma_low,
+                           k.chroma_high, k.spill, k.choke, k.feather);
+}
+
+bool same_look(const KeyingLook& a, const KeyingLook& b) {
+    return values(a.keying) == values(b.keying) && a.polarity == b.polarity && a.color == b.color &&
+           a.extinction == b.extinction;
+}
+
+Image flat(glm::u8vec3 color) {
+    return {.width = 1, .height = 1, .pixels = {color.r, color.g, color.b, 255}, .name = ""};
+}
+
+Image checker(glm::ivec2 size) {
+    Image image{.width = size.x, .height = size.y, .pixels = {}, .name = ""};
+    image.pixels.reserve(4 * static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
+    for (int y = 0; y < size.y; ++y)
+        for (int x = 0; x < size.x; ++x) {
+            const std::uint8_t value = ((x / checker_side + y / checker_side) & 1) == 0 ? 150 : 96;
+            image.pixels.insert(image.pixels.end(), {value, value, value, 255});
+        }
+    return image;
+}
+
+}  // namespace
+
+struct KeyingBench::Request {
+    fs::path path;  ///< empty: nothing is to be shown
+    double time = 0;
+    KeyingLook look;
+    Behind behind = Behind::grey;
+    std::shared_ptr<const Image> backdrop;
+
+    bool same_frame(const Request& o) const { return path == o.path && time == o.time; }
+    friend bool operator==(const Request& a, const Request& b) {
+        return a.same_frame(b) && same_look(a.look, b.look) && a.behind == b.behind && a.backdrop == b.backdrop;
+    }
+};
+
+struct KeyingBench::Result {
+    bool new_frame = false;
+    std::array<Image, bench_views> images;  ///< empty: as before
+    std::array<std::uint32_t, 256> bins{};
+    int frame = 0, frames = 0;
+    double time = 0;
+    bool broken = false;
+};
+
+/// What lies between a request and its pictures; used by one thread at a time.
+class BenchWork {
+  public:
+    using Request = KeyingBench::Request;
+    using Result = KeyingBench::Result;
+
+    /// The file is open, its frame read, and no edge is drawn in or smoothed: keyed within a frame.
+    bool quick(const Request& r) const {
+        return reader_ && r.path == path_ && reader_->frame_at(r.time) == index_ &&
+               frame_.size.x * frame_.size.y <= quick_pixels && !(r.look.keying.choke > 0) &&
+               !(r.look.keying.feather > 0);
+    }
+    /// Throws Error.
+    Result run(const Request& request) {
+        Result result;
+        result.new_frame = read(request);
+        keyed_opacity(frame_, request.look.keying, request.look.polarity, opacity_);
+        if (result.new_frame) result.images[0] = source_picture(frame_);
+        result.images[1] = matte_picture(frame_.size, opacity_);
+        result.images[2] = keyed_picture(frame_, request.look, opacity_);
+        result.images[3] = composite_picture(frame_, request.look, opacity_, backdrop(request));
+        const bool dark = request.look.polarity == ClipPolarity::dark;
+        for (const float luma : frame_.luma) {
+            const auto bin = static_cast<std::size_t>(std::clamp(luma + 0.5f, 0.0f, 255.0f));
+            ++result.bins[dark ? 255 - bin : bin];
+        }
+        result.frame = index_;
+        result.frames = reader_->report().frames;
+        result.time = reader_->time_of(index_);
+        result.broken = broken_;
+        return result;
+    }
+
+  private:
+    /// Gives whether it is another frame than before.
+    bool read(const Request& request) {
+        if (!reader_ || request.path != path_) {
+            reader_.reset();
+            index_ = -1;
+            reader_.emplace(request.path);
+            path_ = request.path;
+        }
+        const int index = reader_->frame_at(request.time);
+        if (index == index_) return false;
+        broken_ = !reader_->read(index, frame_);
+        index_ = index;
+        return true;
+    }
+    Image backdrop(const Request& request) const {
+        if (request.behind == Behind::checker) return checker(frame_.size);
+        if (request.behind == Behind::preview && request.backdrop) return *request.backdrop;
+        return flat(request.behind == Behind::tissue ? tissue : grey);
+    }
+
+    std::optional<KeyingReader> reader_;
+    fs::path path_;
+    int index_ = -1;
+    bool broken_ = false;
+    KeyingFrame frame_;
+    std::vector<float> opacity_;
+};
+
+glm::vec4 BenchPixels::pixel(glm::ivec2 at) const {
+    const std::size_t i =
+        4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(at.x));
+    return {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2], image.pixels[i + 3]};
+}
+
+KeyingBench::KeyingBench(Editor& editor)
+    : shelf(editor),
+      editor_(editor),
+      work_(std::make_shared<BenchWork>()),
+      vectors_(editor.images),
+      waves_(editor.images) {}
+
+KeyingBench::~KeyingBench() {
+    for (const ui::ImageHandle handle : handles_)
+        if (handle != 0) editor_.images.remove(handle);
+}
+
+const SmokeClip* KeyingBench::clip() const {
+    const auto& clips = editor_.document.preset().smoke.clips;
+    return editor_.clip < clips.size() ? &clips[editor_.clip] : nullptr;
+}
+
+const KeyingParameters& KeyingBench::keying() const {
+    const SmokeClip* one = clip();
+    return one != nullptr && one->own_keying ? one->keying : editor_.document.preset().smoke.keying;
+}
+
+KeyingParameters& KeyingBench::keying_of(document::Content& content, std::size_t clip) {
+    auto& clips = content.preset.smoke.clips;
+    return clip < clips.size() && clips[clip].own_keying ? clips[clip].keying : content.preset.smoke.keying;
+}
+
+void KeyingBench::set_eyedropper(bool on) {
+    look.eyedropper = on;
+    if (on && !look.grid) look.view = static_cast<int>(BenchView::source);
+}
+
+double KeyingBench::standing_at() const {
+    const double duration = shelf.of(editor_.clip).report.duration;
+    return std::min(look.time.value_or(0.4 * duration), duration);
+}
+
+KeyingBench::Request KeyingBench::request() const {
+    Request wanted;
+    const SmokeClip* one = clip();
+    const ClipFacts& facts = shelf.of(editor_.clip);
+    if (one == nullptr || !facts.known) return wanted;
+    const SmokeParameters& smoke = editor_.document.preset().smoke;
+    const bool plume = one->role == ClipRole::plume;
+    wanted.path = facts.path;
+    wanted.look = {.keying = keying(),
+                   .polarity = one->polarity,
+                   .color = plume ? smoke.plume.color : smoke.haze.color,
+                   .extinction = plume ? smoke.plume.extinction : smoke.haze.extinction};
+    wanted.time = standing_at();
+    if (look.follow) {
+        const double end = one->out > one->in ? std::min(one->out, facts.report.duration) : facts.report.duration;
+        const double length = std::max(end - one->in, 1e-3);
+        wanted.time = one->in + std::fmod(editor_.timeline.time * one->speed, length);
+    }
+    wanted.behind = look.behind;
+    if (look.behind == Behind::preview) wanted.backdrop = backdrop_;
+    return wanted;
+}
+
+bool KeyingBench::stale() const {
+    if (job_) return false;
+    return !shown_ || !asked_ || !(*asked_ == request()) ||
+           (look.behind == Behind::preview && backdrop_time_ != editor_.timeline.time && !editor_.playing());
+}
+
+/// The picture of the frame before is that of now once time has stood still for a frame.
+void KeyingBench::follow_backdrop() {
+    const double now = editor_.timeline.time;
+    const bool stands = now == time_before_ && !editor_.playing();
+    time_before_ = now;
+    if (look.behind != Behind::preview || !stands || backdrop_time_ == now || editor_.preview.picture() == 0) return;
+    backdrop_ = std::make_shared<const Image>(editor_.preview.read());
+    backdrop_time_ = now;
+}
+
+void KeyingBench::update(double now) {
+    shelf.update(now);
+    if (job_ && job_->cancelled()) {  // by whoever lists jobs; its thread may still be at work
+        job_.reset();
+        work_ = std::make_shared<BenchWork>();
+    }
+    if (suggesting_ && suggesting_->cancelled()) suggesting_.reset();
+    const auto& clips = editor_.document.preset().smoke.clips;
+    if (!clips.empty() && editor_.clip >= clips.size()) editor_.clip = clips.size() - 1;
+    if (const SmokeClip* one = clip(); suggestion_ && (one == nullptr || one->file != suggested_for_))
+        forget_suggestion();
+    shown_ = std::exchange(wanted_, false);
+    if (!shown_ || job_) return;
+    follow_backdrop();
+    const Request wanted = request();
+    if (asked_ && *asked_ == wanted) return;
+    start(wanted);
+}
+
+void KeyingBench::start(const Request& request) {
+    asked_ = std::make_unique<Request>(request);
+    if (request.path.empty()) {
+        frames_ = 0;
+        faults_.clear();
+        return;
+    }
+    if (editor_.options().exact || work_->quick(request)) {
+        try {
+            Result result = work_->run(request);
+            take(result);
+        } catch (const Error& error) {
+            frames_ = 0;
+            faults_ = error.faults();
+        }
+        return;
+    }
+    const auto result = std::make_shared<Result>();
+    job_ = editor_.jobs.start(
+        "Keying " + request.path.filename().string(),
+        [=, work = work_, this](Job&) -> Jobs::Apply {
+            *result = work->run(request);
+            return [=, this] {
+                job_.reset();
+                take(*result);
+            };
+        },
+        [this](const std::vector<Fault>& faults) {
+            job_.reset();
+            frames_ = 0;
+            faults_ = faults;
+        });
+}
+
+void KeyingBench::take(Result& result) {
+    faults_.clear();
+    frame_ = result.frame, frames_ = result.frames, time_ = result.time, broken_ = result.broken;
+    bins_ = result.bins;
+    show_pictures(result);
+}
+
+void KeyingBench::show_pictures(Result& result) {
+    for (std::size_t i = 0; i < bench_views; ++i) {
+        if (result.images[i].pixels.empty()) continue;
+        pixels_[i].image = std::move(result.images[i]);
+        const Image& image = pixels_[i].image;
+        const glm::ivec2 size(image.width, image.height);
+        if (handles_[i] == 0)
+            handles_[i] = editor_.images.add(size, image.pixels);
+        else
+            editor_.images.update(handles_[i], size, image.pixels);
+    }
+    if (!result.new_frame) return;
+    const Image& source = pixels_[0].image;
+    const ui::ScopeSource counted{.bytes = source.pixels,
+                                  .size = {source.width, source.height},
+                                  .channels = 4,
+                                  .every = std::max(1, std::min(source.width, source.height) / scope_samples)};
+    vectors_.update_chroma(counted, ui::Matrix::bt601);
+    waves_.update_luma(counted, ui::Matrix::bt601);
+}
+
+ui::Picture KeyingBench::picture(BenchView view) const {
+    const auto i = static_cast<std::size_t>(view);
+    if (!ready()) return {};
+    const Image& image = pixels_[i].image;
+    return {.image = handles_[i],
+            .size = {image.width, image.height},
+            .pixels = &pixels_[i],
+            .transparent = view == BenchView::keyed};
+}
+
+// --- suggesting ------------------------------------------------------------------------------------------------------------
+
+void KeyingBench::cancel_suggesting() {
+    if (suggesting_) suggesting_->cancel();
+    suggesting_.reset();
+}
+
+void KeyingBench::forget_suggestion() {
+    suggestion_.reset();
+    suggestion_faults_.clear();
+}
+
+void KeyingBench::suggest() {
+    const SmokeClip* one = clip();
+    const ClipFacts& facts = shelf.of(editor_.clip);
+    if (one == nullptr || !facts.known) return;
+    cancel_suggesting();
+    forget_suggestion();
+    const std::string file = one->file;
+    const std::size_t number = editor_.clip;
+    const auto apply = [this, file, number](const KeyingSuggestion& found) {
+        suggesting_.reset();
+        const auto& clips = editor_.document.preset().smoke.clips;
+        if (number >= clips.size() || clips[number].file != file) return;
+        suggestion_ = found;
+        suggested_for_ = file;
+        if (found.alpha) return;
+        editor_.document.change("Suggest keying", [&](document::Content& c) {
+            KeyingParameters& k = keying_of(c, number);
+            const KeyingParameters& s = found.keying;
+            k.luma_low = s.luma_low, k.luma_high = s.luma_high;
+            k.key_color = s.key_color;
+            k.chroma_low = s.chroma_low, k.chroma_high = s.chroma_high;
+            k.spill = s.spill;
+            c.preset.smoke.clips[number].polarity = found.polarity;
+        });
+    };
+    suggesting_ = editor_.jobs.start(
+        "Suggesting keying for " + facts.path.filename().string(),
+        [=, path = facts.path](Job&) -> Jobs::Apply {
+            const KeyingSuggestion found = suggest_keying(path);
+            return [=] { apply(found); };
+        },
+        [this](const std::vector<Fault>& faults) {
+            suggesting_.reset();
+            suggestion_faults_ = faults;
+        });
+}
+
+}  // namespace lapfx::app

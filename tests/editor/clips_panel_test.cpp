@@ -1,0 +1,156 @@
+// The list of clips, driven by the names of what is on the screen.
+#include <fstream>
+
+#include "app/keying_bench.h"
+#include "editor/support/editor_test.h"
+#include "support/clips.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ClipsPanel : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        layout("Key");
+    }
+    const std::vector<SmokeClip>& clips() { return editor().document.preset().smoke.clips; }
+    const document::Step& last_step() { return editor().document.steps().at(editor().document.done() - 1); }
+    std::vector<std::string> names() {
+        std::vector<std::string> all;
+        for (const SmokeClip& clip : clips()) all.push_back(clip.file);
+        return all;
+    }
+    void drop(const std::string& files) { ui().drop(panel + "List", files).frame().frame(); }
+
+    const std::string panel = "Workspace/Clips/";
+    const std::vector<std::string> sample{"plume_thick.mp4", "wisps_thin.mp4", "haze_rolling.mp4"};
+};
+
+TEST_F(ClipsPanel, ListsThePresetsClips) {
+    ASSERT_EQ(names(), sample);
+    const std::string text = ui().text(panel + "List/1 plume_thick.mp4");
+    EXPECT_NE(text.find("720x480, 5 s at 30 fps"), std::string::npos) << text;
+    EXPECT_NE(text.find("resident"), std::string::npos) << text;
+    EXPECT_NE(editor().keying().shelf.of(0).thumbnail, 0U);
+    ui().click(panel + "List/2 wisps_thin.mp4");
+    EXPECT_EQ(editor().clip, 1U);
+    ui().key(ui::Key::down);
+    EXPECT_EQ(editor().clip, 2U);
+}
+
+TEST_F(ClipsPanel, WeightIsDraggedInTheListInOneStep) {
+    ui().drag(panel + "List/1 plume_thick.mp4/Weight", {20, 0});
+    EXPECT_NE(clips()[0].weight, 1.0);
+    EXPECT_EQ(editor().document.done(), 1U);
+    EXPECT_EQ(last_step().name, "Weight");
+}
+
+TEST_F(ClipsPanel, OrderAndNumberAreChanged) {
+    ui().click(panel + "Move clip down");
+    EXPECT_EQ(names(), (std::vector<std::string>{sample[1], sample[0], sample[2]}));
+    EXPECT_EQ(editor().clip, 1U) << "the selection goes along";
+    ui().click(panel + "Move clip up");
+    EXPECT_EQ(names(), sample);
+    ui().click(panel + "Duplicate clip");
+    EXPECT_EQ(names(), (std::vector<std::string>{sample[0], sample[0], sample[1], sample[2]}));
+    ui().click(panel + "Remove clip");
+    EXPECT_EQ(names(), sample);
+    ui().click(panel + "List/3 haze_rolling.mp4").key(ui::Key::del);
+    EXPECT_EQ(names(), (std::vector<std::string>{sample[0], sample[1]}));
+    EXPECT_EQ(editor().clip, 1U);
+    EXPECT_EQ(last_step().name, "Remove clip");
+    while (editor().document.can_undo()) editor().document.undo();
+    EXPECT_EQ(names(), sample);
+}
+
+TEST_F(ClipsPanel, DroppedVideosAreAddedInOneStep) {
+    const fs::path one = write_clip(folder() / "one.avi", 5), two = write_clip(folder() / "two.avi", 5);
+    drop(one.string() + "\n" + two.string());
+    ASSERT_EQ(clips().size(), 5U);
+    EXPECT_EQ(editor().document.done(), 1U);
+    EXPECT_EQ(last_step().name, "Add 2 clips");
+    EXPECT_EQ(editor().clip, 4U);
+    EXPECT_EQ(clips()[3].file, "one.avi") << "no other clip needed the preset's folder: it is theirs now";
+    EXPECT_TRUE(editor().keying().shelf.faults(3).empty());
+    EXPECT_EQ(editor().preview.preset_faults().size(), 0U);
+    EXPECT_EQ(editor().preview.preview()->clips().size(), 5U) << "seen at once";
+    editor().document.undo();
+    EXPECT_EQ(names(), sample);
+}
+
+TEST_F(ClipsPanel, WhatIsNoVideoIsToldInPlace) {
+    const fs::path text = folder() / "notes.mp4";
+    std::ofstream(text) << "no video at all";
+    const fs::path good = write_clip(folder() / "good.avi", 5);
+    drop(text.string() + "\n" + good.string() + "\n" + (folder() / "none.mp4").string());
+    EXPECT_EQ(clips().size(), 4U) << "the good one is there";
+    EXPECT_EQ(editor().keying().shelf.refused().size(), 2U);
+    EXPECT_NE(ui().dump().find("Not added: " + text.string() + ": is not a video that can be decoded"),
+              std::string::npos);
+    ui().click(panel + "Dismiss");
+    EXPECT_EQ(ui().dump().find("Not added"), std::string::npos);
+}
+
+TEST_F(ClipsPanel, AMissingFileIsToldInPlaceWithTheWayOut) {
+    const fs::path clip = write_clip(folder() / "clip.avi", 5);
+    drop(clip.string());
+    fs::remove(clip);
+    editor().keying().shelf.look_again();
+    ui().frame().frame();
+    EXPECT_NE(ui().dump().find("clip.avi: no such clip; looked in"), std::string::npos);
+    EXPECT_TRUE(ui().exists(panel + "Selected clip/Choose file..."));
+    write_clip(clip, 5);
+    ui().click(panel + "Selected clip/Look again").frame();
+    EXPECT_TRUE(editor().keying().shelf.faults(3).empty());
+    EXPECT_FALSE(ui().exists(panel + "Selected clip/Choose file..."));
+}
+
+TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {
+    const fs::path home = folder() / "preset", elsewhere = folder() / "videos", third = folder() / "more";
+    for (const fs::path& made : {home, elsewhere, third}) fs::create_directory(made);
+    editor().document.save_preset(home / "mine.json");
+    drop(write_clip(elsewhere / "smoke.avi", 5).string());
+    EXPECT_TRUE(editor().keying().shelf.outside(3));
+    drop(write_clip(third / "smoke.avi", 5).string());  // the folder is needed by the other one now
+    EXPECT_EQ(clips()[4].file, (third / "smoke.avi").string());
+    EXPECT_NE(ui().dump().find("is an absolute path"), std::string::npos) << "told in place";
+    ui().click(panel + "Selected clip/Copy clips beside the preset").frame().frame();
+    EXPECT_EQ(last_step().name, "Copy clips beside the preset");
+    EXPECT_FALSE(editor().keying().shelf.any_outside());
+    EXPECT_TRUE(editor().document.preset_faults().empty());
+    EXPECT_TRUE(fs::exists(home / "smoke.avi"));
+    EXPECT_TRUE(fs::exists(home / "smoke_2.avi")) << "neither takes the place of the other";
+    EXPECT_EQ(fs::file_size(home / "smoke.avi"), fs::file_size(elsewhere / "smoke.avi"));
+    EXPECT_EQ(editor().preview.preview()->clips().size(), 5U);
+    editor().document.save_preset(home / "mine.json");
+    EXPECT_EQ(load_preset(home / "mine.json").smoke.clips.size(), 5U);
+}
+
+TEST_F(ClipsPanel, InAndOutAreARangeOfTheClip) {
+    ui().drag(panel + "Selected clip/Use/In and out/High", {-40, 0});
+    EXPECT_GT(clips()[0].out, 1.0);
+    EXPECT_LT(clips()[0].out, 5.0);
+    EXPECT_EQ(last_step().name, "In and out");
+    EXPECT_EQ(editor().document.done(), 1U);
+    ui().key(ui::Key::end, ui::Mods::command);
+    EXPECT_EQ(clips()[0].out, 0.0) << "the end of the clip is 0";
+    EXPECT_TRUE(editor().document.preset_faults().empty());
+}
+
+TEST_F(ClipsPanel, AReplacedFileKeepsHowItIsUsed) {
+    editor().document.change("Weight", [](document::Content& c) { c.preset.smoke.clips[1].weight = 2.5; });
+    editor().keying().shelf.add({write_clip(folder() / "other.avi", 5).string()}, 1);
+    ui().frame().frame();
+    EXPECT_EQ(clips().size(), 3U);
+    EXPECT_EQ(fs::path(clips()[1].file).filename(), "other.avi");
+    EXPECT_EQ(clips()[1].weight, 2.5);
+    EXPECT_EQ(last_step().name, "Replace clip");
+}
+
+}  // namespace
+}  // namespace lapfx::test

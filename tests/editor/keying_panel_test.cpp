@@ -1,0 +1,221 @@
+// The keying bench, driven by the names of what is on the screen.
+#include <cmath>
+#include <fstream>
+#include <opencv2/videoio.hpp>
+
+#include "app/keying_bench.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+using app::BenchView;
+
+class KeyingPanel : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        layout("Key");
+    }
+    glm::vec4 pixel(BenchView view, glm::ivec2 at) {
+        const ui::Picture picture = editor().keying().picture(view);
+        EXPECT_NE(picture.pixels, nullptr);
+        return picture.pixels->pixel(at);
+    }
+    /// Mean of red over the whole picture.
+    double mean(BenchView view) {
+        const ui::Picture picture = editor().keying().picture(view);
+        double sum = 0;
+        for (int y = 0; y < picture.size.y; ++y)
+            for (int x = 0; x < picture.size.x; ++x) sum += picture.pixels->pixel({x, y}).r;
+        return sum / picture.size.x / picture.size.y;
+    }
+    const KeyingParameters& keying() { return editor().document.preset().smoke.keying; }
+    std::size_t steps() { return editor().document.done(); }
+
+    /// Frames of green with a grey square, as a video without loss.
+    fs::path green_clip() {
+        const fs::path path = folder() / "green.avi";
+        cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10,
+                               cv::Size(160, 96));
+        for (int i = 0; i < 10; ++i) {
+            cv::Mat image(96, 160, CV_8UC3, cv::Scalar(40, 170, 30));
+            image(cv::Rect(60, 30, 40, 40)) = cv::Scalar(180, 180, 180);
+            writer.write(image);
+        }
+        writer.release();
+        return path;
+    }
+    const std::string panel = "Workspace/Keying/";
+};
+
+TEST_F(KeyingPanel, ShowsTheSelectedClipOnItsWayToSmoke) {
+    const app::KeyingBench& bench = editor().keying();
+    ASSERT_TRUE(bench.ready());
+    EXPECT_EQ(bench.picture(BenchView::source).size, glm::ivec2(720, 480));
+    EXPECT_EQ(bench.frames(), 150);
+    const double before = mean(BenchView::source);
+    editor().clip = 2;
+    ui().frame().frame();
+    EXPECT_GT(std::abs(mean(BenchView::source) - before), 10.0) << "another clip";
+    for (int y = 100; y < 480; y += 100) {
+        const glm::vec4 source = pixel(BenchView::source, {300, y}), matte = pixel(BenchView::matte, {300, y});
+        const double luma = 0.299 * source.r + 0.587 * source.g + 0.114 * source.b;
+        const double expected =
+            255 * std::clamp((luma - keying().luma_low) / (keying().luma_high - keying().luma_low), 0.0, 1.0);
+        EXPECT_NEAR(matte.r, expected, 3.0) << y;
+    }
+}
+
+TEST_F(KeyingPanel, TheLowHandleChangesMatteAndPreviewInOneStep) {
+    const Image preview = picture(6);
+    const double before = mean(BenchView::matte), low = keying().luma_low;
+    ui().drag(panel + "Bench/Luma/Low", {60, 0});
+    ui().frame();
+    EXPECT_GT(keying().luma_low, low + 20);
+    EXPECT_LT(mean(BenchView::matte), before - 1.0);
+    EXPECT_GT(differing(preview, picture(6)), 100U);
+    ASSERT_EQ(steps(), 1U);
+    EXPECT_EQ(editor().document.steps()[0].name, "Luma low");
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_EQ(keying().luma_low, low);
+    EXPECT_NEAR(mean(BenchView::matte), before, 1e-9);
+}
+
+TEST_F(KeyingPanel, TheEyedropperTakesTheSourcesColour) {
+    open({green_clip().string()});
+    editor().keying().look.sample_box = 1;
+    ui().key('K');
+    EXPECT_TRUE(editor().keying().look.eyedropper);
+    ui().frame();
+    ui().click(panel + "Bench/Source", {.at = {0.35F, 0.2F}});
+    ASSERT_EQ(steps(), 1U);
+    EXPECT_EQ(editor().document.steps()[0].name, "Key colour");
+    const glm::vec4 value = pixel(BenchView::source, {10, 10});
+    for (int c = 0; c < 3; ++c) EXPECT_NEAR(255 * keying().key_color[c], value[c], 1.01) << c;
+    EXPECT_GT(keying().key_color.g, 0.5);
+    EXPECT_FALSE(editor().keying().look.eyedropper) << "it takes one";
+    ui().click(panel + "Bench/Keyed", {.at = {0.5F, 0.5F}});
+    EXPECT_EQ(steps(), 1U) << "never from what is keyed already";
+}
+
+TEST_F(KeyingPanel, ChromaCirclesAreDragged) {
+    open({green_clip().string()});
+    editor().document.change("Key colour", [](document::Content& c) {
+        c.preset.smoke.keying.key_color = {0.12, 0.67, 0.16};
+        c.preset.smoke.keying.chroma_low = 10, c.preset.smoke.keying.chroma_high = 30;
+    });
+    ui().frame().frame();
+    EXPECT_LT(pixel(BenchView::matte, {10, 10}).r, 4);
+    EXPECT_GT(pixel(BenchView::matte, {80, 50}).r, 120);
+    ui().drag(panel + "Bench/Chroma/Chroma high", {12, 0});
+    EXPECT_NE(keying().chroma_high, 30.0);
+    EXPECT_EQ(steps(), 2U);
+    EXPECT_EQ(editor().document.steps()[1].name, "Chroma high");
+}
+
+TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
+    open({green_clip().string()});
+    ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
+    ASSERT_EQ(steps(), 1U);
+    EXPECT_EQ(editor().document.steps()[0].name, "Suggest keying");
+    EXPECT_GT(keying().chroma_high, 20.0);
+    EXPECT_GT(keying().key_color.g, keying().key_color.r + 0.3);
+    ASSERT_TRUE(editor().keying().suggestion());
+    EXPECT_NE(ui().dump().find("Suggested, "), std::string::npos) << "told in place";
+    ui().click(panel + "Bench/Thresholds/Dismiss");
+    EXPECT_FALSE(editor().keying().suggestion());
+    editor().document.undo();
+    EXPECT_EQ(keying().chroma_high, 0.0);
+}
+
+TEST_F(KeyingPanel, ThresholdsAreForAllClipsOrForThisOne) {
+    const double low = keying().luma_low;
+    ui().click(panel + "Bench/Thresholds/Thresholds for/This clip").frame();
+    ui().drag(panel + "Bench/Luma/Low", {60, 0});
+    EXPECT_EQ(keying().luma_low, low) << "the preset's stay";
+    const SmokeClip& clip = editor().document.preset().smoke.clips[0];
+    EXPECT_TRUE(clip.own_keying);
+    EXPECT_GT(clip.keying.luma_low, low + 20);
+    EXPECT_EQ(clip.keying.luma_high, keying().luma_high) << "they go on from the preset's";
+    EXPECT_EQ(steps(), 2U);
+    ui().click(panel + "Bench/Thresholds/Thresholds for/All clips").frame();
+    EXPECT_FALSE(editor().document.preset().smoke.clips[0].own_keying);
+}
+
+TEST_F(KeyingPanel, ViewsShareOneLook) {
+    const ui::ViewState before = editor().keying().look.state;
+    ui().wheel(panel + "Bench/Source", {0, 2});
+    EXPECT_NE(editor().keying().look.state, before);
+    ui().click(panel + "Fit");
+    EXPECT_TRUE(editor().keying().look.state.fitted);
+    ui().click(panel + "Views/Matte").frame();
+    EXPECT_TRUE(ui().exists(panel + "Bench/Matte"));
+    EXPECT_FALSE(ui().exists(panel + "Bench/Keyed"));
+    EXPECT_FALSE(editor().keying().look.grid);
+}
+
+TEST_F(KeyingPanel, ScrubsByTimeAndByFrame) {
+    const int before = editor().keying().frame();
+    EXPECT_EQ(before, 60);
+    ui().click(panel + "Bench/Next frame").frame();
+    EXPECT_EQ(editor().keying().frame(), before + 1);
+    ui().click(panel + "Bench/Previous frame").click(panel + "Bench/Previous frame").frame();
+    EXPECT_EQ(editor().keying().frame(), before - 1);
+    ui().click(panel + "Bench/Follow");
+    editor().seek(1.0);
+    ui().frame().frame();
+    EXPECT_EQ(editor().keying().frame(), 30);
+    EXPECT_EQ(steps(), 0U) << "no part of the document";
+}
+
+TEST_F(KeyingPanel, BehindTheSmokeThereIsWhatWasChosen) {
+    const glm::ivec2 corner(5, 5);
+    EXPECT_GT(pixel(BenchView::composite, corner).r, pixel(BenchView::composite, corner).g + 40) << "tissue";
+    ui().click(panel + "Behind/Grey").frame();
+    EXPECT_EQ(pixel(BenchView::composite, corner), glm::vec4(118, 118, 118, 255));
+    ui().click(panel + "Behind/Preview").frame().frame().frame();
+    const Image preview = editor().preview.read();
+    const glm::vec4 middle = pixel(BenchView::composite, {100, 240});
+    const double step = std::min(preview.width / 720.0, preview.height / 480.0);
+    const int x = static_cast<int>(0.5 * (preview.width - 720 * step) + 100.5 * step);
+    const int y = static_cast<int>(0.5 * (preview.height - 480 * step) + 240.5 * step);
+    EXPECT_EQ(middle.r, preview.pixels[4 * static_cast<std::size_t>(y * preview.width + x)]);
+}
+
+TEST_F(KeyingPanel, AMissingFileIsToldInPlace) {
+    editor().document.change("Clip", [](document::Content& c) { c.preset.smoke.clips[0].file = "gone.mp4"; });
+    ui().frame().frame();
+    EXPECT_FALSE(editor().keying().ready());
+    EXPECT_NE(ui().dump().find("gone.mp4: no such clip"), std::string::npos);
+    EXPECT_TRUE(ui().exists(panel + "Replace file..."));
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_TRUE(editor().keying().ready());
+}
+
+TEST_F(KeyingPanel, WithoutAClipOneCanBeAdded) {
+    editor().document.change("Clips", [](document::Content& c) { c.preset.smoke.clips.clear(); });
+    ui().frame().frame();
+    EXPECT_TRUE(ui().exists(panel + "Add clip..."));
+    EXPECT_FALSE(editor().commands.enabled(editor().commands.index_of("clip.suggest")));
+}
+
+TEST_F(KeyingPanel, AClipThatBreaksWhileItIsOpenDoesNoHarm) {
+    const fs::path path = green_clip();
+    open({path.string()});
+    ASSERT_TRUE(editor().keying().ready());
+    std::ofstream(path, std::ios::trunc) << "no video any more";
+    editor().keying().look.time = 0.75;
+    ui().frame().frame();
+    editor().keying().shelf.look_again();
+    ui().frame().frame();
+    EXPECT_NE(ui().dump().find("is not a video that can be decoded"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace lapfx::test
