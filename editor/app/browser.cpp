@@ -79,10 +79,6 @@ bool read_preset(const fs::path& path, PresetFile& file) {
     return true;
 }
 
-bool same_file(const fs::path& a, const fs::path& b) {
-    return !a.empty() && !b.empty() && fs::absolute(a).lexically_normal() == fs::absolute(b).lexically_normal();
-}
-
 }  // namespace
 
 Browser::Browser(Editor& editor) : editor_(editor) {}
@@ -123,6 +119,7 @@ void Browser::scan() {
     stale_ = false;
     scanning_ = true;
     scanned_beside_ = editor_.document.preset_file();
+    current_ = scanned_beside_.empty() ? fs::path() : fs::absolute(scanned_beside_).lexically_normal();
     scanned_text_ = editor_.document.saved_preset_text();
     editor_.jobs.start(
         "Presets",
@@ -150,7 +147,7 @@ void Browser::take(Found found) {
         }
     }
     files_ = std::move(found.files);
-    found_for_.clear();
+    sorted_ = false;
     count_tags();
     want_thumbnails();
 }
@@ -230,10 +227,11 @@ void Browser::update(double) {
 }
 
 const std::vector<std::size_t>& Browser::found() {
-    std::string wanted = search + '\n' + (order == PresetOrder::name ? 'n' : 'd') + (stars_only ? 's' : 'a');
-    for (const std::string& tag : chosen_tags_) wanted += '\n' + tag;
-    if (wanted == found_for_) return found_;
-    found_for_ = std::move(wanted);
+    if (sorted_ && found_for_ == search && found_order_ == order && found_stars_ == stars_only) return found_;
+    sorted_ = true;
+    found_for_ = search;
+    found_order_ = order;
+    found_stars_ = stars_only;
     found_.clear();
     for (std::size_t i = 0; i < files_.size(); ++i) {
         const PresetFile& file = files_[i];
@@ -256,6 +254,7 @@ bool Browser::has_tag(std::string_view tag) const {
 void Browser::choose_tag(std::string_view tag, bool on) {
     std::erase(chosen_tags_, tag);
     if (on) chosen_tags_.emplace_back(tag);
+    sorted_ = false;
 }
 
 bool Browser::starred(std::size_t file) const {
@@ -267,11 +266,11 @@ void Browser::star(std::size_t file, bool on) {
     std::vector<std::string>& stars = editor_.settings().preset_stars;
     std::erase(stars, files_[file].file.string());
     if (on) stars.push_back(files_[file].file.string());
-    found_for_.clear();
+    sorted_ = false;
 }
 
 bool Browser::current(std::size_t file) const {
-    return same_file(files_[file].file, editor_.document.preset_file());
+    return files_[file].file == current_;
 }
 
 void Browser::open(std::size_t file) {

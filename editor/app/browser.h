@@ -91,10 +91,13 @@ class Browser {
     std::vector<PresetFile> files_;
     std::vector<std::string> tags_, chosen_tags_;
     std::vector<std::size_t> found_;
-    std::string found_for_;  ///< search, order and tags that found_ holds for
+    bool sorted_ = false;  ///< found_ holds for tags and files as they are, and for these three
+    std::string found_for_;
+    PresetOrder found_order_ = PresetOrder::name;
+    bool found_stars_ = false;
     bool shown_ = false, seen_ = false, stale_ = true, scanning_ = false, renders_ = true;
     std::filesystem::path program_ = "/proc/self/exe";
-    std::filesystem::path scanned_beside_, scene_;
+    std::filesystem::path scanned_beside_, current_, scene_;
     std::string scanned_text_;
     std::unique_ptr<ThumbnailMaker> maker_;
 };

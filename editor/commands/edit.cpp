@@ -56,7 +56,7 @@ void write_screenshot(const Options& o) {
     ui::ImageStore images;
     app::Editor editor(images, {.data_folder = data_folder(),
                                 .clip_folders = clip_folders(),
-                                .folders = {},
+                                .folders = {.config = {}, .state = {}, .cache = document::Folders::of_user().cache},
                                 .exact = true,
                                 .renderer = context.renderer(),
                                 .software = context.software(),

@@ -151,8 +151,12 @@ class Sections {
         for (const std::string& fault : tuning_.other_faults())
             ui::label(ui_, fault, {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
         const ParameterGroup& own = app::parameters().groups().front();
+        ui::Node& body = ui_.open(ui::Role::none, {}, ui::Axis::y);  // in line with what sections hold
+        body.gap = ui_.em(ui_.theme().gap);
+        body.padding[0] = static_cast<std::uint8_t>(std::min(255.0F, ui_.em(0.8F)));
         for (std::size_t i = own.first; i < own.last; ++i)
             if (shows(i)) row(i, false);
+        ui_.close();
     }
 
     void put_favourites() {
