@@ -1,19 +1,105 @@
-// Presets in the folders, with thumbnails that are rendered in the background.
+// Presets in folders: the shipped ones, those beside the preset that is open, and where the user keeps more; with thumbnails.
+//
+//     Browser& browser = editor.browser();
+//     browser.show();                                  // by the panel, in each build: it is looked at
+//     for (std::size_t i : browser.found()) draw(browser.files()[i]);
+//     browser.open(i);
+//
+// Folders are read in a job when the panel comes to be seen, when the preset was saved and by reload(); nothing is read or
+// rendered for a panel that is not seen. UI thread.
 #pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/thumbnail_maker.h"
+#include "lapfx/preset.h"
+#include "ui/draw/draw_list.h"
 
 namespace lapfx::app {
 
 class Editor;
 
+/// A preset that was found, or a file that could be one and is broken.
+struct PresetFile {
+    std::filesystem::path file{};
+    std::string name{};               ///< the preset's, or the file's
+    std::vector<std::string> tags{};  ///< lower case
+    std::string words{};              ///< what search looks into
+    std::string tip{};
+    std::string fault{};  ///< why it cannot be opened; empty: it can
+    std::filesystem::file_time_type modified{};
+    std::uint64_t key = 0;  ///< of its path
+    ui::ImageHandle image = 0;
+};
+
+enum class PresetOrder { name, newest };
+
 class Browser {
   public:
-    explicit Browser(Editor& editor) : editor_(editor) {}
+    explicit Browser(Editor& editor);
+    ~Browser();
     /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+    void update(double now);
+    void show() { shown_ = true; }
+    void reload() { stale_ = true; }
+
+    const std::vector<PresetFile>& files() const { return files_; }
+    /// Indices of those that search and tags leave, in order.
+    const std::vector<std::size_t>& found();
+    const std::vector<std::string>& tags() const { return tags_; }  ///< of all, the most frequent first
+    bool has_tag(std::string_view tag) const;
+    void choose_tag(std::string_view tag, bool on);  ///< presets must have all that are chosen
+    bool starred(std::size_t file) const;
+    void star(std::size_t file, bool on);
+    bool current(std::size_t file) const;  ///< it is the one that is open
+
+    std::string search;
+    PresetOrder order = PresetOrder::name;
+    bool stars_only = false;
+
+    /// As "Open" does: it takes the place of the preset, and what was done is forgotten. Ask first if the document is unsaved.
+    void open(std::size_t file);
+    /// Its parameters and clips in place of those that are open, as one undo step; name and file stay.
+    void take_values(std::size_t file);
+    /// A folder that presets are looked for in from now on.
+    void add_folder(const std::filesystem::path& folder);
+    void remove_folder(const std::filesystem::path& folder);
+
+    /// Another program than this one renders thumbnails, although pictures of the editor must not wait for them: for tests.
+    void render_with(const std::filesystem::path& program);
+    /// What is there now and what is still to come; for tests and the panel's status.
+    bool busy() const;
 
   private:
+    struct Found {
+        std::vector<PresetFile> files;
+    };
+    static Found look(const std::vector<std::filesystem::path>& folders);
+    std::vector<std::filesystem::path> folders() const;
+    void start_maker();
+    void scan();
+    void take(Found found);
+    void want_thumbnails();
+    void take_thumbnails();
+    void count_tags();
+
     Editor& editor_;
+    std::vector<PresetFile> files_;
+    std::vector<std::string> tags_, chosen_tags_;
+    std::vector<std::size_t> found_;
+    bool sorted_ = false;  ///< found_ holds for tags and files as they are, and for these three
+    std::string found_for_;
+    PresetOrder found_order_ = PresetOrder::name;
+    bool found_stars_ = false;
+    bool shown_ = false, seen_ = false, stale_ = true, scanning_ = false, renders_ = true;
+    std::filesystem::path program_ = "/proc/self/exe";
+    std::filesystem::path scanned_beside_, current_, scene_;
+    std::string scanned_text_;
+    std::unique_ptr<ThumbnailMaker> maker_;
 };
 
 }  // namespace lapfx::app

@@ -1,19 +1,106 @@
-// Locks, favourites, randomising within locks, and copied groups of parameters.
+// What the preset panel needs beside the values: locks, favourites, what differs from the file, what is wrong, and what is done
+// to many parameters at once.
+//
+//     Tuning& tuning = editor.tuning();
+//     tuning.follow();                                   // once a build: up to date with the document
+//     if (tuning.changed(entry)) ...                     // entry: index into app::parameters()
+//     tuning.randomise(&parameters().group("bleeding")); // one undo step, within locks and rules
+//
+// UI thread. follow() works only when the document has changed; all else is looked up.
 #pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/parameters.h"
 
 namespace lapfx::app {
 
 class Editor;
 
+/// How far randomising goes, of the range that the row has.
+enum class Amount { tenth, third, whole };
+
 class Tuning {
   public:
-    explicit Tuning(Editor& editor) : editor_(editor) {}
-    /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+    struct Range {
+        double low, high;
+    };
+
+    explicit Tuning(Editor& editor);
+    void follow();
+
+    // --- of one parameter ---------------------------------------------------------------------------------------------
+    bool locked(std::size_t entry) const { return states_[entry].locked; }
+    void lock(std::size_t entry, bool locked) { states_[entry].locked = locked; }
+    bool favourite(std::size_t entry) const { return states_[entry].favourite; }
+    void mark_favourite(std::size_t entry, bool favourite);
+    const std::vector<std::size_t>& favourites() const { return favourites_; }  ///< in the order they were marked
+    /// Differs from standard(), the preset as it was opened or saved.
+    bool changed(std::size_t entry) const { return states_[entry].changed; }
+    const Preset& standard() const { return standard_; }
+    /// What is wrong with it; empty: nothing.
+    const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
+    /// Of its text, for the field to edit; follow() puts the document's there.
+    std::string& text(std::size_t entry) { return states_[entry].text; }
+    /// Where bars and randomising go: what the user has set, else what the table allows.
+    Range range(std::size_t entry) const;
+    void set_range(std::size_t entry, const Range& range) { states_[entry].range = range; }
+
+    // --- of many ------------------------------------------------------------------------------------------------------
+    int changed_in(const ParameterGroup& group) const { return changed_in_[index_of(group)]; }
+    int changed_in_all() const { return changed_in_all_; }
+    bool all_locked(const ParameterGroup& group) const;
+    void lock(const ParameterGroup& group, bool locked);
+    /// What is wrong with the preset, but with none of its parameters: with its clips.
+    const std::vector<std::string>& other_faults() const { return other_faults_; }
+
+    /// Null stands for all groups. Each is one undo step; locked values stay with randomise(), only with that.
+    void reset(const ParameterGroup* group);
+    void reset(std::size_t entry);
+    /// The same seed, preset, locks and amount give the same values. Rules between values hold if they held before. Gives how many
+    /// values changed.
+    int randomise(const ParameterGroup* group);
+    Amount amount = Amount::tenth;
+    std::uint64_t seed = 1;  ///< of the next randomise(); it counts on
+
+    std::string copy(const ParameterGroup* group) const;
+    /// False, with toasts that say why: nothing of it could be taken.
+    bool paste(const std::string& text, const ParameterGroup* group);
+    std::string copy(std::size_t entry) const;
+    bool paste(const std::string& text, std::size_t entry);
+
+    // --- what the panel shows -----------------------------------------------------------------------------------------
+    std::string search;
+    bool changed_only = false;
+    bool wants_search = false;       ///< the field is to have the keyboard
+    std::size_t current = no_entry;  ///< the row that has or had the keyboard
 
   private:
+    struct State {
+        bool locked = false, favourite = false, changed = false;
+        std::string fault, text;
+        std::optional<Range> range;
+    };
+    static std::size_t index_of(const ParameterGroup& group);
+    void follow_favourites();
+    void follow_standard();
+    void follow_values();
+    void follow_faults();
+
     Editor& editor_;
+    std::vector<State> states_;  ///< of each entry
+    std::vector<int> changed_in_;
+    int changed_in_all_ = 0;
+    std::vector<std::string> other_faults_, favourite_keys_;
+    std::vector<std::size_t> favourites_;
+    std::uint64_t followed_ = 0;
+    std::string standard_text_;
+    Preset standard_;
+    std::vector<std::string> clip_faults_;
 };
 
 }  // namespace lapfx::app

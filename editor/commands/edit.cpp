@@ -25,6 +25,8 @@ struct Options {
     bool statistics = false;
 };
 
+constexpr double sample_moment = 6;  // s of the sample scene, when there is blood and smoke
+
 /// Before there is a window: a file that cannot be opened is told on the command line.
 app::Opened open_all(const std::vector<std::string>& files) {
     app::Opened opened = app::open_sample(data_folder());
@@ -43,6 +45,7 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
         throw wrong_option("--layout", "\"" + o.layout + "\" is none of " + names);
     }
     if (o.at >= 0) editor.seek(o.at);
+    if (o.at < 0 && !o.screenshot.empty() && o.files.empty()) editor.seek(sample_moment);
 }
 
 void write_screenshot(const Options& o) {

@@ -11,13 +11,15 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
       scale_(scale > 0 ? scale : 1.0F),
       context_(Context::create(parse_backend(backend))),
       fonts_({.hinting = ui::Hinting::slight}),  // whatever the host prefers
-      editor_(std::make_unique<app::Editor>(images_, app::EditorOptions{.data_folder = data_folder(),
-                                                                        .clip_folders = clip_folders(),
-                                                                        .folders = {},
-                                                                        .exact = exact,
-                                                                        .renderer = context_.renderer(),
-                                                                        .software = context_.software(),
-                                                                        .files = nullptr})),
+      editor_(std::make_unique<app::Editor>(
+          images_,
+          app::EditorOptions{.data_folder = data_folder(),
+                             .clip_folders = clip_folders(),
+                             .folders = {.config = {}, .state = {}, .cache = document::Folders::of_user().cache},
+                             .exact = exact,
+                             .renderer = context_.renderer(),
+                             .software = context_.software(),
+                             .files = nullptr})),
       ui_(std::make_unique<ui::Ui>(
           fonts_, ui::UiOptions{.images = &images_, .shortcuts = &editor_->commands, .reduced_motion = true})),
       target_(size) {

@@ -94,6 +94,7 @@ class Document {
     bool scene_unsaved() const;  ///< differs from what was opened or saved
     bool preset_unsaved() const;
     bool unsaved() const { return scene_unsaved() || preset_unsaved(); }
+    const std::string& saved_preset_text() const { return saved_preset_; }  ///< as it was opened or saved
     /// Write, and note the file. Throw Error; then nothing changes but an open gesture, which is committed. Paths in them are
     /// made to fit the new folder.
     void save_preset(const std::filesystem::path& file);

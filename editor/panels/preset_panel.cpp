@@ -1,12 +1,306 @@
+// All parameters of the preset, in sections: made from the parameter table, no row by hand.
+#include <charconv>
+
+#include "app/layouts.h"
+#include "app/tuning.h"
 #include "panels/panels.h"
+#include "panels/preset_rows.h"
+#include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/scroll.h"
+#include "ui/widgets/section.h"
+#include "ui/widgets/text_field.h"
 
 namespace lapfx::panels {
 
-void preset_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "preset_panel");
+namespace {
+
+using app::Amount;
+using app::no_entry;
+using app::ParameterEntry;
+using app::ParameterGroup;
+using app::Tuning;
+using ui::Icon;
+using ui::key_of;
+using ui::Mods;
+
+constexpr std::string_view all_menu = "preset menu", group_menu = "group menu";
+
+const ParameterGroup* group_of(const Tuning& tuning) {
+    if (tuning.current == no_entry) return nullptr;
+    const ParameterGroup& group = app::parameters().groups()[app::parameters()[tuning.current].group];
+    return group.key.empty() ? nullptr : &group;
 }
 
-void add_preset_commands([[maybe_unused]] app::Editor& editor) {}
+void copy_group(app::Editor& editor, const ParameterGroup* group) {
+    ui::Clipboard* const clipboard = editor.ui().clipboard();
+    if (clipboard == nullptr) return;
+    clipboard->set(editor.tuning().copy(group));
+    editor.toasts.add({.text = group == nullptr ? "The whole preset is copied, as JSON"
+                                                : group->name + " is copied, as JSON: paste it into another preset"});
+}
+
+void paste_group(app::Editor& editor, const ParameterGroup* group) {
+    ui::Clipboard* const clipboard = editor.ui().clipboard();
+    if (clipboard != nullptr) editor.tuning().paste(clipboard->get(), group);
+}
+
+void randomise(app::Editor& editor, const ParameterGroup* group) {
+    if (editor.tuning().randomise(group) == 0)
+        editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: all of it is locked"});
+}
+
+void amount_items(ui::Ui& ui, Tuning& tuning) {
+    constexpr std::pair<std::string_view, Amount> amounts[] = {{"By 10 % of the range", Amount::tenth},
+                                                               {"By 30 % of the range", Amount::third},
+                                                               {"Over the whole range", Amount::whole}};
+    for (const auto& [label, amount] : amounts)
+        if (ui::menu_item(
+                ui, label,
+                {.tip = "How far randomising goes from the values as they are", .checked = tuning.amount == amount}))
+            tuning.amount = amount;
+}
+
+/// Of the whole preset (null) or of a group.
+void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group) {
+    Tuning& tuning = editor.tuning();
+    const bool clipboard = ui.clipboard() != nullptr;
+    const int changed = group == nullptr ? tuning.changed_in_all() : tuning.changed_in(*group);
+    if (ui::menu_item(ui, group == nullptr ? "Copy all" : "Copy group",
+                      {.icon = Icon::copy, .tip = "As JSON, for another editor or a file", .enabled = clipboard}))
+        copy_group(editor, group);
+    if (ui::menu_item(ui, group == nullptr ? "Paste parameters" : "Paste group",
+                      {.tip = "From JSON in the clipboard", .enabled = clipboard}))
+        paste_group(editor, group);
+    if (ui::menu_item(ui, group == nullptr ? "Reset all" : "Reset group",
+                      {.icon = Icon::reset, .tip = "Back to the values of the file", .enabled = changed > 0}))
+        tuning.reset(group);
+    ui::menu_separator(ui);
+    if (ui::menu_item(ui, "Randomise", {.icon = Icon::dice, .tip = "All that is not locked, in one undo step"}))
+        randomise(editor, group);
+    amount_items(ui, tuning);
+    ui::menu_separator(ui);
+    bool locked = true;
+    for (const ParameterGroup& one : app::parameters().groups())
+        if (group == nullptr || &one == group) locked &= tuning.all_locked(one);
+    if (!ui::menu_item(ui, locked ? "Unlock all" : "Lock all",
+                       {.icon = locked ? Icon::unlock : Icon::lock, .tip = "Randomising and the fit leave it alone"}))
+        return;
+    for (const ParameterGroup& one : app::parameters().groups())
+        if (group == nullptr || &one == group) tuning.lock(one, !locked);
+}
+
+void tool_row(ui::Ui& ui, app::Editor& editor) {
+    Tuning& tuning = editor.tuning();
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    if (tuning.wants_search) {
+        tuning.wants_search = false;
+        ui.set_focus(ui.id_of("Search"), true);
+    }
+    ui::search_field(ui, "Search", tuning.search,
+                     {.placeholder = "Find a parameter", .tip = "By name, key or what it does (Ctrl+F)"});
+    ui::toggle(ui, "Changed only", tuning.changed_only,
+               {.icon = Icon::dot, .tip = "Only what differs from the file", .quiet = true});
+    if (ui::icon_button(ui, Icon::dice, "Randomise",
+                        {.tip = "Randomise all that is not locked (Ctrl+R)", .quiet = true}))
+        randomise(editor, nullptr);
+    const ui::Id id = ui.id_of("More");
+    if (ui::icon_button(ui, Icon::menu, "More", {.tip = "Copy, paste, reset, randomise, lock", .quiet = true}))
+        ui::open_menu(ui, all_menu, {.side = ui::Placement::Side::below, .anchor = id});
+    if (const ui::Menu menu(ui, all_menu, "Preset menu"); menu) menu_items(ui, editor, nullptr);
+}
+
+class Sections {
+  public:
+    Sections(ui::Ui& ui, app::Editor& editor) : ui_(ui), editor_(editor), tuning_(editor.tuning()) {}
+
+    void build() {
+        bool clips = false;
+        put_heading();
+        put_favourites();
+        for (const ParameterGroup& group : app::parameters().groups()) {
+            if (group.key.empty()) continue;
+            if (!clips && group.key.starts_with("smoke.")) put_clips();
+            clips |= group.key.starts_with("smoke.");
+            put_group(group);
+        }
+        if (shown_ == 0 && (searching() || tuning_.changed_only))
+            ui::label(ui_, searching() ? "No parameter is called so" : "Nothing differs from the file",
+                      {.tone = ui::Tone::dim});
+    }
+
+  private:
+    bool searching() const { return !tuning_.search.empty(); }
+
+    bool shows(std::size_t index) const {
+        const ParameterEntry& entry = app::parameters()[index];
+        if (entry.low != no_entry) return false;  // in the row of its lower bound
+        const bool changed = tuning_.changed(index) || (entry.high != no_entry && tuning_.changed(entry.high));
+        if (tuning_.changed_only && !changed) return false;
+        return !searching() || ui::contains_words(entry.words, tuning_.search);
+    }
+
+    void row(std::size_t index, bool with_group) {
+        parameter_row(ui_, editor_, index, with_group);
+        ++shown_;
+    }
+
+    /// Name, description and tags; what is wrong elsewhere.
+    void put_heading() {
+        for (const std::string& fault : tuning_.other_faults())
+            ui::label(ui_, fault, {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+        const ParameterGroup& own = app::parameters().groups().front();
+        ui::Node& body = ui_.open(ui::Role::none, {}, ui::Axis::y);  // in line with what sections hold
+        body.gap = ui_.em(ui_.theme().gap);
+        body.padding[0] = static_cast<std::uint8_t>(std::min(255.0F, ui_.em(0.8F)));
+        for (std::size_t i = own.first; i < own.last; ++i)
+            if (shows(i)) row(i, false);
+        ui_.close();
+    }
+
+    void put_favourites() {
+        if (searching()) return;  // they are found in their sections
+        bool any = false;
+        for (const std::size_t index : tuning_.favourites()) any |= shows(low_of(index));
+        if (!any) return;
+        const ui::Section section(ui_, "Favourites", {.tip = "Marked in the menu of a parameter"});
+        if (!section) return;
+        for (const std::size_t index : tuning_.favourites())
+            if (shows(low_of(index)) && !listed_with_low(index)) row(low_of(index), true);
+    }
+
+    static std::size_t low_of(std::size_t index) {
+        const std::size_t low = app::parameters()[index].low;
+        return low == no_entry ? index : low;
+    }
+    bool listed_with_low(std::size_t index) const {
+        const std::size_t low = app::parameters()[index].low;
+        return low != no_entry && tuning_.favourite(low);
+    }
+
+    void put_group(const ParameterGroup& group) {
+        bool any = false;
+        for (std::size_t i = group.first; i < group.last && !any; ++i) any = shows(i);
+        if (!any) return;
+        // While one searches sections are others, all open; those from before come back as they were.
+        const bool narrowed = searching() || tuning_.changed_only;
+        const std::string_view label = narrowed ? ui_.join({group.name, "###", group.key, " found"}) : group.name;
+        constexpr ui::SectionButton buttons[] = {{Icon::menu, "More"}};
+        const ui::Section section(ui_, label,
+                                  {.changed = tuning_.changed_in(group),
+                                   .open = narrowed || group.key == "bleeding",
+                                   .tip = group.table->help,
+                                   .buttons = buttons});
+        ui_.push_seed(group.key);
+        const ui::Id owner = ui_.id_of("group");
+        ui_.pop_seed();
+        ui::Id& menu_of = ui_.memory<ui::Id>(menu_memory);
+        if (section.clicked() == 0) {
+            menu_of = owner;
+            ui::open_menu(ui_, group_menu, {.side = ui::Placement::Side::below, .anchor = ui_.id_of("More")});
+        }
+        if (menu_of == owner)
+            if (const ui::Menu menu(ui_, group_menu, ui_.join({group.name, " menu"})); menu)
+                menu_items(ui_, editor_, &group);
+        if (!section) return;
+        for (std::size_t i = group.first; i < group.last; ++i)
+            if (shows(i)) row(i, false);
+    }
+
+    void put_clips() {
+        if (searching() || tuning_.changed_only) return;
+        const std::size_t count = editor_.document.preset().smoke.clips.size();
+        char digits[8];
+        const auto end = std::to_chars(digits, digits + sizeof digits, count).ptr;
+        const std::string_view number(digits, static_cast<std::size_t>(end - digits));
+        const std::string_view text =
+            ui_.join({number, count == 1 ? " clip" : " clips", ": edit in Clips###Edit clips"});
+        if (ui::button(ui_, text, {.icon = Icon::link, .tip = "Smoke videos have a panel of their own", .quiet = true}))
+            editor_.layouts().shown.show("Clips");
+    }
+
+    static constexpr ui::Id menu_memory = 0x67726d656e75ULL;
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    Tuning& tuning_;
+    std::size_t shown_ = 0;
+};
+
+}  // namespace
+
+void preset_panel(ui::Ui& ui, app::Editor& editor) {
+    editor.tuning().follow();
+    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
+    tool_row(ui, editor);
+    const ui::ScrollArea area(ui, "Parameters", {.gap = ui.theme().gap});
+    Sections(ui, editor).build();
+}
+
+void add_preset_commands(app::Editor& editor) {
+    Tuning& tuning = editor.tuning();
+    const auto with_group = [&tuning] { return group_of(tuning) != nullptr; };
+    const auto with_row = [&tuning] { return tuning.current != no_entry; };
+    editor.commands.add({.id = "preset.find",
+                         .title = "Find parameter",
+                         .group = "Preset",
+                         .chord = {key_of('F'), Mods::command},
+                         .icon = Icon::search,
+                         .run =
+                             [&editor, &tuning] {
+                                 editor.layouts().shown.show("Preset");
+                                 tuning.wants_search = true;
+                             },
+                         .tip = "By name, key or what it does"});
+    editor.commands.add({.id = "preset.changed_only",
+                         .title = "Show changed parameters only",
+                         .group = "Preset",
+                         .run = [&tuning] { tuning.changed_only = !tuning.changed_only; },
+                         .checked = [&tuning] { return tuning.changed_only; }});
+    editor.commands.add({.id = "preset.copy_group",
+                         .title = "Copy group",
+                         .group = "Preset",
+                         .chord = {key_of('C'), Mods::command | Mods::shift},
+                         .icon = Icon::copy,
+                         .run = [&editor, &tuning] { copy_group(editor, group_of(tuning)); },
+                         .enabled = with_group,
+                         .tip = "All of the section of the parameter that has the keyboard, as JSON"});
+    editor.commands.add({.id = "preset.paste",
+                         .title = "Paste parameters",
+                         .group = "Preset",
+                         .chord = {key_of('V'), Mods::command | Mods::alt},
+                         .run = [&editor] { paste_group(editor, nullptr); },
+                         .tip = "Groups or a whole preset, from JSON in the clipboard"});
+    editor.commands.add({.id = "preset.randomise",
+                         .title = "Randomise",
+                         .group = "Preset",
+                         .chord = {key_of('R'), Mods::command},
+                         .icon = Icon::dice,
+                         .run = [&editor] { randomise(editor, nullptr); },
+                         .tip = "All parameters that are not locked"});
+    editor.commands.add({.id = "preset.lock",
+                         .title = "Lock parameter",
+                         .group = "Preset",
+                         .icon = Icon::lock,
+                         .run = [&tuning] { tuning.lock(tuning.current, !tuning.locked(tuning.current)); },
+                         .enabled = with_row,
+                         .checked = [&tuning, with_row] { return with_row() && tuning.locked(tuning.current); },
+                         .tip = "Randomising and the fit leave it alone"});
+    editor.commands.add({.id = "preset.favourite",
+                         .title = "Favourite parameter",
+                         .group = "Preset",
+                         .icon = Icon::star,
+                         .run = [&tuning] { tuning.mark_favourite(tuning.current, !tuning.favourite(tuning.current)); },
+                         .enabled = with_row,
+                         .checked = [&tuning, with_row] { return with_row() && tuning.favourite(tuning.current); },
+                         .tip = "Listed first in the Preset panel"});
+    editor.commands.add({.id = "preset.reset",
+                         .title = "Reset preset",
+                         .group = "Preset",
+                         .icon = Icon::reset,
+                         .run = [&tuning] { tuning.reset(nullptr); },
+                         .enabled = [&tuning] { return tuning.changed_in_all() > 0; },
+                         .tip = "All parameters back to the values of the file"});
+}
 
 }  // namespace lapfx::panels

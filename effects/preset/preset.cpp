@@ -33,6 +33,8 @@ const Table& preset_table() {
     static constexpr Parameter rows[] = {
         preset::text<&Preset::name>("name", "Name", 100, "What the preset is called in lists."),
         preset::text<&Preset::description>("description", "Description", 1000, "What the preset is for, in a line."),
+        preset::text<&Preset::tags>("tags", "Tags", 200,
+                                    "Words that it is found by, with commas between them: slow, venous."),
     };
     static const Table groups[] = {preset::bleeding_table(), preset::vessels_table(), preset::cautery_table(),
                                    preset::smoke_table()};

@@ -166,6 +166,7 @@ struct SmokeParameters {
 struct Preset {
     std::string name;
     std::string description;
+    std::string tags;  ///< comma separated: "slow, venous"
     BleedingParameters bleeding;
     VesselParameters vessels;
     CauteryParameters cautery;

@@ -1,0 +1,280 @@
+#include "app/thumbnail_maker.h"
+
+#include <fcntl.h>
+#include <signal.h>
+#include <spawn.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cstring>
+#include <opencv2/imgcodecs.hpp>
+
+#include "lapfx/file.h"
+#include "lapfx/preset.h"
+#include "lapfx/scene.h"
+
+extern char** environ;
+
+namespace lapfx::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+constexpr std::size_t longest_text = std::size_t{4} << 20, longest_picture = std::size_t{4} << 20;
+constexpr std::chrono::seconds longest_render{60};
+constexpr std::chrono::milliseconds between_looks{20};
+constexpr int niceness = 19;
+
+/// FNV-1a of 64 bits: the same on every machine and in every version.
+class Hash {
+  public:
+    void add(std::string_view text) {
+        for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
+        value_ = (value_ ^ 0xffU) * 0x100000001b3ULL;  // "ab" and "c" are not "a" and "bc"
+    }
+    /// Which file it is, without reading it.
+    void add_file(const fs::path& file) {
+        std::error_code error;
+        add(file.string());
+        add(std::to_string(fs::file_size(file, error)));
+        add(std::to_string(fs::last_write_time(file, error).time_since_epoch().count()));
+    }
+    std::string text() const {
+        char buffer[17];
+        std::snprintf(buffer, sizeof buffer, "%016llx", static_cast<unsigned long long>(value_));
+        return buffer;
+    }
+
+  private:
+    std::uint64_t value_ = 0xcbf29ce484222325ULL;
+};
+
+fs::path clip_path(const std::string& file, const fs::path& folder, const std::vector<fs::path>& more) {
+    std::error_code error;
+    if (fs::exists(folder / file, error)) return folder / file;
+    for (const fs::path& one : more)
+        if (fs::exists(one / file, error)) return one / file;
+    return file;
+}
+
+/// Named after all that its picture depends on. Throws Error.
+std::string name_of(const ThumbnailMaker::Request& request, const ThumbnailMaker::Options& options) {
+    Hash hash;
+    const std::string text = read_file(request.preset, longest_text);
+    const std::string scene_text = read_file(request.scene, longest_text);
+    hash.add(text);
+    hash.add(scene_text);
+    hash.add(std::to_string(request.time));
+    const Preset preset = parse_preset(text, request.preset.string(), request.preset.parent_path());
+    for (const SmokeClip& clip : preset.smoke.clips)
+        hash.add_file(clip_path(clip.file, preset.folder, options.clip_folders));
+    const Scene scene = parse_scene(scene_text, request.scene.string(), request.scene.parent_path());
+    hash.add_file(scene.folder / scene.organ.file);
+    std::error_code error;
+    const fs::path program = fs::canonical(options.program, error);
+    hash.add_file(error ? options.program : program);
+    return hash.text();
+}
+
+/// Empty: it is not a picture of this size.
+std::vector<std::uint8_t> read_picture(const fs::path& file) {
+    std::error_code error;
+    if (!fs::is_regular_file(file, error)) return {};
+    try {
+        std::string text = read_file(file, longest_picture);
+        const cv::Mat bytes(1, static_cast<int>(text.size()), CV_8U, text.data());
+        const cv::Mat picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
+        if (picture.cols != ThumbnailMaker::size.x || picture.rows != ThumbnailMaker::size.y) return {};
+        std::vector<std::uint8_t> rgba;
+        rgba.reserve(picture.total() * 4);
+        for (int y = 0; y < picture.rows; ++y) {
+            const auto* row = picture.ptr<cv::Vec3b>(y);
+            for (int x = 0; x < picture.cols; ++x) rgba.insert(rgba.end(), {row[x][2], row[x][1], row[x][0], 255});
+        }
+        return rgba;
+    } catch (const std::exception&) {
+        return {};
+    }
+}
+
+/// The longest unused pictures go; what cannot be listed or removed stays.
+void evict(const fs::path& folder) {
+    std::error_code error;
+    std::vector<std::pair<fs::file_time_type, fs::path>> files;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
+        if (it->path().extension() == ".png") files.emplace_back(it->last_write_time(error), it->path());
+    if (files.size() <= ThumbnailMaker::most_kept) return;
+    std::sort(files.begin(), files.end());
+    for (std::size_t i = 0; i + ThumbnailMaker::most_kept < files.size(); ++i) fs::remove(files[i].second, error);
+}
+
+/// Without those that name a display: what renders thumbnails opens no window.
+std::vector<char*> environment_without_display() {
+    std::vector<char*> all;
+    for (char** variable = environ; *variable != nullptr; ++variable) {
+        const std::string_view text = *variable;
+        if (!text.starts_with("DISPLAY=") && !text.starts_with("WAYLAND_DISPLAY=")) all.push_back(*variable);
+    }
+    all.push_back(nullptr);
+    return all;
+}
+
+/// 0: it could not be started.
+pid_t start(const fs::path& program, std::vector<std::string> arguments, const fs::path& log) {
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) pointers.push_back(argument.data());
+    pointers.push_back(nullptr);
+    std::vector<char*> environment = environment_without_display();
+    posix_spawn_file_actions_t streams;
+    posix_spawn_file_actions_init(&streams);
+    posix_spawn_file_actions_addopen(&streams, 0, "/dev/null", O_RDONLY, 0);
+    posix_spawn_file_actions_addopen(&streams, 1, "/dev/null", O_WRONLY, 0);
+    posix_spawn_file_actions_addopen(&streams, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    pid_t child = 0;
+    const int error = posix_spawn(&child, program.c_str(), &streams, nullptr, pointers.data(), environment.data());
+    posix_spawn_file_actions_destroy(&streams);
+    if (error != 0) return 0;
+    setpriority(PRIO_PROCESS, static_cast<id_t>(child), niceness);
+    return child;
+}
+
+std::string first_line(const fs::path& log) {
+    try {
+        const std::string text = read_file(log, longest_text);
+        return text.substr(0, text.find('\n'));
+    } catch (const Error&) {
+        return {};  // nothing was said
+    }
+}
+
+}  // namespace
+
+ThumbnailMaker::ThumbnailMaker(Options options) : options_(std::move(options)), thread_([this] { run(); }) {}
+
+ThumbnailMaker::~ThumbnailMaker() {
+    {
+        const std::lock_guard lock(mutex_);
+        stopping_ = true;
+        waiting_.clear();
+    }
+    changed_.notify_all();
+    thread_.join();
+}
+
+void ThumbnailMaker::want(std::vector<Request> requests) {
+    {
+        const std::lock_guard lock(mutex_);
+        const auto running = std::find(requests.begin(), requests.end(), now_);
+        dropped_ = working_ && running == requests.end();
+        if (working_ && running != requests.end()) requests.erase(running);
+        waiting_ = std::move(requests);
+    }
+    changed_.notify_all();
+}
+
+std::vector<ThumbnailMaker::Result> ThumbnailMaker::take() {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(done_, {});
+}
+
+bool ThumbnailMaker::busy() const {
+    const std::lock_guard lock(mutex_);
+    return working_ || !waiting_.empty();
+}
+
+void ThumbnailMaker::finish() {
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !working_ && waiting_.empty(); });
+}
+
+void ThumbnailMaker::run() {
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
+        if (stopping_) return;
+        now_ = waiting_.front();
+        waiting_.erase(waiting_.begin());
+        working_ = true;
+        dropped_ = false;
+        const Request request = now_;
+        lock.unlock();
+        Result result = make(request);
+        lock.lock();
+        working_ = false;
+        if (!dropped_) done_.push_back(std::move(result));
+        changed_.notify_all();
+        if (!dropped_ && !stopping_ && options_.wake) options_.wake();
+    }
+}
+
+ThumbnailMaker::Result ThumbnailMaker::make(const Request& request) {
+    Result result{.preset = request.preset, .rgba = {}, .fault = {}};
+    if (options_.cache.empty()) return result;
+    const fs::path folder = options_.cache / "thumbnails";
+    std::error_code error;
+    try {
+        const fs::path file = folder / (name_of(request, options_) + ".png");
+        result.rgba = read_picture(file);
+        if (!result.rgba.empty()) {
+            fs::last_write_time(file, fs::file_time_type::clock::now(), error);  // in use: goes last
+            return result;
+        }
+        if (!options_.render) return result;
+        fs::create_directories(folder, error);
+        result.fault = render(request, file);
+        if (result.fault.empty()) result.rgba = read_picture(file);
+        evict(folder);
+    } catch (const Error& failure) {
+        result.fault = failure.faults().front().text();
+    }
+    return result;
+}
+
+bool ThumbnailMaker::unwanted(const Request& request) {
+    std::unique_lock lock(mutex_);
+    changed_.wait_for(lock, between_looks, [&] { return stopping_ || dropped_; });
+    return stopping_ || dropped_ || now_ != request;
+}
+
+/// Gives what went wrong.
+std::string ThumbnailMaker::render(const Request& request, const fs::path& file) {
+    const std::string stem =
+        file.stem().string() + '-' + std::to_string(::getpid());  // another editor may make it, too
+    const fs::path part = file.parent_path() / (stem + ".part.png"), log = file.parent_path() / (stem + ".log");
+    const std::string wished = std::to_string(size.x) + 'x' + std::to_string(size.y);
+    const pid_t child = start(options_.program,
+                              {"lapfx", "render", request.scene.string(), "--preset", request.preset.string(), "--at",
+                               std::to_string(request.time), "--size", wished, "-o", part.string()},
+                              log);
+    if (child == 0) return options_.program.string() + " cannot be started";
+    const Clock::time_point end = Clock::now() + longest_render;
+    std::string fault;
+    int status = 0;
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+        const bool late = Clock::now() > end;
+        if (!unwanted(request) && !late) continue;
+        ::kill(child, SIGKILL);
+        ::waitpid(child, &status, 0);
+        fault = late ? "rendering took more than a minute" : "not wanted any more";
+        break;
+    }
+    std::error_code error;
+    if (fault.empty() && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
+        fault = first_line(log);
+        if (fault.empty()) fault = "rendering ended without a picture";
+    }
+    if (fault.empty()) {
+        fs::rename(part, file, error);
+        if (error) fault = file.string() + ": cannot be written: " + error.message();
+    }
+    fs::remove(part, error);
+    fs::remove(log, error);
+    return fault;
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,144 @@
+// Thumbnails by a program of the test's own: what is kept, what is told, what is ended.
+#include "app/thumbnail_maker.h"
+
+#include <chrono>
+
+#include "lapfx/preset.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Thumbnails : public testing::Test {
+  protected:
+    fs::path program(const std::string& script) {
+        const fs::path file = folder_.write("render.sh", "#!/bin/sh\n" + script + "\n");
+        fs::permissions(file, fs::perms::owner_all);
+        return file;
+    }
+    ThumbnailMaker::Options options(const fs::path& by) {
+        return {.cache = folder_.path() / "cache", .clip_folders = {}, .program = by, .render = true, .wake = {}};
+    }
+    ThumbnailMaker::Request request(const std::string& name, double speed = 4) {
+        Preset preset;
+        preset.bleeding.speed = speed;
+        return {.preset = folder_.write(name, write_preset(preset)), .scene = scene_, .time = 2};
+    }
+    static std::vector<ThumbnailMaker::Result> made(ThumbnailMaker& maker, std::vector<ThumbnailMaker::Request> all) {
+        maker.want(std::move(all));
+        maker.finish();
+        return maker.take();
+    }
+    /// A script that writes a picture of this grey where it is told to, and counts its runs.
+    std::string writes(int grey) {
+        return "echo run >> " + (folder_.path() / "runs").string() +
+               "\npython3 - \"$@\" <<'EOF'\nimport sys, zlib, struct\n"
+               "w, h = (int(v) for v in sys.argv[sys.argv.index('--size') + 1].split('x'))\n"
+               "def chunk(t, d): return struct.pack('>I', len(d)) + t + d + struct.pack('>I', zlib.crc32(t + d))\n"
+               "rows = b''.join(b'\\0' + bytes([" +
+               std::to_string(grey) +
+               "]) * w for _ in range(h))\n"
+               "open(sys.argv[-1], 'wb').write(b'\\x89PNG\\r\\n\\x1a\\n' + chunk(b'IHDR', struct.pack('>IIBBBBB', w, "
+               "h, 8, "
+               "0, 0, 0, 0)) + chunk(b'IDAT', zlib.compress(rows)) + chunk(b'IEND', b''))\nEOF";
+    }
+    std::size_t runs() const {
+        const std::string text = test::read_text(folder_.path() / "runs");
+        return static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n'));
+    }
+
+    test::Folder folder_;
+    fs::path scene_ = folder_.write("s.json", test::scene_text());
+};
+
+TEST_F(Thumbnails, AreMadeOnceAndFoundAgainUntilThePresetChanges) {
+    const auto by = options(program(writes(77)));
+    ThumbnailMaker maker(by);
+    auto results = made(maker, {request("a.json"), request("b.json", 5)});
+    ASSERT_EQ(results.size(), 2U);
+    for (const auto& result : results) {
+        EXPECT_EQ(result.fault, "");
+        ASSERT_EQ(result.rgba.size(), 192U * 154U * 4U);
+        EXPECT_EQ(result.rgba[0], 77);
+        EXPECT_EQ(result.rgba[3], 255);
+    }
+    EXPECT_EQ(runs(), 2U);
+    ThumbnailMaker again(by);
+    EXPECT_EQ(made(again, {request("a.json")}).at(0).rgba[0], 77);
+    EXPECT_EQ(runs(), 2U) << "from the cache";
+    made(again, {request("a.json", 6)});
+    EXPECT_EQ(runs(), 3U) << "its text is another";
+}
+
+TEST_F(Thumbnails, ShowOnlyWhatIsKeptWhereNothingIsRendered) {
+    auto by = options(program(writes(77)));
+    by.render = false;
+    ThumbnailMaker maker(by);
+    const auto results = made(maker, {request("a.json")});
+    EXPECT_TRUE(results.at(0).rgba.empty());
+    EXPECT_EQ(results.at(0).fault, "");
+    EXPECT_FALSE(fs::exists(folder_.path() / "cache"));
+}
+
+TEST_F(Thumbnails, TellWhatTheProgramSays) {
+    ThumbnailMaker maker(options(program("echo 'lapfx: o.ply: no such file' >&2; echo more >&2; exit 1")));
+    EXPECT_EQ(made(maker, {request("a.json")}).at(0).fault, "lapfx: o.ply: no such file");
+    ThumbnailMaker silent(options(program("exit 0")));
+    EXPECT_NE(made(silent, {request("a.json")}).at(0).fault.find("cannot be written"), std::string::npos);
+    ThumbnailMaker none(options(folder_.path() / "nothing"));
+    EXPECT_NE(made(none, {request("a.json")}).at(0).fault.find("cannot be started"), std::string::npos);
+    for (const auto& entry : fs::directory_iterator(folder_.path() / "cache" / "thumbnails"))
+        ADD_FAILURE() << entry.path() << " is left";
+}
+
+TEST_F(Thumbnails, ABrokenPresetAndABrokenPictureAreNoTrouble) {
+    ThumbnailMaker maker(
+        options(program("echo no picture > \"${12}\"; for last; do :; done; echo no picture > \"$last\"")));
+    EXPECT_TRUE(made(maker, {request("a.json")}).at(0).rgba.empty());
+    const fs::path broken = folder_.write("broken.json", "{");
+    EXPECT_NE(made(maker, {{.preset = broken, .scene = scene_, .time = 0}}).at(0).fault.find("broken.json"),
+              std::string::npos);
+}
+
+TEST_F(Thumbnails, WhatIsNotWantedAnyMoreIsEndedAtOnce) {
+    const auto begin = std::chrono::steady_clock::now();
+    {
+        ThumbnailMaker maker(options(program("exec sleep 30")));
+        maker.want({request("a.json"), request("b.json", 5)});
+        std::this_thread::sleep_for(std::chrono::milliseconds(200));
+        EXPECT_TRUE(maker.busy());
+        maker.want({});
+        maker.finish();
+        EXPECT_TRUE(maker.take().empty());
+        maker.want({request("a.json")});
+        std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }  // and one that runs when the editor ends
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+}
+
+TEST_F(Thumbnails, OpensNoWindow) {
+    ThumbnailMaker maker(options(program("test -z \"$DISPLAY$WAYLAND_DISPLAY\" || exit 1; echo none >&2; exit 1")));
+    ::setenv("DISPLAY", ":77", 1);
+    const auto results = made(maker, {request("a.json")});
+    ::unsetenv("DISPLAY");
+    EXPECT_EQ(results.at(0).fault, "none");
+}
+
+TEST_F(Thumbnails, KeepsTwoHundred) {
+    const fs::path kept = folder_.path() / "cache" / "thumbnails";
+    fs::create_directories(kept);
+    for (int i = 0; i < 230; ++i) {
+        const fs::path file = folder_.write("cache/thumbnails/" + std::to_string(i) + ".png", "x");
+        fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1000 - i));
+    }
+    ThumbnailMaker maker(options(program(writes(5))));
+    made(maker, {request("a.json")});
+    EXPECT_EQ(std::distance(fs::directory_iterator(kept), fs::directory_iterator()), 200);
+    EXPECT_FALSE(fs::exists(kept / "30.png")) << "the longest unused";
+    EXPECT_TRUE(fs::exists(kept / "31.png"));
+}
+
+}  // namespace
+}  // namespace lapfx::app
