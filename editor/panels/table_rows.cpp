@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "app/paths.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"
@@ -114,7 +115,7 @@ void choose_file(const RowBuild& b) {
     b.editor.ask_file({.task = ui::FileTask::open, .title = "Choose a file", .filters = std::move(filters)},
                       [&editor = b.editor, &row = b.row, owner = b.owner,
                        name = std::string(b.step())](const std::vector<std::string>& files) {
-                          const std::string path = path_for(files.front(), editor.document.scene().folder);
+                          const std::string path = app::path_for(files.front(), editor.document.scene().folder);
                           editor.document.change(name, [&](document::Content& content) {
                               if (void* const found = owner(content)) row.set(found, path);
                           });
@@ -146,14 +147,6 @@ ui::Edit path_row(const RowBuild& b, std::string value) {
 }
 
 }  // namespace
-
-std::string path_for(const std::filesystem::path& file, const std::filesystem::path& folder) {
-    const std::filesystem::path whole = std::filesystem::absolute(file).lexically_normal();
-    const std::filesystem::path from = std::filesystem::absolute(folder).lexically_normal();
-    const std::filesystem::path relative = whole.lexically_relative(from);
-    const bool inside = !folder.empty() && !relative.empty() && *relative.begin() != "..";
-    return inside ? relative.generic_string() : whole.generic_string();
-}
 
 ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options) {

@@ -38,7 +38,4 @@ ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const 
 ui::Edit table_rows(ui::Ui& ui, app::Editor& editor, const Table& table, const OwnerOf& owner,
                     const TableRowOptions& options = {});
 
-/// `file` as a document in `folder` names it: relative when it lies inside, else absolute.
-std::string path_for(const std::filesystem::path& file, const std::filesystem::path& folder);
-
 }  // namespace lapfx::panels
