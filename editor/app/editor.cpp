@@ -12,6 +12,7 @@
 #include "app/layouts.h"
 #include "app/meter.h"
 #include "app/open.h"
+#include "app/organ_choice.h"
 #include "app/reference.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
@@ -38,6 +39,7 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       layouts_(std::make_unique<Layouts>()),
       browser_(std::make_unique<Browser>(*this)),
       keying_(std::make_unique<KeyingBench>(*this)),
+      organ_choice_(std::make_unique<OrganChoice>(*this)),
       reference_(std::make_unique<Reference>(*this)),
       exports_(std::make_unique<Exports>(*this)),
       hot_reload_(std::make_unique<HotReload>(*this)),
@@ -55,6 +57,7 @@ void Editor::set_ui(ui::Ui& ui) {
 }
 
 void Editor::open(const std::vector<std::string>& files) {
+    if (files.size() == 1 && is_organ_name(files.front())) return open_organ(files.front());
     Opened opened{.content = document.content(),
                   .scene_file = document.scene_file(),
                   .preset_file = document.preset_file(),
@@ -69,6 +72,11 @@ void Editor::open(const std::vector<std::string>& files) {
     looking.camera = document.scene().camera;
     for (const std::string& file : files) settings_->note_recent(file);
     for (const std::string& warning : opened.warnings) toasts.add({.kind = ui::ToastKind::warning, .text = warning});
+}
+
+void Editor::open_organ(const std::filesystem::path& file) {
+    organ_choice_->open(file);
+    settings_->note_recent(file.string());
 }
 
 void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then) {
@@ -134,6 +142,7 @@ void Editor::update(double now) {
     jobs.take();
     if (now_ >= 0) advance(std::clamp(now - now_, 0.0, still_longest));
     now_ = now;
+    hold.update(*this, ui_ != nullptr && ui_->held() != 0);
     tidy_gesture();
     if (!options_.exact) autosave_->update(now);
     amounts_->update(now);

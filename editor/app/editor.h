@@ -19,6 +19,7 @@
 
 #include "app/jobs.h"
 #include "app/preview_host.h"
+#include "app/tool_hold.h"
 #include "document/document.h"
 #include "document/folders.h"
 #include "ui/canvas/timeline.h"
@@ -36,6 +37,7 @@ class HotReload;
 class KeyingBench;
 class Layouts;
 class Meter;
+class OrganChoice;
 class Reference;
 class Settings;
 class Snapshots;
@@ -77,7 +79,9 @@ class Editor {
     document::Document document;
     Looking looking;
     ToolInHand tool;
+    ToolHold hold;                      ///< while the tool works on the organ
     ui::TimelineState timeline;         ///< time, speed, range of play
+    double play_speed = 1;              ///< of play.toggle
     std::vector<std::size_t> selected;  ///< of the scene's events, ascending
     std::size_t clip = 0;               ///< of the preset's clips, the one that panels show
 
@@ -98,6 +102,7 @@ class Editor {
     Browser& browser() { return *browser_; }  ///< presets with thumbnails
     KeyingBench& keying() { return *keying_; }
     Reference& reference() { return *reference_; }
+    OrganChoice& organ_choice() { return *organ_choice_; }  ///< of the organ dialog
     Exports& exports() { return *exports_; }
     Meter& meter() { return *meter_; }  ///< what a frame costs
     HotReload& hot_reload() { return *hot_reload_; }
@@ -106,6 +111,8 @@ class Editor {
     // --- files ------------------------------------------------------------------------------------------------------
     /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts.
     void open(const std::vector<std::string>& files);
+    /// An organ, by the dialog that sets its unit and orientation.
+    void open_organ(const std::filesystem::path& file);
     /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked). While the
     /// UI is built: ui() must be there.
     void ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then);
@@ -153,6 +160,7 @@ class Editor {
     std::unique_ptr<Layouts> layouts_;
     std::unique_ptr<Browser> browser_;
     std::unique_ptr<KeyingBench> keying_;
+    std::unique_ptr<OrganChoice> organ_choice_;
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Exports> exports_;
     std::unique_ptr<HotReload> hot_reload_;

@@ -45,6 +45,18 @@ void zoom(SceneCamera& camera, double factor) {
     camera.eye = camera.target + distance * glm::normalize(arm);
 }
 
+void zoom_at(SceneCamera& camera, double factor, const glm::dvec3& place) {
+    const double distance = glm::distance(camera.eye, camera.target);
+    const double share = std::clamp(distance * factor, nearest, farthest) / distance;
+    camera.eye = place + share * (camera.eye - place);
+    camera.target = place + share * (camera.target - place);
+}
+
+void center_on(SceneCamera& camera, const glm::dvec3& place) {
+    camera.eye += place - camera.target;
+    camera.target = place;
+}
+
 SceneCamera frame(const OrganReport& organ) {
     SceneCamera camera;
     const glm::dvec3 center = (organ.minimum + organ.maximum) / 2.0;

@@ -15,6 +15,12 @@ void pan(SceneCamera& camera, glm::dvec2 pixels, double height);
 /// Moves the eye to `factor` times its distance from the target, within 5 mm to 2 m.
 void zoom(SceneCamera& camera, double factor);
 
+/// The same towards `place`, which stays where it is in the picture.
+void zoom_at(SceneCamera& camera, double factor, const glm::dvec3& place);
+
+/// Looks at `place` from the same side and distance.
+void center_on(SceneCamera& camera, const glm::dvec3& place);
+
 /// A camera that sees the whole organ from the front.
 SceneCamera frame(const OrganReport& organ);
 

@@ -159,7 +159,8 @@ std::vector<ToolContact> PreviewHost::take_tool_off(double time) {
     if (target_.texture() != 0) preview_->draw(time, target_.size(), target_.framebuffer());
     const std::span<const ToolContact> all = preview_->contacts();
     const std::size_t first = std::min(contacts_before_, all.size());
-    scene_text_.clear();  // the document decides what stays
+    scene_text_.clear();  // the document decides what stays, also where it has not changed
+    followed_ = 0;
     return {all.begin() + static_cast<std::ptrdiff_t>(first), all.end()};
 }
 

@@ -1,8 +1,162 @@
+// An organ's unit and orientation, set by looking at its size, before it is loaded.
+#include <array>
+#include <cstdio>
+
+#include "app/organ_choice.h"
 #include "panels/panels.h"
+#include "ui/shell/dialog.h"
+#include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
 
 namespace lapfx::panels {
 
-void organ_dialog([[maybe_unused]] ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {}
+namespace {
+
+constexpr std::string_view dialog_name = "organ";
+constexpr std::size_t most_warnings = 4;
+constexpr std::array<std::string_view, 5> unit_names = {"mm", "cm", "m", "inch", "Other"};
+
+template <typename... Values>
+std::string_view text_of(ui::Ui& ui, const char* format, Values... values) {
+    char text[160];
+    const int length = std::snprintf(text, sizeof text, format, values...);
+    return ui.copy({text, std::min(sizeof text - 1, static_cast<std::size_t>(std::max(length, 0)))});
+}
+
+class OrganDialog {
+  public:
+    OrganDialog(ui::Ui& ui, app::Editor& editor) : ui_(ui), editor_(editor), choice_(editor.organ_choice()) {}
+
+    void content() {
+        ui::label(ui_, ui_.copy(choice_.file().filename().string()), {.weight = ui::Weight::bold});
+        ui::label(ui_, ui_.copy(choice_.file().parent_path().string()), {.tone = ui::Tone::dim});
+        if (choice_.reading()) {
+            ui::progress(ui_, "Reading", -1);
+            return;
+        }
+        for (const Fault& fault : choice_.faults())
+            ui::label(ui_, fault.text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+        if (!choice_.ready()) return;
+        const OrganReport& report = choice_.report();
+        ui::label(ui_, text_of(ui_, "%zu vertices, %zu triangles, %zu %s", report.vertices, report.triangles,
+                               report.components, report.components == 1 ? "piece" : "pieces"));
+        ui::separator(ui_);
+        unit();
+        orientation();
+        size();
+        warnings();
+    }
+
+  private:
+    void unit() {
+        const int found = app::unit_of(choice_.scale());
+        const bool other = found < 0 || other_;
+        int chosen = other ? 4 : found;
+        ui::label(ui_, "One unit of the file is");
+        const ui::Row row(ui_, {.width = ui::grow()});
+        if (ui::segmented(ui_, "Unit", chosen, unit_names)) {
+            other_ = chosen == 4;
+            if (chosen < 4) choice_.set_scale(app::length_units[static_cast<std::size_t>(chosen)].millimetres);
+        }
+        double scale = choice_.scale();
+        ui_.push_disabled(chosen != 4);
+        if (ui::number_field(ui_, "Length", scale,
+                             {.minimum = 0.001,
+                              .maximum = 1000,
+                              .hard_minimum = 1e-6,
+                              .hard_maximum = 1e6,
+                              .unit = "mm",
+                              .scale = ui::ValueScale::logarithmic,
+                              .tip = "Length of one unit of the file"}))
+            choice_.set_scale(scale);
+        ui_.pop_disabled();
+    }
+
+    void orientation() {
+        int up = app::up_axis_of(choice_.rotation());
+        static const auto names = [] {
+            std::array<std::string_view, app::up_axes.size()> all;
+            for (std::size_t i = 0; i < all.size(); ++i) all[i] = app::up_axes[i].name;
+            return all;
+        }();
+        if (ui::combo(ui_, "Up in the file", up, names,
+                      {.tip = "Which axis of the file points up; y is up in the scene",
+                       .placeholder = "turned freely",
+                       .caption = true}) &&
+            up >= 0)
+            choice_.set_rotation(app::up_axes[static_cast<std::size_t>(up)].rotation);
+        double turned[] = {choice_.rotation().x, choice_.rotation().y, choice_.rotation().z};
+        if (ui::vector_param(ui_, "Rotation", turned,
+                             {.minimum = -180,
+                              .maximum = 180,
+                              .hard_minimum = -360,
+                              .hard_maximum = 360,
+                              .step = 1,
+                              .unit = "deg",
+                              .tip = "About the x, then the y, then the z axis"}))
+            choice_.set_rotation({turned[0], turned[1], turned[2]});
+    }
+
+    void size() {
+        const glm::dvec3 size = choice_.size();
+        const double longest = std::max({size.x, size.y, size.z});
+        const auto likely = choice_.likely();
+        const bool possible = longest >= app::shortest_organ && longest <= app::longest_organ;
+        ui::separator(ui_);
+        ui::label(ui_, text_of(ui_, "%.4g x %.4g x %.4g mm (width, height, depth)", size.x, size.y, size.z),
+                  {.tone = possible ? ui::Tone::good : ui::Tone::warning, .number = true, .weight = ui::Weight::bold});
+        if (possible) return;
+        const ui::Row row(ui_, {.width = ui::grow(), .cross = ui::Place::center});
+        if (!likely) {
+            ui::label(ui_, "No organ is so large or small: 5 to 1000 mm are possible. Set the length of a unit.",
+                      {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+            return;
+        }
+        const std::string_view unit = app::length_units[static_cast<std::size_t>(app::unit_of(*likely))].name;
+        ui::label(ui_, ui_.join({text_of(ui_, "%.3g mm: is the unit ", longest), unit, "?"}),
+                  {.tone = ui::Tone::warning, .width = ui::grow()});
+        if (ui::button(
+                ui_, ui_.join({"Use ", unit}),
+                {.tip = text_of(ui_, "Its longest side is %.4g mm then", longest / choice_.scale() * *likely)})) {
+            choice_.set_scale(*likely);
+            other_ = false;
+        }
+    }
+
+    void warnings() {
+        const std::vector<std::string> all = choice_.warnings();
+        if (all.empty()) return;
+        ui::separator(ui_);
+        for (std::size_t i = 0; i < std::min(all.size(), most_warnings); ++i)
+            ui::label(ui_, all[i], {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+        if (all.size() > most_warnings)
+            ui::label(ui_, text_of(ui_, "and %zu more", all.size() - most_warnings), {.tone = ui::Tone::dim});
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    app::OrganChoice& choice_;
+    bool& other_ = ui_.memory<bool>(ui_.id_of("other unit"));
+};
+
+}  // namespace
+
+void organ_dialog(ui::Ui& ui, app::Editor& editor) {
+    app::OrganChoice& choice = editor.organ_choice();
+    if (choice.take_asked()) ui::open_dialog(ui, dialog_name);
+    ui::Dialog dialog(ui, dialog_name, "Load organ", {.width = 32});
+    if (dialog.cancelled()) choice.give_up();
+    if (!dialog) return;
+    OrganDialog(ui, editor).content();
+    const bool again = !choice.faults().empty();
+    const auto answer = dialog.buttons({{.label = "Cancel", .cancel = true},
+                                        {.label = "Choose another...", .tip = "Another file"},
+                                        {.label = "Load", .standard = !again, .enabled = choice.ready()}});
+    if (answer == 0U || answer == 1U) choice.give_up();
+    if (answer == 1U) editor.commands.run("file.load_organ");
+    if (answer == 2U) choice.load();
+}
 
 }  // namespace lapfx::panels

@@ -1,10 +1,136 @@
+// The scene: what the preset is seen on. Rows from the scene's table, and what is wrong between them.
+#include "app/orbit.h"
 #include "panels/panels.h"
+#include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/scroll.h"
+#include "ui/widgets/section.h"
 
 namespace lapfx::panels {
 
-void scene_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "scene_panel");
+namespace {
+
+using document::Content;
+
+/// Faults are looked for once a version, not once a frame.
+struct SceneFaults {
+    std::uint64_t version = 0;
+    std::vector<Fault> all;
+};
+
+const Scene& standard_scene() {
+    static const Scene standard;
+    return standard;
+}
+
+void* scene_of(Content& c) {
+    return &c.scene;
+}
+
+class ScenePanel {
+  public:
+    ScenePanel(ui::Ui& ui, app::Editor& editor)
+        : ui_(ui), editor_(editor), faults_(ui.memory<SceneFaults>(ui.id_of("scene faults"))) {
+        if (faults_.version == editor.document.version()) return;
+        faults_ = {.version = editor.document.version(), .all = editor.document.scene_faults()};
+    }
+
+    void build() {
+        const ui::ScrollArea area(ui_, "Scene rows", {.gap = 0.3F, .padding = 0.6F});
+        rows_of_scene();
+        if (const ui::Section section(ui_, "Organ", {.tip = table("organ").help}); section) organ();
+        if (const ui::Section section(ui_, "Tool", {.tip = table("tool").help}); section) tool();
+        if (const ui::Section section(ui_, "Camera", {.tip = table("camera").help}); section) camera();
+        if (const ui::Section section(ui_, "Light", {.tip = table("light").help}); section) light();
+        if (const ui::Section section(ui_, "Reference", {.tip = table("reference").help}); section) reference();
+    }
+
+  private:
+    static const Table& table(std::string_view key) { return *scene_table().find(key); }
+
+    void row(const Table& table, std::string_view key, const OwnerOf& owner, TableRowOptions options = {}) {
+        table_row(ui_, editor_, *table.find_row(key), owner, options);
+        const std::string_view place = table.key.empty() ? ui_.join({"/", key}) : ui_.join({"/", table.key, "/", key});
+        for (const Fault& fault : faults_.all)
+            if (fault.place == place) ui::label(ui_, fault.reason, {.tone = ui::Tone::error, .wrap = true});
+    }
+
+    void rows_of_scene() {
+        const Table& t = scene_table();
+        row(t, "name", scene_of);
+        row(t, "duration", scene_of, {.standard = &standard_scene(), .maximum = 60, .minimum = 0.1});
+        row(t, "seed", scene_of, {.standard = &standard_scene(), .maximum = 100});
+        row(t, "gravity", scene_of, {.standard = &standard_scene(), .maximum = 1, .minimum = -1});
+    }
+
+    void organ() {
+        const OwnerOf owner = [](Content& c) -> void* { return &c.scene.organ; };
+        const Table& t = table("organ");
+        if (ui::button(ui_, "Load organ...",
+                       {.icon = ui::Icon::folder, .tip = "Another surface, its unit and orientation"}))
+            editor_.commands.run("file.load_organ");
+        const TableRowOptions options{.prefix = "Organ", .standard = &standard_scene().organ};
+        if (editor_.document.scene().organ.file.empty()) {
+            ui::label(ui_, "No organ yet: load one, or drop a mesh on the window.",
+                      {.tone = ui::Tone::dim, .wrap = true});
+            return;
+        }
+        ui::label(ui_, editor_.document.scene().organ.file, {.tone = ui::Tone::dim});
+        row(t, "scale", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 1000});
+        row(t, "rotation", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 180, .minimum = -180});
+    }
+
+    void tool() {
+        const OwnerOf owner = [](Content& c) -> void* { return &c.scene.tool; };
+        const Table& t = table("tool");
+        row(t, "file", owner,
+            {.prefix = "Tool", .file_kind = "Meshes", .extensions = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}});
+        if (editor_.document.scene().tool.file.empty()) return;
+        row(t, "scale", owner, {.prefix = "Tool", .standard = &standard_scene().tool, .maximum = 1000});
+        row(t, "port", owner, {.prefix = "Tool", .standard = &standard_scene().tool, .maximum = 300, .minimum = -300});
+    }
+
+    void camera() {
+        const OwnerOf owner = [](Content& c) -> void* { return &c.scene.camera; };
+        const Table& t = table("camera");
+        const SceneCamera& standard = standard_scene().camera;
+        ui::command_button(ui_, editor_.commands, "view.use_view");
+        row(t, "eye", owner, {.prefix = "Camera", .maximum = 300, .minimum = -300});
+        row(t, "target", owner, {.prefix = "Camera", .maximum = 300, .minimum = -300});
+        row(t, "up", owner, {.prefix = "Camera", .standard = &standard, .maximum = 1, .minimum = -1});
+        row(t, "field_of_view", owner, {.prefix = "Camera", .standard = &standard, .maximum = 110, .minimum = 20});
+        row(t, "exposure", owner, {.prefix = "Camera", .standard = &standard, .maximum = 10, .minimum = 0.1});
+        row(t, "vignette", owner, {.prefix = "Camera", .standard = &standard});
+    }
+
+    void light() {
+        const OwnerOf owner = [](Content& c) -> void* { return &c.scene.light; };
+        const Table& t = table("light");
+        const SceneLight& standard = standard_scene().light;
+        row(t, "intensity", owner, {.prefix = "Light", .standard = &standard, .maximum = 4});
+        row(t, "focus_distance", owner, {.prefix = "Light", .standard = &standard, .maximum = 300, .minimum = 10});
+        row(t, "beam_angle", owner, {.prefix = "Light", .standard = &standard});
+        row(t, "color", owner, {.prefix = "Light", .standard = &standard});
+    }
+
+    void reference() {
+        const OwnerOf owner = [](Content& c) -> void* { return &c.scene.reference; };
+        const Table& t = table("reference");
+        const std::string& file = editor_.document.scene().reference.file;
+        ui::label(ui_, file.empty() ? std::string_view("No reference yet.") : file, {.tone = ui::Tone::dim});
+        row(t, "offset", owner,
+            {.prefix = "Reference", .standard = &standard_scene().reference, .maximum = 60, .minimum = -60});
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    SceneFaults& faults_;
+};
+
+}  // namespace
+
+void scene_panel(ui::Ui& ui, app::Editor& editor) {
+    ScenePanel(ui, editor).build();
 }
 
 }  // namespace lapfx::panels

@@ -1,12 +1,357 @@
+// Time, and what the tools do in it: the scene's events, moved, stretched and typed.
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/events.h"
+#include "panels/event_form.h"
 #include "panels/panels.h"
+#include "ui/canvas/timeline.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::panels {
 
-void timeline_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "timeline_panel");
+namespace {
+
+using ui::Mods;
+
+constexpr double frame_rate = 25;  // 1/s, of steps and of timecode
+constexpr double new_event_length = 1;
+constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1, 2, 4};
+constexpr std::array<std::string_view, 6> speed_names = {"0.1x", "0.25x", "0.5x", "1x", "2x", "4x"};
+constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
+
+/// The tracks of the timeline, as the document has them. In the middle of a gesture they are the widget's.
+struct TimelineMemory {
+    std::uint64_t version = 0;
+    std::vector<std::size_t> selected;
+    std::vector<app::Stay> stays;
+    std::vector<ui::TimelineTrack> tracks;
+    std::vector<std::vector<std::size_t>> shown;  ///< for each item of each track its stay
+    ui::TimeUnit unit = ui::TimeUnit::timecode;
+};
+
+void make_tracks(TimelineMemory& memory, const app::Editor& editor) {
+    memory.version = editor.document.version();
+    memory.selected = editor.selected;
+    memory.stays = app::stays_of(editor.document.scene().events);
+    memory.tracks.clear();
+    memory.shown.clear();
+    for (int action = 0; action < app::action_count; ++action) {
+        ui::TimelineTrack track{.name = std::string(app::action_title(static_cast<ToolAction>(action))), .items = {}};
+        std::vector<std::size_t> shown;
+        for (std::size_t i = 0; i < memory.stays.size(); ++i) {
+            const app::Stay& stay = memory.stays[i];
+            if (static_cast<int>(stay.action) != action) continue;
+            shown.push_back(i);
+            track.items.push_back({.name = track.name + ' ' + std::to_string(shown.size()),
+                                   .start = stay.start,
+                                   .end = stay.end,
+                                   .color = action,
+                                   .selected = is_selected(editor, stay)});
+        }
+        if (shown.empty()) continue;
+        memory.tracks.push_back(std::move(track));
+        memory.shown.push_back(std::move(shown));
+    }
 }
 
-void add_play_commands([[maybe_unused]] app::Editor& editor) {}
+std::vector<std::size_t> selected_events(const TimelineMemory& memory) {
+    std::vector<std::size_t> selected;
+    for (std::size_t t = 0; t < memory.tracks.size(); ++t)
+        for (std::size_t i = 0; i < memory.tracks[t].items.size(); ++i) {
+            if (!memory.tracks[t].items[i].selected) continue;
+            const app::Stay& stay = memory.stays[memory.shown[t][i]];
+            selected.insert(selected.end(), stay.events.begin(), stay.events.end());
+        }
+    std::sort(selected.begin(), selected.end());
+    return selected;
+}
+
+std::size_t item_count(const std::vector<ui::TimelineTrack>& tracks) {
+    std::size_t count = 0;
+    for (const ui::TimelineTrack& track : tracks) count += track.items.size();
+    return count;
+}
+
+/// What an edit of the tracks means for the events.
+class ItemEdits {
+  public:
+    ItemEdits(app::Editor& editor, TimelineMemory& memory) : editor_(editor), memory_(memory) {}
+
+    void take(const ui::Edit& edit, std::size_t items_before) {
+        if (item_count(memory_.tracks) < items_before) return erase();
+        if (edit.began) name_ = stretched() ? "Stretch event" : "Move event";
+        editor_.document.take(edit, name_, [&](document::Content& c) { apply(c.scene.events); });
+        memory_.version = edit.committed || edit.cancelled ? 0 : editor_.document.version();
+    }
+
+  private:
+    template <typename F>
+    void each(F&& f) {
+        for (std::size_t t = 0; t < memory_.tracks.size(); ++t)
+            for (std::size_t i = 0; i < memory_.tracks[t].items.size(); ++i)
+                f(memory_.tracks[t].items[i], memory_.stays[memory_.shown[t][i]]);
+    }
+    static bool longer(const ui::TimelineItem& item, const app::Stay& stay) {
+        return std::abs((item.end - item.start) - (stay.end - stay.start)) > 1e-9;
+    }
+    bool stretched() {
+        bool any = false;
+        each([&](const ui::TimelineItem& item, const app::Stay& stay) { any |= longer(item, stay); });
+        return any;
+    }
+    void apply(std::vector<ToolContact>& events) {
+        each([&](const ui::TimelineItem& item, app::Stay& stay) {
+            if (longer(item, stay))
+                app::stretch_stay(events, stay, item.start, item.end);
+            else if (item.start != stay.start)
+                app::move_stay(events, stay, item.start);
+            stay.start = item.start, stay.end = item.end;
+        });
+    }
+    /// The widget has no items any more for those; each track's names tell them apart.
+    void erase() {
+        std::vector<std::size_t> gone;
+        for (std::size_t t = 0; t < memory_.tracks.size(); ++t) {
+            const auto& left = memory_.tracks[t].items;
+            for (std::size_t i = 0; i < memory_.shown[t].size(); ++i) {
+                const std::string name = memory_.tracks[t].name + ' ' + std::to_string(i + 1);
+                const bool there =
+                    std::any_of(left.begin(), left.end(), [&](const auto& item) { return item.name == name; });
+                const app::Stay& stay = memory_.stays[memory_.shown[t][i]];
+                if (!there) gone.insert(gone.end(), stay.events.begin(), stay.events.end());
+            }
+        }
+        erase_selected(editor_, gone);
+        memory_.version = 0;
+    }
+
+  public:
+    static void erase_selected(app::Editor& editor, const std::vector<std::size_t>& gone) {
+        if (gone.empty()) return;
+        editor.document.change("Delete events", [&](document::Content& c) { app::erase_events(c.scene.events, gone); });
+        editor.selected.clear();
+    }
+
+  private:
+    app::Editor& editor_;
+    TimelineMemory& memory_;
+    std::string name_ = "Move event";
+};
+
+/// Where the tool last was before now; else what the middle of the view shows.
+glm::dvec3 place_for_new(const app::Editor& editor) {
+    const ToolContact* last = nullptr;
+    for (const ToolContact& event : editor.document.scene().events)
+        if (event.time <= editor.timeline.time && (last == nullptr || event.time > last->time)) last = &event;
+    if (last != nullptr) return last->to;
+    const Preview* const preview = editor.preview.preview();
+    const glm::ivec2 size = editor.preview.size();
+    if (preview != nullptr && size.x > 0)
+        if (const auto hit = preview->pick(glm::dvec2(size) / 2.0, size)) return hit->position;
+    return editor.shot().camera.target;
+}
+
+bool room_for(app::Editor& editor, std::size_t more) {
+    if (editor.document.scene().events.size() + more <= app::most_events) return true;
+    editor.toasts.add({.kind = ui::ToastKind::error, .text = "A scene holds at most 4096 contacts; delete some first"});
+    return false;
+}
+
+void add_events(app::Editor& editor, const char* name, const std::vector<ToolContact>& made) {
+    if (made.empty() || !room_for(editor, made.size())) return;
+    const std::size_t there = editor.document.scene().events.size();
+    editor.document.change(name, [&](document::Content& c) {
+        for (const ToolContact& event : made) {
+            c.scene.events.push_back(event);
+            c.scene.duration = std::max(c.scene.duration, std::min(event.end(), app::last_event_time));
+        }
+    });
+    editor.selected.clear();
+    for (std::size_t i = 0; i < made.size(); ++i) editor.selected.push_back(there + i);
+}
+
+void add_event(app::Editor& editor) {
+    const glm::dvec3 place = place_for_new(editor);
+    const ToolAction action = editor.tool.action.value_or(ToolAction::cauterise);
+    add_events(editor, "Add event",
+               {{.action = action,
+                 .time = std::round(editor.timeline.time * 1e4) / 1e4,
+                 .duration = new_event_length,
+                 .position = place,
+                 .to = place,
+                 .power = app::is_hot(action) ? editor.tool.power : 1.0,
+                 .strength = app::is_cutting(action) ? editor.tool.strength : 1.0}});
+}
+
+/// At the playhead, unless they are there already: then behind themselves.
+void duplicate_events(app::Editor& editor) {
+    const std::vector<ToolContact>& events = editor.document.scene().events;
+    std::vector<ToolContact> made;
+    for (const std::size_t i : editor.selected)
+        if (i < events.size()) made.push_back(events[i]);
+    if (made.empty()) return;
+    double start = made.front().time, end = made.front().end();
+    for (const ToolContact& event : made) start = std::min(start, event.time), end = std::max(end, event.end());
+    const double now = editor.timeline.time, to = now < start || now > end ? now : end + 1 / frame_rate;
+    for (ToolContact& event : made) event.time += to - start;
+    add_events(editor, "Duplicate event", made);
+}
+
+class TimelinePanel {
+  public:
+    TimelinePanel(ui::Ui& ui, app::Editor& editor)
+        : ui_(ui), editor_(editor), memory_(ui.memory<TimelineMemory>(ui.id_of("timeline memory"))) {
+        if (memory_.version != editor.document.version() || memory_.selected != editor.selected)
+            make_tracks(memory_, editor);
+    }
+
+    void build() {
+        const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});
+        tool_bar();
+        const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
+        timeline();
+        event_form(ui_, editor_, memory_.stays);
+    }
+
+  private:
+    void tool_bar() {
+        const ui::Row bar(ui_, {.width = ui::grow(), .cross = ui::Place::center});
+        ui::command_button(ui_, editor_.commands, "play.start", true);
+        ui::command_button(ui_, editor_.commands, "play.frame_back", true);
+        ui::command_button(ui_, editor_.commands, "play.frame_on", true);
+        speed();
+        int unit = static_cast<int>(memory_.unit);
+        if (ui::combo(ui_, "Unit", unit, unit_names, {.tip = "How times are written", .width = ui::px(ui_.em(7))}))
+            memory_.unit = static_cast<ui::TimeUnit>(unit);
+        duration();
+        ui::spacer(ui_);
+        if (ui::button(ui_, "Add event",
+                       {.icon = ui::Icon::plus,
+                        .tip = "At the playhead, where the tool last was, else in the middle of the view"}))
+            add_event(editor_);
+        ui_.push_disabled(editor_.selected.empty());
+        if (ui::button(ui_, "Duplicate",
+                       {.icon = ui::Icon::copy, .tip = "What is selected once more, at the playhead"}))
+            duplicate_events(editor_);
+        if (ui::button(ui_, "Delete", {.icon = ui::Icon::cross, .tip = "What is selected (Delete)"}))
+            ItemEdits::erase_selected(editor_, editor_.selected);
+        ui_.pop_disabled();
+    }
+
+    void speed() {
+        int chosen = 0;
+        for (std::size_t i = 0; i < speeds.size(); ++i)
+            if (std::abs(speeds[i] - editor_.play_speed) <
+                std::abs(speeds[static_cast<std::size_t>(chosen)] - editor_.play_speed))
+                chosen = static_cast<int>(i);
+        if (!ui::combo(ui_, "Speed", chosen, speed_names, {.tip = "Of play", .width = ui::px(ui_.em(5))})) return;
+        editor_.play_speed = speeds[static_cast<std::size_t>(chosen)];
+        if (editor_.playing() && !editor_.hold.on()) editor_.timeline.speed = editor_.play_speed;
+    }
+
+    void duration() {
+        double value = editor_.document.scene().duration;
+        const Parameter& row = *scene_table().find_row("duration");
+        const ui::Edit edit = ui::number_field(ui_, "Duration", value,
+                                               ui::seconds({.minimum = row.minimum,
+                                                            .maximum = 60,
+                                                            .hard_minimum = row.minimum,
+                                                            .hard_maximum = row.maximum,
+                                                            .step = row.step,
+                                                            .unit = row.unit,
+                                                            .tip = row.help,
+                                                            .width = ui::px(ui_.em(9))}));
+        editor_.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });
+    }
+
+    void timeline() {
+        const double speed_before = editor_.timeline.speed;
+        const std::size_t items_before = item_count(memory_.tracks);
+        double length = std::max(editor_.duration(), editor_.timeline.time);
+        for (const app::Stay& stay : memory_.stays) length = std::max(length, stay.end);
+        const ui::TimelineEdit edit = ui::timeline(ui_, "Time", editor_.timeline, memory_.tracks,
+                                                   {.length = length, .rate = frame_rate, .unit = memory_.unit});
+        if (speed_before == 0 && editor_.timeline.speed == 1) editor_.timeline.speed = editor_.play_speed;
+        if (edit.items.began || edit.items.changed || edit.items.committed || edit.items.cancelled)
+            ItemEdits(editor_, memory_).take(edit.items, items_before);
+        if (memory_.version == 0) return make_tracks(memory_, editor_);
+        std::vector<std::size_t> selected = selected_events(memory_);
+        if (selected == memory_.selected) return;
+        memory_.selected = selected;
+        editor_.selected = std::move(selected);
+        ui_.build_again();
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    TimelineMemory& memory_;
+};
+
+}  // namespace
+
+void timeline_panel(ui::Ui& ui, app::Editor& editor) {
+    TimelinePanel(ui, editor).build();
+}
+
+void add_play_commands(app::Editor& editor) {
+    const auto step = [&editor](double frames) {
+        editor.timeline.speed = 0;
+        editor.seek((std::round(editor.timeline.time * frame_rate) + frames) / frame_rate);
+    };
+    const auto free = [&editor] { return !editor.hold.on(); };
+    editor.commands.add({.id = "play.toggle",
+                         .title = "Play/pause",
+                         .group = "Play",
+                         .chord = {ui::Key::space, Mods::none},
+                         .icon = ui::Icon::play,
+                         .run = [&editor] { editor.timeline.speed = editor.playing() ? 0 : editor.play_speed; },
+                         .enabled = free,
+                         .checked = [&editor] { return editor.playing(); }});
+    editor.commands.add({.id = "play.frame_back",
+                         .title = "Frame back",
+                         .group = "Play",
+                         .chord = {ui::key_of(','), Mods::none},
+                         .icon = ui::Icon::chevron_left,
+                         .run = [step] { step(-1); },
+                         .enabled = free});
+    editor.commands.add({.id = "play.frame_on",
+                         .title = "Frame on",
+                         .group = "Play",
+                         .chord = {ui::key_of('.'), Mods::none},
+                         .icon = ui::Icon::chevron_right,
+                         .run = [step] { step(1); },
+                         .enabled = free});
+    editor.commands.add({.id = "play.start",
+                         .title = "To the start",
+                         .group = "Play",
+                         .chord = {ui::Key::home, Mods::command},
+                         .icon = ui::Icon::step_back,
+                         .run = [&editor] { editor.seek(editor.timeline.has_range ? editor.timeline.range.low : 0); },
+                         .enabled = free});
+    editor.commands.add({.id = "play.loop",
+                         .title = "Loop",
+                         .group = "Play",
+                         .chord = {ui::key_of('L'), Mods::command},
+                         .icon = ui::Icon::loop,
+                         .run = [&editor] { editor.timeline.loop = !editor.timeline.loop; },
+                         .checked = [&editor] { return editor.timeline.loop; }});
+    editor.commands.add({.id = "event.add",
+                         .title = "Add event at the playhead",
+                         .group = "Play",
+                         .icon = ui::Icon::plus,
+                         .run = [&editor] { add_event(editor); },
+                         .enabled = free});
+    editor.commands.add({.id = "event.duplicate",
+                         .title = "Duplicate events",
+                         .group = "Play",
+                         .icon = ui::Icon::copy,
+                         .run = [&editor] { duplicate_events(editor); },
+                         .enabled = [&editor] { return !editor.selected.empty(); }});
+}
 
 }  // namespace lapfx::panels

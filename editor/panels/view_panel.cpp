@@ -1,19 +1,444 @@
-// The preview: what the preset looks like on the organ.
+// The preview: what the preset looks like on the organ, looked at and worked on with the tool in the hand.
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "app/events.h"
 #include "app/orbit.h"
+#include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "ui/canvas/viewport.h"
+#include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
 
 namespace lapfx::panels {
 
-void view_panel(ui::Ui& ui, app::Editor& editor) {
-    const ui::ViewportResult view = ui::viewport(ui, "Preview", editor.preview.picture());
-    if (view.size != editor.preview.size()) {
-        editor.preview.resize(view.size);
-        ui.build_again();
-    }
+namespace {
+
+using ui::Key;
+using ui::Mods;
+
+constexpr float wide_enough = 62;    // em, for all tools side by side
+constexpr double work_by_key = 0.5;  // s
+constexpr double key_turn = 5.0 * std::numbers::pi / 180;
+constexpr double zoom_notch = 1.15;
+
+constexpr std::array<std::string_view, 7> tool_names = {"Look around", "Cauterise", "Cut",       "Coagulate",
+                                                        "Tear",        "Suction",   "Irrigation"};
+constexpr std::array<std::string_view, 4> overlay_names = {"No overlay", "Vessels", "Fat", "Bleed value"};
+
+int tool_index(const app::ToolInHand& tool) {
+    return tool.action ? 1 + static_cast<int>(*tool.action) : 0;
 }
 
-void add_view_commands([[maybe_unused]] app::Editor& editor) {}
-void add_tool_commands([[maybe_unused]] app::Editor& editor) {}
+void take_tool(app::Editor& editor, int index) {
+    if (editor.hold.on()) editor.hold.end(editor);
+    editor.tool.action.reset();
+    if (index > 0) editor.tool.action = static_cast<ToolAction>(index - 1);
+}
+
+/// mm around the tip that the tool works on.
+double reach_of(ToolAction action, const Preset& preset) {
+    if (action == ToolAction::suction) return preset.bleeding.suction_radius;
+    if (action == ToolAction::irrigation) return preset.bleeding.irrigation_radius;
+    return app::is_hot(action) ? preset.cautery.tip_radius : preset.vessels.region;
+}
+
+/// What lies under the pointer, looked for again only when it can be something else.
+struct Under {
+    glm::vec2 pointer{-1};
+    std::uint64_t version = 0;
+    glm::dvec3 eye{0}, target{0};
+    std::optional<OrganHit> hit;
+    TissueSample tissue;
+};
+
+enum class Drag : std::uint8_t { none, orbit, pan, tool, fixed };
+
+struct ViewMemory {
+    Drag drag = Drag::none;
+    bool told_fixed = false;
+    Under under;
+};
+
+void show_organ_whole(app::Editor& editor) {
+    const Preview* const preview = editor.preview.preview();
+    if (preview == nullptr || preview->organ().positions.empty()) return;
+    OrganReport bounds;
+    bounds.minimum = bounds.maximum = glm::dvec3(preview->organ().positions.front());
+    for (const glm::vec3& p : preview->organ().positions) {
+        bounds.minimum = glm::min(bounds.minimum, glm::dvec3(p));
+        bounds.maximum = glm::max(bounds.maximum, glm::dvec3(p));
+    }
+    editor.looking.camera = app::frame(bounds);
+    editor.looking.endoscope = false;
+}
+
+class ViewPanel {
+  public:
+    ViewPanel(ui::Ui& ui, app::Editor& editor)
+        : ui_(ui), editor_(editor), memory_(ui.memory<ViewMemory>(ui.id_of("view memory"))) {}
+
+    void build() {
+        const float width = ui_.rect_before(ui_.id_of("Preview")).w;
+        const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
+        tool_bar(width == 0 || width >= ui_.em(wide_enough));
+        band_strip(ui_, editor_);
+        ui::Node& stage = ui_.open(ui::Role::none, {}, ui::Axis::y);
+        stage.size[0] = stage.size[1] = ui::grow();
+        stage.clips = true;
+        const ui::ViewportResult view = ui::viewport(ui_, "Preview", editor_.preview.picture());
+        if (view.size != editor_.preview.size()) {
+            editor_.preview.resize(view.size);
+            ui_.build_again();
+        }
+        look_under(view);
+        work(view);
+        keys(view);
+        mark(view);
+        readout(view);
+        faults();
+        ui_.close();
+    }
+
+  private:
+    // --- above the picture ---
+    void tool_bar(bool wide) {
+        const ui::Row bar(ui_, {.width = ui::grow(), .padding = 0.3F, .cross = ui::Place::center});
+        int tool = tool_index(editor_.tool);
+        if (wide ? ui::segmented(ui_, "Tool", tool, tool_names)
+                 : ui::combo(ui_, "Tool", tool, tool_names,
+                             {.tip = "What the left button does on the organ", .width = ui::px(ui_.em(8))}))
+            take_tool(editor_, tool);
+        if (editor_.tool.action) strengths(*editor_.tool.action);
+        ui::spacer(ui_);
+        int overlay = static_cast<int>(editor_.looking.overlay);
+        if (ui::combo(
+                ui_, "Overlay", overlay, overlay_names,
+                {.tip = "False colour over the organ: what decides, but is not seen", .width = ui::px(ui_.em(8))}))
+            editor_.looking.overlay = static_cast<Overlay>(overlay);
+        ui::command_button(ui_, editor_.commands, "view.endoscope");
+        if (wide) ui::command_button(ui_, editor_.commands, "view.frame");
+    }
+
+    void strengths(ToolAction action) {
+        const ui::Size width = ui::px(ui_.em(8));
+        if (app::is_hot(action)) {
+            ui::ParamOptions options = ui::percent();
+            options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;
+            options.tip = "Cautery power of what is recorded next";
+            options.width = width;
+            ui::number_field(ui_, "Power", editor_.tool.power, options);
+        }
+        if (app::is_cutting(action))
+            ui::number_field(ui_, "Strength", editor_.tool.strength,
+                             {.maximum = 3,
+                              .hard_minimum = 0,
+                              .hard_maximum = 10,
+                              .step = 0.05,
+                              .standard = 1,
+                              .tip = "Strength of the wounds made next: a factor on the preset's speed",
+                              .width = width});
+    }
+
+    // --- in the picture ---
+    void look_under(const ui::ViewportResult& view) {
+        Under& u = memory_.under;
+        const Preview* const preview = editor_.preview.preview();
+        if (preview == nullptr || !(view.hovered || editor_.hold.on()) || view.size.x < 1) {
+            u = {};
+            return;
+        }
+        const SceneCamera& camera = preview->camera();
+        if (u.pointer == view.pointer && u.version == editor_.document.version() && u.eye == camera.eye &&
+            u.target == camera.target)
+            return;
+        u = {.pointer = view.pointer,
+             .version = editor_.document.version(),
+             .eye = camera.eye,
+             .target = camera.target,
+             .hit = preview->pick(glm::dvec2(view.pointer), view.size),
+             .tissue = {}};
+        if (u.hit) u.tissue = preview->tissue(u.hit->position);
+    }
+
+    Drag drag_for(const ui::ViewportResult& view) const {
+        const bool left = view.button == ui::Button::left, shift = has(view.mods, Mods::shift);
+        if (left && !shift && editor_.tool.action && memory_.under.hit) return Drag::tool;
+        if (editor_.looking.endoscope) return Drag::fixed;
+        return view.button == ui::Button::middle || (left && shift) ? Drag::pan : Drag::orbit;
+    }
+
+    void work(const ui::ViewportResult& view) {
+        SceneCamera& camera = editor_.looking.camera;
+        const auto& hit = memory_.under.hit;
+        if (view.pressed) {
+            memory_.drag = drag_for(view);
+            if (memory_.drag == Drag::tool) editor_.hold.begin(editor_, hit->position);
+            if (memory_.drag == Drag::orbit && view.clicks == 2 && hit) app::center_on(camera, hit->position);
+        }
+        if (memory_.drag == Drag::tool && hit) editor_.hold.move(editor_, hit->position);
+        const double height = std::max(view.size.y, 1);
+        if (view.drag != glm::vec2(0)) {
+            if (memory_.drag == Drag::orbit)
+                app::orbit(camera, -double(view.drag.x) * std::numbers::pi / height,
+                           double(view.drag.y) * std::numbers::pi / height);
+            if (memory_.drag == Drag::pan) app::pan(camera, view.drag, height);
+            if (memory_.drag == Drag::fixed) tell_fixed();
+        }
+        if (view.wheel != 0) zoom(std::pow(zoom_notch, -double(view.wheel)), hit ? &hit->position : nullptr);
+        if (view.cancelled && memory_.drag == Drag::tool) editor_.hold.cancel(editor_);
+        if (view.released && memory_.drag == Drag::tool) editor_.hold.end(editor_);
+        if (view.released || view.cancelled) memory_.drag = Drag::none;
+        if (memory_.drag != Drag::none) ui_.set_cursor(ui::Cursor::move);
+        if (editor_.tool.action && hit) ui_.set_cursor(ui::Cursor::crosshair);
+    }
+
+    void zoom(double factor, const glm::dvec3* place) {
+        if (editor_.looking.endoscope) return tell_fixed();
+        SceneCamera& camera = editor_.looking.camera;
+        place != nullptr ? app::zoom_at(camera, factor, *place) : app::zoom(camera, factor);
+    }
+
+    /// Once: who has read it knows.
+    void tell_fixed() {
+        if (memory_.told_fixed) return;
+        memory_.told_fixed = true;
+        editor_.toasts.add({.kind = ui::ToastKind::info,
+                            .text = "The endoscope stands still: this is what is exported",
+                            .action = "Look around freely",
+                            .act = [&editor = editor_] { editor.looking.endoscope = false; }});
+    }
+
+    void keys(const ui::ViewportResult& view) {
+        for (const ui::ViewportKey& key : view.keys) {
+            if (key.key == Key::escape) {
+                editor_.hold.cancel(editor_);
+                memory_.drag = Drag::none;
+            } else if (!look_by(key) && !work_by(key, view)) {
+                ui_.press_shortcut(key.key, key.mods);
+            }
+        }
+    }
+
+    bool look_by(const ui::ViewportKey& key) {
+        const double turn = has(key.mods, Mods::shift) ? key_turn / 5 : key_turn;
+        glm::dvec2 by(0);
+        if (key.key == Key::left) by.x = -turn;
+        if (key.key == Key::right) by.x = turn;
+        if (key.key == Key::up) by.y = turn;
+        if (key.key == Key::down) by.y = -turn;
+        const bool nearer = key.key == ui::key_of('='), farther = key.key == ui::key_of('-');
+        if (by == glm::dvec2(0) && !nearer && !farther) return false;
+        if (editor_.looking.endoscope)
+            tell_fixed();
+        else if (by != glm::dvec2(0))
+            app::orbit(editor_.looking.camera, by.x, by.y);
+        else
+            zoom(nearer ? 1 / zoom_notch : zoom_notch, nullptr);
+        return true;
+    }
+
+    bool work_by(const ui::ViewportKey& key, const ui::ViewportResult& view) {
+        const Preview* const preview = editor_.preview.preview();
+        if (key.key != Key::enter || !editor_.tool.action || preview == nullptr || view.size.x < 1) return false;
+        if (key.repeat || editor_.hold.on()) return true;
+        const auto hit = preview->pick(glm::dvec2(view.size) / 2.0, view.size);
+        if (hit)
+            editor_.hold.begin_for(editor_, hit->position, work_by_key);
+        else
+            editor_.toasts.add({.kind = ui::ToastKind::info, .text = "The organ is not in the middle of the view"});
+        return true;
+    }
+
+    /// A ring as large as what the tool would work on.
+    void mark(const ui::ViewportResult& view) {
+        const Under& u = memory_.under;
+        if (!editor_.tool.action || !u.hit) return;
+        const SceneCamera& camera = editor_.preview.preview()->camera();
+        const double depth = glm::dot(u.hit->position - camera.eye, glm::normalize(camera.target - camera.eye));
+        const double px_per_mm =
+            view.size.y / (2 * std::max(depth, 1.0) * std::tan(glm::radians(camera.field_of_view) / 2));
+        const double reach = reach_of(*editor_.tool.action, editor_.document.preset());
+        const float radius = std::clamp(static_cast<float>(reach * px_per_mm), ui_.em(0.35F), ui_.em(40));
+        ui::Node& ring = ui_.leaf(ui::Role::none, {});
+        ring.placed = true;
+        ring.placement = ui_.arena().make(ui::Placement{.offset = view.pointer - glm::vec2(radius)});
+        ring.size[0] = ring.size[1] = ui::px(2 * radius);
+        const bool acts = editor_.hold.on();
+        ui_.draw_with<draw_ring>(ring, acts);
+    }
+    static void draw_ring(ui::Painter& painter, const ui::Node& node, const bool& acts) {
+        const ui::Rect rect = node.rect();
+        const float line = painter.hairline();
+        painter.frame(rect.inset(-line), {0, 0, 0, 140}, 3 * line, rect.w / 2 + line);
+        painter.frame(rect, acts ? painter.theme().accent_hover : ui::Color{255, 255, 255, 230}, line, rect.w / 2);
+    }
+
+    /// Tissue and distance under the pointer, in the lower left corner.
+    void readout(const ui::ViewportResult& view) {
+        const Under& u = memory_.under;
+        if (!u.hit || (!editor_.tool.action && editor_.looking.overlay == Overlay::none)) return;
+        char text[128];
+        const int length =
+            std::snprintf(text, sizeof text, "vessels %.0f %%   fat %.0f %%   would bleed %.1f   %.0f mm away",
+                          100 * u.tissue.vessels, 100 * u.tissue.fat, u.tissue.bleeds, u.hit->distance);
+        ui::Node& node = ui_.leaf(ui::Role::status, "Under the pointer");
+        node.text = ui_.copy({text, static_cast<std::size_t>(std::max(length, 0))});
+        node.placed = true;
+        const float margin = ui_.em(0.5F);
+        node.placement =
+            ui_.arena().make(ui::Placement{.fraction = {0, 1}, .offset = {margin, -margin}, .pivot = {0, 1}});
+        node.size[0] = ui::px(ui_.text_width(node.text) + ui_.em(1.2F));
+        node.size[1] = ui::px(ui_.row_height());
+        ui_.draw_with<draw_readout>(node, view.hovered);
+    }
+    static void draw_readout(ui::Painter& painter, const ui::Node& node, const bool&) {
+        const ui::Theme& t = painter.theme();
+        painter.fill(node.rect(), t.raised, painter.em(t.radius));
+        painter.text(node.rect().inset(painter.em(0.6F), 0), node.text, painter.text_style(), t.text);
+    }
+
+    // --- what keeps it from being shown ---
+    void faults() {
+        if (!editor_.preview.organ_faults().empty())
+            organ_fault(editor_.preview.organ_faults().front());
+        else if (!editor_.preview.preset_faults().empty())
+            preset_fault(editor_.preview.preset_faults().front());
+    }
+
+    void organ_fault(const Fault& fault) {
+        const ui::Panel panel(ui_, "Organ fault", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 1});
+        place({.fraction = {0.5F, 0.5F}, .pivot = {0.5F, 0.5F}});
+        const std::string& file = editor_.document.scene().organ.file;
+        ui::heading(ui_, file.empty() ? "No organ yet" : "The scene cannot be shown");
+        ui::label(ui_,
+                  file.empty()
+                      ? std::string("Load a surface (.glb, .gltf, .obj, .ply, .stl or .off), or drop one here.")
+                      : fault.text(),
+                  {.tone = file.empty() ? ui::Tone::dim : ui::Tone::error, .wrap = true, .width = ui::grow()});
+        const ui::Row buttons(ui_);
+        if (ui::button(ui_, file.empty() ? "Choose..." : "Choose another...",
+                       {.icon = ui::Icon::folder, .tip = "Load another organ", .primary = true}))
+            editor_.commands.run("file.load_organ");
+        if (!file.empty() && ui::button(ui_, "Unit and orientation...",
+                                        {.tip = "Read this organ again, with another unit or orientation"}))
+            editor_.open_organ(editor_.document.scene().folder / file);
+        if (editor_.document.can_undo() &&
+            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
+            editor_.document.undo();
+    }
+
+    /// The picture is still that of the values before.
+    void preset_fault(const Fault& fault) {
+        const ui::Panel panel(ui_, "Preset fault", {.width = ui::fit(), .height = ui::fit(), .padding = 0.6F});
+        place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
+        const ui::Row row(ui_);
+        ui::label(ui_, "Still the values before:", {.tone = ui::Tone::warning});
+        ui::label(ui_, fault.text(), {.tone = ui::Tone::error});
+        if (editor_.document.can_undo() &&
+            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
+            editor_.document.undo();
+    }
+
+    void place(const ui::Placement& placement) {
+        ui_.parent().placed = true;
+        ui_.parent().placement = ui_.arena().make(placement);
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    ViewMemory& memory_;
+};
+
+void add_overlay(app::Editor& editor, std::string id, std::string title, char letter, Overlay overlay,
+                 std::string tip) {
+    editor.commands.add({.id = std::move(id),
+                         .title = std::move(title),
+                         .group = "View",
+                         .chord = {ui::key_of(letter), Mods::none},
+                         .run =
+                             [&editor, overlay] {
+                                 const bool on = editor.looking.overlay == overlay;
+                                 editor.looking.overlay = on ? Overlay::none : overlay;
+                             },
+                         .checked = [&editor, overlay] { return editor.looking.overlay == overlay; },
+                         .tip = std::move(tip)});
+}
+
+void ask_organ(app::Editor& editor) {
+    editor.ask_file({.task = ui::FileTask::open,
+                     .title = "Load an organ",
+                     .filters = {{"Meshes", {".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}}}},
+                    [&editor](const std::vector<std::string>& files) { editor.open_organ(files.front()); });
+}
+
+void use_view(app::Editor& editor) {
+    editor.document.change("Endoscope's place", [&](document::Content& c) {
+        const SceneCamera& seen = editor.looking.camera;
+        SceneCamera& camera = c.scene.camera;
+        camera.eye = seen.eye, camera.target = seen.target, camera.up = seen.up;
+        camera.field_of_view = seen.field_of_view;
+    });
+    editor.looking.endoscope = true;
+}
+
+}  // namespace
+
+void view_panel(ui::Ui& ui, app::Editor& editor) {
+    ViewPanel(ui, editor).build();
+}
+
+void add_view_commands(app::Editor& editor) {
+    editor.commands.add({.id = "file.load_organ",
+                         .title = "Load organ...",
+                         .group = "File",
+                         .chord = {ui::key_of('O'), Mods::command | Mods::shift},
+                         .icon = ui::Icon::folder,
+                         .run = [&editor] { ask_organ(editor); },
+                         .tip = "Another surface, with its unit and orientation"});
+    editor.commands.add({.id = "view.frame",
+                         .title = "Frame the organ",
+                         .group = "View",
+                         .chord = {Key::home, Mods::none},
+                         .run = [&editor] { show_organ_whole(editor); },
+                         .enabled = [&editor] { return editor.preview.ready(); },
+                         .tip = "All of the organ, from the front"});
+    editor.commands.add({.id = "view.endoscope",
+                         .title = "Endoscope view",
+                         .group = "View",
+                         .chord = {ui::key_of('E'), Mods::none},
+                         .run = [&editor] { editor.looking.endoscope = !editor.looking.endoscope; },
+                         .checked = [&editor] { return editor.looking.endoscope; },
+                         .tip = "Through the scene's camera, with its round picture: what is exported"});
+    editor.commands.add({.id = "view.use_view",
+                         .title = "Use this view as the endoscope",
+                         .group = "View",
+                         .run = [&editor] { use_view(editor); },
+                         .enabled = [&editor] { return !editor.looking.endoscope; },
+                         .tip = "The scene's camera goes to where you look from"});
+    add_overlay(editor, "view.vessels", "Vessel overlay", 'V', Overlay::vessels, "Density of vessels, blue");
+    add_overlay(editor, "view.fat", "Fat overlay", 'T', Overlay::fat, "Density of fat, yellow");
+    add_overlay(editor, "view.bleed", "Bleed value overlay", 'G', Overlay::bleed,
+                "The bleed value: lines every 2 mm, from blue at 0 to red at 20 mm");
+}
+
+void add_tool_commands(app::Editor& editor) {
+    constexpr std::array<std::string_view, 7> ids = {"tool.look", "tool.cauterise", "tool.cut",       "tool.coagulate",
+                                                     "tool.tear", "tool.suction",   "tool.irrigation"};
+    for (int i = 0; i < static_cast<int>(ids.size()); ++i) {
+        const auto at = static_cast<std::size_t>(i);
+        editor.commands.add({.id = std::string(ids[at]),
+                             .title = std::string(tool_names[at]),
+                             .group = "Tool",
+                             .chord = {ui::key_of(static_cast<char>('0' + i)), Mods::none},
+                             .run = [&editor, i] { take_tool(editor, i); },
+                             .checked = [&editor, i] { return tool_index(editor.tool) == i; },
+                             .tip = i == 0 ? "The left button turns the view"
+                                           : "Held on the organ, the left button works there; an event records it"});
+    }
+}
 
 }  // namespace lapfx::panels

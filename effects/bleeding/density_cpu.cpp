@@ -118,6 +118,31 @@ void DensityMap::set(const VesselParameters& p) {
     merged.convertTo(both, CV_8U, 255.0);
 }
 
+void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) const {
+    if (!tells_) return;
+    const cv::Size size(size_.x, size_.y);
+    cv::Mat weights, red;
+    cv::Mat(size, CV_8U, const_cast<std::uint8_t*>(layout_.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
+    cv::Mat(size, CV_16S, const_cast<std::int16_t*>(redness_.data())).convertTo(red, CV_32F, redness_step);
+    const auto blurred = [&](double mm) {
+        return TextureBlur(weights, mm * layout_.texels_per_mm, layout_.repeats)(red);
+    };
+    const cv::Mat near = blurred(near_share * p.vessel_width), around = blurred(around_share * p.vessel_width);
+    static const auto hues = chroma_table([](double a, double b) { return hue_of(a, b); });
+    static const auto colored = chroma_table([](double a, double b) { return std::hypot(a, b); });
+    static const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
+    for (int y = 0; y < size.height; ++y) {
+        const float *sharp = near.ptr<float>(y), *far = around.ptr<float>(y), *used = weights.ptr<float>(y);
+        const glm::u8vec2* chroma = &chroma_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
+        for (int x = 0; x < size.width; ++x) {
+            if (used[x] < 0.5f) continue;
+            const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);
+            if (blood[color] > 0.5f) histogram.add_contrast(double(sharp[x]) - double(far[x]));
+            if (colored[color] > least_chroma) histogram.add_hue(double(hues[color]));
+        }
+    }
+}
+
 glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values_.empty()) return glm::vec2(0.0f);
     const glm::vec2 inside = layout_.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);

@@ -15,6 +15,7 @@
 
 #include "bleeding/texture_layout_cpu.h"
 #include "lapfx/preset.h"
+#include "lapfx/tissue.h"
 
 namespace lapfx::bleeding {
 
@@ -31,6 +32,9 @@ class DensityMap {
     bool tells() const { return tells_; }
     /// Makes the map. Lengths that the texture cannot resolve are taken as one texel, and those beyond it as all of it.
     void set(const VesselParameters& parameters);
+
+    /// Adds what the bands are laid over: texels that are on the surface.
+    void count(const VesselParameters& parameters, TissueHistogram& histogram) const;
 
     glm::ivec2 size() const { return size_; }
     std::span<const Density> values() const { return values_; }  ///< rows from the top; the size of the image

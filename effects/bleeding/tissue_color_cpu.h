@@ -24,17 +24,24 @@ inline double redness(double linear_red, double linear_green) {
     return red_weight * std::log(linear_red + least_light) - std::log(linear_green + least_light);
 }
 
+/// CIELAB hue angle, degrees: 0 red, 90 yellow.
+inline double hue_of(double a, double b) {
+    return std::atan2(b, a) * 57.29577951308232;
+}
+/// A colour of less chroma is as good as grey: it has no hue to speak of.
+constexpr double least_chroma = 6.0;
+
 /// Whether a colour can be that of a vessel, 0..1, from CIELAB a* and b*: crimson to orange, and no grey.
 inline double bloodiness(double a, double b) {
-    const double hue = std::atan2(b, a) * 57.29577951308232;
+    const double hue = hue_of(a, b);
     return ramp(-60.0, -40.0, hue) * (1.0 - ramp(65.0, 80.0, hue)) * ramp(4.0, 10.0, std::hypot(a, b));
 }
 
 /// How fatty a colour is, 0..1, from CIELAB a* and b*: the hue angle in degrees (0 red, 90 yellow) against the band, none
 /// beyond yellow, and only as far as there is a colour.
 inline double fattiness(double a, double b, double low, double high) {
-    const double hue = std::atan2(b, a) * 57.29577951308232;
-    return ramp(low, high, hue) * (1.0 - ramp(100.0, 115.0, hue)) * ramp(6.0, 14.0, std::hypot(a, b));
+    const double hue = hue_of(a, b);
+    return ramp(low, high, hue) * (1.0 - ramp(100.0, 115.0, hue)) * ramp(least_chroma, 14.0, std::hypot(a, b));
 }
 
 /// CIELAB a* and b* of linear sRGB (D65; IEC 61966-2-1, CIE 15).

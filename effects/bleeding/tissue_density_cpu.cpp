@@ -190,18 +190,37 @@ TissueDensity::Place TissueDensity::mean(const glm::dvec3& position) const noexc
 TissueSample TissueDensity::sample(const glm::dvec3& position) const noexcept {
     if (!finite(position)) return {};
     const Place place = mean(position);
-    return {.vessels = double(place.density.x), .fat = double(place.density.y)};
+    return {.vessels = double(place.density.x), .fat = double(place.density.y), .bleeds = strength_of(place)};
+}
+
+double TissueDensity::strength_of(const Place& place) const noexcept {
+    const VesselParameters& p = parameters_;
+    if (!place.known || (p.vessel_threshold <= 0.0 && p.vessel_strength <= 0.0)) return 1.0;
+    const double density = double(place.density.x);
+    if (density < p.vessel_threshold) return 0.0;
+    return glm::clamp(1.0 + p.vessel_strength * (density / p.vessel_reference - 1.0), 0.0, strongest);
 }
 
 double TissueDensity::wound_strength(const glm::dvec3& position) const noexcept {
     if (!finite(position)) return 0.0;
-    const VesselParameters& p = parameters_;
-    if (p.vessel_threshold <= 0.0 && p.vessel_strength <= 0.0) return 1.0;
-    const Place place = mean(position);
-    if (!place.known) return 1.0;
-    const double density = double(place.density.x);
-    if (density < p.vessel_threshold) return 0.0;
-    return glm::clamp(1.0 + p.vessel_strength * (density / p.vessel_reference - 1.0), 0.0, strongest);
+    if (parameters_.vessel_threshold <= 0.0 && parameters_.vessel_strength <= 0.0) return 1.0;
+    return strength_of(mean(position));
+}
+
+TissueHistogram TissueDensity::histogram() const {
+    TissueHistogram histogram;
+    for (const std::unique_ptr<DensityMap>& map : maps_)
+        if (map != nullptr) map->count(parameters_, histogram);
+    if (points_.empty()) return histogram;
+    const std::vector<float> around =
+        PointBlur(points_, areas_, std::max(around_share * parameters_.vessel_width, 1e-3))(redness_);
+    for (std::size_t v = 0; v < points_.size(); ++v) {
+        if (!(areas_[v] > 0.0f)) continue;
+        const double a = double(chroma_[v].x), b = double(chroma_[v].y);
+        if (bloodiness(a, b) > 0.5) histogram.add_contrast(double(redness_[v]) - double(around[v]));
+        if (std::hypot(a, b) > least_chroma) histogram.add_hue(hue_of(a, b));
+    }
+    return histogram;
 }
 
 TissueReport TissueDensity::report() const {
@@ -246,6 +265,11 @@ namespace lapfx {
 TissueReport report_tissue(const Organ& organ, const VesselParameters& parameters) {
     const Surface surface(organ);
     return bleeding::TissueDensity(organ, surface, parameters).report();
+}
+
+TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters) {
+    const Surface surface(organ);
+    return bleeding::TissueDensity(organ, surface, parameters).histogram();
 }
 
 }  // namespace lapfx

@@ -31,6 +31,7 @@ class TissueDensity {
     /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4.
     double wound_strength(const glm::dvec3& position) const noexcept;
     TissueReport report() const;
+    TissueHistogram histogram() const;
 
     /// For the overlay: the map of an image, null where the image tells nothing.
     const DensityMap* map(int image) const;
@@ -52,6 +53,7 @@ class TissueDensity {
     void set_vertices();
     Place at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept;
     Place mean(const glm::dvec3& position) const noexcept;
+    double strength_of(const Place& place) const noexcept;
 
     const Surface& surface_;
     VesselParameters parameters_;

@@ -102,7 +102,6 @@ bool bindable(const Chord& chord) {
         case Key::menu:
             return false;
         case Key::enter:
-        case Key::space:
             return !plain;
         default:
             return true;

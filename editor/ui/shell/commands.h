@@ -31,7 +31,8 @@ struct Chord {
 std::string text_of(const Chord& chord);
 /// The other way; case and the order of Ctrl, Shift and Alt do not matter. Nothing when it is no chord.
 std::optional<Chord> chord_from(std::string_view text);
-/// Whether a command may have it: not what moves the focus, confirms or cancels everywhere.
+/// Whether a command may have it: not what moves the focus, confirms or cancels everywhere. Space may be had: a button that has the
+/// keyboard takes it before any command.
 bool bindable(const Chord& chord);
 
 struct Command {

@@ -152,5 +152,25 @@ TEST(Frame, AnOrganOfNoSizeIsSeenFromADistance) {
     EXPECT_LE(distance(c), 2000.0);
 }
 
+TEST(Orbit, ZoomKeepsThePlaceUnderThePointer) {
+    SceneCamera c = camera();
+    const glm::dvec3 place(12.0, 8.0, 20.0);
+    const glm::dvec2 before = pixel(c, place, {800, 600});
+    const double far = glm::distance(c.eye, place);
+    zoom_at(c, 0.5, place);
+    EXPECT_NEAR(glm::distance(pixel(c, place, {800, 600}), before), 0.0, 1e-2);
+    EXPECT_NEAR(glm::distance(c.eye, place), far / 2, 1e-9);
+    for (int i = 0; i < 50; ++i) zoom_at(c, 0.5, place);
+    EXPECT_NEAR(distance(c), 5.0, 1e-9) << "never nearer";
+}
+
+TEST(Orbit, CenteringTurnsNothing) {
+    SceneCamera c = camera();
+    const SceneCamera before = c;
+    center_on(c, {1.0, 2.0, 3.0});
+    EXPECT_EQ(c.target, glm::dvec3(1.0, 2.0, 3.0));
+    EXPECT_NEAR(glm::distance(c.target - c.eye, before.target - before.eye), 0.0, 1e-12);
+}
+
 }  // namespace
 }  // namespace lapfx::app

@@ -1,0 +1,48 @@
+// A scene's events as a person sees them: contacts that follow each other without a gap are one stay, and are moved, stretched and
+// erased together. Pure functions.
+//
+//     for (const app::Stay& stay : app::stays_of(scene.events)) show(app::action_title(stay.action), stay.start, stay.end);
+//     document.change("Move event", [&](Content& c) { app::move_stay(c.scene.events, stay, 3.5); });
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string_view>
+#include <vector>
+
+#include "lapfx/tool.h"
+
+namespace lapfx::app {
+
+inline constexpr std::size_t most_events = 4096;  ///< of a scene
+inline constexpr double last_event_time = 3600;   ///< s, also the longest duration
+inline constexpr int action_count = 6;
+
+/// "Cauterise": a command, a button, an undo step.
+std::string_view action_title(ToolAction action);
+bool is_hot(ToolAction action);
+/// Whether it makes a wound, whose strength can be chosen.
+bool is_cutting(ToolAction action);
+
+/// Contacts of one tool that go on from each other in time and place.
+struct Stay {
+    std::vector<std::size_t> events;  ///< indices, in the order of their times
+    ToolAction action = ToolAction::cauterise;
+    double start = 0, end = 0;  ///< s
+};
+
+/// In the order of the first event of each.
+std::vector<Stay> stays_of(std::span<const ToolContact> events);
+
+/// The stay begins at `start` s; its length stays.
+void move_stay(std::span<ToolContact> events, const Stay& stay, double start);
+/// The stay lasts from `start` to `end` s; the path stays, quicker or slower.
+void stretch_stay(std::span<ToolContact> events, const Stay& stay, double start, double end);
+/// The whole path is shifted by so many mm.
+void shift_stay(std::span<ToolContact> events, const Stay& stay, const glm::dvec3& by);
+void erase_events(std::vector<ToolContact>& events, std::span<const std::size_t> erased);
+
+/// What was recorded, with as few contacts as keep the tip within `tolerance` mm of where it was; times to 0.1 ms, places to 1 um.
+std::vector<ToolContact> simplified(std::span<const ToolContact> recorded, double tolerance = 0.2);
+
+}  // namespace lapfx::app

@@ -1,0 +1,97 @@
+// An organ that is about to be loaded: what its file holds, and the unit and orientation that make it right.
+//
+//     editor.open_organ("liver.stl");           // reads it beside the UI; the organ dialog shows this
+//     if (auto scale = choice.likely_scale()) choice.set_scale(*scale);
+//     choice.load();                            // into the scene: one undo step
+//
+// UI thread.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/jobs.h"
+#include "lapfx/organ.h"
+#include "lapfx/scene.h"
+
+namespace lapfx::app {
+
+class Editor;
+
+/// What one unit of a mesh can be.
+struct LengthUnit {
+    std::string_view name;
+    double millimetres;
+};
+inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10}, {"m", 1000}, {"inch", 25.4}}};
+/// Of length_units; none: -1.
+int unit_of(double scale);
+
+/// Longest sides that an organ can have, mm.
+inline constexpr double shortest_organ = 5, longest_organ = 1000;
+/// mm per unit that make an organ of something `longest` units long; nothing when none of the units does, or `scale` does already.
+std::optional<double> likely_scale(double longest, double scale);
+
+/// The ways up, and the rotations (degrees about x, then y, then z) that bring each to y.
+struct UpAxis {
+    std::string_view name;
+    glm::dvec3 rotation;
+};
+inline const std::array<UpAxis, 6> up_axes = {{{"Y up, as it is", {0, 0, 0}},
+                                               {"Z up", {-90, 0, 0}},
+                                               {"X up", {0, 0, 90}},
+                                               {"Y down", {0, 0, 180}},
+                                               {"Z down", {90, 0, 0}},
+                                               {"X down", {0, 0, -90}}}};
+int up_axis_of(const glm::dvec3& rotation);
+
+class OrganChoice {
+  public:
+    explicit OrganChoice(Editor& editor) : editor_(editor) {}
+
+    /// Reads the file; with the scale and rotation of the scene's organ where it is the same file.
+    void open(const std::filesystem::path& file);
+    /// Once, after open(): the dialog is to be opened.
+    bool take_asked() { return std::exchange(asked_, false); }
+    bool reading() const { return job_ != nullptr; }
+    void give_up();
+
+    const std::filesystem::path& file() const { return file_; }
+    const std::vector<Fault>& faults() const { return faults_; }  ///< why it cannot be read
+    bool ready() const { return organ_ != nullptr; }
+    const OrganReport& report() const { return report_; }  ///< in units of the file, unturned
+    std::vector<std::string> warnings() const;             ///< of the mesh, without those on its size
+
+    double scale() const { return scale_; }  ///< mm per unit of the file
+    void set_scale(double scale) { scale_ = scale; }
+    const glm::dvec3& rotation() const { return rotation_; }
+    void set_rotation(const glm::dvec3& degrees) { rotation_ = degrees; }
+    glm::dvec3 size() const;  ///< mm, as chosen
+    std::optional<double> likely() const;
+
+    /// Into the scene, seen whole. What belonged to another organ goes: events, tool, the endoscope's round picture.
+    void load();
+
+  private:
+    void take(const std::shared_ptr<const Organ>& organ, OrganReport report);
+    OrganReport turned() const;
+
+    Editor& editor_;
+    std::filesystem::path file_;
+    std::shared_ptr<Job> job_;
+    std::shared_ptr<const Organ> organ_;  ///< in units of the file
+    OrganReport report_;
+    std::vector<Fault> faults_;
+    double scale_ = 1, standard_scale_ = 1;
+    glm::dvec3 rotation_{0.0};
+    bool asked_ = false;
+    mutable glm::dvec3 measured_for_{1e9};  ///< rotation of the bounds below
+    mutable glm::dvec3 low_{0.0}, high_{0.0};
+};
+
+}  // namespace lapfx::app

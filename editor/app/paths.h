@@ -1,0 +1,14 @@
+// How a document names the files that it rests on.
+//
+//     scene.organ.file = app::path_for("/data/case/liver.glb", "/data/case");  // "liver.glb"
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace lapfx::app {
+
+/// `file` as a document in `folder` names it: relative when it lies inside, else absolute.
+std::string path_for(const std::filesystem::path& file, const std::filesystem::path& folder);
+
+}  // namespace lapfx::app

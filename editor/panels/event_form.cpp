@@ -1,0 +1,160 @@
+#include "panels/event_form.h"
+
+#include <algorithm>
+
+#include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+constexpr double near_place = 200;  // mm, of dragging
+
+const Parameter& row_of(std::string_view key) {
+    return *scene_table().find("events")->find_row(key);
+}
+
+class EventForm {
+  public:
+    EventForm(ui::Ui& ui, app::Editor& editor, const app::Stay& stay)
+        : ui_(ui),
+          editor_(editor),
+          stay_(stay),
+          first_(editor.document.scene().events[stay.events.front()]),
+          last_(editor.document.scene().events[stay.events.back()]) {}
+
+    void build() {
+        const ui::Row row(ui_, {.width = ui::grow(), .gap = 0.8F, .cross = ui::Place::start});
+        {
+            const ui::Column column(ui_, {.width = ui::grow(), .gap = 0.25F});
+            action();
+            number("Power", "power", first_.power, app::is_hot(stay_.action),
+                   [](ToolContact& e, double v) { e.power = v; });
+        }
+        {
+            const ui::Column column(ui_, {.width = ui::grow(), .gap = 0.25F});
+            start();
+            number("Strength", "strength", first_.strength, app::is_cutting(stay_.action),
+                   [](ToolContact& e, double v) { e.strength = v; });
+        }
+        {
+            const ui::Column column(ui_, {.width = ui::grow(), .gap = 0.25F});
+            length();
+            if (stay_.events.size() > 1) {
+                char text[64];
+                std::snprintf(text, sizeof text, "A path of %zu pieces", stay_.events.size());
+                ui::label(ui_, text, {.tone = ui::Tone::dim});
+            }
+        }
+        const ui::Column column(ui_, {.width = ui::grow(1.7F), .gap = 0.25F});
+        place();
+        to();
+    }
+
+  private:
+    template <typename F>
+    void take(const ui::Edit& edit, std::string_view name, F&& change) {
+        editor_.document.take(edit, name, [&](document::Content& c) { change(c.scene.events); });
+    }
+    ui::ParamOptions options(std::string_view key, double most) const {
+        const Parameter& row = row_of(key);
+        return {.minimum = row.minimum,
+                .maximum = most,
+                .hard_minimum = row.minimum,
+                .hard_maximum = row.maximum,
+                .step = row.step,
+                .unit = row.unit,
+                .tip = row.help};
+    }
+
+    void action() {
+        int chosen = static_cast<int>(stay_.action);
+        static const auto titles = [] {
+            std::array<std::string_view, app::action_count> all;
+            for (int i = 0; i < app::action_count; ++i)
+                all[static_cast<std::size_t>(i)] = app::action_title(static_cast<ToolAction>(i));
+            return all;
+        }();
+        const ui::Edit edit = ui::combo(ui_, "Action", chosen, titles, {.tip = row_of("action").help, .caption = true});
+        take(edit, "Action", [&](std::vector<ToolContact>& events) {
+            for (const std::size_t i : stay_.events) events[i].action = static_cast<ToolAction>(chosen);
+        });
+    }
+    void start() {
+        double value = stay_.start;
+        const ui::Edit edit =
+            ui::param(ui_, "Time", value, ui::seconds(options("time", editor_.document.scene().duration)));
+        take(edit, "Event time", [&](std::vector<ToolContact>& events) { app::move_stay(events, stay_, value); });
+    }
+    void length() {
+        double value = stay_.end - stay_.start;
+        const ui::Edit edit = ui::param(ui_, "Duration", value, ui::seconds(options("duration", 10)));
+        take(edit, "Event duration", [&](std::vector<ToolContact>& events) {
+            app::stretch_stay(events, stay_, stay_.start, stay_.start + value);
+        });
+    }
+    template <typename F>
+    void number(std::string_view name, std::string_view key, double value, bool counts, F&& set) {
+        ui_.push_disabled(!counts);
+        ui::ParamOptions o = options(key, key == "power" ? 1 : 3);
+        o.standard = 1;
+        const ui::Edit edit = ui::param(ui_, name, value, o);
+        ui_.pop_disabled();
+        take(edit, ui_.join({"Event ", key}), [&](std::vector<ToolContact>& events) {
+            for (const std::size_t i : stay_.events) set(events[i], value);
+        });
+    }
+    ui::ParamOptions place_options(std::string_view key) const {
+        ui::ParamOptions o = options(key, near_place);
+        o.minimum = -near_place;
+        return o;
+    }
+    void place() {
+        double values[] = {first_.position.x, first_.position.y, first_.position.z};
+        const ui::Edit edit = ui::vector_param(ui_, "Position", values, place_options("position"));
+        const glm::dvec3 wanted(values[0], values[1], values[2]);
+        take(edit, "Event position", [&](std::vector<ToolContact>& events) {
+            const glm::dvec3 by = wanted - events[stay_.events.front()].position;
+            // A single straight contact keeps its end, a path keeps its shape.
+            if (stay_.events.size() > 1) return app::shift_stay(events, stay_, by);
+            ToolContact& event = events[stay_.events.front()];
+            if (event.to == event.position) event.to = wanted;
+            event.position = wanted;
+        });
+    }
+    void to() {
+        double values[] = {last_.to.x, last_.to.y, last_.to.z};
+        const ui::Edit edit = ui::vector_param(ui_, "To", values, place_options("to"));
+        take(edit, "Event end", [&](std::vector<ToolContact>& events) {
+            events[stay_.events.back()].to = {values[0], values[1], values[2]};
+        });
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    const app::Stay& stay_;
+    const ToolContact first_, last_;
+};
+
+}  // namespace
+
+bool is_selected(const app::Editor& editor, const app::Stay& stay) {
+    return std::any_of(stay.events.begin(), stay.events.end(), [&](std::size_t i) {
+        return std::binary_search(editor.selected.begin(), editor.selected.end(), i);
+    });
+}
+
+void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stays) {
+    const auto found =
+        std::find_if(stays.begin(), stays.end(), [&](const auto& stay) { return is_selected(editor, stay); });
+    if (found != stays.end()) return EventForm(ui, editor, *found).build();
+    ui::label(
+        ui,
+        "Take a tool and hold it on the organ: what it does is recorded here. An event that is selected is edited "
+        "here.",
+        {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+}
+
+}  // namespace lapfx::panels
