@@ -28,6 +28,22 @@ struct Content {
 /// Whether both would be written as the same files.
 bool same(const Content& a, const Content& b);
 
+/// What lies on the disk under a document's name, to tell when another program has written there.
+struct OnDisk {
+    bool exists = false;
+    std::uint64_t hash = 0;  ///< of its bytes
+    friend bool operator==(const OnDisk&, const OnDisk&) = default;
+
+    /// As it is now. What cannot be read counts as not there.
+    static OnDisk of(const std::filesystem::path& file);
+};
+
+/// The document `file` is written to lies in this folder.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+/// How a document in `to` has to name what one in `from` calls `file`. Names without a folder are looked up on the search path and
+/// stay what they are unless the file lies beside the old document.
+std::string moved_path(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// One thing that was done.
 struct Step {
     std::string name;  ///< "Speed", "Move event"
@@ -46,6 +62,11 @@ class Document {
 
     /// Another content from these files (empty: none yet); what was done before is forgotten.
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
+    /// Another preset on the same scene; whether that one is saved stays what it is.
+    void open_preset(Preset preset, std::filesystem::path preset_file = {});
+    /// What was kept of an editor that ended before it was saved: it still is not. `scene`, `preset`: what lay on the disk then.
+    void recover(Content content, std::filesystem::path scene_file, std::filesystem::path preset_file, OnDisk scene,
+                 OnDisk preset);
 
     // --- changing --------------------------------------------------------------------------------------------------
     /// A gesture that is open already is committed first. Without any change no step is left.
@@ -94,10 +115,20 @@ class Document {
     bool scene_unsaved() const;  ///< differs from what was opened or saved
     bool preset_unsaved() const;
     bool unsaved() const { return scene_unsaved() || preset_unsaved(); }
-    /// Write, and note the file. Throw Error; then nothing changes but an open gesture, which is committed. Paths in them are
-    /// made to fit the new folder.
+    /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is committed.
+    /// Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens with.
     void save_preset(const std::filesystem::path& file);
     void save_scene(const std::filesystem::path& file);
+    /// Clips that a preset in this folder could not name, because they lie outside of it.
+    std::vector<std::string> clips_outside(const std::filesystem::path& folder) const;
+    /// As it was when it was opened or saved.
+    const OnDisk& scene_on_disk() const { return scene_disk_; }
+    const OnDisk& preset_on_disk() const { return preset_disk_; }
+    /// What lies there now is known and meant: the next saving does not ask.
+    void note_disk();
+    /// Left behind: they become documents without a file, which are not saved.
+    void forget_scene_file();
+    void forget_preset_file();
 
     /// What is wrong with the values as they are; places are JSON pointers. Of a preset, of a scene.
     std::vector<Fault> preset_faults() const;
@@ -106,6 +137,7 @@ class Document {
   private:
     void touched() { ++version_; }
     void set(const Content& content);
+    void forget_steps();
 
     Content content_;
     std::uint64_t version_ = 1;
@@ -115,6 +147,7 @@ class Document {
     std::string name_;
     Content before_;
     std::filesystem::path scene_file_, preset_file_;
+    OnDisk scene_disk_, preset_disk_;
     std::string saved_scene_, saved_preset_;  ///< their texts
     mutable std::uint64_t compared_ = 0;      ///< version for which the two below hold
     mutable bool scene_differs_ = false, preset_differs_ = false;
