@@ -6,6 +6,7 @@
 #include "app/autosave.h"
 #include "app/browser.h"
 #include "app/exports.h"
+#include "app/files.h"
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
@@ -37,8 +38,10 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       keying_(std::make_unique<KeyingBench>(*this)),
       reference_(std::make_unique<Reference>(*this)),
       exports_(std::make_unique<Exports>(*this)),
+      files_(std::make_unique<Files>(*this)),
       hot_reload_(std::make_unique<HotReload>(*this)) {
     timeline.loop = true;
+    document.set_clip_folders(options_.clip_folders);
 }
 
 Editor::~Editor() = default;
@@ -50,6 +53,7 @@ void Editor::set_ui(ui::Ui& ui) {
 }
 
 void Editor::open(const std::vector<std::string>& files) {
+    if (!files_->ready_to_open(files)) return;
     Opened opened{.content = document.content(),
                   .scene_file = document.scene_file(),
                   .preset_file = document.preset_file(),
@@ -59,11 +63,7 @@ void Editor::open(const std::vector<std::string>& files) {
     } catch (const Error& error) {
         return tell(error);
     }
-    document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
-    selected.clear();
-    looking.camera = document.scene().camera;
-    for (const std::string& file : files) settings_->note_recent(file);
-    for (const std::string& warning : opened.warnings) toasts.add({.kind = ui::ToastKind::warning, .text = warning});
+    files_->put(std::move(opened), files);
 }
 
 void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then) {
@@ -80,6 +80,7 @@ void Editor::build_file_dialog() {
 
 void Editor::tell(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
+    autosave_->soon();
 }
 
 double Editor::duration() const {
@@ -130,6 +131,7 @@ void Editor::update(double now) {
     if (now_ >= 0) advance(std::clamp(now - now_, 0.0, still_longest));
     now_ = now;
     tidy_gesture();
+    settings_->update(*this, now);
     if (!options_.exact) autosave_->update(now);
     browser_->update(now);
     keying_->update(now);

@@ -31,6 +31,7 @@ namespace lapfx::app {
 class Autosave;
 class Browser;
 class Exports;
+class Files;
 class HotReload;
 class KeyingBench;
 class Layouts;
@@ -96,11 +97,13 @@ class Editor {
     KeyingBench& keying() { return *keying_; }
     Reference& reference() { return *reference_; }
     Exports& exports() { return *exports_; }
+    Files& files() { return *files_; }  ///< new, open, save, close, and what they ask
     HotReload& hot_reload() { return *hot_reload_; }
     const EditorOptions& options() const { return options_; }
 
     // --- files ------------------------------------------------------------------------------------------------------
-    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts.
+    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts. Asks first when work
+    /// would be lost, or another editor has the file (app/files.h).
     void open(const std::vector<std::string>& files);
     /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked). While the
     /// UI is built: ui() must be there.
@@ -127,9 +130,9 @@ class Editor {
     /// The next frame comes at once: something moves by itself.
     bool wants_frame() const;
 
-    /// Closing: asks first when something is not saved.
+    /// Closing: the workspace then asks what is not saved (Files::close), or closes.
     void ask_to_close() { closing_ = true; }
-    bool closing() const { return closing_; }  ///< the question is open
+    bool closing() const { return closing_; }
     void stay() { closing_ = false; }
     void close() { closed_ = true; }
     bool closed() const { return closed_; }  ///< the window is to close
@@ -149,6 +152,7 @@ class Editor {
     std::unique_ptr<KeyingBench> keying_;
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Exports> exports_;
+    std::unique_ptr<Files> files_;
     std::unique_ptr<HotReload> hot_reload_;
     std::function<void(const std::vector<std::string>&)> file_asked_;
     double now_ = -1;

@@ -12,11 +12,6 @@ namespace {
 
 constexpr std::size_t longest_file = std::size_t{16} << 20U;  // of a document; more than is ever loaded
 
-void move_preset(Preset& preset, const fs::path& folder) {
-    for (SmokeClip& clip : preset.smoke.clips) clip.file = moved_path(clip.file, preset.folder, folder);
-    preset.folder = folder;
-}
-
 void move_scene(Scene& scene, const fs::path& folder) {
     for (std::string* path : {&scene.organ.file, &scene.tool.file, &scene.reference.file, &scene.preset})
         *path = moved_path(*path, scene.folder, folder);
@@ -55,6 +50,21 @@ std::string moved_path(const std::string& file, const fs::path& from, const fs::
     return error || relative.empty() ? fs::absolute(whole).string() : relative.generic_string();
 }
 
+std::string Document::moved_clip(const std::string& file, const fs::path& from, const fs::path& to) const {
+    const std::string moved = moved_path(file, from, to);
+    const fs::path whole = to / moved, name = whole.filename();
+    const auto shipped = [&](const fs::path& folder) {
+        std::error_code error;
+        return fs::equivalent(folder / name, whole, error);
+    };
+    return std::any_of(clip_folders_.begin(), clip_folders_.end(), shipped) ? name.string() : moved;
+}
+
+void Document::move(Preset& preset, const fs::path& folder) const {
+    for (SmokeClip& clip : preset.smoke.clips) clip.file = moved_clip(clip.file, preset.folder, folder);
+    preset.folder = folder;
+}
+
 bool same(const Content& a, const Content& b) {
     return write_scene(a.scene) == write_scene(b.scene) && write_preset(a.preset) == write_preset(b.preset);
 }
@@ -78,14 +88,14 @@ void Document::open_preset(Preset preset, fs::path preset_file) {
     forget_steps();
 }
 
-void Document::recover(Content content, fs::path scene_file, fs::path preset_file, OnDisk scene, OnDisk preset) {
-    content_ = std::move(content);
-    scene_file_ = std::move(scene_file);
-    preset_file_ = std::move(preset_file);
-    scene_disk_ = scene;
-    preset_disk_ = preset;
-    saved_scene_.clear();
-    saved_preset_.clear();
+void Document::recover(Recovered r) {
+    content_ = std::move(r.content);
+    scene_file_ = std::move(r.scene_file);
+    preset_file_ = std::move(r.preset_file);
+    scene_disk_ = r.scene_disk;
+    preset_disk_ = r.preset_disk;
+    saved_scene_ = r.scene_unsaved ? std::string() : write_scene(content_.scene);
+    saved_preset_ = r.preset_unsaved ? std::string() : write_preset(content_.preset);
     forget_steps();
 }
 
@@ -127,7 +137,7 @@ void Document::commit() {
     open_ = false;
     if (same(before_, content_)) return;
     steps_.resize(done_);
-    steps_.push_back({.name = std::move(name_), .before = std::move(before_), .after = content_});
+    steps_.push_back({.id = ++last_step_, .name = std::move(name_), .before = std::move(before_), .after = content_});
     if (steps_.size() > most_steps) steps_.erase(steps_.begin());
     done_ = steps_.size();
 }
@@ -142,7 +152,7 @@ void Document::set(const Content& content) {
     content_ = content;
     // Where the documents lie is no part of what is undone: they may have been saved elsewhere since.
     if (!scene_file_.empty()) move_scene(content_.scene, folder_of(scene_file_));
-    if (!preset_file_.empty()) move_preset(content_.preset, folder_of(preset_file_));
+    if (!preset_file_.empty()) move(content_.preset, folder_of(preset_file_));
     touched();
 }
 
@@ -182,7 +192,7 @@ bool Document::preset_unsaved() const {
 void Document::save_preset(const fs::path& file) {
     commit();
     Preset moved = content_.preset;
-    move_preset(moved, folder_of(file));
+    move(moved, folder_of(file));
     lapfx::save_preset(moved, file);
     const std::string text = write_preset(moved);
     if (write_preset(load_preset(file)) != text) fail_reading_back(file);
@@ -212,7 +222,7 @@ void Document::save_scene(const fs::path& file) {
 std::vector<std::string> Document::clips_outside(const fs::path& folder) const {
     std::vector<std::string> outside;
     for (const SmokeClip& clip : content_.preset.smoke.clips) {
-        const fs::path moved = moved_path(clip.file, content_.preset.folder, fs::absolute(folder).lexically_normal());
+        const fs::path moved = moved_clip(clip.file, content_.preset.folder, fs::absolute(folder).lexically_normal());
         const bool leaves = std::find(moved.begin(), moved.end(), "..") != moved.end();
         if (moved.is_absolute() || leaves) outside.push_back(clip.file);
     }

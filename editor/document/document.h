@@ -46,7 +46,8 @@ std::string moved_path(const std::string& file, const std::filesystem::path& fro
 
 /// One thing that was done.
 struct Step {
-    std::string name;  ///< "Speed", "Move event"
+    std::uint64_t id = 0;  ///< no other step of this document has it
+    std::string name;      ///< "Speed", "Move event"
     Content before, after;
 };
 
@@ -64,9 +65,14 @@ class Document {
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
     /// Another preset on the same scene; whether that one is saved stays what it is.
     void open_preset(Preset preset, std::filesystem::path preset_file = {});
-    /// What was kept of an editor that ended before it was saved: it still is not. `scene`, `preset`: what lay on the disk then.
-    void recover(Content content, std::filesystem::path scene_file, std::filesystem::path preset_file, OnDisk scene,
-                 OnDisk preset);
+    /// What was kept of an editor that ended before all was saved: what was not still is not.
+    struct Recovered {
+        Content content;
+        std::filesystem::path scene_file, preset_file;
+        OnDisk scene_disk, preset_disk;  ///< what lay there when it was opened or saved last
+        bool scene_unsaved = false, preset_unsaved = false;
+    };
+    void recover(Recovered recovered);
 
     // --- changing --------------------------------------------------------------------------------------------------
     /// A gesture that is open already is committed first. Without any change no step is left.
@@ -110,6 +116,10 @@ class Document {
     void go_to(std::size_t done);  ///< undoes or redoes until so many are in effect
 
     // --- files -----------------------------------------------------------------------------------------------------
+    /// Where bare names of clips are looked up: a clip that lies there is named so, wherever the preset goes.
+    void set_clip_folders(std::vector<std::filesystem::path> folders) { clip_folders_ = std::move(folders); }
+    /// The same preset for another folder: its clips are found from there.
+    void move(Preset& preset, const std::filesystem::path& folder) const;
     const std::filesystem::path& scene_file() const { return scene_file_; }
     const std::filesystem::path& preset_file() const { return preset_file_; }
     bool scene_unsaved() const;  ///< differs from what was opened or saved
@@ -138,11 +148,15 @@ class Document {
     void touched() { ++version_; }
     void set(const Content& content);
     void forget_steps();
+    std::string moved_clip(const std::string& file, const std::filesystem::path& from,
+                           const std::filesystem::path& to) const;
 
     Content content_;
+    std::vector<std::filesystem::path> clip_folders_;
     std::uint64_t version_ = 1;
     std::vector<Step> steps_;
     std::size_t done_ = 0;
+    std::uint64_t last_step_ = 0;
     bool open_ = false;
     std::string name_;
     Content before_;

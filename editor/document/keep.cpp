@@ -21,7 +21,8 @@ constexpr std::size_t snapshot_slots = 4;
 
 std::string hex(std::uint64_t value) {
     std::string text;
-    for (int shift = 60; shift >= 0; shift -= 4) text += "0123456789abcdef"[(value >> static_cast<unsigned>(shift)) & 15U];
+    for (int shift = 60; shift >= 0; shift -= 4)
+        text += "0123456789abcdef"[(value >> static_cast<unsigned>(shift)) & 15U];
     return text;
 }
 
@@ -224,10 +225,11 @@ std::vector<LeftBehind> find_left_behind(const fs::path& folder) {
             std::optional<Lock> lock = Lock::take(session.folder / "lock");
             if (!lock) continue;
             const auto time = std::chrono::file_clock::to_sys(session.time);
-            found.push_back({.folder = session.folder,
-                             .lock = std::move(*lock),
-                             .files = std::move(session.files),
-                             .time = std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count()});
+            found.push_back(
+                {.folder = session.folder,
+                 .lock = std::move(*lock),
+                 .files = std::move(session.files),
+                 .time = std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count()});
         } catch (const Error&) {
             continue;  // a folder that cannot be locked cannot be taken over either
         }
@@ -239,8 +241,7 @@ void discard(LeftBehind left) {
     std::error_code error;
     for (const fs::path& file : left.files) {
         fs::remove(file, error);
-        if (error)
-            throw Error(Failure::runtime, Fault{file.string(), "", "cannot be removed: " + error.message()});
+        if (error) throw Error(Failure::runtime, Fault{file.string(), "", "cannot be removed: " + error.message()});
     }
     { const Lock released = std::move(left.lock); }
     fs::remove(left.folder, error);

@@ -24,7 +24,8 @@ namespace {
 
 /// Whoever held it before may have taken the file away meanwhile: then this is a lock on nothing.
 bool still_there(int descriptor, const fs::path& file) {
-    struct stat mine {}, named {};
+    struct stat mine {
+    }, named{};
     return ::fstat(descriptor, &mine) == 0 && ::stat(file.c_str(), &named) == 0 && mine.st_ino == named.st_ino &&
            mine.st_dev == named.st_dev;
 }
@@ -60,8 +61,7 @@ std::optional<Lock> Lock::take(const fs::path& file) {
     return std::nullopt;
 }
 
-Lock::Lock(Lock&& other) noexcept
-    : descriptor_(std::exchange(other.descriptor_, -1)), file_(std::move(other.file_)) {}
+Lock::Lock(Lock&& other) noexcept : descriptor_(std::exchange(other.descriptor_, -1)), file_(std::move(other.file_)) {}
 
 Lock& Lock::operator=(Lock&& other) noexcept {
     if (this == &other) return *this;
@@ -88,7 +88,8 @@ fs::path lock_file(const fs::path& state_folder, const fs::path& document) {
     std::uint64_t hash = 0xcbf29ce484222325ULL;  // FNV-1a
     for (const char c : whole.string()) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
     std::string name;
-    for (int shift = 60; shift >= 0; shift -= 4) name += "0123456789abcdef"[(hash >> static_cast<unsigned>(shift)) & 15U];
+    for (int shift = 60; shift >= 0; shift -= 4)
+        name += "0123456789abcdef"[(hash >> static_cast<unsigned>(shift)) & 15U];
     return state_folder / "locks" / (name + ".lock");
 }
 

@@ -140,8 +140,7 @@ std::optional<Value> value_from(const Parameter& row, const Json& json) {
             return json.is_boolean() ? std::optional<Value>(json.get<bool>()) : std::nullopt;
         case Kind::choice: {
             if (!json.is_string()) return std::nullopt;
-            const auto found =
-                std::find(row.choices.begin(), row.choices.end(), json.get_ref<const std::string&>());
+            const auto found = std::find(row.choices.begin(), row.choices.end(), json.get_ref<const std::string&>());
             if (found == row.choices.end()) return std::nullopt;
             return static_cast<int>(found - row.choices.begin());
         }
@@ -254,8 +253,7 @@ void copy(const Table& table, void* to, const void* from) {
 void erase(const Table& list, void* vector, std::size_t index) {
     const std::size_t size = list.list->size(vector);
     if (index >= size) return;
-    for (std::size_t i = index; i + 1 < size; ++i)
-        copy(list, list.list->at(vector, i), list.list->at(vector, i + 1));
+    for (std::size_t i = index; i + 1 < size; ++i) copy(list, list.list->at(vector, i), list.list->at(vector, i + 1));
     list.list->resize(vector, size - 1);
 }
 

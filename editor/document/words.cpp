@@ -12,7 +12,8 @@ namespace {
 
 using Pair = std::pair<std::size_t, std::size_t>;
 constexpr std::size_t none = ~std::size_t{0};
-constexpr std::size_t most_matched = 400 * 400;  // cells of the table that matches elements; beyond it they are paired in order
+constexpr std::size_t most_matched =
+    400 * 400;  // cells of the table that matches elements; beyond it they are paired in order
 
 const void* element(const Table& list, const void* vector, std::size_t index) {
     return list.list->at(const_cast<void*>(vector), index);  // only the address is taken
@@ -267,9 +268,8 @@ std::string summary(const std::vector<Difference>& all) {
         return d.kind == Difference::Kind::value || d.kind == Difference::Kind::part;
     });
     if (!values) return counted(all.size(), "change");
-    const bool one_item = !first.item.empty() && std::all_of(all.begin(), all.end(), [&](const Difference& d) {
-        return d.item == first.item;
-    });
+    const bool one_item = !first.item.empty() && std::all_of(all.begin(), all.end(),
+                                                             [&](const Difference& d) { return d.item == first.item; });
     if (one_item && all.size() == 2)
         return inside_brackets(first.item) + ", " + all[0].row + ' ' + change_text(all[0]) + ", " + all[1].row + ' ' +
                change_text(all[1]);

@@ -28,8 +28,11 @@ void menus(ui::Ui& ui, app::Editor& editor) {
         if (!any) continue;
         const ui::BarMenu menu(ui, group);
         if (!menu) continue;
-        for (std::size_t i = 0; i < editor.commands.size(); ++i)
-            if (editor.commands[i].group == group) ui::command_item(ui, editor.commands, editor.commands[i].id);
+        for (std::size_t i = 0; i < editor.commands.size(); ++i) {
+            if (editor.commands[i].group != group) continue;
+            ui::command_item(ui, editor.commands, editor.commands[i].id);
+            if (editor.commands[i].id == "file.open") recent_files_menu(ui, editor);
+        }
     }
 }
 
