@@ -1,5 +1,17 @@
 // What is not saved yet, kept in the user's state folder, and offered again after a crash.
+//
+// Kept 20 s after a change, when something went wrong, and once more when it has been saved. Written on a thread of its own. What
+// is kept goes when the editor ends with everything saved or given up by choice (end()); after a crash it stays, and find() of the
+// next editor offers it. What was recovered stays as well, until the recovered work is saved.
 #pragma once
+
+#include <cstdint>
+#include <limits>
+#include <string>
+#include <vector>
+
+#include "app/jobs.h"
+#include "document/keep.h"
 
 namespace lapfx::app {
 
@@ -7,13 +19,53 @@ class Editor;
 
 class Autosave {
   public:
-    explicit Autosave(Editor& editor) : editor_(editor) {}
+    static constexpr double wait = 20;  ///< s from a change until it is kept
+
+    explicit Autosave(Editor& editor);
+    ~Autosave();
+
     /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+    void update(double now);
+    /// When update() is wanted at the latest, s; infinite: nothing has to be kept.
+    double due() const { return due_; }
+    /// With the next update(): something has gone wrong.
+    void soon();
+    /// At once, and waits for it: the editor is about to end by a fault. Never throws.
+    void write_now() noexcept;
+    /// Everything was saved, or given up by choice: nothing is kept any longer.
+    void end();
+
+    // --- after a crash ----------------------------------------------------------------------------------------------
+    /// What an ended editor left, and nobody else is offered now.
+    struct Offer {
+        document::LeftBehind left;
+        document::Kept kept;
+        std::string name;                ///< "lagb.scene.json, my_bleed.json"
+        std::string unsaved;             ///< "scene and preset"
+        std::vector<std::string> notes;  ///< what could not be read of it
+    };
+    /// Looks for it. For the start of the program; reads files.
+    void find();
+    const std::vector<Offer>& offers() const { return offers_; }
+    /// Becomes the document; the others wait for the next start.
+    void recover(std::size_t offer);
+    void discard(std::size_t offer);
+    void keep_for_later() { offers_.clear(); }
 
   private:
+    std::uint64_t state() const;  ///< changes with what is to be kept
+    document::Kept kept() const;
+    void write(double now);
+    void failed(const std::string& reason);
+
     Editor& editor_;
+    document::KeepFolder folder_;  ///< of the writer's thread, but when nothing runs there
+    std::uint64_t seen_ = 0;       ///< state() when it was last looked at
+    bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;
+    double due_ = std::numeric_limits<double>::infinity();
+    std::vector<Offer> offers_;
+    std::vector<document::LeftBehind> recovered_;
+    Jobs writer_;  ///< last: its thread ends first
 };
 
 }  // namespace lapfx::app

@@ -7,6 +7,7 @@
 #include "app/autosave.h"
 #include "app/browser.h"
 #include "app/exports.h"
+#include "app/files.h"
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
@@ -42,9 +43,11 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       organ_choice_(std::make_unique<OrganChoice>(*this)),
       reference_(std::make_unique<Reference>(*this)),
       exports_(std::make_unique<Exports>(*this)),
+      files_(std::make_unique<Files>(*this)),
       hot_reload_(std::make_unique<HotReload>(*this)),
       meter_(std::make_unique<Meter>()) {
     timeline.loop = true;
+    document.set_clip_folders(options_.clip_folders);
 }
 
 Editor::~Editor() = default;
@@ -58,6 +61,7 @@ void Editor::set_ui(ui::Ui& ui) {
 
 void Editor::open(const std::vector<std::string>& files) {
     if (files.size() == 1 && is_organ_name(files.front())) return open_organ(files.front());
+    if (!files_->ready_to_open(files)) return;
     Opened opened{.content = document.content(),
                   .scene_file = document.scene_file(),
                   .preset_file = document.preset_file(),
@@ -67,11 +71,7 @@ void Editor::open(const std::vector<std::string>& files) {
     } catch (const Error& error) {
         return tell(error);
     }
-    document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
-    selected.clear();
-    looking.camera = document.scene().camera;
-    for (const std::string& file : files) settings_->note_recent(file);
-    for (const std::string& warning : opened.warnings) toasts.add({.kind = ui::ToastKind::warning, .text = warning});
+    files_->put(std::move(opened), files);
 }
 
 void Editor::open_organ(const std::filesystem::path& file) {
@@ -93,6 +93,7 @@ void Editor::build_file_dialog() {
 
 void Editor::tell(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
+    autosave_->soon();
 }
 
 double Editor::duration() const {
@@ -144,6 +145,7 @@ void Editor::update(double now) {
     now_ = now;
     hold.update(*this, ui_ != nullptr && ui_->held() != 0);
     tidy_gesture();
+    settings_->update(*this, now);
     if (!options_.exact) autosave_->update(now);
     amounts_->update(now);
     browser_->update(now);

@@ -33,6 +33,7 @@ class AmountsOverTime;
 class Autosave;
 class Browser;
 class Exports;
+class Files;
 class HotReload;
 class KeyingBench;
 class Layouts;
@@ -105,11 +106,13 @@ class Editor {
     OrganChoice& organ_choice() { return *organ_choice_; }  ///< of the organ dialog
     Exports& exports() { return *exports_; }
     Meter& meter() { return *meter_; }  ///< what a frame costs
+    Files& files() { return *files_; }  ///< new, open, save, close, and what they ask
     HotReload& hot_reload() { return *hot_reload_; }
     const EditorOptions& options() const { return options_; }
 
     // --- files ------------------------------------------------------------------------------------------------------
-    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts.
+    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts. Asks first when work
+    /// would be lost, or another editor has the file (app/files.h).
     void open(const std::vector<std::string>& files);
     /// An organ, by the dialog that sets its unit and orientation.
     void open_organ(const std::filesystem::path& file);
@@ -138,9 +141,9 @@ class Editor {
     /// The next frame comes at once: something moves by itself.
     bool wants_frame() const;
 
-    /// Closing: asks first when something is not saved.
+    /// Closing: the workspace then asks what is not saved (Files::close), or closes.
     void ask_to_close() { closing_ = true; }
-    bool closing() const { return closing_; }  ///< the question is open
+    bool closing() const { return closing_; }
     void stay() { closing_ = false; }
     void close() { closed_ = true; }
     bool closed() const { return closed_; }  ///< the window is to close
@@ -163,6 +166,7 @@ class Editor {
     std::unique_ptr<OrganChoice> organ_choice_;
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Exports> exports_;
+    std::unique_ptr<Files> files_;
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;
     std::function<void(const std::vector<std::string>&)> file_asked_;

@@ -100,11 +100,13 @@ bool Layouts::keep(const std::string& name) {
     if (name.empty() || standard(name)) return false;
     remove(name);
     own_.push_back({.name = name, .layout = shown});
+    ++version_;
     name_ = name;
     return true;
 }
 
 bool Layouts::remove(const std::string& name) {
+    ++version_;
     return std::erase_if(own_, [&](const ui::NamedLayout& own) { return same_name(own.name, name); }) > 0;
 }
 

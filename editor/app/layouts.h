@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -33,9 +34,12 @@ class Layouts {
     bool remove(const std::string& name);
     bool standard(std::string_view name) const;
     const std::vector<ui::NamedLayout>& own() const { return own_; }
-    void set_own(std::vector<ui::NamedLayout> own) { own_ = std::move(own); }
+    void set_own(std::vector<ui::NamedLayout> own) { own_ = std::move(own), ++version_; }
+    /// Grows with every change of own().
+    std::uint32_t version() const { return version_; }
 
   private:
+    std::uint32_t version_ = 0;
     std::string name_;
     std::vector<ui::NamedLayout> own_;
 };

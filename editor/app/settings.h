@@ -1,16 +1,25 @@
-// What the user chose, kept in the config folder.
+// What the user chose, kept as settings.json in the config folder: read at start, written a moment after it has changed.
+//
+//     Settings settings(folders);         // as it was left; a broken file is put aside and told
+//     settings.connect(editor);           // once all commands are there: layouts, keys, folders of the file dialog
+//     each frame:  settings.update(editor, now);
 #pragma once
 
+#include <cstdint>
+#include <limits>
 #include <string>
 #include <vector>
 
 #include "document/folders.h"
+#include "ui/widgets/dock_layout.h"
 
 namespace lapfx::app {
 
+class Editor;
+
 class Settings {
   public:
-    explicit Settings(document::Folders folders) : folders_(std::move(folders)) {}
+    explicit Settings(document::Folders folders);
 
     bool light = false;  ///< theme
     float scale = 0;     ///< of the UI; 0: the screen's
@@ -26,8 +35,38 @@ class Settings {
     void note_recent(const std::string& file);
     const document::Folders& folders() const { return folders_; }
 
+    /// Applies what belongs to other parts of the editor, and tells what was wrong. Before it nothing is written.
+    void connect(Editor& editor);
+    /// Once before each frame. `now`: s.
+    void update(Editor& editor, double now);
+    /// When update() is wanted at the latest, s; infinite: there is nothing to write.
+    double due() const { return due_; }
+    /// At once, if anything has changed. What fails is told once.
+    void write(Editor& editor);
+
   private:
+    /// All that is written, to see whether it has changed without making a text of it each frame.
+    struct State {
+        bool light = false, reduced_motion = false, hint_seen = false;
+        float scale = 0;
+        std::vector<std::string> recent, favourites, file_folders;
+        std::string layout_name;
+        ui::DockLayout shown;
+        std::uint32_t commands = 0, own_layouts = 0;  ///< versions
+        friend bool operator==(const State&, const State&) = default;
+    };
+    void read();
+    void apply(const std::string& text);
+    State state(Editor& editor) const;
+    std::string text(Editor& editor) const;
+
     document::Folders folders_;
+    std::string read_;  ///< the file's text: what is unknown in it is kept
+    std::string layouts_text_, keys_text_, layout_name_;
+    std::vector<std::string> file_folders_, faults_;
+    State written_;
+    bool connected_ = false, told_ = false;
+    double due_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace lapfx::app

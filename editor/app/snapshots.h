@@ -1,5 +1,17 @@
 // Four states of the preset, A to D, to go back to and to compare.
+//
+//     editor.snapshots().keep(0);  // as A
+//     editor.snapshots().show(0);  // one undo step "Snapshot A"; once more: back to what was there before
 #pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "document/keep.h"
+#include "lapfx/preset.h"
 
 namespace lapfx::app {
 
@@ -7,13 +19,41 @@ class Editor;
 
 class Snapshots {
   public:
+    static constexpr std::size_t count = 4;
+    static constexpr std::array<const char*, count> names = {"A", "B", "C", "D"};
+
     explicit Snapshots(Editor& editor) : editor_(editor) {}
-    /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+
+    struct Snapshot {
+        Preset preset;
+        std::int64_t time = 0;  ///< when it was kept, s since 1970, UTC
+    };
+    const std::optional<Snapshot>& at(std::size_t slot) const { return all_[slot]; }
+    void keep(std::size_t slot);
+    void clear(std::size_t slot);
+    /// The document's preset becomes this one. It is already: then what was there before a snapshot was shown comes back.
+    void show(std::size_t slot);
+    /// The preset, as the document would have it: its clips are found from the document's folder.
+    Preset preset(std::size_t slot) const;
+    /// Whether the document's preset is just this one.
+    bool shown(std::size_t slot) const;
+
+    /// For autosave.
+    std::vector<document::KeptSnapshot> kept() const;
+    void restore(const std::vector<document::KeptSnapshot>& kept);
+    /// Grows with every change.
+    std::uint64_t version() const { return version_; }
 
   private:
+    std::string text_of(std::size_t slot) const;
+
     Editor& editor_;
+    std::array<std::optional<Snapshot>, count> all_;
+    std::optional<Preset> before_;  ///< a snapshot was shown
+    std::uint64_t version_ = 1;
+    // What shown() answers, for these versions of document and snapshots.
+    mutable std::uint64_t compared_document_ = 0, compared_ = 0;
+    mutable std::array<bool, count> same_{};
 };
 
 }  // namespace lapfx::app

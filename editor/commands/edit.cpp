@@ -1,6 +1,8 @@
 // lapfx edit: the editor, in a window or as a picture of it.
 #include <iostream>
 
+#include "app/autosave.h"
+#include "app/files.h"
 #include "app/layouts.h"
 #include "app/meter.h"
 #include "app/open.h"
@@ -59,6 +61,15 @@ void write_screenshot(const Options& o) {
     write_png(o.screenshot, headless.picture());
 }
 
+/// The keys of the window change it, and so may the settings: whichever is another one than `agreed` counts.
+void follow_scale(window::UiWindow& window, app::Settings& settings, float& agreed) {
+    if (settings.scale != agreed)
+        window.set_scale(settings.scale);
+    else
+        settings.scale = window.chosen_scale();
+    agreed = settings.scale;
+}
+
 void show_window(const Options& o) {
     app::Opened opened = open_all(o.files);
     ui::ImageStore images;
@@ -78,23 +89,34 @@ void show_window(const Options& o) {
     panels::add_commands(*editor);
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);
-    window.run({.update =
-                    [&](double now) {
-                        editor->meter().ui = window.statistics().ui_seconds;
-                        if (o.scale == 0) window.set_user_scale(editor->settings().scale);
-                        editor->update(now);
-                    },
-                .build =
-                    [&](ui::Ui& u) {
-                        panels::workspace(u, *editor);
-                        if (editor->closed()) window.close();
-                    },
-                .draw = [&] { return editor->draw(); },
-                .may_close =
-                    [&] {
-                        editor->ask_to_close();
-                        return editor->closed();
-                    }});
+    app::Settings& settings = editor->settings();
+    if (o.scale <= 0) window.set_scale(settings.scale);
+    float scale = settings.scale;
+    editor->files().note_opened();
+    editor->autosave().find();
+    const window::UiProgram program{.update =
+                                        [&](double now) {
+                                            if (o.scale <= 0) follow_scale(window, settings, scale);
+                                            editor->update(now);
+                                            window.set_title(editor->files().title());
+                                        },
+                                    .build =
+                                        [&](ui::Ui& u) {
+                                            panels::workspace(u, *editor);
+                                            if (editor->closed()) window.close();
+                                        },
+                                    .draw = [&] { return editor->draw(); },
+                                    .may_close =
+                                        [&] {
+                                            editor->ask_to_close();
+                                            return editor->closed();
+                                        }};
+    try {
+        window.run(program);
+    } catch (...) {
+        editor->autosave().write_now();
+        throw;
+    }
 }
 
 void run(const Options& o) {

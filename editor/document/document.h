@@ -28,9 +28,26 @@ struct Content {
 /// Whether both would be written as the same files.
 bool same(const Content& a, const Content& b);
 
+/// What lies on the disk under a document's name, to tell when another program has written there.
+struct OnDisk {
+    bool exists = false;
+    std::uint64_t hash = 0;  ///< of its bytes
+    friend bool operator==(const OnDisk&, const OnDisk&) = default;
+
+    /// As it is now. What cannot be read counts as not there.
+    static OnDisk of(const std::filesystem::path& file);
+};
+
+/// The document `file` is written to lies in this folder.
+std::filesystem::path folder_of(const std::filesystem::path& file);
+/// How a document in `to` has to name what one in `from` calls `file`. Names without a folder are looked up on the search path and
+/// stay what they are unless the file lies beside the old document.
+std::string moved_path(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to);
+
 /// One thing that was done.
 struct Step {
-    std::string name;  ///< "Speed", "Move event"
+    std::uint64_t id = 0;  ///< no other step of this document has it
+    std::string name;      ///< "Speed", "Move event"
     Content before, after;
 };
 
@@ -46,6 +63,16 @@ class Document {
 
     /// Another content from these files (empty: none yet); what was done before is forgotten.
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
+    /// Another preset on the same scene; whether that one is saved stays what it is.
+    void open_preset(Preset preset, std::filesystem::path preset_file = {});
+    /// What was kept of an editor that ended before all was saved: what was not still is not.
+    struct Recovered {
+        Content content;
+        std::filesystem::path scene_file, preset_file;
+        OnDisk scene_disk, preset_disk;  ///< what lay there when it was opened or saved last
+        bool scene_unsaved = false, preset_unsaved = false;
+    };
+    void recover(Recovered recovered);
 
     // --- changing --------------------------------------------------------------------------------------------------
     /// A gesture that is open already is committed first. Without any change no step is left.
@@ -89,16 +116,30 @@ class Document {
     void go_to(std::size_t done);  ///< undoes or redoes until so many are in effect
 
     // --- files -----------------------------------------------------------------------------------------------------
+    /// Where bare names of clips are looked up: a clip that lies there is named so, wherever the preset goes.
+    void set_clip_folders(std::vector<std::filesystem::path> folders) { clip_folders_ = std::move(folders); }
+    /// The same preset for another folder: its clips are found from there.
+    void move(Preset& preset, const std::filesystem::path& folder) const;
     const std::filesystem::path& scene_file() const { return scene_file_; }
     const std::filesystem::path& preset_file() const { return preset_file_; }
     bool scene_unsaved() const;  ///< differs from what was opened or saved
     bool preset_unsaved() const;
     bool unsaved() const { return scene_unsaved() || preset_unsaved(); }
     const std::string& saved_preset_text() const { return saved_preset_; }  ///< as it was opened or saved
-    /// Write, and note the file. Throw Error; then nothing changes but an open gesture, which is committed. Paths in them are
-    /// made to fit the new folder.
+    /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is committed.
+    /// Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens with.
     void save_preset(const std::filesystem::path& file);
     void save_scene(const std::filesystem::path& file);
+    /// Clips that a preset in this folder could not name, because they lie outside of it.
+    std::vector<std::string> clips_outside(const std::filesystem::path& folder) const;
+    /// As it was when it was opened or saved.
+    const OnDisk& scene_on_disk() const { return scene_disk_; }
+    const OnDisk& preset_on_disk() const { return preset_disk_; }
+    /// What lies there now is known and meant: the next saving does not ask.
+    void note_disk();
+    /// Left behind: they become documents without a file, which are not saved.
+    void forget_scene_file();
+    void forget_preset_file();
 
     /// What is wrong with the values as they are; places are JSON pointers. Of a preset, of a scene.
     std::vector<Fault> preset_faults() const;
@@ -107,15 +148,21 @@ class Document {
   private:
     void touched() { ++version_; }
     void set(const Content& content);
+    void forget_steps();
+    std::string moved_clip(const std::string& file, const std::filesystem::path& from,
+                           const std::filesystem::path& to) const;
 
     Content content_;
+    std::vector<std::filesystem::path> clip_folders_;
     std::uint64_t version_ = 1;
     std::vector<Step> steps_;
     std::size_t done_ = 0;
+    std::uint64_t last_step_ = 0;
     bool open_ = false;
     std::string name_;
     Content before_;
     std::filesystem::path scene_file_, preset_file_;
+    OnDisk scene_disk_, preset_disk_;
     std::string saved_scene_, saved_preset_;  ///< their texts
     mutable std::uint64_t compared_ = 0;      ///< version for which the two below hold
     mutable bool scene_differs_ = false, preset_differs_ = false;

@@ -28,13 +28,7 @@ void add_commands(app::Editor& editor) {
     add_snapshot_commands(editor);
     add_export_commands(editor);
     add_window_commands(editor);
-}
-
-void add_file_commands(app::Editor& editor) {
-    editor.commands.add(
-        {.id = "file.quit", .title = "Quit", .group = "File", .chord = {key_of('Q'), Mods::command}, .run = [&editor] {
-             editor.ask_to_close();
-         }});
+    editor.settings().connect(editor);  // keys of the user's
 }
 
 void add_edit_commands(app::Editor& editor) {

@@ -1,10 +1,83 @@
+// All that was done since the document was opened, in words. A click, or Enter, goes back or forth to the state after that step.
+#include <unordered_map>
+
+#include "app/layouts.h"
+#include "document/words.h"
 #include "panels/panels.h"
-#include "ui/widgets/basic.h"
+#include "ui/widgets/table.h"
 
 namespace lapfx::panels {
 
-void history_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "history_panel");
+namespace {
+
+struct HistoryState {
+    ui::TableState table;
+    std::size_t done = 0;
+    std::uint64_t newest = 0;
+    std::unordered_map<std::uint64_t, std::string> changes;  ///< by step, of those that were in sight
+};
+
+/// Words are worth keeping: they come from comparing two whole documents.
+const std::string& change_of(HistoryState& state, const document::Step& step) {
+    constexpr std::size_t most = 2 * document::Document::most_steps;
+    if (state.changes.size() > most) state.changes.clear();
+    const auto [found, fresh] = state.changes.try_emplace(step.id);
+    if (fresh) found->second = document::change_of(step);
+    return found->second;
+}
+
+ui::TableCell cell_of(HistoryState& state, const document::Document& document, std::size_t row, std::size_t column) {
+    const bool current = row == document.done();
+    const ui::Tone tone = row > document.done() ? ui::Tone::dim : ui::Tone::normal;
+    if (row == 0)
+        return {.text = column == 0 ? "As opened" : "",
+                .icon = column == 0 && current ? ui::Icon::chevron_right : ui::Icon::none,
+                .tone = tone};
+    const document::Step& step = document.steps()[row - 1];
+    if (column == 0)
+        return {.text = step.name, .icon = current ? ui::Icon::chevron_right : ui::Icon::none, .tone = tone};
+    return {.text = change_of(state, step), .tone = tone};
+}
+
+void head(ui::Ui& ui, app::Editor& editor) {
+    const document::Document& document = editor.document;
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const std::size_t count = document.steps().size();
+    std::string text = std::to_string(count) + (count == 1 ? " step" : " steps");
+    if (document.done() < count) text += ", " + std::to_string(count - document.done()) + " undone";
+    ui::label(ui, text, {.tone = ui::Tone::dim, .number = true});
+    ui::spacer(ui);
+    ui::command_button(ui, editor.commands, "edit.undo", true);
+    ui::command_button(ui, editor.commands, "edit.redo", true);
+}
+
+}  // namespace
+
+void history_panel(ui::Ui& ui, app::Editor& editor) {
+    document::Document& document = editor.document;
+    HistoryState& state = ui.memory<HistoryState>(ui::hash_bytes(0, "history"));
+    const ui::Panel panel(ui, "History");
+    head(ui, editor);
+    const auto key_of = [&](std::size_t row) { return row == 0 ? 0 : document.steps()[row - 1].id; };
+    if (const std::uint64_t newest = key_of(document.steps().size());
+        state.done != document.done() || state.newest != newest) {
+        state.done = document.done();
+        state.newest = newest;
+        state.table.selection.only(key_of(document.done()));
+    }
+    constexpr std::array columns = {
+        ui::TableColumn{"Step", 11, ui::Align::start, false, "What was done, the oldest first."},
+        ui::TableColumn{"Change", 18, ui::Align::start, false, "What became of it: the old value and the new one."}};
+    const ui::RowList::KeyOf key(key_of);
+    const auto events = ui::table(
+        ui, "Steps", state.table, columns, document.steps().size() + 1,
+        [&](std::size_t row, std::size_t column) { return cell_of(state, document, row, column); }, {.key_of = &key});
+    std::size_t target = events.opened;
+    // Arrows only look; a press goes there.
+    if (events.selected && ui.held() != 0 && events.hovered != ui::no_row) target = events.hovered;
+    if (target == ui::no_row || target == document.done()) return;
+    document.go_to(target);
+    ui.build_again();
 }
 
 }  // namespace lapfx::panels

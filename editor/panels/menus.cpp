@@ -22,13 +22,15 @@ bool begins_part(std::string_view id) {
     return std::find(parts.begin(), parts.end(), id) != parts.end();
 }
 
-void items(ui::Ui& ui, ui::CommandTable& commands, std::string_view group) {
+void items(ui::Ui& ui, app::Editor& editor, std::string_view group) {
+    ui::CommandTable& commands = editor.commands;
     bool any = false;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         if (commands[i].group != group) continue;
         if (any && begins_part(commands[i].id)) ui::menu_separator(ui);
         any = true;
         ui::command_item(ui, commands, commands[i].id);
+        if (commands[i].id == "file.open") recent_files_menu(ui, editor);
     }
 }
 
@@ -40,7 +42,7 @@ void menu_bar(ui::Ui& ui, app::Editor& editor) {
         bool any = false;
         for (std::size_t i = 0; i < editor.commands.size() && !any; ++i) any = editor.commands[i].group == group;
         if (!any) continue;
-        if (const ui::BarMenu menu(ui, group); menu) items(ui, editor.commands, group);
+        if (const ui::BarMenu menu(ui, group); menu) items(ui, editor, group);
     }
 }
 

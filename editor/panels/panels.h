@@ -39,6 +39,8 @@ void settings_dialog(ui::Ui& ui, app::Editor& editor);
 
 // --- commands ------------------------------------------------------------------------------------------------------------
 void add_file_commands(app::Editor& editor);
+/// In the File menu: the files opened last.
+void recent_files_menu(ui::Ui& ui, app::Editor& editor);
 void add_edit_commands(app::Editor& editor);
 void add_view_commands(app::Editor& editor);
 void add_play_commands(app::Editor& editor);

@@ -1,12 +1,189 @@
+// Snapshots A to D of the preset: kept, shown with one key, and compared in words.
+#include "app/snapshots.h"
+
+#include "app/layouts.h"
+#include "document/words.h"
 #include "panels/panels.h"
-#include "ui/widgets/basic.h"
+#include "ui/shell/file_system.h"
+#include "ui/widgets/table.h"
 
 namespace lapfx::panels {
 
-void snapshots_panel(ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {
-    ui::label(ui, "snapshots_panel");
+namespace {
+
+using app::Snapshots;
+using ui::key_of;
+using ui::Mods;
+
+constexpr int now = static_cast<int>(Snapshots::count);
+constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", "C", "D", "Now"};
+
+struct SnapshotsState {
+    int left = 0, right = now;
+    ui::TableState table;
+    std::vector<document::Difference> differences;
+    // What they were found between.
+    int compared_left = -1, compared_right = -1;
+    std::uint64_t document = 0, snapshots = 0;
+    std::string text;
+};
+
+bool there(Snapshots& snapshots, int side) {
+    return side == now || snapshots.at(static_cast<std::size_t>(side)).has_value();
 }
 
-void add_snapshot_commands([[maybe_unused]] app::Editor& editor) {}
+Preset preset_of(app::Editor& editor, int side) {
+    return side == now ? editor.document.preset() : editor.snapshots().preset(static_cast<std::size_t>(side));
+}
+
+void compare(app::Editor& editor, SnapshotsState& s) {
+    Snapshots& snapshots = editor.snapshots();
+    if (s.compared_left == s.left && s.compared_right == s.right && s.document == editor.document.version() &&
+        s.snapshots == snapshots.version())
+        return;
+    s.compared_left = s.left;
+    s.compared_right = s.right;
+    s.document = editor.document.version();
+    s.snapshots = snapshots.version();
+    s.differences.clear();
+    if (there(snapshots, s.left) && there(snapshots, s.right))
+        s.differences = document::differences(preset_of(editor, s.left), preset_of(editor, s.right));
+}
+
+void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_t slot) {
+    Snapshots& snapshots = editor.snapshots();
+    const auto& snapshot = snapshots.at(slot);
+    const std::string letter = Snapshots::names[slot];
+    ui.push_seed(letter);
+    {
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::Place::center});
+        if (ui::button(ui, "Show " + letter,
+                       {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
+                        .on = snapshots.shown(slot)}) &&
+            snapshot)
+            snapshots.show(slot);
+        if (snapshot) ui::date_text(snapshot->time, state.text);
+        ui::label(ui,
+                  !snapshot                       ? "empty"
+                  : snapshot->preset.name.empty() ? "unnamed"
+                                                  : snapshot->preset.name,
+                  {.tone = snapshot ? ui::Tone::normal : ui::Tone::dim, .width = ui::grow()});
+        if (snapshot)
+            ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
+        if (ui::button(ui, "Keep " + letter,
+                       {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
+                                        : "Keeps the preset as it is now."}))
+            snapshots.keep(slot);
+        ui.push_disabled(!snapshots.at(slot).has_value());
+        if (ui::icon_button(ui, ui::Icon::cross, "Clear " + letter, {.quiet = true})) snapshots.clear(slot);
+        ui.pop_disabled();
+    }
+    ui.pop_seed();
+}
+
+/// Of the left side, into the preset; as one step.
+void take(app::Editor& editor, const SnapshotsState& state, const document::Difference& difference) {
+    const Preset source = preset_of(editor, state.left);
+    for (const document::Difference& d : document::differences(source, editor.document.preset())) {
+        if (d.kind != difference.kind || d.before_at != difference.before_at) continue;
+        const std::string from = std::string(sides[static_cast<std::size_t>(state.left)]);
+        editor.document.change(d.row + " of snapshot " + from,
+                               [&](document::Content& c) { document::take_back(c.preset, source, d); });
+        return;
+    }
+}
+
+ui::TableCell cell_of(const document::Difference& d, std::size_t column) {
+    using Kind = document::Difference::Kind;
+    if (column == 0) return {.text = d.name};
+    const std::string& text = column == 1 ? d.before : d.after;
+    const bool missing = (d.kind == Kind::added && column == 1) || (d.kind == Kind::removed && column == 2);
+    return {.text = missing ? std::string_view("not there") : std::string_view(text),
+            .tone = missing ? ui::Tone::dim : ui::Tone::normal};
+}
+
+void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
+    const auto left = static_cast<std::size_t>(s.left), right = static_cast<std::size_t>(s.right);
+    const std::array columns = {
+        ui::TableColumn{"Parameter", 13, ui::Align::start, false},
+        ui::TableColumn{sides[left], 6, ui::Align::start, false},
+        ui::TableColumn{s.left == s.right ? "the same" : sides[right], 6, ui::Align::start, false}};
+    const auto events =
+        ui::table(ui, "Differences", s.table, columns, s.differences.size(),
+                  [&](std::size_t row, std::size_t column) { return cell_of(s.differences[row], column); });
+    std::size_t row = events.opened;
+    if (events.selected && ui.held() != 0) row = events.hovered;  // arrows only look
+    if (s.left == now || row == ui::no_row) return;
+    take(editor, s, s.differences[row]);
+    s.table.selection.clear();
+    ui.build_again();
+}
+
+void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
+    {
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.6F, .cross = ui::Place::center});
+        ui::segmented(ui, "Compare", s.left, sides);
+        ui::label(ui, "against", {.tone = ui::Tone::dim});
+        ui::segmented(ui, "Against", s.right, sides);
+    }
+    compare(editor, s);
+    Snapshots& snapshots = editor.snapshots();
+    for (const int side : {s.left, s.right}) {
+        if (there(snapshots, side)) continue;
+        const std::string letter(sides[static_cast<std::size_t>(side)]);
+        return ui::label(ui, "Snapshot " + letter + " is empty: Keep " + letter + " fills it.",
+                         {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+    }
+    if (s.differences.empty()) return ui::label(ui, "No parameter differs.", {.tone = ui::Tone::dim});
+    const std::size_t count = s.differences.size();
+    const std::string way =
+        s.left == now ? "" : "; a click takes the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
+    ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
+              {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
+    difference_table(ui, editor, s);
+}
+
+}  // namespace
+
+void snapshots_panel(ui::Ui& ui, app::Editor& editor) {
+    SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
+    const ui::Panel panel(ui, "Snapshots");
+    for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot);
+    ui::separator(ui);
+    comparison(ui, editor, state);
+}
+
+void add_snapshot_commands(app::Editor& editor) {
+    for (std::size_t slot = 0; slot < Snapshots::count; ++slot) {
+        const std::string letter = Snapshots::names[slot];
+        const std::string small(1, static_cast<char>('a' + slot));
+        const ui::Key key = key_of(letter[0]);
+        editor.commands.add({.id = "snapshot.show_" + small,
+                             .title = "Show snapshot " + letter,
+                             .group = "Preset",
+                             .chord = {key, Mods::none},
+                             .run = [&editor, slot] { editor.snapshots().show(slot); },
+                             .enabled = [&editor, slot] { return editor.snapshots().at(slot).has_value(); },
+                             .checked = [&editor, slot] { return editor.snapshots().shown(slot); },
+                             .tip = "The preset becomes this snapshot; once more brings back what was before."});
+        editor.commands.add({.id = "snapshot.keep_" + small,
+                             .title = "Keep as snapshot " + letter,
+                             .group = "Preset",
+                             .chord = {key, Mods::shift},
+                             .run =
+                                 [&editor, slot] {
+                                     editor.snapshots().keep(slot);
+                                     editor.toasts.add(
+                                         {.text = std::string("Kept as snapshot ") + Snapshots::names[slot]});
+                                 },
+                             .tip = "Keeps the preset as it is now."});
+    }
+    editor.commands.add({.id = "edit.history",
+                         .title = "History",
+                         .group = "Edit",
+                         .chord = {key_of('H'), Mods::command},
+                         .run = [&editor] { editor.layouts().shown.show("History"); },
+                         .tip = "Shows the list of all that was done."});
+}
 
 }  // namespace lapfx::panels

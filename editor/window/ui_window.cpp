@@ -141,7 +141,7 @@ void UiWindow::connect() {
     });
     glfwSetWindowContentScaleCallback(w, [](GLFWwindow* window, float x, float) {
         of(window).screen_scale_ = x;
-        of(window).set_scale(of(window).options_.scale);
+        of(window).set_scale(of(window).chosen_scale_);
     });
     glfwSetFramebufferSizeCallback(w, [](GLFWwindow* window, int, int) {
         of(window).measure();
@@ -231,17 +231,18 @@ void UiWindow::take_drop(int count, const char** paths) {
     push({.kind = ui::EventKind::drop, .paths = std::move(lines)}, "drop");
 }
 
+void UiWindow::set_title(const std::string& title) {
+    if (title == title_) return;
+    title_ = title;
+    glfwSetWindowTitle(window_.get(), title.c_str());
+}
+
 void UiWindow::set_scale(float scale) {
+    chosen_scale_ = scale;
     const float next = choose_scale(scale, std::getenv("LAPFX_SCALE"), screen_scale_);
     if (next == scale_) return;
     scale_ = next;
     want("scale");
-}
-
-void UiWindow::set_user_scale(float scale) {
-    if (scale == options_.scale) return;
-    options_.scale = scale;
-    set_scale(scale);
 }
 
 void UiWindow::close() {

@@ -109,8 +109,9 @@ class UiWindow {
     float scale() const { return scale_; }
     /// From the next frame on; clamped. 0: as choose_scale() finds it.
     void set_scale(float scale);
-    /// The user's choice, as UiWindowOptions::scale; what keys have changed since stays until it is another one.
-    void set_user_scale(float scale);
+    /// What the user has chosen by Ctrl+= and its likes or set_scale(), for the settings; 0: nothing.
+    float chosen_scale() const { return chosen_scale_; }
+    void set_title(const std::string& title);
     /// While a job runs the window looks for its results four times a second at least, whatever becomes of its wake().
     void set_busy(bool busy) { busy_ = busy; }
     const WindowStatistics& statistics() const { return statistics_; }
@@ -150,7 +151,8 @@ class UiWindow {
     bool closed_ = false;
     std::exception_ptr fault_;  ///< thrown in a callback, which GLFW, being C, cannot let through
 
-    float scale_ = 1, screen_scale_ = 1;
+    float scale_ = 1, screen_scale_ = 1, chosen_scale_ = 0;
+    std::string title_;
     glm::ivec2 size_{1};         ///< px of the framebuffer, as long as there is one
     glm::dvec2 px_per_unit_{1};  ///< GLFW's screen coordinates to px
     bool iconified_ = false;

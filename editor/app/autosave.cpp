@@ -1,0 +1,202 @@
+#include "app/autosave.h"
+
+#include <chrono>
+#include <cmath>
+
+#include "app/editor.h"
+#include "app/files.h"
+#include "app/snapshots.h"
+
+namespace lapfx::app {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+std::int64_t now_utc() {
+    return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+std::filesystem::path folder_in(const std::filesystem::path& state) {
+    return state.empty() ? state : state / "autosave";
+}
+
+std::string name_of(const std::filesystem::path& file, const std::string& name, const char* kind) {
+    if (!file.empty()) return file.filename().string();
+    return name.empty() ? std::string("a new ") + kind : name;
+}
+
+/// The newest that can be read.
+bool read_newest(Autosave::Offer& offer) {
+    for (const auto& file : offer.left.files) {
+        try {
+            std::vector<std::string> told;
+            offer.kept = document::read_kept(file, told);
+            offer.notes.insert(offer.notes.end(), told.begin(), told.end());
+            return true;
+        } catch (const Error& fault) {
+            offer.notes.push_back(fault.faults().front().text());
+        }
+    }
+    return false;
+}
+
+}  // namespace
+
+Autosave::Autosave(Editor& editor)
+    : editor_(editor), folder_(folder_in(editor.options().folders.state)), writer_({}, 1) {}
+
+Autosave::~Autosave() {
+    writer_.finish();
+}
+
+std::uint64_t Autosave::state() const {
+    return editor_.document.version() + (editor_.snapshots().version() << 40U);
+}
+
+void Autosave::soon() {
+    soon_ = true;
+}
+
+document::Kept Autosave::kept() const {
+    const document::Document& d = editor_.document;
+    return {.time = now_utc(),
+            .content = d.content(),
+            .scene_file = d.scene_file(),
+            .preset_file = d.preset_file(),
+            .scene_disk = d.scene_on_disk(),
+            .preset_disk = d.preset_on_disk(),
+            .scene_unsaved = d.scene_unsaved(),
+            .preset_unsaved = d.preset_unsaved(),
+            .snapshots = editor_.snapshots().kept()};
+}
+
+void Autosave::update(double now) {
+    if (editor_.options().folders.state.empty()) return;
+    writer_.take();
+    if (const std::uint64_t state = this->state(); state != seen_) {
+        seen_ = state;
+        const bool unsaved = editor_.document.unsaved();
+        if (unsaved && std::isinf(due_)) due_ = now + wait;
+        // Saved: what is kept says so at once, or a crash would offer work that is on the disk.
+        if (!unsaved && unsaved_ && written_) due_ = now;
+        if (!unsaved && !written_) due_ = never;
+        if (!unsaved && unsaved_) {
+            for (document::LeftBehind& left : recovered_) {
+                try {
+                    document::discard(std::move(left));
+                } catch (const Error& fault) {
+                    failed(fault.faults().front().text());
+                }
+            }
+            recovered_.clear();
+        }
+        unsaved_ = unsaved;
+    }
+    if (std::exchange(soon_, false) && unsaved_) due_ = now;
+    if (now >= due_) write(now);
+}
+
+void Autosave::write(double now) {
+    due_ = never;
+    if (writer_.busy()) {  // a slow disk: the next one holds this as well
+        due_ = now + 1;
+        return;
+    }
+    written_ = true;
+    writer_.start(
+        "Autosave",
+        [this, kept = kept()](Job&) -> Jobs::Apply {
+            folder_.write(kept);
+            return [this] { told_ = false; };
+        },
+        [this, now](const std::vector<Fault>& faults) {
+            failed(faults.empty() ? "unknown" : faults.front().text());
+            due_ = now + wait;
+        });
+}
+
+void Autosave::failed(const std::string& reason) {
+    if (!told_)
+        editor_.toasts.add({.kind = ui::ToastKind::warning,
+                            .text = "Unsaved work is not kept for a crash: " + reason + ". It is tried again."});
+    told_ = true;
+}
+
+void Autosave::write_now() noexcept {
+    try {
+        if (editor_.options().folders.state.empty() || !editor_.document.unsaved()) return;
+        writer_.finish();
+        folder_.write(kept());
+    } catch (const std::exception&) {
+        return;  // there is nobody left to tell: the fault that ends the editor is told
+    }
+}
+
+void Autosave::end() {
+    if (editor_.options().folders.state.empty()) return;
+    writer_.finish();
+    folder_.remove();
+    for (document::LeftBehind& left : recovered_) {
+        try {
+            document::discard(std::move(left));
+        } catch (const Error&) {
+            continue;  // it is offered once more then
+        }
+    }
+    recovered_.clear();
+    due_ = never;
+    written_ = false;
+}
+
+void Autosave::find() {
+    offers_.clear();
+    if (editor_.options().folders.state.empty()) return;
+    for (document::LeftBehind& left : document::find_left_behind(folder_in(editor_.options().folders.state))) {
+        Offer offer{.left = std::move(left), .kept = {}, .name = {}, .unsaved = {}, .notes = {}};
+        if (!read_newest(offer)) continue;  // of another version: it stays for that
+        const document::Kept& k = offer.kept;
+        if (!k.scene_unsaved && !k.preset_unsaved) continue;
+        offer.name = name_of(k.scene_file, k.content.scene.name, "scene") + ", " +
+                     name_of(k.preset_file, k.content.preset.name, "preset");
+        offer.unsaved = k.scene_unsaved && k.preset_unsaved ? "scene and preset" : k.scene_unsaved ? "scene" : "preset";
+        offers_.push_back(std::move(offer));
+    }
+}
+
+void Autosave::recover(std::size_t index) {
+    Offer offer = std::move(offers_[index]);
+    offers_.clear();
+    document::Kept& k = offer.kept;
+    editor_.document.recover({.content = std::move(k.content),
+                              .scene_file = k.scene_file,
+                              .preset_file = k.preset_file,
+                              .scene_disk = k.scene_disk,
+                              .preset_disk = k.preset_disk,
+                              .scene_unsaved = k.scene_unsaved,
+                              .preset_unsaved = k.preset_unsaved});
+    editor_.snapshots().restore(k.snapshots);
+    editor_.selected.clear();
+    editor_.clip = 0;
+    editor_.looking.camera = editor_.document.scene().camera;
+    for (const std::string& note : offer.notes)
+        editor_.toasts.add({.kind = ui::ToastKind::warning, .text = "Not recovered: " + note});
+    recovered_.push_back(std::move(offer.left));
+    editor_.files().note_opened();
+    // It is kept as this editor's own from now on, too.
+    unsaved_ = true;
+    soon_ = true;
+}
+
+void Autosave::discard(std::size_t index) {
+    Offer offer = std::move(offers_[index]);
+    offers_.erase(offers_.begin() + static_cast<std::ptrdiff_t>(index));
+    try {
+        document::discard(std::move(offer.left));
+    } catch (const Error& fault) {
+        editor_.tell(fault);
+    }
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,461 @@
+#include "app/files.h"
+
+#include <algorithm>
+
+#include "app/autosave.h"
+#include "app/editor.h"
+#include "app/settings.h"
+#include "document/words.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const std::vector<ui::FileFilter>& open_filters() {
+    static const std::vector<ui::FileFilter> filters{
+        {"Everything lapfx opens",
+         {".json", ".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".mp4", ".avi", ".mov", ".mkv", ".webm", ".png",
+          ".jpg", ".jpeg", ".tif", ".tiff", ".bmp"}},
+        {"Presets and scenes", {".json"}},
+        {"Organs", {".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}},
+        {"Smoke videos and images", {".mp4", ".avi", ".mov", ".mkv", ".webm", ".png", ".jpg", ".jpeg", ".tif"}}};
+    return filters;
+}
+
+/// A file name of a preset's name: "Brisk bleed, 2" is brisk_bleed_2.
+std::string file_name_of(const std::string& name, const char* otherwise) {
+    std::string file;
+    for (const char c : name) {
+        const bool plain = (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+        if (c >= 'A' && c <= 'Z')
+            file += static_cast<char>(c - 'A' + 'a');
+        else if (plain)
+            file += c;
+        else if (!file.empty() && file.back() != '_')
+            file += '_';
+    }
+    while (!file.empty() && file.back() == '_') file.pop_back();
+    return file.empty() ? otherwise : file;
+}
+
+std::string in_marks(const fs::path& file) {
+    return '"' + file.filename().string() + '"';
+}
+
+bool inside(const fs::path& file, const fs::path& folder) {
+    if (folder.empty()) return false;
+    std::error_code error;
+    const fs::path whole = fs::weakly_canonical(file, error), above = fs::weakly_canonical(folder, error);
+    const auto [end, ignored] = std::mismatch(above.begin(), above.end(), whole.begin(), whole.end());
+    return !error && end == above.end();
+}
+
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+const fs::path& Files::file(Kind kind) const {
+    return kind == Kind::scene ? editor_.document.scene_file() : editor_.document.preset_file();
+}
+
+/// What came with the program is not written over by Save.
+bool Files::shipped(const fs::path& file) const {
+    const fs::path& data = editor_.options().data_folder;
+    return !data.empty() && (inside(file, data / "presets") || inside(file, data / "samples"));
+}
+
+// --- questions -------------------------------------------------------------------------------------------------------
+
+void Files::ask(Question question) {
+    question.serial = ++serial_;
+    question_ = std::move(question);
+}
+
+void Files::answer(std::size_t index) {
+    if (!question_ || index >= question_->answers.size()) return;
+    const Then act = std::move(question_->answers[index].act);
+    question_.reset();  // what follows may ask again
+    if (act) act();
+}
+
+std::vector<std::string> Files::unsaved_words() const {
+    std::vector<std::string> words;
+    const document::Document& d = editor_.document;
+    const auto add = [&](Kind kind, const std::string& name, const char* what) {
+        const std::string called =
+            file(kind).empty() ? (name.empty() ? std::string("new") : '"' + name + '"') : in_marks(file(kind));
+        words.push_back(std::string(what) + ' ' + called);
+    };
+    if (d.preset_unsaved()) add(Kind::preset, d.preset().name, "Preset");
+    if (d.scene_unsaved()) add(Kind::scene, d.scene().name, "Scene");
+    // The last things that were done, in words.
+    constexpr std::size_t most = 4;
+    for (std::size_t i = 0; i < std::min(d.done(), most); ++i)
+        words.push_back("- " + document::title_of(d.steps()[d.done() - 1 - i]));
+    if (d.done() > most) words.push_back("- and " + counted(d.done() - most, "step") + " before");
+    return words;
+}
+
+void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too) {
+    const bool both = scene_too && editor_.document.scene_unsaved() && editor_.document.preset_unsaved();
+    const auto save_first = [this, then, scene_too] {
+        if (scene_too)
+            save_all(then);
+        else
+            save_preset(then);
+    };
+    ask({.title = std::move(title),
+         .text = "These changes are not saved:",
+         .lines = unsaved_words(),
+         .answers = {
+             {.label = both ? "Save all" : "Save",
+              .tip = "Saves them, then goes on. When that fails, everything stays as it is.",
+              .act = save_first,
+              .standard = true},
+             {.label = "Discard", .tip = "Goes on without them. They are lost.", .act = then},
+             {.label = "Cancel", .tip = "Everything stays as it is.", .act = std::move(otherwise), .cancel = true}}});
+}
+
+void Files::ask_failed(Kind kind, const fs::path& file, const std::vector<Fault>& faults, Then then) {
+    std::vector<std::string> lines;
+    constexpr std::size_t most = 8;
+    for (const Fault& fault : faults) {
+        if (lines.size() == most) {
+            lines.push_back("and " + counted(faults.size() - most, "more fault"));
+            break;
+        }
+        lines.push_back(fault.text());
+    }
+    editor_.autosave().soon();
+    ask({.title = in_marks(file) + " was not saved",
+         .text = "Your work is still here, and a file that was there before is as it was.",
+         .lines = std::move(lines),
+         .answers = {{.label = "Save as...",
+                      .tip = "Another name or folder.",
+                      .act = [this, kind, then] { save_as(kind, then); },
+                      .standard = true},
+                     {.label = "Try again",
+                      .tip = "The same file once more, for when you have made room or rights.",
+                      .act = [this, kind, file, then] { save_to(kind, file, then); }},
+                     {.label = "Cancel", .tip = "Goes on without saving.", .cancel = true}}});
+}
+
+void Files::ask_outside(const fs::path& file, const std::vector<std::string>& clips, Then then) {
+    Question question{.title = "Clips lie outside the preset's folder",
+                      .text =
+                          "A preset names clips in its own folder or below, so that both can be passed on "
+                          "together. " +
+                          in_marks(file) + " cannot name these:",
+                      .lines = clips,
+                      .answers = {},
+                      .serial = 0};
+    const bool bundles = editor_.commands.contains("export.bundle");
+    if (bundles)
+        question.answers.push_back({.label = "Export as a bundle...",
+                                    .tip = "A folder with the preset and copies of its clips.",
+                                    .act = [this] { editor_.commands.run("export.bundle"); },
+                                    .standard = true});
+    question.answers.push_back({.label = "Save as...",
+                                .tip = "A folder that has the clips in it or below.",
+                                .act = [this, then] { save_preset_as(then); },
+                                .standard = !bundles});
+    question.answers.push_back({.label = "Cancel", .tip = "Goes on without saving.", .cancel = true});
+    ask(std::move(question));
+}
+
+// --- saving ------------------------------------------------------------------------------------------------------------
+
+void Files::save_preset(Then then) {
+    save(Kind::preset, std::move(then));
+}
+void Files::save_preset_as(Then then) {
+    save_as(Kind::preset, std::move(then));
+}
+void Files::save_scene(Then then) {
+    save(Kind::scene, std::move(then));
+}
+void Files::save_scene_as(Then then) {
+    save_as(Kind::scene, std::move(then));
+}
+
+/// The preset first: the scene names its file.
+void Files::save_all(Then then) {
+    const auto scene = [this, then] {
+        if (editor_.document.scene_unsaved()) return save_scene(then);
+        if (then) then();
+    };
+    if (editor_.document.preset_unsaved()) return save_preset(scene);
+    scene();
+}
+
+void Files::save(Kind kind, Then then) {
+    const fs::path to = file(kind);
+    if (to.empty() || shipped(to)) return save_as(kind, std::move(then));
+    const document::OnDisk& known =
+        kind == Kind::scene ? editor_.document.scene_on_disk() : editor_.document.preset_on_disk();
+    const document::OnDisk now = document::OnDisk::of(to);
+    // What is gone takes nobody's work away.
+    if (!now.exists || now == known) return save_to(kind, to, std::move(then));
+    ask({.title = in_marks(to) + " has been changed by another program",
+         .text = "What is on the disk is not what was opened here. Saving would replace it.",
+         .lines = {to.string()},
+         .answers = {{.label = "Overwrite",
+                      .tip = "What another program wrote is lost.",
+                      .act = [this, kind, to, then] { save_to(kind, to, then); }},
+                     {.label = "Save as...",
+                      .tip = "Both stay.",
+                      .act = [this, kind, then] { save_as(kind, then); },
+                      .standard = true},
+                     {.label = "Cancel", .tip = "Goes on without saving.", .cancel = true}}});
+}
+
+void Files::save_as(Kind kind, Then then) {
+    const document::Document& d = editor_.document;
+    const bool scene = kind == Kind::scene;
+    const fs::path now = file(kind);
+    const bool ours = !now.empty() && !shipped(now);
+    std::string name = now.empty() ? file_name_of(scene ? d.scene().name : d.preset().name, "untitled") +
+                                         (scene ? ".scene.json" : ".json")
+                                   : now.filename().string();
+    editor_.ask_file(
+        {.task = ui::FileTask::save,
+         .title = scene ? "Save scene as" : "Save preset as",
+         .folder = ours ? document::folder_of(now).string() : "",
+         .name = std::move(name),
+         .filters = {{scene ? "Scenes" : "Presets", {".json"}}}},
+        [this, kind, then](const std::vector<std::string>& chosen) { save_to(kind, chosen.front(), then); });
+}
+
+void Files::save_to(Kind kind, const fs::path& to, Then then) {
+    editor_.document.commit();
+    if (kind == Kind::preset)
+        if (const auto outside = editor_.document.clips_outside(document::folder_of(to)); !outside.empty())
+            return ask_outside(to, outside, std::move(then));
+    const bool another = to != file(kind);
+    if (!another || lock(kind, to)) return write(kind, to, then);
+    ask({.title = in_marks(to) + " is open in another editor",
+         .text = "Saved from here, the other one would still show what was there before. (" + holder(to) + ')',
+         .lines = {},
+         .answers = {{.label = "Save anyway", .act = [this, kind, to, then] { write(kind, to, then); }},
+                     {.label = "Save as...", .act = [this, kind, then] { save_as(kind, then); }, .standard = true},
+                     {.label = "Cancel", .cancel = true}}});
+}
+
+void Files::write(Kind kind, const fs::path& to, const Then& then) {
+    try {
+        if (kind == Kind::scene)
+            editor_.document.save_scene(to);
+        else
+            editor_.document.save_preset(to);
+    } catch (const Error& error) {
+        relock();
+        return ask_failed(kind, to, error.faults(), then);
+    }
+    relock();
+    editor_.settings().note_recent(to.string());
+    editor_.toasts.add({.kind = ui::ToastKind::good, .text = "Saved " + to.filename().string()});
+    if (then) then();
+}
+
+// --- locks -----------------------------------------------------------------------------------------------------------
+
+bool Files::lock(Kind kind, const fs::path& file) {
+    std::optional<document::Lock>& held = locks_[kind == Kind::scene ? 0 : 1];
+    const fs::path& state = editor_.options().folders.state;
+    if (file.empty() || state.empty() || shipped(file)) {
+        held.reset();
+        return true;
+    }
+    const fs::path name = document::lock_file(state, file);
+    if (held && held->file() == name) return true;
+    try {
+        std::optional<document::Lock> taken = document::Lock::take(name);
+        if (!taken) return false;
+        held = std::move(taken);
+    } catch (const Error& error) {
+        held.reset();
+        if (!lock_told_) editor_.tell(error);
+        lock_told_ = true;
+    }
+    return true;
+}
+
+/// After the document's files have changed; what another one holds is not ours.
+void Files::relock() {
+    for (const Kind kind : {Kind::scene, Kind::preset})
+        if (!lock(kind, file(kind))) locks_[kind == Kind::scene ? 0 : 1].reset();
+}
+
+std::string Files::holder(const fs::path& file) const {
+    const std::string who = document::holder_of(document::lock_file(editor_.options().folders.state, file));
+    return who.empty() ? "an unknown process" : who;
+}
+
+// --- opening -----------------------------------------------------------------------------------------------------------
+
+void Files::make_new() {
+    const auto begin = [this] {
+        Opened fresh;
+        try {
+            const Opened sample = open_sample(editor_.options().data_folder);
+            fresh.content.scene = sample.content.scene;
+        } catch (const Error& error) {
+            editor_.tell(error);  // an empty scene then: an organ is loaded into it
+        }
+        fresh.content.scene.name = "New scene";
+        fresh.content.scene.preset.clear();
+        fresh.content.scene.reference = {};
+        fresh.content.scene.events.clear();
+        fresh.content.preset.name = "New preset";
+        become(std::move(fresh), {}, {.scene = true});
+    };
+    if (editor_.document.unsaved()) return ask_unsaved("Save changes before beginning anew?", begin, {});
+    begin();
+}
+
+void Files::open_dialog() {
+    editor_.ask_file({.task = ui::FileTask::open_many, .title = "Open", .filters = open_filters()},
+                     [this](const std::vector<std::string>& chosen) { editor_.open(chosen); });
+}
+
+Files::Kinds Files::kinds_of(const std::vector<std::string>& files) {
+    Kinds kinds;
+    for (const std::string& file : files) {
+        try {
+            const FileKind kind = kind_of(file);
+            kinds.scene |= kind == FileKind::scene;
+            kinds.preset |= kind == FileKind::preset;
+        } catch (const Error&) {
+            continue;  // opening tells what is wrong with it, and changes nothing
+        }
+    }
+    return kinds;
+}
+
+bool Files::ready_to_open(const std::vector<std::string>& files) {
+    if (std::exchange(agreed_, false)) return true;
+    const Kinds kinds = kinds_of(files);
+    const document::Document& d = editor_.document;
+    const bool goes = kinds.scene ? d.unsaved() : kinds.preset && d.preset_unsaved();
+    if (!goes) return true;
+    ask_unsaved(
+        "Save changes before opening " + in_marks(files.front()) + '?',
+        [this, files] {
+            agreed_ = true;
+            editor_.open(files);
+            agreed_ = false;
+        },
+        {}, kinds.scene);
+    return false;
+}
+
+void Files::put(Opened opened, const std::vector<std::string>& files) {
+    const Kinds kinds = kinds_of(files);
+    std::vector<Kind> used;
+    std::vector<fs::path> names;
+    const auto check = [&](Kind kind, const fs::path& opens) {
+        if (lock(kind, opens)) return;
+        used.push_back(kind);
+        names.push_back(opens);
+    };
+    // What is open already is ours, or was agreed to.
+    if (kinds.scene && opened.scene_file != file(Kind::scene)) check(Kind::scene, opened.scene_file);
+    if ((kinds.scene || kinds.preset) && opened.preset_file != file(Kind::preset))
+        check(Kind::preset, opened.preset_file);
+    const auto shared = std::make_shared<Opened>(std::move(opened));
+    const auto go_on = [this, shared, files, kinds] { become(std::move(*shared), files, kinds); };
+    if (used.empty()) return go_on();
+    ask_in_use(used, names, go_on, [this] { relock(); });
+}
+
+void Files::note_opened() {
+    std::vector<Kind> used;
+    std::vector<fs::path> names;
+    for (const Kind kind : {Kind::scene, Kind::preset}) {
+        if (lock(kind, file(kind))) continue;
+        used.push_back(kind);
+        names.push_back(file(kind));
+    }
+    if (!used.empty()) ask_in_use(used, names, {}, {});
+}
+
+void Files::ask_in_use(const std::vector<Kind>& used, const std::vector<fs::path>& files, Then go_on, Then otherwise) {
+    std::vector<std::string> lines;
+    for (const fs::path& file : files) lines.push_back(in_marks(file) + ": " + holder(file));
+    const auto copy = [this, used, go_on] {
+        if (go_on) go_on();
+        for (const Kind kind : used)
+            kind == Kind::scene ? editor_.document.forget_scene_file() : editor_.document.forget_preset_file();
+        relock();
+    };
+    Question question{.title = "Open in another editor",
+                      .text = "Two editors on one file write over each other's work.",
+                      .lines = std::move(lines),
+                      .answers = {},
+                      .serial = 0};
+    question.answers.push_back(
+        {.label = "Open anyway",
+         .tip = "Both save to the same file; the second is asked before it replaces what the first wrote.",
+         .act = go_on});
+    question.answers.push_back({.label = "Open a copy",
+                                .tip = "The same content without a file: saving asks for a name.",
+                                .act = copy,
+                                .standard = true,
+                                .cancel = !otherwise});
+    if (otherwise)
+        question.answers.push_back({.label = "Cancel", .tip = "What is open stays.", .act = otherwise, .cancel = true});
+    ask(std::move(question));
+}
+
+void Files::become(Opened opened, const std::vector<std::string>& files, Kinds kinds) {
+    document::Document& d = editor_.document;
+    if (kinds.scene) {
+        d.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    } else {
+        if (kinds.preset) d.open_preset(opened.content.preset, opened.preset_file);
+        // Organs and clips are changes like others: they are undone.
+        if (!kinds.preset && !d.preset_file().empty())
+            d.move(opened.content.preset, document::folder_of(d.preset_file()));
+        d.change("Open " + fs::path(files.front()).filename().string(),
+                 [&](document::Content& c) { c = std::move(opened.content); });
+    }
+    editor_.selected.clear();
+    editor_.clip = 0;
+    editor_.looking.camera = d.scene().camera;
+    relock();
+    for (const std::string& name : files) editor_.settings().note_recent(name);
+    for (const std::string& warning : opened.warnings)
+        editor_.toasts.add({.kind = ui::ToastKind::warning, .text = warning});
+}
+
+// --- closing -----------------------------------------------------------------------------------------------------------
+
+void Files::close() {
+    if (question_) return;  // that one comes first
+    const auto end = [this] {
+        editor_.autosave().end();
+        editor_.settings().write(editor_);
+        editor_.close();
+    };
+    if (!editor_.document.unsaved()) return end();
+    ask_unsaved("Save changes before closing?", end, {});
+}
+
+const std::string& Files::title() {
+    const document::Document& d = editor_.document;
+    if (title_version_ == d.version()) return title_;
+    title_version_ = d.version();
+    const auto part = [](const fs::path& file, const std::string& name, const char* otherwise, bool unsaved) {
+        const std::string called = !file.empty() ? file.filename().string() : name.empty() ? otherwise : name;
+        return called + (unsaved ? "*" : "");
+    };
+    title_ = part(d.preset_file(), d.preset().name, "New preset", d.preset_unsaved()) + " - " +
+             part(d.scene_file(), d.scene().name, "New scene", d.scene_unsaved()) + " - lapfx";
+    return title_;
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,102 @@
+// New, open, save, close: what each asks first, and what it says when it fails. A question is data here; panels/closing_dialog.cpp
+// shows it. Nothing is lost without an answer that says so.
+//
+//     editor.files().save_preset();                    // asks for a name where there is none
+//     if (const auto* q = editor.files().question()) ...  // "tuned.json has been changed by another program"
+//     editor.files().answer(0);
+//
+// A document that is open is locked (document/lock.h): a second editor is told. UI thread.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/open.h"
+#include "document/lock.h"
+
+namespace lapfx::app {
+
+class Editor;
+
+class Files {
+  public:
+    using Then = std::function<void()>;
+
+    explicit Files(Editor& editor) : editor_(editor) {}
+
+    // --- commands: each asks what it has to ----------------------------------------------------------------------------
+    void make_new();  ///< the sample's organ with the default preset, without events
+    void open_dialog();
+    /// `then` follows when it has been saved.
+    void save_preset(Then then = {});
+    void save_preset_as(Then then = {});
+    void save_scene(Then then = {});
+    void save_scene_as(Then then = {});
+    void save_all(Then then = {});
+    void close();
+
+    // --- for Editor::open() ----------------------------------------------------------------------------------------
+    /// False: there is unsaved work that would go; it is asked, and Editor::open() called again after the answer.
+    bool ready_to_open(const std::vector<std::string>& files);
+    /// What was opened becomes the document; asks first when it is open in another editor.
+    void put(Opened opened, const std::vector<std::string>& files);
+    /// The program has put something into the document by itself, at start or recovered: the same question, after the fact.
+    void note_opened();
+
+    // --- what is asked -------------------------------------------------------------------------------------------------
+    struct Answer {
+        std::string label;
+        std::string tip{};
+        Then act{};
+        bool standard = false, cancel = false;
+    };
+    struct Question {
+        std::string title, text;
+        std::vector<std::string> lines{};  ///< details, a line each
+        std::vector<Answer> answers{};
+        std::uint64_t serial = 0;  ///< another one for each question
+    };
+    const Question* question() const { return question_ ? &*question_ : nullptr; }
+    void answer(std::size_t index);
+
+    /// "my_bleed.json* - lagb.scene.json - lapfx"; an asterisk: not saved.
+    const std::string& title();
+
+  private:
+    enum class Kind { scene, preset };
+    const std::filesystem::path& file(Kind kind) const;
+    bool shipped(const std::filesystem::path& file) const;
+    void ask(Question question);
+    void ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too = true);
+    void ask_failed(Kind kind, const std::filesystem::path& file, const std::vector<Fault>& faults, Then then);
+    void ask_outside(const std::filesystem::path& file, const std::vector<std::string>& clips, Then then);
+    void ask_in_use(const std::vector<Kind>& used, const std::vector<std::filesystem::path>& files, Then go_on,
+                    Then otherwise);
+    void save(Kind kind, Then then);
+    void save_as(Kind kind, Then then);
+    void save_to(Kind kind, const std::filesystem::path& file, Then then);
+    void write(Kind kind, const std::filesystem::path& file, const Then& then);
+    struct Kinds {
+        bool scene = false, preset = false;
+    };
+    static Kinds kinds_of(const std::vector<std::string>& files);
+    void become(Opened opened, const std::vector<std::string>& files, Kinds kinds);
+    void relock();
+    /// False: another editor has it. What cannot be locked at all counts as ours, and is told once.
+    bool lock(Kind kind, const std::filesystem::path& file);
+    std::string holder(const std::filesystem::path& file) const;
+    std::vector<std::string> unsaved_words() const;
+
+    Editor& editor_;
+    std::optional<Question> question_;
+    std::uint64_t serial_ = 0;
+    bool agreed_ = false, lock_told_ = false;
+    std::optional<document::Lock> locks_[2];
+    std::string title_;
+    std::uint64_t title_version_ = 0;
+};
+
+}  // namespace lapfx::app

@@ -1,0 +1,87 @@
+#include "app/snapshots.h"
+
+#include <chrono>
+
+#include "app/editor.h"
+
+namespace lapfx::app {
+
+namespace {
+
+std::int64_t now_utc() {
+    return std::chrono::duration_cast<std::chrono::seconds>(std::chrono::system_clock::now().time_since_epoch())
+        .count();
+}
+
+}  // namespace
+
+void Snapshots::keep(std::size_t slot) {
+    editor_.document.commit();
+    all_[slot] = {.preset = editor_.document.preset(), .time = now_utc()};
+    ++version_;
+}
+
+void Snapshots::clear(std::size_t slot) {
+    all_[slot].reset();
+    ++version_;
+}
+
+Preset Snapshots::preset(std::size_t slot) const {
+    Preset preset = all_[slot]->preset;
+    // A document without a file lies nowhere yet: then the snapshot brings its folder along.
+    if (const auto& folder = editor_.document.preset().folder; !folder.empty()) editor_.document.move(preset, folder);
+    return preset;
+}
+
+void Snapshots::show(std::size_t slot) {
+    if (!all_[slot]) return;
+    editor_.document.commit();
+    const std::string name = std::string("Snapshot ") + names[slot];
+    if (shown(slot)) {
+        if (!before_) return;
+        const Preset back = *before_;
+        editor_.document.change("Back from snapshot " + std::string(names[slot]),
+                                [&](document::Content& c) { c.preset = back; });
+        return;
+    }
+    bool any = false;
+    for (std::size_t i = 0; i < count; ++i) any |= shown(i);
+    // From one snapshot to the next, what was tuned before the first is still what one comes back to.
+    if (!any) before_ = editor_.document.preset();
+    editor_.document.change(name, [&](document::Content& c) { c.preset = preset(slot); });
+}
+
+std::string Snapshots::text_of(std::size_t slot) const {
+    return all_[slot] ? write_preset(preset(slot)) : std::string();
+}
+
+bool Snapshots::shown(std::size_t slot) const {
+    const std::uint64_t version = editor_.document.version();
+    if (compared_document_ != version || compared_ != version_) {
+        compared_document_ = version;
+        compared_ = version_;
+        same_.fill(false);
+        bool any = false;
+        for (const auto& snapshot : all_) any |= snapshot.has_value();
+        const std::string now = any ? write_preset(editor_.document.preset()) : std::string();
+        for (std::size_t i = 0; i < count; ++i) same_[i] = all_[i] && text_of(i) == now;
+    }
+    return same_[slot];
+}
+
+std::vector<document::KeptSnapshot> Snapshots::kept() const {
+    std::vector<document::KeptSnapshot> kept;
+    for (std::size_t i = 0; i < count; ++i)
+        if (all_[i]) kept.push_back({.slot = i, .time = all_[i]->time, .preset = all_[i]->preset});
+    return kept;
+}
+
+void Snapshots::restore(const std::vector<document::KeptSnapshot>& kept) {
+    all_ = {};
+    before_.reset();
+    for (const document::KeptSnapshot& snapshot : kept)
+        if (snapshot.slot < count) all_[snapshot.slot] = {.preset = snapshot.preset, .time = snapshot.time};
+    ++version_;
+}
+
+}  // namespace lapfx::app
