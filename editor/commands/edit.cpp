@@ -7,8 +7,8 @@
 #include "app/target.h"
 #include "commands/command.h"
 #include "commands/options.h"
-#include "commands/output.h"
 #include "commands/session.h"
+#include "output/files.h"
 #include "panels/panels.h"
 #include "ui/gl/renderer.h"
 #include "window/ui_window.h"
@@ -77,7 +77,7 @@ void write_screenshot(const Options& o) {
     }
     const app::Target target(size);
     ui::Renderer().draw(*output->list, fonts, &images, target.framebuffer());
-    write_png(o.screenshot, target.read());
+    output::write_png(o.screenshot, target.read());
 }
 
 void show_window(const Options& o) {

@@ -7,9 +7,9 @@
 #include "app/target.h"
 #include "commands/command.h"
 #include "commands/options.h"
-#include "commands/output.h"
 #include "lapfx/context.h"
 #include "lapfx/file.h"
+#include "output/files.h"
 #include "ui/core/tree.h"
 #include "ui/gl/renderer.h"
 #include "window/ui_window.h"
@@ -103,7 +103,7 @@ void make_files(const Options& o) {
     if (!o.dump.empty()) write_dump(o.dump, still.tree());
     if (o.screenshot.empty()) return;
     const Context context = Context::create(parse_backend(o.backend));
-    write_png(o.screenshot, still.picture());
+    output::write_png(o.screenshot, still.picture());
 }
 
 void show_window(const Options& o) {

@@ -1,4 +1,4 @@
-#include "commands/output.h"
+#include "output/files.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 
 #include "unit/preset/support.h"
 
-namespace lapfx::commands {
+namespace lapfx::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST(VideoFileTest, WhereNoneCanBeWrittenItSaysSo) {
 }
 
 }  // namespace
-}  // namespace lapfx::commands
+}  // namespace lapfx::output
