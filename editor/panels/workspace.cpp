@@ -37,6 +37,7 @@ void status(ui::Ui& ui, app::Editor& editor) {
     const ui::StatusBar bar(ui);
     ui::status_text(ui, "Document", editor.document.scene().name);
     ui::spacer(ui);
+    export_status(ui, editor);
     ui::status_text(ui, "Renderer", editor.options().renderer);
 }
 
