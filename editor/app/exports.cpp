@@ -78,6 +78,7 @@ struct Exports::Running {
     ExportForm form;
     Scene scene;
     Preset preset;
+    output::RenderOptions options;
     std::unique_ptr<output::RenderJob> render;  ///< of a bundle: its thumbnail
     std::shared_ptr<Job> copying;               ///< of a bundle
     double began = 0;
@@ -219,22 +220,24 @@ void Exports::start() {
     running_ = std::make_unique<Running>(Running{.form = form,
                                                  .scene = editor_.document.scene(),
                                                  .preset = editor_.document.preset(),
+                                                 .options = render_options(),
                                                  .render = nullptr,
                                                  .copying = nullptr,
                                                  .began = now_});
-    try {
-        if (form.what() == ExportKind::preset) {
-            output::export_preset(running_->preset, form.file(), editor_.options().clip_folders);
-            return end("");
-        }
-        form.what() == ExportKind::bundle ? begin_bundle() : begin_render();
-    } catch (const Error& error) {
-        fail(error);
-    }
 }
 
-void Exports::begin_render() {
-    running_->render = std::make_unique<output::RenderJob>(running_->scene, running_->preset, render_options());
+/// Outside of the UI's build: it reads files.
+void Exports::begin() {
+    switch (running_->form.what()) {
+        case ExportKind::preset:
+            output::export_preset(running_->preset, running_->form.file(), editor_.options().clip_folders);
+            return end("");
+        case ExportKind::bundle:
+            return begin_bundle();
+        default:
+            running_->render =
+                std::make_unique<output::RenderJob>(running_->scene, running_->preset, running_->options);
+    }
 }
 
 /// Its thumbnail first, as the view shows it now, but at the scene's camera.
@@ -261,7 +264,7 @@ void Exports::begin_copying() {
             });
             return [this, made] { end(std::to_string(made.files) + " files, " + ui::size_text(made.bytes)); };
         },
-        [this](const std::vector<Fault>& faults) { fail(Error(Failure::runtime, faults)); });
+        [this](const std::vector<Fault>& faults) { fail(faults); });
 }
 
 void Exports::cancel() {
@@ -291,6 +294,7 @@ double Exports::seconds_left() const {
 
 std::string Exports::progress_text() const {
     if (!running_) return {};
+    if (!running_->render && !running_->copying) return "loading";
     if (running_->form.what() == ExportKind::bundle) return running_->copying ? "copying and checking" : "thumbnail";
     const output::RenderJob& job = *running_->render;
     if (job.drawn() == job.frames()) return "reading back";
@@ -300,15 +304,18 @@ std::string Exports::progress_text() const {
 
 void Exports::update(double now) {
     now_ = now;
-    if (!running_ || !running_->render) return;
+    if (!running_ || running_->copying) return;
     try {
-        const auto begin = std::chrono::steady_clock::now();
+        if (!running_->render) return begin();
+        const auto start = std::chrono::steady_clock::now();
         do {
             step();
         } while (running_ && running_->render &&
-                 std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count() < step_budget);
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < step_budget);
     } catch (const Error& error) {
-        fail(error);
+        fail(error.faults());
+    } catch (const std::exception& error) {  // no memory for a picture, an encoder that gives up
+        fail({{.file = running_ ? running_->form.file() : "", .place = "", .reason = error.what()}});
     }
 }
 
@@ -333,10 +340,10 @@ void Exports::end(const std::string& what) {
          }});
 }
 
-void Exports::fail(const Error& error) {
+void Exports::fail(const std::vector<Fault>& faults) {
     running_.reset();
     checked_version_ = 0;
-    editor_.tell(error);
+    editor_.tell(faults);
 }
 
 std::string Exports::command() const {

@@ -103,12 +103,12 @@ class Exports {
     output::RenderOptions render_options() const;
     void look_at_form();
     void check_preset_file(std::vector<Fault>& faults) const;
-    void begin_render();
+    void begin();
     void begin_bundle();
     void begin_copying();
     void step();
     void end(const std::string& what);
-    void fail(const Error& error);
+    void fail(const std::vector<Fault>& faults);
 
     Editor& editor_;
     std::unique_ptr<Running> running_;

@@ -8,8 +8,10 @@
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/session.h"
+#include "lapfx/file.h"
 #include "output/files.h"
 #include "panels/panels.h"
+#include "ui/core/tree.h"
 #include "ui/gl/renderer.h"
 #include "window/ui_window.h"
 
@@ -19,7 +21,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> files;
-    std::string screenshot, layout, size = "1440x900", theme = "", backend = "auto";
+    std::string screenshot, dump, dump_on_close, layout, size = "1440x900", theme = "", backend = "auto";
     double at = -1;
     float scale = 0;
     bool statistics = false;
@@ -46,11 +48,19 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
     if (o.at >= 0) editor.seek(o.at);
 }
 
+/// As JSON where the name says so, else a line for each node.
+void write_dump(const std::string& file, std::span<const ui::Node> tree) {
+    write_file(file, file.ends_with(".json") ? ui::dump_json(tree) + "\n" : ui::dump_text(tree));
+}
+
 /// Frames until no other is asked for, with a clock that goes by frames: the same picture every time.
-void write_screenshot(const Options& o) {
+void write_files(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
-    if (!o.screenshot.ends_with(".png")) throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
-    check_folder(o.screenshot);
+    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
+        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
+    for (const std::string& file : {o.screenshot, o.dump}) {
+        if (!file.empty()) check_folder(file);
+    }
     app::Opened opened = open_all(o.files);
     const Context context = Context::create(parse_backend(o.backend));
     ui::ImageStore images;
@@ -75,12 +85,15 @@ void write_screenshot(const Options& o) {
         const bool changed = editor.draw();
         if (!changed && output->wake_at > time + 0.1 && !editor.jobs.busy()) break;
     }
+    if (!o.dump.empty()) write_dump(o.dump, ui.tree());
+    if (o.screenshot.empty()) return;
     const app::Target target(size);
     ui::Renderer().draw(*output->list, fonts, &images, target.framebuffer());
     output::write_png(o.screenshot, target.read());
 }
 
 void show_window(const Options& o) {
+    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
     app::Opened opened = open_all(o.files);
     ui::ImageStore images;
     std::unique_ptr<app::Editor> editor;
@@ -110,13 +123,14 @@ void show_window(const Options& o) {
                         editor->ask_to_close();
                         return editor->closed();
                     }});
+    if (!o.dump_on_close.empty()) write_dump(o.dump_on_close, window.ui().tree());
 }
 
 void run(const Options& o) {
     if (o.theme != "" && o.theme != "dark" && o.theme != "light")
         throw wrong_option("--theme", "\"" + o.theme + "\" is neither dark nor light");
-    if (o.screenshot.empty()) return show_window(o);
-    write_screenshot(o);
+    if (o.screenshot.empty() && o.dump.empty()) return show_window(o);
+    write_files(o);
 }
 
 }  // namespace
@@ -137,6 +151,11 @@ void add_edit(CLI::App& app) {
         ->check(CLI::Range(0.75, 3.0));
     verb->add_option("--backend", o->backend, "Of --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
         ->capture_default_str();
+    verb->add_option(
+        "--dump", o->dump,
+        "Write what there is, with names, values and places, instead of opening a window: .json, or a line "
+        "for each widget");
+    verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
     verb->add_flag("--statistics", o->statistics, "A line on stderr for every frame that the window makes, and why");
     verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });

@@ -288,8 +288,8 @@ Preset preset_in(const fs::path& folder, const Preset& preset, const std::vector
         }
         if (found.shipped) {
             if (is_file(to / file))
-                faults.push_back(clip_fault(i, "another \"" + file + "\" lies in " + to.string() +
-                                                   " and would be taken for the shipped clip"));
+                faults.push_back(clip_fault(
+                    i, "another \"" + file + "\" lies in " + to.string() + " and would be taken for the shipped clip"));
             continue;
         }
         const fs::path source = fs::weakly_canonical(found.files.front().parent_path()) / found.name;

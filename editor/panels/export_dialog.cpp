@@ -247,9 +247,9 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
 
 void export_dialog(ui::Ui& ui, app::Editor& editor) {
     ask_replace(ui, editor);
-    ui::Dialog dialog(ui, dialog_name, "Export", {.width = 36});
-    if (!dialog) return;
     Exports& exports = editor.exports();
+    ui::Dialog dialog(ui, dialog_name, exports.running() ? "Export under way" : "New export", {.width = 36});
+    if (!dialog) return;
     if (exports.running()) return running_dialog(ui, editor, dialog);
     form_rows(ui, editor);
     const bool sound = exports.faults().empty();
