@@ -173,7 +173,7 @@ bool Editor::draw() {
 }
 
 bool Editor::wants_frame() const {
-    return playing() || preview.tool_on() || preview.late();
+    return playing() || preview.tool_on() || preview.late() || exports_->running();
 }
 
 }  // namespace lapfx::app

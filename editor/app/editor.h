@@ -94,9 +94,9 @@ class Editor {
     ui::FileDialog file_dialog;
     ui::ImageStore& images;
 
-    Settings& settings() { return *settings_; }     ///< what the user chose: theme, recent files, keys
-    Tuning& tuning() { return *tuning_; }           ///< locks, favourites, randomise, copied groups
-    Snapshots& snapshots() { return *snapshots_; }  ///< A to D
+    Settings& settings() { return *settings_; }       ///< what the user chose: theme, recent files, keys
+    Tuning& tuning() { return *tuning_; }             ///< locks, favourites, randomise, copied groups
+    Snapshots& snapshots() { return *snapshots_; }    ///< A to D
     AmountsOverTime& amounts() { return *amounts_; }  ///< of the whole scene
     Autosave& autosave() { return *autosave_; }
     Layouts& layouts() { return *layouts_; }

@@ -1,19 +1,123 @@
-// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`.
+// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, a frame at a time while the editor
+// lives on. What is exported is a copy made at the start: editing goes on. Nothing appears before it is whole and has been loaded
+// back.
+//
+//     exports.propose(ExportKind::video);
+//     exports.form.fps = 30;
+//     if (exports.faults().empty()) exports.start();
+//     each frame: exports.update(now);   // Editor::update
 #pragma once
+
+#include <array>
+#include <filesystem>
+#include <glm/glm.hpp>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lapfx/error.h"
+#include "output/bundle.h"
+#include "output/render_job.h"
 
 namespace lapfx::app {
 
 class Editor;
+class Job;
+
+enum class ExportKind { preset, bundle, picture, sequence, video };
+inline constexpr std::array<std::string_view, 5> export_names = {"Preset", "Bundle", "Picture", "Sequence", "Video"};
+
+struct ExportSize {
+    std::string_view name;
+    glm::ivec2 px;
+};
+/// The last is the person's own.
+inline constexpr std::array<ExportSize, 7> export_sizes = {{
+    {"1280 x 1024 (5:4)", {1280, 1024}},
+    {"1920 x 1080 (Full HD)", {1920, 1080}},
+    {"3840 x 2160 (4K)", {3840, 2160}},
+    {"1280 x 720 (HD)", {1280, 720}},
+    {"720 x 576 (PAL)", {720, 576}},
+    {"640 x 512", {640, 512}},
+    {"Free", {0, 0}},
+}};
+
+/// What the dialog asks for.
+struct ExportForm {
+    int kind = 0;                      ///< an ExportKind
+    std::array<std::string, 5> files;  ///< of each kind: file, folder, or pattern of a sequence
+    bool with_scene = true;            ///< of a bundle
+    int size = 0;                      ///< of export_sizes
+    int width = 1280, height = 1024;   ///< px, where the size is free
+    double at = 0, from = 0, to = 0;   ///< s
+    double fps = 25;
+    bool overlay = false;  ///< with what the view shows over the tissue
+    bool amounts = false;
+    std::string amounts_file;
+
+    ExportKind what() const { return static_cast<ExportKind>(kind); }
+    std::string& file() { return files[static_cast<std::size_t>(kind)]; }
+    const std::string& file() const { return files[static_cast<std::size_t>(kind)]; }
+    glm::ivec2 px() const;
+    bool renders() const { return what() >= ExportKind::picture; }
+    friend bool operator==(const ExportForm&, const ExportForm&) = default;
+};
 
 class Exports {
   public:
-    explicit Exports(Editor& editor) : editor_(editor) {}
+    explicit Exports(Editor& editor);
+    ~Exports();
+    Exports(const Exports&) = delete;
+    Exports& operator=(const Exports&) = delete;
+
+    ExportForm form;
+
+    /// Fills in what the person has not said yet: names beside the preset, the time that is shown, the range of play.
+    void propose(ExportKind kind);
+    /// What is wrong with the form as it is. Places are the options of `lapfx render`: "-o", "--size".
+    const std::vector<Fault>& faults();
+    std::string_view fault_at(std::string_view place);  ///< its reason; empty: nothing is wrong there
+    /// Whether something of that name is there and will be replaced.
+    bool replaces() const { return replaces_; }
+    int frames() const;
+
+    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts.
+    void start();
+    bool running() const { return static_cast<bool>(running_); }
+    void cancel();
+    double progress() const;            ///< 0..1
+    std::string progress_text() const;  ///< "12 of 300 frames"
+    std::string_view name() const;      ///< of what is being written
+    double seconds_left() const;        ///< s; negative: not known
+
+    /// The command line that makes the same. Throws Error (bad_input) when it could not: scene or preset are not saved.
+    std::string command() const;
+
     /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+    void update(double now);
 
   private:
+    struct Running;
+    output::RenderOptions render_options() const;
+    void look_at_form();
+    void check_preset_file(std::vector<Fault>& faults) const;
+    void begin();
+    void begin_bundle();
+    void begin_copying();
+    void step();
+    void end(const std::string& what);
+    void fail(const std::vector<Fault>& faults);
+
     Editor& editor_;
+    std::unique_ptr<Running> running_;
+    ExportForm checked_;  ///< what faults_ is of
+    std::uint64_t checked_version_ = 0;
+    std::vector<Fault> faults_;
+    bool replaces_ = false;
+    std::string proposed_for_;  ///< preset, for whose name the files stand
+    double now_ = 0;
 };
 
 }  // namespace lapfx::app

@@ -5,7 +5,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "commands/bench_streaming.h"
-#include "commands/output.h"
+#include "output/files.h"
 
 namespace lapfx::commands {
 
@@ -101,7 +101,7 @@ void plot_streaming(std::span<const StreamingRow> rows, const std::filesystem::p
     Image image{.width = whole.cols, .height = whole.rows, .pixels = {}, .name = ""};
     cv::cvtColor(whole, whole, cv::COLOR_BGR2RGBA);
     image.pixels.assign(whole.data, whole.data + whole.total() * 4);
-    write_png(path, image);
+    output::write_png(path, image);
 }
 
 }  // namespace lapfx::commands

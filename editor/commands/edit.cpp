@@ -8,10 +8,11 @@
 #include "app/open.h"
 #include "app/settings.h"
 #include "commands/command.h"
+#include "commands/dump.h"
 #include "commands/headless_editor.h"
 #include "commands/options.h"
-#include "commands/output.h"
 #include "commands/session.h"
+#include "output/files.h"
 #include "panels/panels.h"
 #include "window/ui_window.h"
 
@@ -21,7 +22,7 @@ namespace {
 
 struct Options {
     std::vector<std::string> files;
-    std::string screenshot, layout, size = "1440x900", theme = "", backend = "auto";
+    std::string screenshot, dump, dump_on_close, layout, size = "1440x900", theme = "", backend = "auto";
     double at = -1;
     float scale = 0;
     bool statistics = false;
@@ -50,15 +51,20 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
     if (o.at < 0 && !o.screenshot.empty() && o.files.empty()) editor.seek(sample_moment);
 }
 
-void write_screenshot(const Options& o) {
+/// The editor as a picture, and the tree of its widgets.
+void write_files(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
-    if (!o.screenshot.ends_with(".png")) throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
-    check_folder(o.screenshot);
+    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
+        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
+    for (const std::string& file : {o.screenshot, o.dump}) {
+        if (!file.empty()) check_folder(file);
+    }
     app::Opened opened = open_all(o.files);
     HeadlessEditor headless(size, o.scale, o.backend);
     set_up(headless.editor(), std::move(opened), o);
     headless.settle();
-    write_png(o.screenshot, headless.picture());
+    if (!o.dump.empty()) write_dump(o.dump, headless.ui().tree());
+    if (!o.screenshot.empty()) output::write_png(o.screenshot, headless.picture());
 }
 
 /// The keys of the window change it, and so may the settings: whichever is another one than `agreed` counts.
@@ -71,6 +77,7 @@ void follow_scale(window::UiWindow& window, app::Settings& settings, float& agre
 }
 
 void show_window(const Options& o) {
+    if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
     app::Opened opened = open_all(o.files);
     ui::ImageStore images;
     std::unique_ptr<app::Editor> editor;
@@ -97,6 +104,7 @@ void show_window(const Options& o) {
     const window::UiProgram program{.update =
                                         [&](double now) {
                                             if (o.scale <= 0) follow_scale(window, settings, scale);
+                                            editor->meter().ui = window.statistics().ui_seconds;
                                             editor->update(now);
                                             window.set_title(editor->files().title());
                                         },
@@ -117,13 +125,14 @@ void show_window(const Options& o) {
         editor->autosave().write_now();
         throw;
     }
+    if (!o.dump_on_close.empty()) write_dump(o.dump_on_close, window.ui().tree());
 }
 
 void run(const Options& o) {
     if (o.theme != "" && o.theme != "dark" && o.theme != "light")
         throw wrong_option("--theme", "\"" + o.theme + "\" is neither dark nor light");
-    if (o.screenshot.empty()) return show_window(o);
-    write_screenshot(o);
+    if (o.screenshot.empty() && o.dump.empty()) return show_window(o);
+    write_files(o);
 }
 
 }  // namespace
@@ -144,6 +153,11 @@ void add_edit(CLI::App& app) {
         ->check(CLI::Range(0.75, 3.0));
     verb->add_option("--backend", o->backend, "Of --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
         ->capture_default_str();
+    verb->add_option(
+        "--dump", o->dump,
+        "Write what there is, with names, values and places, instead of opening a window: .json, or a line "
+        "for each widget");
+    verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
     verb->add_flag("--statistics", o->statistics, "A line on stderr for every frame that the window makes, and why");
     verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });

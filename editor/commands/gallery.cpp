@@ -6,10 +6,11 @@
 
 #include "app/target.h"
 #include "commands/command.h"
+#include "commands/dump.h"
 #include "commands/options.h"
-#include "commands/output.h"
 #include "lapfx/context.h"
 #include "lapfx/file.h"
+#include "output/files.h"
 #include "ui/core/tree.h"
 #include "ui/gl/renderer.h"
 #include "window/ui_window.h"
@@ -38,11 +39,6 @@ void set_up(gallery::State& state, const Options& o) {
     state.light = o.theme == "light";
     state.bare = o.bare;
     state.reduced_motion = o.reduced_motion;
-}
-
-/// As JSON where the name says so, else a line for each node.
-void write_dump(const std::string& file, std::span<const ui::Node> tree) {
-    write_file(file, file.ends_with(".json") ? ui::dump_json(tree) + "\n" : ui::dump_text(tree));
 }
 
 /// A UI without a window, with a clock that goes by frames: the same picture every time.
@@ -103,7 +99,7 @@ void make_files(const Options& o) {
     if (!o.dump.empty()) write_dump(o.dump, still.tree());
     if (o.screenshot.empty()) return;
     const Context context = Context::create(parse_backend(o.backend));
-    write_png(o.screenshot, still.picture());
+    output::write_png(o.screenshot, still.picture());
 }
 
 void show_window(const Options& o) {

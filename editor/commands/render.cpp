@@ -1,13 +1,9 @@
 // lapfx render: a scene as a picture, a sequence of pictures or a video.
-#include <cmath>
-#include <regex>
-
 #include "commands/command.h"
 #include "commands/options.h"
-#include "commands/output.h"
 #include "commands/progress.h"
 #include "commands/session.h"
-#include "lapfx/file.h"
+#include "output/render_job.h"
 
 namespace lapfx::commands {
 
@@ -16,7 +12,7 @@ namespace {
 struct Options {
     std::string scene, preset, output, amounts, size = "1280x1024", backend = "auto", overlay = "none";
     std::vector<std::string> settings;
-    double fps = 25.0, from = 0.0, to = -1.0, at = -1.0;
+    double fps = 25.0, from = 0.0, to = -1.0, at = 0.0;
     bool has_at = false, has_span = false;
 };
 
@@ -28,93 +24,44 @@ Overlay parse_overlay(const std::string& text) {
     throw wrong_option("--overlay", "\"" + text + "\" is none of vessels, fat, bleed, none");
 }
 
-/// Number `index` of a sequence named like out_%04d.png.
-std::string sequence_name(const std::string& pattern, int index) {
-    static const std::regex number(R"(%(0?)(\d*)d)");
-    std::smatch match;
-    std::regex_search(pattern, match, number);
-    std::string digits = std::to_string(index);
-    const std::size_t width = match[2].length() > 0 ? std::stoul(match[2]) : 0;
-    if (digits.size() < width) digits.insert(0, width - digits.size(), match[1].length() > 0 ? '0' : ' ');
-    return match.prefix().str() + digits + match.suffix().str();
-}
-
-bool is_sequence_name(const std::string& name) {
-    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)");
-    return std::regex_match(name, pattern);
-}
-
-/// Times of the frames, s. A span holds the frame at `from` and not the one at `to`.
-std::vector<double> frame_times(const Options& o, const Scene& scene) {
-    if (o.has_at) return {o.at};
-    const double to = o.to >= 0.0 ? o.to : scene.duration;
-    if (to <= o.from)
-        throw wrong_option("--to", std::to_string(to) + " s is not after --from " + std::to_string(o.from) + " s");
-    const double count = std::ceil((to - o.from) * o.fps - 1e-9);
-    if (count > 1e6) throw wrong_option("--to", "more than a million frames");
-    std::vector<double> times;
-    for (int i = 0; i < static_cast<int>(count); ++i) times.push_back(o.from + i / o.fps);
-    return times;
-}
-
-void check_output(const Options& o) {
-    const bool still = o.output.ends_with(".png") && o.output.find('%') == std::string::npos;
-    if (still && o.has_span)
-        throw wrong_option("-o",
-                           "\"" + o.output + "\" is one picture; with --from and --to name a video or out_%04d.png");
-    if (!still && o.has_at)
-        throw wrong_option("-o", "\"" + o.output + "\" is not one picture; --at makes one: name a .png");
-    if (!still && !is_sequence_name(o.output) && !is_video_name(o.output))
-        throw wrong_option("-o", "\"" + o.output + "\" is none of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
-}
-
-/// A line of --amounts: what a trainee would be scored by, exact, without looking at pixels.
-std::string amounts_line(double time, const Amounts& a) {
-    std::array<char, 160> line{};
-    std::snprintf(line.data(), line.size(), "%.4f,%.3f,%.3f,%d,%d,%.5f\n", time, a.blood_area, a.blood_volume, a.wounds,
-                  a.bleeding_wounds, a.haze);
-    return line.data();
-}
-
-void render_frames(Preview& preview, const Options& o, const std::vector<double>& times, glm::ivec2 size) {
-    Progress progress("rendering", static_cast<int>(times.size()));
-    std::optional<VideoFile> video;
-    std::string amounts = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze\n";
-    if (is_video_name(o.output)) video.emplace(o.output, o.fps, cv::Size(size.x, size.y));
-    for (std::size_t i = 0; i < times.size(); ++i) {
-        const Image image = preview.image(times[i], size);
-        amounts += amounts_line(times[i], preview.amounts());
-        progress.step();
-        if (video)
-            video->add(image);
-        else
-            write_png(is_sequence_name(o.output) ? sequence_name(o.output, static_cast<int>(i)) : o.output, image);
-    }
-    if (video) video->finish();
-    if (!o.amounts.empty()) write_file(o.amounts, amounts);
-}
-
-void run(Options o) {
-    const glm::ivec2 size = parse_size(o.size);
-    const Backend backend = parse_backend(o.backend);
-    const Overlay overlay = parse_overlay(o.overlay);
+output::RenderOptions render_options(const Options& o) {
+    output::RenderOptions options{.size = parse_size(o.size),
+                                  .fps = o.fps,
+                                  .from = o.from,
+                                  .overlay = parse_overlay(o.overlay),
+                                  .output = o.output,
+                                  .amounts = o.amounts,
+                                  .clip_folders = clip_folders()};
     // A single picture without --at is that of the start.
-    if (!o.has_at && !o.has_span && o.output.ends_with(".png") && o.output.find('%') == std::string::npos) {
-        o.has_at = true;
-        o.at = 0.0;
-    }
-    check_output(o);
+    if (o.has_at || (!o.has_span && output::form_of(o.output) == output::FileForm::picture)) options.at = o.at;
+    if (o.to >= 0.0) options.to = o.to;
+    return options;
+}
+
+void require_sound(const output::RenderOptions& options, double duration) {
+    if (std::vector<Fault> faults = check(options, duration); !faults.empty())
+        throw Error(Failure::bad_input, std::move(faults));
+}
+
+void run(const Options& o) {
+    const Backend backend = parse_backend(o.backend);
+    output::RenderOptions options = render_options(o);
+    require_sound(options, o.from + 1.0);  // before anything is loaded; then with the scene's length
     check_folder(o.output);
     if (!o.amounts.empty()) check_folder(o.amounts);
     const Scene scene = load_scene(o.scene);
     const Preset preset = preset_for(scene, o.preset, o.settings);
-    const std::vector<double> times = frame_times(o, scene);
+    require_sound(options, scene.duration);
     const Context context = Context::create(backend);
-    Preview preview(scene, preset, {.clip_folders = clip_folders(), .wait_for_clips = true, .overlay = overlay});
-    print_warnings(preview);
+    output::RenderJob job(scene, preset, std::move(options));
+    print_warnings(job.preview());
     if (o.has_at) warn_after_end(scene, o.at);
-    render_frames(preview, o, times, size);
-    print_clip_warnings(preview);
+    Progress progress("rendering", job.frames());
+    for (int shown = 0; !job.done();) {
+        job.step();
+        for (; shown < job.drawn(); ++shown) progress.step();
+    }
+    print_clip_warnings(job.preview());
 }
 
 }  // namespace

@@ -3,9 +3,9 @@
 
 #include "commands/command.h"
 #include "commands/options.h"
-#include "commands/output.h"
 #include "commands/progress.h"
 #include "commands/session.h"
+#include "output/files.h"
 
 namespace lapfx::commands {
 
@@ -128,7 +128,7 @@ void run(const Options& o) {
     Preview preview(scene, rows.front().preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
     print_warnings(preview);
     for (const double time : o.times) warn_after_end(scene, time);
-    write_png(o.output, draw_sheet(preview, rows, o.times, layout));
+    output::write_png(o.output, draw_sheet(preview, rows, o.times, layout));
     print_clip_warnings(preview);
 }
 

@@ -1,10 +1,308 @@
+// What is exported, where to, and whether that will do: one dialog for all kinds. While an export runs it shows how far it is; so
+// does the status bar, for the dialog need not stay open.
+#include "app/exports.h"
 #include "panels/panels.h"
-#include "ui/widgets/basic.h"
+#include "ui/shell/dialog.h"
+#include "ui/shell/progress.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/param.h"
+#include "ui/widgets/text_field.h"
 
 namespace lapfx::panels {
 
-void export_dialog([[maybe_unused]] ui::Ui& ui, [[maybe_unused]] app::Editor& editor) {}
+namespace {
 
-void add_export_commands([[maybe_unused]] app::Editor& editor) {}
+using app::ExportForm;
+using app::ExportKind;
+using app::Exports;
+
+constexpr std::string_view dialog_name = "export", replace_name = "export replace";
+constexpr double longest_time = 86'400;  // s
+
+void open(app::Editor& editor, ExportKind kind) {
+    editor.exports().propose(kind);
+    ui::open_dialog(editor.ui(), dialog_name);
+}
+
+/// What is wrong in one place, below it.
+void fault_line(ui::Ui& ui, Exports& exports, std::string_view place) {
+    const std::string_view reason = exports.fault_at(place);
+    if (!reason.empty()) ui::label(ui, reason, {.tone = ui::Tone::error, .wrap = true});
+}
+
+ui::FileRequest request_for(const ExportForm& form) {
+    const std::string_view path = form.file();
+    ui::FileRequest request{.task = ui::FileTask::save,
+                            .title = "Export " + std::string(app::export_names[static_cast<std::size_t>(form.kind)]),
+                            .folder = std::string(ui::parent_of(path)),
+                            .name = std::string(ui::name_of_path(path))};
+    switch (form.what()) {
+        case ExportKind::preset:
+            request.filters = {{"Presets", {".json"}}};
+            break;
+        case ExportKind::bundle:
+            request.title = "Folder that the bundle is made in";
+            request.task = ui::FileTask::folder;
+            break;
+        case ExportKind::video:
+            request.filters = {{"Videos", {".mp4", ".mov", ".mkv", ".avi"}}};
+            break;
+        default:
+            request.filters = {{"Pictures", {".png"}}};
+    }
+    return request;
+}
+
+/// A field for a path with a button beside it.
+void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::string& path, std::string_view tip,
+              bool invalid) {
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::text_field(ui, label, path, {.tip = tip, .caption = true, .invalid = invalid});
+    const bool amounts = &path == &editor.exports().form.amounts_file;
+    if (!ui::icon_button(ui, ui::Icon::folder, ui.join({"Browse for ", label}))) return;
+    ui::FileRequest request = request_for(editor.exports().form);
+    if (amounts)
+        request = {.task = ui::FileTask::save,
+                   .title = "Amounts",
+                   .folder = std::string(ui::parent_of(path)),
+                   .name = std::string(ui::name_of_path(path)),
+                   .filters = {{"Tables", {".csv"}}}};
+    const bool folder = request.task == ui::FileTask::folder;
+    editor.ask_file(std::move(request), [&path, folder](const std::vector<std::string>& chosen) {
+        path = folder ? chosen.front() + "/" + std::string(ui::name_of_path(path)) : chosen.front();
+    });
+}
+
+void file_rows(ui::Ui& ui, app::Editor& editor) {
+    constexpr std::array<std::string_view, 5> tips = {
+        "The preset alone, as a simulator reads it. Clips have to lie in its folder or below; else make a bundle",
+        "A new folder with the preset, its clips, a picture of it and, if wanted, scene and organ",
+        "One PNG through the scene's camera",
+        "Numbered PNGs: %04d becomes the number, with four digits",
+        "The container follows from the name: .mp4, .mov, .mkv or .avi",
+    };
+    Exports& exports = editor.exports();
+    ExportForm& form = exports.form;
+    const std::string_view label = form.what() == ExportKind::bundle ? "Folder" : "File";
+    path_row(ui, editor, label, form.file(), tips[static_cast<std::size_t>(form.kind)],
+             !exports.fault_at("-o").empty());
+    fault_line(ui, exports, "-o");
+    if (exports.fault_at("-o").empty() && exports.replaces())
+        ui::label(ui,
+                  form.what() == ExportKind::bundle ? "The bundle that is there will be replaced"
+                                                    : "What is there under this name will be replaced",
+                  {.tone = ui::Tone::warning});
+}
+
+void size_rows(ui::Ui& ui, Exports& exports) {
+    static constexpr auto names = [] {
+        std::array<std::string_view, app::export_sizes.size()> all{};
+        for (std::size_t i = 0; i < all.size(); ++i) all[i] = app::export_sizes[i].name;
+        return all;
+    }();
+    ExportForm& form = exports.form;
+    const glm::ivec2 before = form.px();
+    if (ui::combo(ui, "Size", form.size, names, {.tip = "Width and height in pixels", .caption = true}).changed &&
+        form.size == static_cast<int>(names.size()) - 1) {
+        form.width = before.x;
+        form.height = before.y;
+    }
+    if (form.size == static_cast<int>(names.size()) - 1) {
+        ui::ParamOptions side{
+            .minimum = 16, .maximum = 4096, .hard_minimum = 1, .hard_maximum = 16384, .step = 2, .unit = "px"};
+        side.tip = "Of the picture, in pixels; even for a video";
+        ui::param(ui, "Width", form.width, side);
+        ui::param(ui, "Height", form.height, side);
+    }
+    fault_line(ui, exports, "--size");
+}
+
+void time_param(ui::Ui& ui, std::string_view label, double& value, double duration, std::string_view tip) {
+    ui::param(
+        ui, label, value,
+        {.maximum = duration, .hard_minimum = 0, .hard_maximum = longest_time, .step = 0.1, .unit = "s", .tip = tip});
+}
+
+void time_rows(ui::Ui& ui, app::Editor& editor) {
+    Exports& exports = editor.exports();
+    ExportForm& form = exports.form;
+    if (form.what() == ExportKind::picture) {
+        time_param(ui, "Time", form.at, editor.duration(), "Of the scene; to begin with, the one that the view shows");
+        return fault_line(ui, exports, "--at");
+    }
+    time_param(ui, "From", form.from, editor.duration(), "Time of the first frame");
+    fault_line(ui, exports, "--from");
+    time_param(ui, "To", form.to, editor.duration(), "The end; there is no frame at this time itself");
+    fault_line(ui, exports, "--to");
+    ui::param(ui, "Frame rate", form.fps,
+              {.minimum = 1,
+               .maximum = 60,
+               .hard_minimum = 0.1,
+               .hard_maximum = 1000,
+               .step = 1,
+               .unit = "fps",
+               .standard = 25,
+               .tip = "Frames of a second of the scene, and of the video"});
+    fault_line(ui, exports, "--fps");
+}
+
+void extra_rows(ui::Ui& ui, app::Editor& editor) {
+    Exports& exports = editor.exports();
+    ExportForm& form = exports.form;
+    if (editor.looking.overlay != Overlay::none)
+        ui::checkbox(ui, "With the overlay", form.overlay, "The false colour that the view shows over the tissue");
+    ui::checkbox(ui, "Amounts as a table", form.amounts,
+                 "A CSV with blood area and volume, wounds and haze of each frame: what a trainee would be scored by");
+    if (!form.amounts) return;
+    path_row(ui, editor, "Table", form.amounts_file, "Where the amounts go (.csv)",
+             !exports.fault_at("--amounts").empty());
+    fault_line(ui, exports, "--amounts");
+}
+
+/// What will come of it, in words.
+std::string_view summary(ui::Ui& ui, const Exports& exports) {
+    const ExportForm& form = exports.form;
+    char text[128];
+    const int frames = exports.frames();
+    switch (form.what()) {
+        case ExportKind::preset:
+            return "The preset as it is now, saved or not.";
+        case ExportKind::bundle:
+            return form.with_scene
+                       ? "Opens anywhere: preset, clips, scene, organ and tool. The reference video stays here."
+                       : "All that a simulator needs: the preset and its clips.";
+        case ExportKind::picture:
+            std::snprintf(text, sizeof text, "%d x %d pixels through the scene's camera.", form.px().x, form.px().y);
+            break;
+        default:
+            std::snprintf(text, sizeof text, "%d frames of %d x %d pixels, %.2f s.", frames, form.px().x, form.px().y,
+                          frames / form.fps);
+    }
+    return ui.copy(text);
+}
+
+void form_rows(ui::Ui& ui, app::Editor& editor) {
+    Exports& exports = editor.exports();
+    ExportForm& form = exports.form;
+    ui::segmented(ui, "What", form.kind, app::export_names);
+    ui::space(ui, 0.3F);
+    file_rows(ui, editor);
+    if (form.what() == ExportKind::bundle)
+        ui::checkbox(ui, "With scene and organ", form.with_scene,
+                     "So that it can be opened here and elsewhere as it is now; without, it is for a simulator");
+    if (form.renders()) {
+        size_rows(ui, exports);
+        time_rows(ui, editor);
+        extra_rows(ui, editor);
+    }
+    fault_line(ui, exports, "scene");
+    fault_line(ui, exports, "preset");
+    fault_line(ui, exports, "clips");
+    if (form.what() == ExportKind::preset && !exports.fault_at("clips").empty() &&
+        ui::button(ui, "Make a bundle instead", {.tip = "A folder with the preset and copies of its clips"}))
+        form.kind = static_cast<int>(ExportKind::bundle);
+    ui::label(ui, summary(ui, exports), {.tone = ui::Tone::dim, .wrap = true});
+}
+
+void copy_command(ui::Ui& ui, app::Editor& editor) {
+    try {
+        const std::string line = editor.exports().command();
+        if (ui.clipboard() != nullptr) ui.clipboard()->set(line);
+        editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the command that makes the same"});
+    } catch (const Error& error) {
+        editor.tell(error);
+    }
+}
+
+bool progress_row(ui::Ui& ui, Exports& exports, std::string_view label, const ui::Size& width) {
+    return ui::progress(ui, label, exports.progress(),
+                        {.seconds_left = exports.seconds_left(),
+                         .cancellable = true,
+                         .text = ui.copy(exports.progress_text()),
+                         .width = width});
+}
+
+void running_dialog(ui::Ui& ui, app::Editor& editor, ui::Dialog& dialog) {
+    Exports& exports = editor.exports();
+    if (progress_row(ui, exports, ui.join({"Exporting ", exports.name()}), ui::grow())) exports.cancel();
+    ui::label(ui, "The editor goes on meanwhile. Nothing appears before it is whole.",
+              {.tone = ui::Tone::dim, .wrap = true});
+    dialog.buttons({{.label = "Close", .standard = true, .cancel = true, .tip = "The export goes on"}});
+}
+
+void ask_replace(ui::Ui& ui, app::Editor& editor) {
+    Exports& exports = editor.exports();
+    const std::string_view name = ui::name_of_path(exports.form.file());
+    const auto answer =
+        ui::ask(ui, replace_name, "Replace what is there?",
+                ui.join({name, exports.form.what() == ExportKind::sequence
+                                   ? ": pictures of this name are there. Those with the same numbers will be replaced."
+                                   : " is there already and will be replaced once the new one is whole."}),
+                {{.label = "Cancel", .cancel = true}, {.label = "Replace"}}, ui::Tone::warning);
+    if (answer == 1U) exports.start();
+    if (answer == 0U) ui::open_dialog(ui, dialog_name);
+}
+
+}  // namespace
+
+void export_dialog(ui::Ui& ui, app::Editor& editor) {
+    ask_replace(ui, editor);
+    Exports& exports = editor.exports();
+    ui::Dialog dialog(ui, dialog_name, exports.running() ? "Export under way" : "New export", {.width = 36});
+    if (!dialog) return;
+    if (exports.running()) return running_dialog(ui, editor, dialog);
+    form_rows(ui, editor);
+    const bool sound = exports.faults().empty();
+    if (exports.form.renders() &&
+        ui::button(
+            ui, "Copy lapfx render command",
+            {.icon = ui::Icon::copy, .tip = "The command line that makes the same, for a script", .quiet = true}))
+        copy_command(ui, editor);
+    const auto pressed = dialog.buttons({{.label = "Cancel", .cancel = true},
+                                         {.label = "Export",
+                                          .standard = true,
+                                          .enabled = sound,
+                                          .tip = sound ? "Write it, and load it back to see that it is sound"
+                                                       : ui.join({"Not yet: ", exports.faults().front().reason})}});
+    if (pressed != 1U) return;
+    if (exports.replaces())
+        ui::open_dialog(ui, replace_name);
+    else
+        exports.start();
+}
+
+void export_status(ui::Ui& ui, app::Editor& editor) {
+    Exports& exports = editor.exports();
+    if (exports.running() && progress_row(ui, exports, exports.name(), ui::px(ui.em(26)))) exports.cancel();
+}
+
+void add_export_commands(app::Editor& editor) {
+    using ui::key_of;
+    using ui::Mods;
+    editor.commands.add({.id = "export.open",
+                         .title = "Export...",
+                         .group = "File",
+                         .chord = {key_of('E'), Mods::command},
+                         .run = [&editor] { open(editor, editor.exports().form.what()); },
+                         .tip = "A preset, a bundle, pictures or a video"});
+    const auto add = [&editor](const char* id, const char* title, ExportKind kind, const char* tip) {
+        editor.commands.add(
+            {.id = id, .title = title, .group = "File", .run = [&editor, kind] { open(editor, kind); }, .tip = tip});
+    };
+    add("export.bundle", "Export preset bundle...", ExportKind::bundle,
+        "A folder with the preset and all that it needs");
+    add("export.picture", "Export picture...", ExportKind::picture, "The frame that is shown, as PNG");
+    add("export.video", "Export video...", ExportKind::video, "The scene, or the range of play, as a video");
+    editor.commands.add({.id = "export.copy_json",
+                         .title = "Copy preset as JSON",
+                         .group = "File",
+                         .run =
+                             [&editor] {
+                                 if (ui::Clipboard* clipboard = editor.ui().clipboard())
+                                     clipboard->set(write_preset(editor.document.preset()));
+                                 editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the preset as JSON"});
+                             },
+                         .tip = "For a mail or an editor of text"});
+}
 
 }  // namespace lapfx::panels

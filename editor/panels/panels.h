@@ -33,6 +33,7 @@ void scene_panel(ui::Ui& ui, app::Editor& editor);
 // --- dialogs: nothing while they are closed -----------------------------------------------------------------------------
 void organ_dialog(ui::Ui& ui, app::Editor& editor);
 void export_dialog(ui::Ui& ui, app::Editor& editor);
+void export_status(ui::Ui& ui, app::Editor& editor);  ///< in the status bar, while one runs
 void closing_dialog(ui::Ui& ui, app::Editor& editor);
 void recovery_dialog(ui::Ui& ui, app::Editor& editor);
 void settings_dialog(ui::Ui& ui, app::Editor& editor);

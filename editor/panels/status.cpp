@@ -42,6 +42,7 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
         ui.join({preset.empty() ? "Unnamed preset" : preset, editor.document.preset_unsaved() ? " *" : ""}),
         {.tone = ui::Tone::normal, .tip = "The preset: what a simulator loads. * marks changes that are not saved."});
     ui::spacer(ui);
+    export_status(ui, editor);
     jobs(ui, editor);
     app::Meter& meter = editor.meter();
     if (meter.frames_per_second() > 0)

@@ -1,181 +1,25 @@
 #!/usr/bin/env python3
-"""`lapfx gallery` in a window, as a person uses it: a display of its own (Xvfb), pointer and keys from xdotool.
+"""`lapfx gallery` in a window, as a person uses it.
 
 gallery_test.py LAPFX [NAME]: with NAME only the cases whose name contains it. 77 where Xvfb, xdotool or OpenGL is missing.
-
-What a case looks at is the log of frames (--statistics) while the window is open, and the tree of widgets once it is closed
-(--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
 """
-import json
 import os
 import re
-import shutil
-import subprocess
 import sys
-import tempfile
 import time
 
-SKIP = 77
-LIMIT_S = 60  # for anything to happen, also under a sanitizer
+import real_window
+from real_window import node
+
 SIZE = (900, 640)
-FRAME = re.compile(r"^frame (\d+) at ([0-9.e+-]+) s: (.*?)(, drawn)?$", re.MULTILINE)
 
 
-class Skip(Exception):
-    pass
-
-
-def wait_for(what, condition, limit=LIMIT_S):
-    end = time.monotonic() + limit
-    while time.monotonic() < end:
-        found = condition()
-        if found:
-            return found
-        time.sleep(0.02)
-    raise AssertionError(f"waited {limit} s for {what}")
-
-
-class Display:
-    """An X server that nobody else uses."""
-
-    def __init__(self, folder):
-        self.log = open(os.path.join(folder, "xvfb.log"), "w", encoding="utf-8")
-        read, write = os.pipe()
-        self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
-            pass_fds=[write], stdout=self.log, stderr=self.log)
-        os.close(write)
-        with os.fdopen(read) as number:
-            self.name = ":" + number.readline().strip()
-        if self.name == ":":
-            raise Skip("Xvfb does not start")
-
-    def close(self):
-        self.server.terminate()
-        self.server.wait()
-        self.log.close()
-
-
-class Gallery:
-    """One window. Use as a context: leaving it closes what is still open."""
+class Gallery(real_window.Window):
+    title, verb = "lapfx gallery", "gallery"
 
     def __init__(self, lapfx, display, folder, *options, page="Overview", size=SIZE, environment=None):
-        self.folder = folder
-        self.dump_file = os.path.join(folder, "closed.json")
-        self.log_file = os.path.join(folder, "frames.log")
-        self.environment = {**os.environ, "DISPLAY": display.name, "LC_ALL": "C.UTF-8", "LAPFX_SCALE": "1",
-                            **(environment or {})}
-        self.environment.pop("WAYLAND_DISPLAY", None)
-        self.common = ["--page", page, "--size", "%dx%d" % size, *options]
-        self.lapfx = lapfx
-        self.process = None
-        self.window = None
-
-    def __enter__(self):
-        if os.path.exists(self.dump_file):
-            os.remove(self.dump_file)
-        self.log = open(self.log_file, "w", encoding="utf-8")
-        self.process = subprocess.Popen(
-            [self.lapfx, "gallery", *self.common, "--statistics", "--dump-on-close", self.dump_file],
-            env=self.environment, stdout=self.log, stderr=self.log)
-
-        def first_frame():
-            if self.process.poll() is not None:
-                text = self.text()
-                if self.process.returncode == SKIP:
-                    raise Skip(text.strip())
-                raise AssertionError(f"ended with {self.process.returncode}: {text}")
-            return self.frames()
-        wait_for("the first frame", first_frame)
-        self.window = self.xdotool("search", "--sync", "--onlyvisible", "--name", "lapfx gallery").split()[-1]
-        self.xdotool("windowfocus", "--sync", self.window)
-        self.settle()
-        return self
-
-    def __exit__(self, *_):
-        if self.process.poll() is None:
-            self.process.kill()
-        self.process.wait()
-        self.log.close()
-
-    def text(self):
-        with open(self.log_file, encoding="utf-8") as file:
-            return file.read()
-
-    def frames(self, since=0):
-        """(time, reason, drawn) of each frame from number `since` on."""
-        return [(float(m[2]), m[3], bool(m[4])) for m in FRAME.finditer(self.text()) if int(m[1]) > since]
-
-    def drawn(self, since):
-        return [frame for frame in self.frames(since) if frame[2]]
-
-    def settle(self, quiet=0.4):
-        """Until no frame has been made for `quiet` s."""
-        def is_quiet():
-            count = len(self.frames())
-            time.sleep(quiet)
-            return len(self.frames()) == count
-        wait_for("a quiet window", is_quiet)
-
-    def xdotool(self, *arguments):
-        done = subprocess.run(["xdotool", *arguments], env=self.environment, capture_output=True, encoding="utf-8",
-                              timeout=LIMIT_S, check=False)
-        assert done.returncode == 0, f"xdotool {' '.join(arguments)}: {done.stderr}"
-        return done.stdout
-
-    def act(self, *arguments):
-        """One xdotool command, and until the window has answered it."""
-        count = len(self.frames())
-        self.xdotool(*arguments)
-        wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
-        self.settle(0.15)
-
-    def act_now(self, *arguments):
-        """The same where the window never becomes quiet."""
-        count = len(self.frames())
-        self.xdotool(*arguments)
-        wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
-
-    def tree(self):
-        """Of a window that has just been opened."""
-        file = os.path.join(self.folder, "before.json")
-        subprocess.run([self.lapfx, "gallery", *self.common, "--scale", "1", "--dump", file], check=True)
-        with open(file, encoding="utf-8") as dump:
-            return json.load(dump)
-
-    def middle(self, path):
-        x, y, w, h = node(self.tree(), path)["rect"]
-        return int(x + w / 2), int(y + h / 2)
-
-    def click(self, path, button=1):
-        x, y = self.middle(path)
-        self.act("mousemove", "--window", self.window, str(x), str(y))
-        self.act("click", str(button))
-
-    def cpu_ticks(self):
-        with open(f"/proc/{self.process.pid}/stat", encoding="utf-8") as stat:
-            fields = stat.read().rsplit(")", 1)[1].split()
-        return int(fields[11]) + int(fields[12])  # utime, stime
-
-    def close(self):
-        """By its command (a window manager's way cannot be gone by this xdotool); gives the tree as it was last."""
-        self.xdotool("key", "ctrl+q")
-        assert self.process.wait(LIMIT_S) == 0, self.text()
-        with open(self.dump_file, encoding="utf-8") as dump:
-            return json.load(dump)
-
-
-def nodes(tree):
-    yield tree
-    for child in tree.get("children", ()):
-        yield from nodes(child)
-
-
-def node(tree, path):
-    found = [n for n in nodes(tree) if n.get("path") == path]
-    assert len(found) == 1, f"{path} is there {len(found)} times: " + ", ".join(
-        n["path"] for n in nodes(tree) if "path" in n)
-    return found[0]
+        super().__init__(lapfx, display, folder, "--page", page, "--size", "%dx%d" % size, *options,
+                         environment=environment)
 
 
 def case_idle(open_gallery):
@@ -300,31 +144,10 @@ def case_close(open_gallery):
 
 def main(arguments):
     lapfx, wanted = os.path.abspath(arguments[0]), arguments[1] if len(arguments) > 1 else ""
-    for program in ("Xvfb", "xdotool"):
-        if shutil.which(program) is None:
-            print(f"gallery_test: there is no {program}, so nothing was tested")
-            return SKIP
-    failed = 0
-    cases = [(name[5:], case) for name, case in globals().items() if name.startswith("case_") and wanted in name]
-    with tempfile.TemporaryDirectory(prefix="lapfx gallery ") as folder:
-        try:
-            display = Display(folder)
-            try:
-                for name, case in cases:
-                    print(f"{name} ... ", end="", flush=True)
-                    try:
-                        case(lambda *options, **more: Gallery(lapfx, display, folder, *options, **more))
-                        print("ok")
-                    except AssertionError as error:
-                        failed += 1
-                        print(f"FAILED: {error}")
-            finally:
-                display.close()
-        except Skip as reason:
-            print(f"skipped: {reason}")
-            return SKIP
-    print(f"{len(cases)} cases, {failed} failed")
-    return 1 if failed or not cases else 0
+
+    def window(display, folder):
+        return lambda *options, **more: Gallery(lapfx, display, folder, *options, **more)
+    return real_window.run("gallery", real_window.cases_of(globals(), wanted), window)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-#include "commands/output.h"
+#include "output/files.h"
 
 #include <gmock/gmock.h>
 
@@ -6,7 +6,7 @@
 
 #include "unit/preset/support.h"
 
-namespace lapfx::commands {
+namespace lapfx::output {
 namespace {
 
 namespace fs = std::filesystem;
@@ -80,7 +80,7 @@ TEST(VideoFileTest, WhereNoneCanBeWrittenItSaysSo) {
                         VideoFile(folder / "no/v.mp4", 25.0, {32, 16});
                     },
                     Failure::runtime),
-                testing::ElementsAre(testing::HasSubstr("its folder is missing or cannot be written to")));
+                testing::ElementsAre(testing::HasSubstr("its folder is missing")));
     EXPECT_THAT(test::faults_of(
                     [&] {
                         VideoFile(folder.path(), 25.0, {32, 16});
@@ -90,4 +90,4 @@ TEST(VideoFileTest, WhereNoneCanBeWrittenItSaysSo) {
 }
 
 }  // namespace
-}  // namespace lapfx::commands
+}  // namespace lapfx::output

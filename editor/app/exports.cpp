@@ -1,0 +1,375 @@
+#include "app/exports.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "app/editor.h"
+#include "output/files.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double step_budget = 0.03;  // s of a frame of the UI
+constexpr glm::ivec2 thumbnail_size{320, 256};
+
+Fault fault(std::string place, std::string reason) {
+    return {.file = "", .place = std::move(place), .reason = std::move(reason)};
+}
+
+/// "Gastric banding, left" as a file is called: "gastric_banding_left".
+std::string file_name(const std::string& text) {
+    std::string name;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if (std::isalnum(byte) != 0)
+            name += static_cast<char>(std::tolower(byte));
+        else if (!name.empty() && name.back() != '_')
+            name += '_';
+    }
+    while (!name.empty() && name.back() == '_') name.pop_back();
+    return name.empty() ? "preset" : name;
+}
+
+bool is_writable_folder(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder, error) && ::access(folder.c_str(), W_OK | X_OK) == 0;
+}
+
+/// For a shell.
+std::string quoted(const std::string& text) {
+    if (!text.empty() &&
+        text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%") ==
+            std::string::npos)
+        return text;
+    std::string out = "'";
+    for (const char c : text) out += c == '\'' ? "'\\''" : std::string(1, c);
+    return out + "'";
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.9g", value);
+    return text;
+}
+
+const char* name_of(Overlay overlay) {
+    switch (overlay) {
+        case Overlay::vessels:
+            return "vessels";
+        case Overlay::fat:
+            return "fat";
+        case Overlay::bleed:
+            return "bleed";
+        default:
+            return "none";
+    }
+}
+
+}  // namespace
+
+/// One export, from its start to its end.
+struct Exports::Running {
+    ExportForm form;
+    Scene scene;
+    Preset preset;
+    output::RenderOptions options;
+    std::unique_ptr<output::RenderJob> render;  ///< of a bundle: its thumbnail
+    std::shared_ptr<Job> copying;               ///< of a bundle
+    double began = 0;
+};
+
+Exports::Exports(Editor& editor) : editor_(editor) {}
+
+Exports::~Exports() {
+    if (running_ && running_->copying) running_->copying->cancel();
+}
+
+glm::ivec2 ExportForm::px() const {
+    const glm::ivec2 named = export_sizes[static_cast<std::size_t>(std::clamp(size, 0, 6))].px;
+    return named.x > 0 ? named : glm::ivec2(width, height);
+}
+
+void Exports::propose(ExportKind kind) {
+    const document::Document& document = editor_.document;
+    form.kind = static_cast<int>(kind);
+    form.at = editor_.timeline.time;
+    if (editor_.timeline.has_range) {
+        form.from = editor_.timeline.range.low;
+        form.to = editor_.timeline.range.high;
+    } else {
+        form.from = 0;
+        form.to = editor_.duration();
+    }
+    const fs::path& file = document.preset_file();
+    const std::string proposed_for = file.string() + "\n" + document.preset().name;
+    if (proposed_for == proposed_for_) return;
+    proposed_for_ = proposed_for;
+    fs::path folder = file.empty() ? document.scene_file().parent_path() : file.parent_path();
+    std::error_code error;
+    folder = fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder, error), error);
+    if (!is_writable_folder(folder))
+        folder = (editor_.options().files ? *editor_.options().files : ui::system_files()).home();
+    const std::string base =
+        (folder / (file.empty() ? file_name(document.preset().name) : file.stem().string())).string();
+    form.files = {base + "_tuned.json", base + "_bundle", base + ".png", base + "_%04d.png", base + ".mp4"};
+    form.amounts_file = base + ".csv";
+}
+
+output::RenderOptions Exports::render_options() const {
+    const ExportForm& f = form;
+    output::RenderOptions options{.size = f.px(),
+                                  .fps = f.fps,
+                                  .overlay = f.overlay ? editor_.looking.overlay : Overlay::none,
+                                  .output = f.file(),
+                                  .clip_folders = editor_.options().clip_folders};
+    if (f.what() == ExportKind::picture) {
+        options.at = f.at;
+    } else {
+        options.from = f.from;
+        options.to = f.to;
+    }
+    if (f.amounts) options.amounts = f.amounts_file;
+    return options;
+}
+
+int Exports::frames() const {
+    if (!form.renders()) return 0;
+    if (form.what() == ExportKind::picture) return 1;
+    const double count = std::ceil((form.to - form.from) * form.fps - 1e-9);
+    return count > 0 && count < 1e9 ? static_cast<int>(count) : 0;
+}
+
+void Exports::check_preset_file(std::vector<Fault>& faults) const {
+    const document::Document& document = editor_.document;
+    for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
+    const fs::path file = form.file();
+    if (form.what() == ExportKind::preset) {
+        if (file.extension() != ".json") return faults.push_back(fault("-o", "a preset is a .json file"));
+        std::vector<Fault> clips;
+        output::preset_in(fs::absolute(file).parent_path(), document.preset(), editor_.options().clip_folders, clips);
+        for (const Fault& clip : clips) faults.push_back(fault("clips", clip.place + ": " + clip.reason));
+        return;
+    }
+    if (const std::string reason = output::check_bundle_folder(file); !reason.empty())
+        faults.push_back(fault("-o", reason));
+    for (std::size_t i = 0; i < document.preset().smoke.clips.size(); ++i) {
+        const std::string& clip = document.preset().smoke.clips[i].file;
+        if (output::clip_files(clip, document.preset().folder, editor_.options().clip_folders).files.empty())
+            faults.push_back(fault("clips", "\"" + clip + "\": no such clip"));
+    }
+}
+
+/// A form may be looked at many times a frame, its files only when something is new.
+void Exports::look_at_form() {
+    if (checked_ == form && checked_version_ == editor_.document.version()) return;
+    checked_ = form;
+    checked_version_ = editor_.document.version();
+    faults_.clear();
+    replaces_ = false;
+    const fs::path file = form.file();
+    if (file.empty() || file.filename().empty()) {
+        faults_.push_back(fault("-o", form.what() == ExportKind::bundle ? "name a folder" : "name a file"));
+    } else {
+        const fs::path first =
+            form.what() == ExportKind::sequence && output::form_of(file) == output::FileForm::sequence
+                ? output::sequence_name(file, 0)
+                : file;
+        std::error_code error;
+        replaces_ = fs::exists(first, error);
+        const fs::path folder = fs::absolute(file, error).parent_path();
+        if (!fs::is_directory(folder, error))
+            faults_.push_back(fault("-o", "there is no folder " + folder.string()));
+        else if (!is_writable_folder(folder))
+            faults_.push_back(fault("-o", folder.string() + " cannot be written to"));
+    }
+    if (!form.renders()) return check_preset_file(faults_);
+    constexpr std::array<output::FileForm, 3> forms = {output::FileForm::picture, output::FileForm::sequence,
+                                                       output::FileForm::video};
+    constexpr std::array<const char*, 3> wanted = {"a picture is a .png", "a sequence is named like out_%04d.png",
+                                                   "a video is an .mp4, .mov, .mkv or .avi"};
+    const auto which = static_cast<std::size_t>(form.kind) - 2;
+    if (output::form_of(file) != forms[which]) faults_.push_back(fault("-o", wanted[which]));
+    for (Fault& found : check(render_options(), editor_.duration()))
+        if (found.place != "-o") faults_.push_back(std::move(found));
+    if (form.amounts && !is_writable_folder(fs::absolute(form.amounts_file).parent_path()))
+        faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
+    if (editor_.document.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
+    for (const Fault& found : editor_.document.preset_faults()) faults_.push_back(fault("preset", found.text()));
+}
+
+const std::vector<Fault>& Exports::faults() {
+    look_at_form();
+    return faults_;
+}
+
+std::string_view Exports::fault_at(std::string_view place) {
+    for (const Fault& found : faults())
+        if (found.place == place) return found.reason;
+    return {};
+}
+
+void Exports::start() {
+    checked_version_ = 0;  // files may have come and gone
+    if (running_ || !faults().empty()) return;
+    running_ = std::make_unique<Running>(Running{.form = form,
+                                                 .scene = editor_.document.scene(),
+                                                 .preset = editor_.document.preset(),
+                                                 .options = render_options(),
+                                                 .render = nullptr,
+                                                 .copying = nullptr,
+                                                 .began = now_});
+}
+
+/// Outside of the UI's build: it reads files.
+void Exports::begin() {
+    switch (running_->form.what()) {
+        case ExportKind::preset:
+            output::export_preset(running_->preset, running_->form.file(), editor_.options().clip_folders);
+            return end("");
+        case ExportKind::bundle:
+            return begin_bundle();
+        default:
+            running_->render =
+                std::make_unique<output::RenderJob>(running_->scene, running_->preset, running_->options);
+    }
+}
+
+/// Its thumbnail first, as the view shows it now, but at the scene's camera.
+void Exports::begin_bundle() {
+    running_->render = std::make_unique<output::RenderJob>(
+        running_->scene, running_->preset,
+        output::RenderOptions{
+            .size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders});
+}
+
+void Exports::begin_copying() {
+    auto bundle = std::make_shared<output::Bundle>(output::Bundle{.preset = running_->preset,
+                                                                  .folder = fs::absolute(running_->form.file()),
+                                                                  .clip_folders = editor_.options().clip_folders,
+                                                                  .thumbnail = running_->render->image()});
+    if (running_->form.with_scene) bundle->scene = running_->scene;
+    running_->render.reset();
+    running_->copying = editor_.jobs.start(
+        "Exporting " + bundle->folder.filename().string(),
+        [this, bundle](Job& job) -> Jobs::Apply {
+            const output::BundleContent made = write_bundle(*bundle, [&](double share) {
+                job.set_progress(share);
+                return !job.cancelled();
+            });
+            return [this, made] { end(std::to_string(made.files) + " files, " + ui::size_text(made.bytes)); };
+        },
+        [this](const std::vector<Fault>& faults) { fail(faults); });
+}
+
+void Exports::cancel() {
+    if (!running_) return;
+    if (running_->copying) running_->copying->cancel();
+    editor_.toasts.add({.text = "Export of " + std::string(name()) + " given up: nothing was written"});
+    running_.reset();
+}
+
+std::string_view Exports::name() const {
+    if (!running_) return {};
+    const std::string_view file = running_->form.file();
+    return ui::name_of_path(file);
+}
+
+double Exports::progress() const {
+    if (!running_) return 0;
+    const bool bundle = running_->form.what() == ExportKind::bundle;
+    if (running_->render) return bundle ? 0 : running_->render->progress();
+    return running_->copying ? std::max(0.0, running_->copying->progress()) : 0;
+}
+
+double Exports::seconds_left() const {
+    const double share = progress();
+    return running_ && share > 0.02 ? (now_ - running_->began) * (1 - share) / share : -1;
+}
+
+std::string Exports::progress_text() const {
+    if (!running_) return {};
+    if (!running_->render && !running_->copying) return "loading";
+    if (running_->form.what() == ExportKind::bundle) return running_->copying ? "copying and checking" : "thumbnail";
+    const output::RenderJob& job = *running_->render;
+    if (job.drawn() == job.frames()) return "reading back";
+    return std::to_string(job.drawn()) + " of " + std::to_string(job.frames()) +
+           (job.frames() == 1 ? " frame" : " frames");
+}
+
+void Exports::update(double now) {
+    now_ = now;
+    if (!running_ || running_->copying) return;
+    try {
+        if (!running_->render) return begin();
+        const auto start = std::chrono::steady_clock::now();
+        do {
+            step();
+        } while (running_ && running_->render &&
+                 std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() < step_budget);
+    } catch (const Error& error) {
+        fail(error.faults());
+    } catch (const std::exception& error) {  // no memory for a picture, an encoder that gives up
+        fail({{.file = running_ ? running_->form.file() : "", .place = "", .reason = error.what()}});
+    }
+}
+
+void Exports::step() {
+    output::RenderJob& job = *running_->render;
+    job.step();
+    if (!job.done()) return;
+    if (running_->form.what() == ExportKind::bundle) return begin_copying();
+    end(job.frames() == 1 ? "" : std::to_string(job.frames()) + " frames");
+}
+
+void Exports::end(const std::string& what) {
+    std::error_code error;
+    const std::string path = fs::absolute(running_->form.file(), error).string();
+    std::string text = "Exported " + std::string(name());
+    if (!what.empty()) text += " (" + what + ")";
+    running_.reset();
+    checked_version_ = 0;
+    editor_.toasts.add(
+        {.kind = ui::ToastKind::good, .text = text + ", checked", .action = "Copy path", .act = [this, path] {
+             if (ui::Clipboard* clipboard = editor_.ui().clipboard()) clipboard->set(path);
+         }});
+}
+
+void Exports::fail(const std::vector<Fault>& faults) {
+    running_.reset();
+    checked_version_ = 0;
+    editor_.tell(faults);
+}
+
+std::string Exports::command() const {
+    const document::Document& document = editor_.document;
+    std::vector<Fault> faults;
+    if (!form.renders()) faults.push_back(fault("", "lapfx render makes pictures, sequences and videos"));
+    if (document.scene_file().empty() || document.scene_unsaved())
+        faults.push_back(fault("", "the scene is not saved: a command line reads it from its file"));
+    if (document.preset_unsaved())
+        faults.push_back(fault("", "the preset is not saved: a command line reads it from its file"));
+    if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+    std::error_code error;
+    const auto path = [&](const fs::path& file) {
+        return quoted(fs::absolute(file, error).lexically_normal().string());
+    };
+    std::string line = "lapfx render " + path(document.scene_file());
+    if (!document.preset_file().empty()) line += " --preset " + path(document.preset_file());
+    line += " --size " + std::to_string(form.px().x) + "x" + std::to_string(form.px().y);
+    if (form.what() == ExportKind::picture)
+        line += " --at " + number(form.at);
+    else
+        line += " --fps " + number(form.fps) + " --from " + number(form.from) + " --to " + number(form.to);
+    if (form.overlay && editor_.looking.overlay != Overlay::none)
+        line += std::string(" --overlay ") + name_of(editor_.looking.overlay);
+    if (form.amounts) line += " --amounts " + path(form.amounts_file);
+    return line + " -o " + path(form.file());
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,145 @@
+#include "output/files.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "lapfx/file.h"
+
+namespace lapfx::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path folder_of(const fs::path& path) {
+    return path.has_parent_path() ? path.parent_path() : ".";
+}
+
+}  // namespace
+
+void to_bgr(const Image& image, cv::Mat& bgr) {
+    const cv::Mat rgba(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
+    cv::cvtColor(rgba, bgr, cv::COLOR_RGBA2BGR);
+}
+
+Error cannot_write(const fs::path& path, const std::string& reason) {
+    return {Failure::runtime, Fault{.file = path.string(), .place = "", .reason = reason}};
+}
+
+void require_replaceable(const fs::path& path) {
+    std::error_code error;
+    const fs::file_status status = fs::symlink_status(path, error);
+    if (fs::exists(status)) {
+        if (!fs::is_regular_file(status)) throw cannot_write(path, "not written: it is there and is not a plain file");
+        if (::access(path.c_str(), W_OK) != 0) throw cannot_write(path, "not written: it is write-protected");
+    }
+    if (!fs::is_directory(folder_of(path), error)) throw cannot_write(path, "its folder is missing");
+    if (::access(folder_of(path).c_str(), W_OK | X_OK) != 0)
+        throw cannot_write(path, std::string("its folder cannot be written to: ") + std::strerror(errno));
+}
+
+void give_name(const fs::path& beside, const fs::path& path) {
+    require_replaceable(path);
+    std::error_code error;
+    const fs::file_status old = fs::status(path, error);
+    if (fs::exists(old)) fs::permissions(beside, old.permissions(), error);
+    fs::rename(beside, path, error);
+    if (error) throw cannot_write(path, "cannot be written: " + error.message());
+}
+
+void write_png(const fs::path& path, const Image& image) {
+    cv::Mat bgr;
+    to_bgr(image, bgr);
+    std::vector<unsigned char> bytes;
+    if (!cv::imencode(".png", bgr, bytes)) throw cannot_write(path, "the picture cannot be encoded as PNG");
+    write_file(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+}
+
+bool is_video_name(const fs::path& path) {
+    constexpr std::array<const char*, 4> extensions{".mp4", ".mov", ".mkv", ".avi"};
+    return std::find(extensions.begin(), extensions.end(), path.extension().string()) != extensions.end();
+}
+
+VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs::absolute(path)), size_(size) {
+    require_replaceable(path_);
+    // The extension stays last: the container is chosen by it.
+    beside_ = path_.parent_path() /
+              (".lapfx-" + std::to_string(::getpid()) + "-" + path_.stem().string() + path_.extension().string());
+    // H.264 where FFmpeg can encode it, else MPEG-4 part 2, which it always can.
+    for (const int codec : {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')})
+        if (writer_.open(beside_.string(), cv::CAP_FFMPEG, codec, fps, size)) return;
+    std::error_code error;
+    fs::remove(beside_, error);
+    throw cannot_write(path, "no video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                 " pixels can be encoded here (the sides must be even)");
+}
+
+VideoFile::~VideoFile() {
+    if (published_) return;
+    writer_.release();
+    written_.release();
+    std::error_code error;
+    fs::remove(beside_, error);
+}
+
+void VideoFile::add(const Image& image) {
+    to_bgr(image, frame_);
+    writer_.write(frame_);
+    ++frames_;
+}
+
+/// A full disk shows only here, for OpenCV's writer does not tell: every frame must come back.
+bool VideoFile::check() {
+    if (checked_) return false;
+    if (!closed_) {
+        closed_ = true;
+        writer_.release();
+        written_.open(beside_.string(), cv::CAP_FFMPEG);
+    }
+    if (written_.isOpened() && written_.grab()) {
+        ++readable_;
+        return true;
+    }
+    const cv::Size size(static_cast<int>(written_.get(cv::CAP_PROP_FRAME_WIDTH)),
+                        static_cast<int>(written_.get(cv::CAP_PROP_FRAME_HEIGHT)));
+    if (readable_ != frames_)
+        throw cannot_write(path_, "the video could not be written whole: " + std::to_string(readable_) + " of " +
+                                      std::to_string(frames_) + " frames; is the disk full?");
+    if (frames_ > 0 && size != size_)
+        throw cannot_write(path_, "the video came out as " + std::to_string(size.width) + "x" +
+                                      std::to_string(size.height) + " pixels, not " + std::to_string(size_.width) +
+                                      "x" + std::to_string(size_.height));
+    written_.release();
+    checked_ = true;
+    return false;
+}
+
+void VideoFile::publish() {
+    give_name(beside_, path_);
+    published_ = true;
+}
+
+void VideoFile::finish() {
+    while (check()) {
+    }
+    publish();
+}
+
+FolderBeside::FolderBeside(const fs::path& path) {
+    std::string pattern = (folder_of(fs::absolute(path)) / ".lapfx-XXXXXX").string();
+    if (::mkdtemp(pattern.data()) == nullptr)
+        throw cannot_write(path, std::string("cannot be written: ") + std::strerror(errno));
+    path_ = pattern;
+}
+
+FolderBeside::~FolderBeside() {
+    std::error_code error;
+    fs::remove_all(path_, error);
+}
+
+}  // namespace lapfx::output

@@ -1,0 +1,102 @@
+#include "output/frame_files.h"
+
+#include <opencv2/imgcodecs.hpp>
+#include <regex>
+#include <string_view>
+#include <vector>
+
+#include "output/files.h"
+
+namespace lapfx::output {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::size_t hash_of(const cv::Mat& bgr) {
+    return std::hash<std::string_view>{}({reinterpret_cast<const char*>(bgr.data), bgr.total() * bgr.elemSize()});
+}
+
+/// Pictures in a folder of their own until all are there.
+class PngFiles : public FrameFiles {
+  public:
+    PngFiles(const fs::path& name, glm::ivec2 size, int count)
+        : name_(fs::absolute(name)), sequence_(form_of(name) == FileForm::sequence), size_(size) {
+        for (int i = 0; i < count; ++i) require_replaceable(target(i));
+        beside_ = std::make_unique<FolderBeside>(name_);
+    }
+
+    void add(const Image& image) override {
+        write_png(beside(static_cast<int>(hashes_.size())), image);
+        to_bgr(image, bgr_);
+        hashes_.push_back(hash_of(bgr_));
+    }
+
+    bool check() override {
+        if (checked_ == hashes_.size()) return false;
+        const int index = static_cast<int>(checked_);
+        const cv::Mat read = cv::imread(beside(index).string(), cv::IMREAD_COLOR);
+        if (read.cols != size_.x || read.rows != size_.y || hash_of(read) != hashes_[checked_])
+            throw cannot_write(target(index), "the picture does not come back as it was written; is the disk sound?");
+        ++checked_;
+        return true;
+    }
+
+    void publish() override {
+        for (std::size_t i = 0; i < hashes_.size(); ++i) require_replaceable(target(static_cast<int>(i)));
+        for (std::size_t i = 0; i < hashes_.size(); ++i)
+            give_name(beside(static_cast<int>(i)), target(static_cast<int>(i)));
+        beside_.reset();
+    }
+
+  private:
+    fs::path target(int index) const { return sequence_ ? sequence_name(name_, index) : name_; }
+    fs::path beside(int index) const { return beside_->path() / target(index).filename(); }
+
+    fs::path name_;
+    bool sequence_;
+    glm::ivec2 size_;
+    std::unique_ptr<FolderBeside> beside_;
+    std::vector<std::size_t> hashes_;  ///< of the pixels that were written
+    std::size_t checked_ = 0;
+    cv::Mat bgr_;
+};
+
+class VideoFrames : public FrameFiles {
+  public:
+    VideoFrames(const fs::path& name, double fps, glm::ivec2 size) : video_(name, fps, cv::Size(size.x, size.y)) {}
+    void add(const Image& image) override { video_.add(image); }
+    bool check() override { return video_.check(); }
+    void publish() override { video_.publish(); }
+
+  private:
+    VideoFile video_;
+};
+
+}  // namespace
+
+FileForm form_of(const fs::path& path) {
+    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)");
+    const std::string name = path.filename().string();
+    if (is_video_name(path)) return FileForm::video;
+    if (std::regex_match(name, pattern)) return FileForm::sequence;
+    return path.extension() == ".png" && name.find('%') == std::string::npos ? FileForm::picture : FileForm::unknown;
+}
+
+fs::path sequence_name(const fs::path& pattern, int index) {
+    static const std::regex number(R"(%(0?)(\d*)d)");
+    const std::string name = pattern.filename().string();
+    std::smatch match;
+    std::regex_search(name, match, number);
+    std::string digits = std::to_string(index);
+    const std::size_t width = match[2].length() > 0 ? std::stoul(match[2]) : 0;
+    if (digits.size() < width) digits.insert(0, width - digits.size(), match[1].length() > 0 ? '0' : ' ');
+    return pattern.parent_path() / (match.prefix().str() + digits + match.suffix().str());
+}
+
+std::unique_ptr<FrameFiles> make_frame_files(const fs::path& name, double fps, glm::ivec2 size, int count) {
+    if (form_of(name) == FileForm::video) return std::make_unique<VideoFrames>(name, fps, size);
+    return std::make_unique<PngFiles>(name, size, count);
+}
+
+}  // namespace lapfx::output

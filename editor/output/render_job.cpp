@@ -1,0 +1,160 @@
+#include "output/render_job.h"
+
+#include <array>
+#include <cmath>
+
+#include "lapfx/file.h"
+#include "output/files.h"
+
+namespace lapfx::output {
+
+namespace {
+
+constexpr int longest_side = 16'384;
+constexpr double longest_time = 86'400, most_frames = 1e6;
+
+/// A number as a person writes it.
+std::string text_of(double value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%g", value);
+    return text.data();
+}
+
+class Faults {
+  public:
+    void add(const char* place, std::string reason) {
+        all_.push_back({.file = "", .place = place, .reason = std::move(reason)});
+    }
+    bool in_range(const char* place, double value, double low, double high, const char* unit) {
+        if (value >= low && value <= high) return true;  // never with NaN
+        add(place, text_of(value) + " is outside " + text_of(low) + " to " + text_of(high) + unit);
+        return false;
+    }
+    std::vector<Fault> take() { return std::move(all_); }
+
+  private:
+    std::vector<Fault> all_;
+};
+
+void check_size(const RenderOptions& o, Faults& faults) {
+    const std::string size = std::to_string(o.size.x) + "x" + std::to_string(o.size.y);
+    if (o.size.x < 1 || o.size.y < 1 || o.size.x > longest_side || o.size.y > longest_side)
+        faults.add("--size", size + " is outside 1x1 to 16384x16384");
+    else if (form_of(o.output) == FileForm::video && (o.size.x % 2 != 0 || o.size.y % 2 != 0))
+        faults.add("--size", size + ": the sides of a video must be even");
+}
+
+void check_times(const RenderOptions& o, double duration, Faults& faults) {
+    if (o.at) {
+        faults.in_range("--at", *o.at, 0, longest_time, " s");
+        return;
+    }
+    const double to = o.to.value_or(duration);
+    const bool fps_fits = faults.in_range("--fps", o.fps, 0.1, 1000, " frames a second");
+    if (!faults.in_range("--from", o.from, 0, longest_time, " s") ||
+        !faults.in_range("--to", to, 0, longest_time, " s"))
+        return;
+    if (to <= o.from)
+        faults.add("--to", text_of(to) + " s is not after the first frame at " + text_of(o.from) + " s");
+    else if (fps_fits && (to - o.from) * o.fps > most_frames)
+        faults.add("--to", "more than a million frames");
+}
+
+void check_output(const RenderOptions& o, Faults& faults) {
+    if (o.output.empty()) return;
+    const std::string name = "\"" + o.output.string() + "\"";
+    switch (form_of(o.output)) {
+        case FileForm::picture:
+            if (!o.at) faults.add("-o", name + " is one picture; for several name a video or out_%04d.png");
+            break;
+        case FileForm::unknown:
+            faults.add("-o", name + " is none of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
+            break;
+        default:
+            if (o.at) faults.add("-o", name + " is not one picture; for a single time name a .png");
+    }
+    if (!o.amounts.empty() && o.amounts == o.output) faults.add("--amounts", "is the file of the pictures");
+}
+
+std::string amounts_line(double time, const Amounts& a) {
+    std::array<char, 160> line{};
+    std::snprintf(line.data(), line.size(), "%.4f,%.3f,%.3f,%d,%d,%.5f\n", time, a.blood_area, a.blood_volume, a.wounds,
+                  a.bleeding_wounds, a.haze);
+    return line.data();
+}
+
+}  // namespace
+
+std::vector<Fault> check(const RenderOptions& options, double duration) {
+    Faults faults;
+    check_size(options, faults);
+    check_times(options, duration, faults);
+    check_output(options, faults);
+    return faults.take();
+}
+
+/// A span holds the frame at `from` and not the one at `to`.
+std::vector<double> frame_times(const RenderOptions& o, double duration) {
+    if (o.at) return {*o.at};
+    const int count = static_cast<int>(std::ceil((o.to.value_or(duration) - o.from) * o.fps - 1e-9));
+    std::vector<double> times;
+    for (int i = 0; i < count; ++i) times.push_back(o.from + i / o.fps);
+    return times;
+}
+
+RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions options) : options_(std::move(options)) {
+    if (std::vector<Fault> faults = check(options_, scene.duration); !faults.empty())
+        throw Error(Failure::bad_input, std::move(faults));
+    times_ = frame_times(options_, scene.duration);
+    if (!options_.output.empty())
+        files_ = make_frame_files(options_.output, options_.fps, options_.size, static_cast<int>(times_.size()));
+    if (!options_.amounts.empty()) require_replaceable(options_.amounts);
+    preview_ = std::make_unique<Preview>(
+        scene, preset,
+        PreviewOptions{.clip_folders = options_.clip_folders, .wait_for_clips = true, .overlay = options_.overlay});
+    amounts_ = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze\n";
+}
+
+RenderJob::~RenderJob() = default;
+
+double RenderJob::progress() const {
+    if (done_) return 1;
+    // Reading back is quick beside drawing.
+    return (0.95 * static_cast<double>(drawn_) + 0.05 * static_cast<double>(checked_)) /
+           static_cast<double>(times_.size());
+}
+
+void RenderJob::step() {
+    if (done_) return;
+    try {
+        if (drawn_ < times_.size())
+            draw();
+        else if (files_ && files_->check())
+            ++checked_;
+        else
+            publish();
+    } catch (...) {
+        files_.reset();
+        done_ = true;
+        throw;
+    }
+}
+
+void RenderJob::draw() {
+    const double time = times_[drawn_];
+    image_ = preview_->image(time, options_.size);
+    amounts_ += amounts_line(time, preview_->amounts());
+    if (files_) files_->add(image_);
+    ++drawn_;
+    if (!files_ && options_.amounts.empty()) done_ = drawn_ == times_.size();
+}
+
+/// The amounts first: what fails here (a full disk) must not leave pictures without them.
+void RenderJob::publish() {
+    if (!options_.amounts.empty()) write_file(options_.amounts, amounts_);
+    if (files_) files_->publish();
+    files_.reset();
+    done_ = true;
+}
+
+}  // namespace lapfx::output

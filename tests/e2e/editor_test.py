@@ -1,0 +1,243 @@
+#!/usr/bin/env python3
+"""`lapfx edit` in a window, as a person uses it.
+
+editor_test.py LAPFX DROP_FILES [NAME]: with NAME only the cases whose name contains it. DROP_FILES: the program that drops files on
+a window, or a path that is not there. 77 where Xvfb, xdotool or OpenGL is missing.
+"""
+import json
+import os
+import subprocess
+import sys
+import time
+
+import real_window
+from real_window import node, nodes, wait_for
+
+SIZE = (1200, 800)
+SLOWEST_START_S = 20  # of anything; how long it took is told
+IDLE_S = 20
+IDLE_SHARE = 0.0005  # of one core
+ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+SPEED = "/Bleeding/Speed"  # end of the path of the parameter that is moved
+
+
+class Editor(real_window.Window):
+    title, verb = "lapfx", "edit"
+    search = "--class"  # its name goes with what is open
+
+    def __init__(self, lapfx, drop_files, display, folder, *options):
+        self.drop_files = drop_files
+        self.home = os.path.join(folder, "home")
+        homes = {key: os.path.join(self.home, key.lower()) for key in
+                 ("XDG_CONFIG_HOME", "XDG_STATE_HOME", "XDG_CACHE_HOME")}
+        for path in homes.values():
+            os.makedirs(path, exist_ok=True)
+        super().__init__(lapfx, display, folder, "--size", "%dx%d" % SIZE, "--layout", "Tune", *options,
+                         environment={"HOME": self.home, **homes})
+
+    def cpu_s(self):
+        """Of all its threads, to the nanosecond."""
+        total = 0
+        tasks = f"/proc/{self.process.pid}/task"
+        for task in os.listdir(tasks):
+            with open(os.path.join(tasks, task, "schedstat"), encoding="utf-8") as file:
+                total += int(file.read().split()[0])
+        return total / 1e9
+
+    def ending(self, end):
+        """The one path that ends so, of a window that has just been opened."""
+        found = [n["path"] for n in nodes(self.tree()) if n.get("path", "").endswith(end)]
+        assert len(found) == 1, f"{end}: {found}"
+        return found[0]
+
+    def type(self, text):
+        self.act_now("type", "--delay", "15", text)
+        self.settle(0.15)
+
+    def save_as(self, name):
+        """Saves the preset under that name in the folder of the test, by keyboard; gives what is on disk."""
+        file = os.path.join(self.folder, name)
+        if os.path.exists(file):
+            os.remove(file)
+        self.act("key", "ctrl+shift+s")
+        self.act("key", "ctrl+a")
+        self.type(file)
+        self.act("key", "Return")
+        wait_for(f"{name} on disk", lambda: os.path.exists(file), 20)
+        self.settle()
+        with open(file, encoding="utf-8") as saved:
+            return json.load(saved)
+
+    def discard(self):
+        """Closes with unsaved work: the question's second answer."""
+        self.act("key", "ctrl+q")
+        assert self.process.poll() is None, "it closed without a question"
+        self.act_now("key", "Tab")
+        self.xdotool("key", "Return")
+        assert self.process.wait(real_window.LIMIT_S) == 0, self.text()
+
+
+def case_start(open_editor):
+    """The sample scene, seen without a word."""
+    with open_editor() as editor:
+        assert editor.frames()[0][2], "the first frame is drawn"
+        first = editor.first_frame_s
+        assert first < SLOWEST_START_S, f"{first:.2f} s"
+        tree = editor.close()
+        assert "Gastric banding" in node(tree, "Status bar/Document")["text"]
+        assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
+        return f"first frame after {first:.2f} s"
+
+
+def case_idle(open_editor):
+    """Paused and left alone: no frames, and hardly a trace of CPU."""
+    with open_editor() as editor:
+        time.sleep(2)
+        spent, frames = editor.cpu_s(), len(editor.frames())
+        time.sleep(IDLE_S)
+        share = (editor.cpu_s() - spent) / IDLE_S
+        assert len(editor.frames()) == frames, editor.frames(frames)
+        assert share <= IDLE_SHARE, f"{share:.5%} of a core"
+        return f"{share:.5%} of a core"
+
+
+def case_tab(open_editor):
+    """A click on a tab shows its panel."""
+    with open_editor() as editor:
+        tree = editor.tree()
+        assert "selected" not in node(tree, "Workspace/tabs/History").get("states", ())
+        editor.click("Workspace/tabs/History")
+        tree = editor.close()
+        assert "selected" in node(tree, "Workspace/tabs/History")["states"]
+        assert node(tree, "Workspace/History")["rect"][3] > 100
+
+
+def case_resize(open_editor):
+    """To hardly anything and back."""
+    with open_editor() as editor:
+        for width, height in ((40, 30), (1, 1), SIZE):
+            editor.act("windowsize", "--sync", editor.window, str(width), str(height))
+        tree = editor.close()
+        assert tree["rect"][2:] == list(SIZE), tree["rect"]
+        assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
+
+
+def case_export(open_editor):
+    """A picture by keyboard alone: Ctrl+E, the kind, a name, Enter; the file is there and the editor goes on."""
+    with open_editor() as editor:
+        file = os.path.join(editor.folder, "still.png")
+        if os.path.exists(file):
+            os.remove(file)
+        editor.act("key", "ctrl+e")
+        editor.act("key", "Right")
+        editor.act("key", "Right")  # preset, bundle, picture
+        editor.act("key", "Tab")
+        editor.type(file)
+        editor.act_now("key", "Return")
+        wait_for("the picture", lambda: os.path.exists(file))
+        with open(file, "rb") as picture:
+            assert picture.read(8) == b"\x89PNG\r\n\x1a\n"
+        editor.settle()
+        tree = editor.close()
+        assert any("Exported still.png, checked" in n.get("label", "") + n.get("text", "") for n in nodes(tree))
+
+
+def case_drop_arrives(open_editor):
+    """A file manager's drop comes through the window's callback."""
+    with open_editor() as editor:
+        if not os.path.exists(editor.drop_files):
+            return "not tested: there is no Xlib to drop files with"
+        x, y = editor.middle("Workspace/View/Preview")
+        count = len(editor.frames())
+        clip = os.path.join(ROOT, "samples", "clips", "wisps_thin.mp4")
+        subprocess.run([editor.drop_files, editor.window, str(x), str(y), clip], env=editor.environment, check=True,
+                       timeout=real_window.LIMIT_S)
+        wait_for("a frame for what was dropped", lambda: any(f[1] == "drop" for f in editor.frames(count)))
+        editor.settle()
+        assert editor.process.poll() is None, editor.text()
+        return None
+
+
+def case_drop_opens(open_editor):
+    """A dropped clip is in the preset that is saved then; closed with more unsaved work, and discarded."""
+    with open_editor() as editor:
+        if not os.path.exists(editor.drop_files):
+            return "not tested: there is no Xlib to drop files with"
+        x, y = editor.middle("Workspace/View/Preview")
+        clip = os.path.join(ROOT, "samples", "clips", "wisps_thin.mp4")
+        subprocess.run([editor.drop_files, editor.window, str(x), str(y), clip], env=editor.environment, check=True,
+                       timeout=real_window.LIMIT_S)
+        editor.settle()
+        saved = editor.save_as("dropped.json")
+        assert any(c["file"] == "wisps_thin.mp4" for c in saved["smoke"]["clips"]), saved["smoke"]["clips"]
+        return None
+
+
+def case_drag_type_save_undo(open_editor):
+    """A parameter is dragged and typed, the preset saved, and both undone; what is on disk tells."""
+    with open_editor() as editor:
+        start = editor.save_as("start.json")["bleeding"]["speed"]
+        x, y = editor.middle(editor.ending(SPEED))
+        x += 30  # in the field, right of its name
+        editor.act("mousemove", "--window", editor.window, str(x), str(y))
+        editor.act("mousedown", "1")
+        for _ in range(10):
+            editor.xdotool("mousemove_relative", "6", "0")
+        editor.settle(0.15)
+        editor.act("mouseup", "1")
+        dragged = editor.save_as("dragged.json")["bleeding"]["speed"]
+        assert dragged > start, f"{start} became {dragged}"
+        editor.act("mousemove", "--window", editor.window, str(x), str(y))
+        editor.act("click", "--repeat", "2", "--delay", "60", "1")
+        editor.type("7.5")
+        editor.act("key", "Return")
+        assert editor.save_as("typed.json")["bleeding"]["speed"] == 7.5
+        editor.act("key", "ctrl+z")
+        assert editor.save_as("undone.json")["bleeding"]["speed"] == dragged
+        editor.act("key", "ctrl+z")
+        assert editor.save_as("undone.json")["bleeding"]["speed"] == start
+        editor.act("key", "ctrl+shift+z")
+        assert editor.save_as("redone.json")["bleeding"]["speed"] == dragged
+        editor.close()
+
+
+def case_close_unsaved(open_editor):
+    """Unsaved work is asked for: Esc keeps the window, Discard closes it."""
+    with open_editor() as editor:
+        x, y = editor.middle(editor.ending(SPEED))
+        editor.act("mousemove", "--window", editor.window, str(x + 30), str(y))
+        editor.act("click", "--repeat", "2", "--delay", "60", "1")
+        editor.type("8.5")
+        editor.act("key", "Return")
+        editor.act("key", "ctrl+q")
+        assert editor.process.poll() is None, "it closed without a question"
+        editor.act("key", "Escape")
+        assert editor.process.poll() is None
+        assert editor.save_as("kept.json")["bleeding"]["speed"] == 8.5, "the work is still there"
+        editor.act("key", "ctrl+z")
+        editor.discard()
+
+
+# What waits for parts of the editor that are not there yet.
+PENDING = {
+    "drop_opens": "what is dropped is not opened yet",
+    "drag_type_save_undo": "there is no preset panel and no file dialog yet",
+    "close_unsaved": "there is no question yet",
+}
+
+
+def main(arguments):
+    lapfx, drop_files = (os.path.abspath(a) for a in arguments[:2])
+    wanted = arguments[2] if len(arguments) > 2 else ""
+    cases = real_window.cases_of(globals(), wanted)
+    for name in [name for name, _ in cases if name in PENDING and name != wanted]:
+        print(f"{name} ... waits: {PENDING[name]}")
+    cases = [(name, case) for name, case in cases if name not in PENDING or name == wanted]
+
+    def window(display, folder):
+        return lambda *options: Editor(lapfx, drop_files, display, folder, *options)
+    return real_window.run("editor", cases, window)
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

@@ -1,0 +1,237 @@
+// The export dialog: what it proposes, what it refuses, what it makes.
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <opencv2/imgcodecs.hpp>
+#include <opencv2/videoio.hpp>
+
+#include "app/exports.h"
+#include "editor/support/editor_test.h"
+#include "ui/core/tree.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+class ExportTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        editor().timeline.speed = 0;
+    }
+    app::ExportForm& form() { return editor().exports().form; }
+    void open_dialog(const char* command) {
+        editor().commands.run(command);
+        ui().frame().frame();
+    }
+    void set_file(const fs::path& path) {
+        form().file() = path.string();
+        ui().frame();
+    }
+    std::string path(const std::string& name) const { return (folder() / name).string(); }
+    /// Presses Export and waits for its end.
+    void export_it() {
+        ui().click("New export/Export");
+        for (int i = 0; i < 1000 && editor().exports().running(); ++i) ui().frame();
+        ASSERT_FALSE(editor().exports().running());
+        ui().frame().frame();
+    }
+    /// What toasts say.
+    std::string news() { return ui().dump(); }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const auto& entry : fs::directory_iterator(folder())) all.push_back(entry.path().filename().string());
+        std::sort(all.begin(), all.end());
+        return all;
+    }
+};
+
+TEST_F(ExportTest, ProposesWhatIsShownBesideThePreset) {
+    editor().seek(4.5);
+    ui().key('E', ui::Mods::command).frame();
+    ASSERT_TRUE(ui().exists("New export/What"));
+    EXPECT_THAT(form().file(), HasSubstr("gastric_banding_tuned.json"));
+    ui().click("New export/What/Picture").frame();
+    EXPECT_THAT(ui().text("New export/File"), HasSubstr("gastric_banding.png"));
+    EXPECT_NEAR(ui().value("New export/Time"), 4.5, 1e-9);
+    ui().click("New export/What/Video").frame();
+    EXPECT_EQ(ui().value("New export/To"), 12);
+    EXPECT_EQ(editor().exports().frames(), 300);
+    ui().key(ui::Key::escape).frame();
+    editor().timeline.has_range = true;
+    editor().timeline.range = {.low = 2, .high = 3};
+    open_dialog("export.video");
+    EXPECT_EQ(ui().value("New export/From"), 2);
+    EXPECT_EQ(editor().exports().frames(), 25);
+    EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
+}
+
+TEST_F(ExportTest, TellsInPlaceWhatIsWrongAndLetsNothingBegin) {
+    open_dialog("export.video");
+    set_file(folder() / "out.png");
+    EXPECT_EQ(editor().exports().fault_at("-o"), "a video is an .mp4, .mov, .mkv or .avi");
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not yet: a video is"));
+    set_file("/no such folder/out.mp4");
+    EXPECT_THAT(std::string(editor().exports().fault_at("-o")), HasSubstr("there is no folder /no such folder"));
+    set_file(folder() / "out.mp4");
+    EXPECT_FALSE(ui().is("New export/Export", ui::Is::disabled));
+    form().size = static_cast<int>(app::export_sizes.size()) - 1;
+    form().width = 641;
+    form().height = 480;
+    ui().frame();
+    EXPECT_THAT(std::string(editor().exports().fault_at("--size")), HasSubstr("must be even"));
+    form().width = 640;
+    form().to = form().from;
+    ui().frame();
+    EXPECT_THAT(std::string(editor().exports().fault_at("--to")), HasSubstr("is not after"));
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+    set_file("");
+    EXPECT_EQ(editor().exports().fault_at("-o"), "name a file");
+    EXPECT_THAT(names(), IsEmpty());
+}
+
+TEST_F(ExportTest, AVideoWithItsAmounts) {
+    open_dialog("export.video");
+    set_file(path("out.mp4"));
+    form().size = 5;
+    form().from = 5;
+    form().to = 5.4;
+    form().fps = 10;
+    form().amounts = true;
+    form().amounts_file = path("out.csv");
+    ui().frame();
+    export_it();
+    EXPECT_THAT(names(), testing::ElementsAre("out.csv", "out.mp4"));
+    EXPECT_THAT(news(), HasSubstr("Exported out.mp4 (4 frames), checked"));
+    cv::VideoCapture video(path("out.mp4"));
+    EXPECT_EQ(video.get(cv::CAP_PROP_FRAME_WIDTH), 640);
+    int frames = 0;
+    while (video.grab()) ++frames;
+    EXPECT_EQ(frames, 4);
+    std::ifstream csv(path("out.csv"));
+    std::string line;
+    int lines = 0;
+    while (std::getline(csv, line)) ++lines;
+    EXPECT_EQ(lines, 5);
+}
+
+TEST_F(ExportTest, TheEditorLivesOnAndTheExportCanBeGivenUp) {
+    open_dialog("export.video");
+    set_file(path("out.mp4"));
+    form().size = 5;
+    ui().frame();
+    ui().click("New export/Export");
+    for (int i = 0; i < 3; ++i) ui().frame();
+    ASSERT_TRUE(editor().exports().running());
+    EXPECT_TRUE(editor().wants_frame());
+    EXPECT_FALSE(ui().exists("New export/What"));
+    const double before = editor().exports().progress();
+    EXPECT_GT(before, 0);
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
+    ui().frame();
+    EXPECT_GT(editor().exports().progress(), before);
+    open_dialog("export.open");
+    EXPECT_TRUE(ui().exists("Export under way/Exporting out.mp4"));
+    editor().exports().cancel();
+    ui().frame().frame();
+    EXPECT_FALSE(editor().exports().running());
+    EXPECT_THAT(names(), IsEmpty());
+    EXPECT_THAT(news(), HasSubstr("given up: nothing was written"));
+}
+
+TEST_F(ExportTest, WhatIsThereIsAskedFor) {
+    std::ofstream(path("out.png")) << "old";
+    open_dialog("export.picture");
+    set_file(path("out.png"));
+    form().size = 5;
+    ui().frame();
+    ui().click("New export/Export").frame();
+    EXPECT_FALSE(editor().exports().running());
+    ASSERT_TRUE(ui().exists("Replace what is there?/Replace")) << ui().dump();
+    ui().click("Replace what is there?/Cancel").frame();
+    EXPECT_TRUE(ui().exists("New export/What")) << "the form is there again";
+    EXPECT_EQ(fs::file_size(path("out.png")), 3U);
+    ui().click("New export/Export").frame();
+    ui().click("Replace what is there?/Replace");
+    for (int i = 0; i < 100 && editor().exports().running(); ++i) ui().frame();
+    EXPECT_EQ(cv::imread(path("out.png")).cols, 640);
+}
+
+TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
+    fs::create_directories(folder() / "clips");
+    fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/wisps_thin.mp4", folder() / "clips/mine.mp4");
+    fs::create_directories(folder() / "out");
+    editor().document.change("Clip", [&](document::Content& c) {
+        c.preset.folder = folder();
+        c.preset.smoke.clips = {{.file = "clips/mine.mp4"}};
+    });
+    editor().commands.run("export.open");
+    form().kind = static_cast<int>(app::ExportKind::preset);
+    set_file(path("out/alone.json"));
+    EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("lies outside of"));
+    ui().click("New export/Make a bundle instead").frame();
+    set_file(path("out/together"));
+    export_it();
+    EXPECT_THAT(news(), HasSubstr("Exported together ("));
+    const Preset read = load_preset(folder() / "out/together/together.json");
+    EXPECT_EQ(read.smoke.clips.at(0).file, "clips/mine.mp4");
+    EXPECT_EQ(cv::imread(path("out/together/thumbnail.png")).cols, 320);
+    EXPECT_TRUE(fs::exists(folder() / "out/together/organ/lagb.glb"));
+}
+
+TEST_F(ExportTest, APresetAlone) {
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9.25; });
+    editor().commands.run("export.open");
+    form().kind = static_cast<int>(app::ExportKind::preset);
+    set_file(path("p.json"));
+    export_it();
+    EXPECT_EQ(load_preset(folder() / "p.json").bleeding.speed, 9.25);
+    EXPECT_THAT(news(), HasSubstr("Exported p.json, checked"));
+    EXPECT_TRUE(editor().document.preset_unsaved()) << "an export is no save";
+}
+
+TEST_F(ExportTest, TheCommandMakesTheSameAndSaysWhenItCannot) {
+    open_dialog("export.picture");
+    set_file(path("a b.png"));
+    editor().seek(6);
+    form().at = 6;
+    ui().click("New export/Copy lapfx render command").frame();
+    EXPECT_THAT(ui().clipboard().text, HasSubstr("samples/lagb.scene.json --preset "));
+    EXPECT_THAT(ui().clipboard().text, HasSubstr("--size 1280x1024 --at 6 -o '" + path("a b.png") + "'"));
+    ui().clipboard().text.clear();
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
+    ui().frame().click("New export/Copy lapfx render command").frame();
+    EXPECT_EQ(ui().clipboard().text, "");
+    EXPECT_THAT(news(), HasSubstr("the preset is not saved"));
+}
+
+TEST_F(ExportTest, ThePresetAsJson) {
+    editor().commands.run("export.copy_json");
+    EXPECT_EQ(ui().clipboard().text, write_preset(editor().document.preset()));
+}
+
+TEST_F(ExportTest, AFailureOnTheWayIsToldAndLeavesNothing) {
+    fs::create_directory(folder() / "sub");
+    open_dialog("export.video");
+    set_file(path("sub/out.mp4"));
+    form().size = 5;
+    form().to = 0.2;
+    editor().exports().start();
+    ASSERT_TRUE(editor().exports().running()) << editor().exports().faults().front().text();
+    ui().frame().frame();
+    ASSERT_TRUE(editor().exports().running());
+    fs::remove_all(folder() / "sub");
+    for (int i = 0; i < 100 && editor().exports().running(); ++i) ui().frame();
+    EXPECT_FALSE(editor().exports().running());
+    EXPECT_THAT(news(), HasSubstr("out.mp4: the video could not be written whole"));
+    EXPECT_FALSE(fs::exists(folder() / "sub"));
+}
+
+}  // namespace
+}  // namespace lapfx::test

@@ -1,0 +1,126 @@
+// The whole way of a person through the editor, by the names of what is on the screen: load an organ and a clip, move the four
+// parameters that matter most, see the picture change, undo, export, and have `lapfx render` make the same pixels of the export.
+#include <gmock/gmock.h>
+
+#include <array>
+#include <cstdlib>
+#include <opencv2/imgcodecs.hpp>
+
+#include "app/exports.h"
+#include "app/target.h"
+#include "editor/support/editor_test.h"
+#include "output/files.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The parameters that the user named, where they stand in the preset panel, and how to move them without it.
+struct Moved {
+    const char* path;
+    const char* key;
+    double to;
+    double time;  ///< s, at which it is seen
+};
+constexpr std::array<Moved, 4> four = {{
+    {"**/Bleeding/Speed", "bleeding.speed", 9, 3},
+    {"**/Bleeding/Maximum extent", "bleeding.max_extent", 5, 11},
+    {"**/Bleeding/Noise scale", "bleeding.noise_scale", 1.5, 6},
+    {"**/Keying/Luma low", "smoke.keying.luma_low", 90, 2},
+}};
+
+constexpr glm::ivec2 size{640, 512};
+
+class WholeTest : public EditorTest {
+  protected:
+    /// Through the panel where it is there, else as the panel would.
+    void move(const Moved& moved) {
+        if (ui().exists(moved.path)) {
+            ui().click(moved.path, {.clicks = 2}).type(std::to_string(moved.to)).key(ui::Key::enter).frame();
+        } else {
+            editor().document.change(moved.key, [&](document::Content& c) {
+                set_parameter(preset_table(), &c.preset, moved.key, std::to_string(moved.to));
+            });
+            ui().frame();
+        }
+    }
+    /// What the view draws, with as many pixels as an export has.
+    Image view(double time) {
+        editor().seek(time);
+        ui().frame();
+        app::PreviewHost& preview = editor().preview;
+        const glm::ivec2 shown = preview.size();
+        preview.resize(size);
+        preview.draw(editor().shot());
+        Image image = preview.read();
+        preview.resize(shown);
+        return image;
+    }
+    static std::size_t unlike(const Image& image, const cv::Mat& file) {
+        cv::Mat bgr;
+        output::to_bgr(image, bgr);
+        if (bgr.size() != file.size() || bgr.type() != file.type()) return bgr.total();
+        std::size_t count = 0;
+        for (int y = 0; y < bgr.rows; ++y)
+            for (int x = 0; x < bgr.cols; ++x) count += bgr.at<cv::Vec3b>(y, x) != file.at<cv::Vec3b>(y, x) ? 1U : 0U;
+        return count;
+    }
+    void run_export(app::ExportKind kind, const fs::path& file, double time) {
+        app::Exports& exports = editor().exports();
+        exports.propose(kind);
+        exports.form.file() = file.string();
+        exports.form.size = 5;
+        exports.form.at = time;
+        ASSERT_TRUE(exports.faults().empty()) << exports.faults().front().text();
+        exports.start();
+        for (int i = 0; i < 1000 && exports.running(); ++i) ui().frame();
+        ASSERT_TRUE(fs::exists(file)) << ui().dump();
+    }
+};
+
+TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
+    const fs::path data = LAPFX_SOURCE_DIR;
+    open_sample();
+    editor().timeline.speed = 0;
+
+    // An organ and a clip come in, as dropped on the window.
+    open({(data / "samples/liver_lobe.glb").string()});
+    ASSERT_TRUE(editor().preview.ready());
+    const Image organ = picture(0);
+    open({(data / "samples/lagb.scene.json").string()});
+    EXPECT_GT(differing(organ, picture(0)), 10'000U);
+    open({(data / "samples/clips/wisps_thin.mp4").string()});
+    EXPECT_EQ(editor().document.preset().smoke.clips.front().file, "wisps_thin.mp4");
+
+    // Each of the four is seen, is one step, and is undone to the last pixel.
+    for (const Moved& moved : four) {
+        const Image before = view(moved.time);
+        const std::size_t steps = editor().document.done();
+        move(moved);
+        EXPECT_EQ(editor().document.done(), steps + 1) << moved.key;
+        EXPECT_GT(differing(before, view(moved.time)), 50U) << moved.key;
+        ui().key('Z', ui::Mods::command).frame();
+        EXPECT_EQ(differing(before, view(moved.time), 0), 0U) << moved.key;
+        ui().key('Z', ui::Mods::command | ui::Mods::shift).frame();
+    }
+
+    // What is exported is what is seen.
+    const double time = 6;
+    const Image shown = view(time);
+    run_export(app::ExportKind::picture, folder() / "shown.png", time);
+    EXPECT_EQ(unlike(shown, cv::imread((folder() / "shown.png").string())), 0U);
+    run_export(app::ExportKind::bundle, folder() / "whole", time);
+
+    // The bundle alone, rendered headless by the program.
+    const fs::path program = fs::path(LAPFX_BINARY_DIR) / "lapfx";
+    ASSERT_TRUE(fs::exists(program));
+    const fs::path rendered = folder() / "rendered.png";
+    const std::string command = program.string() + " render " + (folder() / "whole/whole.scene.json").string() +
+                                " --size 640x512 --at 6 -o " + rendered.string() + " 2>&1";
+    ASSERT_EQ(std::system(command.c_str()), 0);
+    EXPECT_EQ(unlike(shown, cv::imread(rendered.string())), 0U);
+}
+
+}  // namespace
+}  // namespace lapfx::test

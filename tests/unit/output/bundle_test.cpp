@@ -1,0 +1,212 @@
+// Bundles: everything inside, nothing half, nothing of others touched.
+#include "output/bundle.h"
+
+#include <gmock/gmock.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <csignal>
+
+#include "output/organ_files.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::output {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+const fs::path samples = fs::path(LAPFX_SOURCE_DIR) / "samples";
+
+Image picture() {
+    Image image{.width = 8, .height = 4, .pixels = {}, .name = ""};
+    image.pixels.assign(8 * 4 * 4, 200);
+    return image;
+}
+
+std::vector<std::string> files_in(const fs::path& folder) {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file()) names.push_back(entry.path().lexically_relative(folder).generic_string());
+    std::sort(names.begin(), names.end());
+    return names;
+}
+
+Preset preset_with(const fs::path& folder, const std::vector<std::string>& clips) {
+    Preset preset;
+    preset.name = "Ooze";
+    preset.bleeding.speed = 7.5;
+    preset.folder = folder;
+    for (const std::string& clip : clips) preset.smoke.clips.push_back({.file = clip});
+    return preset;
+}
+
+class BundleTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(from_ / "a");
+        fs::create_directories(from_ / "b");
+        fs::copy_file(samples / "clips/wisps_thin.mp4", from_ / "a/smoke.mp4");
+        fs::copy_file(samples / "clips/plume_thick.mp4", from_ / "b/smoke.mp4");
+    }
+    Bundle bundle(const Preset& preset) {
+        return {.preset = preset, .folder = to_ / "ooze", .clip_folders = {samples / "clips"}, .thumbnail = picture()};
+    }
+    test::Folder from_, to_;
+};
+
+TEST_F(BundleTest, ClipsLieInsideOnceUnderNamesOfTheirOwn) {
+    const Preset preset = preset_with(from_.path(), {"a/smoke.mp4", "b/smoke.mp4", "a/smoke.mp4", "haze_rolling.mp4"});
+    const BundleContent made = write_bundle(bundle(preset));
+    EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("clips/haze_rolling.mp4", "clips/smoke-2.mp4", "clips/smoke.mp4",
+                                                    "ooze.json", "thumbnail.png"));
+    EXPECT_EQ(made.files, 5U);
+    EXPECT_EQ(made.clips, 4U);
+    const Preset read = load_preset(to_ / "ooze/ooze.json");
+    EXPECT_EQ(read.bleeding.speed, 7.5);
+    ASSERT_EQ(read.smoke.clips.size(), 4U);
+    EXPECT_EQ(read.smoke.clips[0].file, "clips/smoke.mp4");
+    EXPECT_EQ(read.smoke.clips[1].file, "clips/smoke-2.mp4");
+    EXPECT_EQ(read.smoke.clips[2].file, "clips/smoke.mp4");
+    EXPECT_EQ(test::read_text(to_ / "ooze/clips/smoke-2.mp4"), test::read_text(from_ / "b/smoke.mp4"));
+    EXPECT_THAT(files_in(to_.path()), testing::SizeIs(5)) << "nothing is left beside it";
+}
+
+TEST_F(BundleTest, ASequenceComesWithAllItsImages) {
+    for (int i = 3; i < 6; ++i)
+        fs::copy_file(samples / "pictures" / fs::directory_iterator(samples / "pictures")->path().filename(),
+                      from_ / ("frame_0" + std::to_string(i) + ".png"));
+    write_bundle(bundle(preset_with(from_.path(), {"frame_%02d.png"})));
+    EXPECT_EQ(load_preset(to_ / "ooze/ooze.json").smoke.clips[0].file, "clips/frame_03/frame_%02d.png");
+    EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("clips/frame_03/frame_03.png", "clips/frame_03/frame_04.png",
+                                                    "clips/frame_03/frame_05.png", "ooze.json", "thumbnail.png"));
+}
+
+TEST_F(BundleTest, SceneAndOrganComeAlong) {
+    Bundle whole = bundle(preset_with(from_.path(), {}));
+    whole.scene = load_scene(samples / "lagb.scene.json");
+    whole.scene->reference.file = "/somewhere/patient.mp4";
+    write_bundle(whole);
+    const Scene scene = load_scene(to_ / "ooze/ooze.scene.json");
+    EXPECT_EQ(scene.preset, "ooze.json");
+    EXPECT_EQ(scene.organ.file, "organ/lagb.glb");
+    EXPECT_EQ(scene.tool.file, "tool/hook_cautery.glb");
+    EXPECT_EQ(scene.reference.file, "");
+    EXPECT_EQ(scene.events.size(), 2U);
+    EXPECT_EQ(test::read_text(to_ / "ooze/organ/lagb.glb"), test::read_text(samples / "lagb.glb"));
+}
+
+TEST_F(BundleTest, AMissingClipIsNamedAndNothingIsLeft) {
+    EXPECT_THAT(test::faults_of([&] {
+                    write_bundle(bundle(preset_with(from_.path(), {"a/smoke.mp4", "gone.mp4"})));
+                }),
+                ElementsAre(AllOf(HasSubstr("/smoke/clips/1/file"), HasSubstr("gone.mp4"))));
+    EXPECT_TRUE(fs::is_empty(to_.path()));
+}
+
+TEST_F(BundleTest, ABrokenClipIsFoundBeforeTheBundleAppears) {
+    from_.write("bad.mp4", std::string(4096, '\1'));
+    EXPECT_THAT(test::faults_of([&] { write_bundle(bundle(preset_with(from_.path(), {"bad.mp4"}))); }),
+                ElementsAre(HasSubstr("/smoke/clips/0/file")));
+    EXPECT_TRUE(fs::is_empty(to_.path()));
+}
+
+TEST_F(BundleTest, GivenUpNothingIsLeftAndTheOldOneStays) {
+    write_bundle(bundle(preset_with(from_.path(), {"a/smoke.mp4"})));
+    const auto before = files_in(to_.path());
+    double last = -1;
+    EXPECT_THAT(test::faults_of(
+                    [&] {
+                        write_bundle(bundle(preset_with(from_.path(), {"b/smoke.mp4"})), [&](double share) {
+                            EXPECT_GE(share, last);
+                            last = share;
+                            return share < 0.1;
+                        });
+                    },
+                    Failure::runtime),
+                ElementsAre(HasSubstr("given up")));
+    EXPECT_EQ(files_in(to_.path()), before);
+    EXPECT_EQ(test::read_text(to_ / "ooze/clips/smoke.mp4"), test::read_text(from_ / "a/smoke.mp4"));
+}
+
+TEST_F(BundleTest, ABundleIsReplacedAndAnythingElseIsNot) {
+    write_bundle(bundle(preset_with(from_.path(), {"a/smoke.mp4"})));
+    write_bundle(bundle(preset_with(from_.path(), {})));
+    EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("ooze.json", "thumbnail.png"));
+    to_.write("ooze/notes.txt", "mine");
+    EXPECT_THAT(test::faults_of([&] { write_bundle(bundle(preset_with(from_.path(), {}))); }, Failure::runtime),
+                ElementsAre(HasSubstr("notes.txt")));
+    EXPECT_EQ(test::read_text(to_ / "ooze/notes.txt"), "mine");
+    EXPECT_EQ(check_bundle_folder(to_ / "new"), "");
+    to_.write("file", "x");
+    EXPECT_THAT(check_bundle_folder(to_ / "file"), HasSubstr("not a folder"));
+}
+
+/// A file system of 256 KiB, where this user may make one; else a limit on the size of files, which fails writes as well.
+TEST_F(BundleTest, AFullDiskIsToldAndNothingIsLeft) {
+    const fs::path small = to_ / "small";
+    fs::create_directory(small);
+    Bundle whole = bundle(preset_with(from_.path(), {"b/smoke.mp4"}));
+    whole.folder = small / "ooze";
+    const bool mounted = ::mount("none", small.c_str(), "tmpfs", 0, "size=64k") == 0;
+    rlimit before{};
+    if (!mounted) {
+        ::signal(SIGXFSZ, SIG_IGN);
+        ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+        const rlimit tight{.rlim_cur = 65536, .rlim_max = before.rlim_max};
+        ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+    }
+    const auto faults = test::faults_of([&] { write_bundle(whole); }, Failure::runtime);
+    const bool empty = fs::is_empty(small);
+    if (mounted)
+        ::umount(small.c_str());
+    else
+        ::setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_THAT(faults, ElementsAre(AllOf(HasSubstr("smoke.mp4"), HasSubstr("cannot be written"))));
+    EXPECT_TRUE(empty);
+}
+
+TEST_F(BundleTest, APresetAloneKeepsItsClipsWhereItCan) {
+    const Preset preset = preset_with(from_.path(), {"a/smoke.mp4", "haze_rolling.mp4"});
+    const std::vector<fs::path> shipped{samples / "clips"};
+    export_preset(preset, from_ / "tuned.json", shipped);
+    EXPECT_EQ(write_preset(load_preset(from_ / "tuned.json")), write_preset(preset));
+    export_preset(preset, from_ / "a/tuned.json", shipped);
+    EXPECT_EQ(load_preset(from_ / "a/tuned.json").smoke.clips[0].file, "smoke.mp4");
+    EXPECT_THAT(test::faults_of([&] { export_preset(preset, to_ / "tuned.json", shipped); }),
+                ElementsAre(AllOf(HasSubstr("/smoke/clips/0/file"), HasSubstr("lies outside"))));
+    EXPECT_FALSE(fs::exists(to_ / "tuned.json"));
+    to_.write("haze_rolling.mp4", "another");
+    EXPECT_THAT(test::faults_of([&] {
+                    export_preset(preset_with(from_.path(), {"haze_rolling.mp4"}), to_ / "tuned.json", shipped);
+                }),
+                ElementsAre(HasSubstr("would be taken for the shipped clip")));
+}
+
+TEST(OrganFiles, AreAllThatTheMeshNames) {
+    const test::Folder folder;
+    fs::create_directory(folder / "maps");
+    folder.write("maps/my skin.png", "x");
+    folder.write("bump.png", "x");
+    folder.write("secret.png", "x");
+    folder.write("a.mtl", "newmtl m\nmap_Kd -s 1 1 1 maps/my skin.png # colour\nmap_bump -bm 0.5 bump.png\n");
+    folder.write("a.obj", "mtllib a.mtl\nmtllib gone.mtl\nv 0 0 0\n");
+    EXPECT_THAT(organ_files(folder / "a.obj"), UnorderedElementsAre("a.obj", "a.mtl", "maps/my skin.png", "bump.png"));
+    folder.write("b.bin", "x");
+    folder.write("c d.png", "x");
+    folder.write("b.gltf", R"({"buffers": [{"uri": "b.bin"}, {"uri": "data:abc"}, {"uri": "../up.bin"}, 7],
+                               "images": [{"uri": "c%20d.png"}, {"uri": 3}, {"bufferView": 1}]})");
+    EXPECT_THAT(organ_files(folder / "b.gltf"), UnorderedElementsAre("b.gltf", "b.bin", "c d.png"));
+    folder.write("broken.gltf", "{\"buffers\": [");
+    EXPECT_THAT(organ_files(folder / "broken.gltf"), ElementsAre("broken.gltf"));
+    folder.write("short.glb", "glTF");
+    EXPECT_THAT(organ_files(folder / "short.glb"), ElementsAre("short.glb"));
+    EXPECT_THAT(organ_files(samples / "lagb.glb"), ElementsAre("lagb.glb"));
+}
+
+}  // namespace
+}  // namespace lapfx::output
