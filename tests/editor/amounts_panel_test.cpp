@@ -53,7 +53,7 @@ TEST_F(AmountsPanel, FollowsTheDocument) {
 }
 
 TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
-    ui().click("**/Amounts/**/Blood area", {.at = {0.6F, 0.6F}});
+    ui().click("**/Plots/Blood area", {.at = {0.6F, 0.6F}});
     const double there = editor().timeline.time;
     EXPECT_GT(there, 0.3 * editor().duration());
     EXPECT_LT(there, 0.9 * editor().duration());
@@ -66,11 +66,11 @@ TEST_F(AmountsPanel, OthersAreLaidOver) {
     for (auto& values : other.values) values = {1.0, 2.0};
     editor().amounts().lay_over(other);
     ui().frame();
-    EXPECT_TRUE(ui().exists("**/Amounts/**/Haze/Reference"));
+    EXPECT_TRUE(ui().exists("**/Plots/Haze/Reference 1.00"));
     other.times.clear();
     editor().amounts().lay_over(other);
     ui().frame();
-    EXPECT_FALSE(ui().exists("**/Amounts/**/Haze/Reference"));
+    EXPECT_FALSE(ui().exists("**/Plots/Haze/Reference 1.00"));
 }
 
 TEST_F(AmountsPanel, AFaultIsToldInPlace) {
