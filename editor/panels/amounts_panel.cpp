@@ -32,7 +32,7 @@ void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
     }
 }
 
-/// "812 mm2", with the series' name where there are several.
+/// "812", with the series' name where there are several.
 std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotData& data, const app::AmountInfo& info,
                              double time, bool named) {
     const double last = data.size() > 0 ? data.x(data.size() - 1) : 0;
@@ -40,7 +40,7 @@ std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotDa
     ui::ShortText text;
     if (named) text.add(name).add(" ");
     if (std::isfinite(value))
-        text.add(value, info.decimals).add_unit(info.unit);
+        text.add(value, info.decimals);
     else
         text.add("-");
     return ui.join({text.view(), "###", name});
