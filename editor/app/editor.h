@@ -91,7 +91,7 @@ class Editor {
     Settings& settings() { return *settings_; }     ///< what the user chose: theme, recent files, keys
     Tuning& tuning() { return *tuning_; }           ///< locks, favourites, randomise, copied groups
     Snapshots& snapshots() { return *snapshots_; }  ///< A to D
-    AmountsOverTime& amounts() { return *amounts_; }  ///< of the whole scene
+    AmountsOverTime& amounts() { return *amounts_; }
     Autosave& autosave() { return *autosave_; }
     Layouts& layouts() { return *layouts_; }
     Browser& browser() { return *browser_; }  ///< presets with thumbnails
