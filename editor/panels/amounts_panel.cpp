@@ -32,7 +32,7 @@ void take_series(AmountPlots& plots, const app::AmountsOverTime& amounts) {
     }
 }
 
-/// "812 mm2", with the series' name where there are several.
+/// "812", with the series' name where there are several.
 std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotData& data, const app::AmountInfo& info,
                              double time, bool named) {
     const double last = data.size() > 0 ? data.x(data.size() - 1) : 0;
@@ -40,7 +40,7 @@ std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotDa
     ui::ShortText text;
     if (named) text.add(name).add(" ");
     if (std::isfinite(value))
-        text.add(value, info.decimals).add_unit(info.unit);
+        text.add(value, info.decimals);
     else
         text.add("-");
     return ui.join({text.view(), "###", name});
@@ -81,6 +81,18 @@ void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t k
     }
 }
 
+/// As many plots side by side as make the smallest side of each the largest; they are best twice as wide as high.
+std::size_t columns_for(const ui::Rect& room) {
+    std::size_t best = 1;
+    float largest = -1;
+    for (const std::size_t columns : {1U, 2U, 4U}) {
+        const auto across = static_cast<float>(columns), down = static_cast<float>(amount_infos.size()) / across;
+        const float size = std::min(room.w / across / 2, room.h / down);
+        if (size > largest) largest = size, best = columns;
+    }
+    return best;
+}
+
 void nothing_known(ui::Ui& ui, app::Editor& editor) {
     const app::AmountsOverTime& amounts = editor.amounts();
     if (!amounts.faults().empty())
@@ -97,9 +109,9 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
 void amounts_panel(ui::Ui& ui, app::Editor& editor) {
     app::AmountsOverTime& amounts = editor.amounts();
     amounts.want();
-    if (amounts.stale() && !amounts.busy())
+    if (amounts.stale() && (!amounts.busy() || editor.options().exact))
         ui.wake_at(std::isfinite(amounts.due()) ? amounts.due() : ui.time(), "amounts");
-    ui::Node& room = ui.open(ui::Role::none, "Plots", ui::Axis::y);
+    ui::Node& room = ui.open(ui::Role::group, "Plots", ui::Axis::y);
     const ui::Id id = room.id;
     room.size[0] = room.size[1] = ui::grow();
     room.gap = ui.em(0.4F);
@@ -111,7 +123,7 @@ void amounts_panel(ui::Ui& ui, app::Editor& editor) {
     auto& plots = ui.memory<AmountPlots>(id);
     take_series(plots, amounts);
     const ui::Rect before = ui.rect_before(id);
-    const std::size_t columns = before.w >= ui.em(64) ? 4 : before.w >= ui.em(30) && before.h >= ui.em(14) ? 2 : 1;
+    const std::size_t columns = columns_for(before);
     for (std::size_t first = 0; first < plots.all.size(); first += columns) {
         const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
         for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, editor, plots, i);

@@ -184,14 +184,24 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
                                       document::curve_table(kinds[2].key)};
     static const std::array names = {tables[0]->name, tables[1]->name, tables[2]->name};
     auto& memory = ui.memory<CurvesShown>(ui.id_of("Curves"));
-    const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
+    ui::Node& room = ui.open(ui::Role::group, "Area", ui::Axis::y);
+    room.size[0] = room.size[1] = ui::grow();
+    room.gap = ui.em(0.2F);
+    ui.follow_size(room);
+    float wanted = 0;
+    for (const std::string_view name : names) wanted += ui.text_width(name) + ui.em(1.6F);
+    const bool one_row = ui.rect_before(room.id).w > wanted + ui.em(22);
+    const auto choose = [&] {
+        const ui::Row row(ui, {.width = one_row ? ui::px(wanted) : ui::grow()});
+        ui::segmented(ui, "Curve", memory.kind, names);
+    };
+    if (!one_row) choose();
     std::size_t number = 0;
     {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F, .cross = ui::Place::center});
-        ui::segmented(ui, "Curve", memory.kind, names);
+        if (one_row) choose(), ui::space(ui, 0.6F);
         number = static_cast<std::size_t>(memory.kind);
         CurveTools tools(ui, editor, kinds[number], *tables[number]);
-        ui::space(ui, 0.6F);
         value_now(ui, editor, tools.points());
         ui::spacer(ui);
         tools.build();
@@ -209,7 +219,7 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
                                             .y_step = 0.05,
                                             .x_name = "Time",
                                             .x_unit = "s",
-                                            .y_name = "Factor",
+                                            .y_name = {},
                                             .y_unit = {},
                                             .standard = &even,
                                             .live = editor.timeline.time,
@@ -218,6 +228,7 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
                                             .height = ui::grow(),
                                             .tip = table.help});
     if (edit.began || edit.changed || edit.committed || edit.cancelled) take(editor, edit, kind, table, shown);
+    ui.close();
 }
 
 }  // namespace lapfx::panels

@@ -17,7 +17,7 @@ class CurvesPanel : public EditorTest {
         open_sample();
         layout("Stage");
     }
-    void choose(const std::string& curve) { ui().click("**/Curves/**/Curve/" + curve); }
+    void choose(const std::string& curve) { ui().click("**/Area/Curve/" + curve); }
     const Curves& curves() { return editor().document.scene().curves; }
     std::string steps() {
         std::string names;
@@ -28,9 +28,9 @@ class CurvesPanel : public EditorTest {
 
 TEST_F(CurvesPanel, APointThatIsDraggedChangesThePicture) {
     choose("Bleeding strength");
-    EXPECT_EQ(ui().text("**/Curves/Bleeding strength"), "1 point");
+    EXPECT_EQ(ui().text("**/Area/Bleeding strength"), "1 point");
     const Image before = picture(6);
-    ui().drag("**/Curves/Bleeding strength/Point 1", {0, 400});
+    ui().drag("**/Area/Bleeding strength/Point 1", {0, 400});
     ASSERT_EQ(curves().bleeding_strength, (Points{{0.0, 0.0}}));
     EXPECT_GT(differing(before, picture(6)), 100U) << "nothing bleeds";
     EXPECT_EQ(steps(), "Bleeding strength;");
@@ -41,33 +41,33 @@ TEST_F(CurvesPanel, APointThatIsDraggedChangesThePicture) {
 
 TEST_F(CurvesPanel, EachCurveIsItsOwn) {
     choose("Cautery power");
-    ui().drag("**/Curves/Cautery power/Point 1", {0, 400});
+    ui().drag("**/Area/Cautery power/Point 1", {0, 400});
     EXPECT_EQ(curves().cautery_power, (Points{{0.0, 0.0}}));
     choose("Emission");
-    ui().drag("**/Curves/Emission/Point 1", {0, -400});
+    ui().drag("**/Area/Emission/Point 1", {0, -400});
     EXPECT_EQ(curves().emission, (Points{{0.0, 2.0}}));
     EXPECT_TRUE(curves().bleeding_strength.empty());
-    ui().drag("**/Curves/Emission/Point 1", {0, -400});
+    ui().drag("**/Area/Emission/Point 1", {0, -400});
     EXPECT_EQ(curves().emission, (Points{{0.0, 4.0}})) << "the axis goes on where the curve has come to its end";
 }
 
 TEST_F(CurvesPanel, PointsAreAddedAndRemovedAtTheTime) {
     choose("Emission");
     editor().seek(3);
-    ui().frame().click("**/Curves/**/Add point");
+    ui().frame().click("**/Area/Add point");
     editor().seek(5);
-    ui().frame().click("**/Curves/**/Add point");
+    ui().frame().click("**/Area/Add point");
     EXPECT_EQ(curves().emission, (Points{{3.0, 1.0}, {5.0, 1.0}}));
-    EXPECT_TRUE(ui().is("**/Curves/**/Add point", ui::Is::disabled)) << "one is there";
-    ui().drag("**/Curves/Emission/Point 2", {0, 400});
+    EXPECT_TRUE(ui().is("**/Area/Add point", ui::Is::disabled)) << "one is there";
+    ui().drag("**/Area/Emission/Point 2", {0, 400});
     EXPECT_EQ(curves().emission, (Points{{3.0, 1.0}, {5.0, 0.0}}));
     editor().seek(4);
     ui().frame();
     EXPECT_THAT(ui().dump(), HasSubstr("x 0.50 at 4.00 s"));
     editor().seek(3.2);
-    ui().frame().click("**/Curves/**/Remove point");
+    ui().frame().click("**/Area/Remove point");
     EXPECT_EQ(curves().emission, (Points{{5.0, 0.0}}));
-    ui().click("**/Curves/**/Reset");
+    ui().click("**/Area/Reset");
     EXPECT_TRUE(curves().emission.empty());
     EXPECT_EQ(steps(), "Add curve point;Add curve point;Emission;Remove curve point;Reset Emission;");
 }
@@ -75,12 +75,12 @@ TEST_F(CurvesPanel, PointsAreAddedAndRemovedAtTheTime) {
 TEST_F(CurvesPanel, TextIsCopiedAndPasted) {
     choose("Emission");
     ui().clipboard().set("0 1\n2.5 0.25\n");
-    ui().click("**/Curves/**/Paste");
+    ui().click("**/Area/Paste");
     EXPECT_EQ(curves().emission, (Points{{0.0, 1.0}, {2.5, 0.25}}));
-    ui().click("**/Curves/**/Copy as text");
+    ui().click("**/Area/Copy as text");
     EXPECT_EQ(ui().clipboard().get(), "0\t1\n2.5\t0.25\n");
     ui().clipboard().set("1 2\n0.5 2\n");
-    ui().click("**/Curves/**/Paste").settle();
+    ui().click("**/Area/Paste").settle();
     EXPECT_EQ(curves().emission, (Points{{0.0, 1.0}, {2.5, 0.25}})) << "as it was";
     EXPECT_THAT(ui().dump(), HasSubstr("line 2: 0.5 s is not after 1 s, the time of the point before"));
 }
@@ -88,7 +88,7 @@ TEST_F(CurvesPanel, TextIsCopiedAndPasted) {
 TEST_F(CurvesPanel, KeysMoveAndEraseAndOtherKindsOfPointsAreNoChange) {
     choose("Emission");
     editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{1.0, 1.0}, {2.0, 0.5}}; });
-    ui().frame().click("**/Curves/Emission/Point 2");
+    ui().frame().click("**/Area/Emission/Point 2");
     ui().key(ui::Key::up);
     EXPECT_EQ(curves().emission, (Points{{1.0, 1.0}, {2.0, 0.55}}));
     const std::size_t steps_before = editor().document.steps().size();

@@ -141,7 +141,7 @@ TEST(Scene, FaultsOfCurvesNameTheirPlace) {
         "cautery_power": [{"time": 1, "value": 1.5}, {"value": 1}],
         "bleeding_strength": [{"time": 1}, {"time": 2}, {"time": 2}, {"time": 1.5}],
         "emission": [{"time": -1, "value": -1}], "speed": []})")),
-        ElementsAre("s.json: /curves/speed: unknown; nearest is \"emission\"",
+        ElementsAre("s.json: /curves/speed: unknown key; nearest is \"emission\"",
                     "s.json: /curves/cautery_power/0/value: 1.5 is above the maximum 1 (allowed: 0 to 1)",
                     "s.json: /curves/cautery_power/1/time: missing; expected a number from 0 to 3600 s",
                     "s.json: /curves/bleeding_strength/2/time: 2 s is not after 2 s, the time of the point before",
