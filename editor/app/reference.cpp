@@ -199,7 +199,8 @@ glm::ivec2 Reference::compared_size() const {
 }
 
 ui::Picture Reference::compared_preview() {
-    compares_ = editor_.preview.ready();
+    // It may be made only after this frame, before it is drawn.
+    compares_ = editor_.preview.ready() || editor_.preview.organ_faults().empty();
     if (!compares_) return {.image = 0, .size = compared_size()};
     if (copy_.target.size() != compared_size()) {
         copy_.target.resize(compared_size());
