@@ -199,12 +199,14 @@ glm::ivec2 Reference::compared_size() const {
 }
 
 ui::Picture Reference::compared_preview() {
-    compares_ = editor_.preview.ready();
-    if (!compares_) return {.image = 0, .size = compared_size()};
+    // It may be made only after this frame, before it is drawn.
+    compares_ = true;
     if (copy_.target.size() != compared_size()) {
         copy_.target.resize(compared_size());
         copy_.revision = 0;
     }
+    if (!editor_.preview.ready() && !editor_.preview.organ_faults().empty())
+        return {.image = 0, .size = compared_size()};
     return {.image = copy_.target.texture(),
             .size = compared_size(),
             .pixels = copy_.revision == 0 ? nullptr : preview_pixels_.get()};
@@ -218,7 +220,9 @@ ui::Picture Reference::compared_reference() const {
 bool Reference::draw() {
     if (!compares_ || copy_.target.texture() == 0) return false;
     const Shot shot{.time = editor_.timeline.time, .camera = editor_.document.scene().camera, .overlay = Overlay::none};
+    const bool first = copy_.revision == 0;
     if (!editor_.preview.draw_into(copy_, shot)) return false;
+    if (first) editor_.ui().wake("the preview beside the reference");  // it may have been built without
     preview_pixels_->forget();
     return true;
 }

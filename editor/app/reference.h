@@ -67,7 +67,7 @@ class Reference {
     /// reference, counted in the same pixels.
     ui::Picture compared_preview();
     ui::Picture compared_reference() const;
-    CompareWay way = CompareWay::reference;
+    CompareWay way = CompareWay::beside;
     ui::CompareState compare;  ///< its view is that of the reference alone, too
 
     // --- of the editor ------------------------------------------------------------------------------------------------

@@ -25,7 +25,7 @@ struct Options {
     std::filesystem::path output, samples = LAPFX_SAMPLES;
     int width = 640, height = 512;
     int frames = static_cast<int>(seconds * frames_per_second);
-    std::string quality = "-crf 26 -preset slow";
+    std::string quality = "-crf 24 -preset slow";
 };
 
 /// Brisker than the sample scene's own, with more smoke.

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/layouts.h"
+#include "app/open.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 
@@ -20,6 +21,7 @@ class ReferencePanel : public EditorTest {
         EditorTest::SetUp();
         if (IsSkipped()) return;
         open_sample();
+        editor().reference().way = app::CompareWay::reference;
         layout("Compare");
     }
     app::Reference& reference() { return editor().reference(); }
@@ -183,6 +185,18 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
         const std::uint8_t* p = view.pixels.data() + 4 * (at.y * view.width + at.x);
         EXPECT_EQ(beside.pixels->pixel(at), glm::vec4(p[0], p[1], p[2], p[3])) << at.x << ", " << at.y;
     }
+}
+
+TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
+    app::Opened opened = app::open_sample(LAPFX_SOURCE_DIR);
+    start();
+    EXPECT_TRUE(editor().layouts().choose("Compare"));
+    editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    ui().frame();
+    ui().frame();
+    EXPECT_NE(reference().compared_preview().image, 0U);
+    ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
+    EXPECT_GT(reference().compared_preview().pixels->pixel({320, 256}).r, 20.0F);
 }
 
 TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
