@@ -1,6 +1,7 @@
 #include "app/clip_shelf.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 
 #include "app/editor.h"
@@ -22,14 +23,28 @@ struct Found {
     std::vector<std::uint8_t> thumbnail;
 };
 
-/// `path` within `folder`, as a preset there names it; empty: it lies elsewhere.
+/// `path` within `folder`, as a preset there names it; empty: it lies elsewhere. By name alone: the disk is not asked.
 std::string within(const fs::path& path, const fs::path& folder) {
     if (folder.empty()) return {};
-    std::error_code error;
     const fs::path relative =
-        fs::weakly_canonical(path, error).lexically_proximate(fs::weakly_canonical(folder, error));
+        fs::absolute(path).lexically_normal().lexically_relative(fs::absolute(folder / "").lexically_normal());
     if (relative.empty() || relative.is_absolute() || *relative.begin() == "..") return {};
     return relative.generic_string();
+}
+
+/// Whole numbers without decimals, else one.
+std::string short_number(double value) {
+    const auto tenths = std::llround(10 * value);
+    std::string text = std::to_string(tenths / 10);
+    if (tenths % 10 != 0) text += "." + std::to_string(tenths % 10);
+    return text;
+}
+
+std::string summary_of(const ClipReport& r) {
+    const std::string size = std::to_string(r.size.x) + "x" + std::to_string(r.size.y);
+    if (r.frames == 1) return size + ", one image";
+    return size + ", " + short_number(r.duration) + " s at " + short_number(r.frames_per_second) + " fps" +
+           (r.alpha ? ", own opacity" : "");
 }
 
 /// A name in `folder` that no file has, and none of `taken`.
@@ -131,6 +146,7 @@ void ClipShelf::look(const std::string& key, const std::string& file) {
             ClipFacts& facts = known_[key];
             facts = {.path = found->path,
                      .known = true,
+                     .summary = summary_of(found->report),
                      .report = found->report,
                      .faults = {},
                      .thumbnail = facts.thumbnail,
@@ -146,6 +162,7 @@ void ClipShelf::look(const std::string& key, const std::string& file) {
         ClipFacts& facts = known_[key];
         facts = {.path = found->path,
                  .known = false,
+                 .summary = {},
                  .report = {},
                  .faults = faults,
                  .thumbnail = facts.thumbnail,

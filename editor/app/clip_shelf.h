@@ -28,6 +28,7 @@ class Editor;
 struct ClipFacts {
     std::filesystem::path path;  ///< empty: not found
     bool known = false;          ///< `report` holds
+    std::string summary{};       ///< of the report: "720x480, 5 s at 30 fps"
     ClipReport report{};
     std::vector<Fault> faults;      ///< why it cannot be used
     ui::ImageHandle thumbnail = 0;  ///< 16:9

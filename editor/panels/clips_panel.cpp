@@ -31,23 +31,6 @@ std::string file_name(const std::string& file) {
     return std::filesystem::path(file).filename().string();
 }
 
-/// Whole numbers without decimals, else one.
-std::string short_number(double value) {
-    std::ostringstream text;
-    const double tenth = std::round(10 * value) / 10;
-    text << std::fixed;
-    text.precision(tenth == std::round(tenth) ? 0 : 1);
-    text << tenth;
-    return text.str();
-}
-
-std::string facts_text(const ClipFacts& facts) {
-    const ClipReport& r = facts.report;
-    if (r.frames == 1) return std::to_string(r.size.x) + "x" + std::to_string(r.size.y) + ", one image";
-    return std::to_string(r.size.x) + "x" + std::to_string(r.size.y) + ", " + short_number(r.duration) + " s at " +
-           short_number(r.frames_per_second) + " fps" + (r.alpha ? ", own opacity" : "");
-}
-
 std::string playing_text(const ClipStatus& status) {
     const int share = status.frames > 0 ? 100 * status.resident / status.frames : 0;
     std::string text = std::to_string(share) + " % resident, " + std::to_string(status.misses) + " misses";
@@ -139,7 +122,7 @@ ClipLook look_of(ui::Ui& ui, app::Editor& editor, std::size_t number) {
     if (look.wrong)
         look.facts = ui.copy(faults.front());
     else if (facts.known)
-        look.facts = ui.copy(facts_text(facts));
+        look.facts = facts.summary;
     else
         look.facts = facts.job && !facts.job->cancelled() ? "looking through the file" : "not looked through";
     if (const ClipStatus* status = shelf.playing(number))
@@ -283,7 +266,7 @@ void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double d
 
 void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    ui::space(ui, 0.05F);  // clear of the focus ring, as the captions below
+    ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // as the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
     ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
     if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Another file in the place of this one"}))

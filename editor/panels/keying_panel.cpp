@@ -26,8 +26,8 @@ using document::Content;
 using ui::Icon;
 
 constexpr std::array<std::string_view, app::bench_views> view_names = {"Source", "Matte", "Keyed", "Composite"};
-constexpr std::array<std::string_view, app::bench_views> captions = {
-    "Source picture", "Matte: the opacity", "Keyed: the smoke alone", "Composite: over what is chosen above"};
+constexpr std::array<std::string_view, app::bench_views> captions = {"Source picture", "Matte: the opacity",
+                                                                     "Keyed: the smoke alone", "Composite: laid over"};
 constexpr std::array<std::string_view, app::bench_views> view_tips = {
     "The clip's frame as it is", "The smoke's opacity: white is whole smoke",
     "The smoke alone, in its own colour, without what was behind it",
@@ -43,13 +43,14 @@ app::KeyingBench& bench_of(app::Editor& editor) {
 
 // --- above the pictures ----------------------------------------------------------------------------------------------------
 
-/// Room of so many em for something that takes all it gets.
+/// Room of so many em for something that takes all it gets; 0: a line of its own.
 class Room : public ui::Row {
   public:
-    Room(ui::Ui& ui, float ems) : ui::Row(ui, {.width = ui::px(ui.em(ems)), .cross = ui::Place::center}) {}
+    Room(ui::Ui& ui, float ems)
+        : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::Place::center}) {}
 };
 
-void clip_choice(ui::Ui& ui, app::Editor& editor) {
+void clip_choice(ui::Ui& ui, app::Editor& editor, ui::Size width) {
     const auto& clips = editor.document.preset().smoke.clips;
     std::array<std::string_view, 64> names;
     const std::size_t count = std::min(clips.size(), names.size());
@@ -57,36 +58,51 @@ void clip_choice(ui::Ui& ui, app::Editor& editor) {
         names[i] = ui.copy(std::to_string(i + 1) + "  " + std::filesystem::path(clips[i].file).filename().string());
     int chosen = static_cast<int>(editor.clip);
     if (ui::combo(ui, "Clip", chosen, {names.data(), count},
-                  {.tip = "The clip that is looked at; also chosen in the list of clips", .width = ui::px(ui.em(14))}))
+                  {.tip = "The clip that is looked at; also chosen in the list of clips", .width = width}))
         editor.clip = static_cast<std::size_t>(std::max(chosen, 0));
 }
 
-void behind_choice(ui::Ui& ui, KeyingBench& bench) {
+void behind_choice(ui::Ui& ui, KeyingBench& bench, float ems) {
     constexpr std::array<std::string_view, 4> names = {"Grey", "Checker", "Tissue", "Preview"};
     int behind = static_cast<int>(bench.look.behind);
-    ui::label(ui, "over", {.tone = ui::Tone::dim});
-    const Room room(ui, 19);
+    const Room room(ui, ems);
     if (ui::segmented(ui, "Behind", behind, names)) bench.look.behind = static_cast<app::Behind>(behind);
 }
 
-void tools(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    clip_choice(ui, editor);
+void view_choice(ui::Ui& ui, KeyingBench& bench, float ems) {
     constexpr std::array<std::string_view, 5> names = {"All", "Source", "Matte", "Keyed", "Composite"};
     int shown = bench.look.grid ? 0 : bench.look.view + 1;
-    {
-        const Room room(ui, 25);
-        if (ui::segmented(ui, "Views", shown, names)) {
-            bench.look.grid = shown == 0;
-            if (shown > 0) bench.look.view = shown - 1;
-        }
-    }
-    behind_choice(ui, bench);
-    ui::spacer(ui);
+    const Room room(ui, ems);
+    if (!ui::segmented(ui, "Views", shown, names)) return;
+    bench.look.grid = shown == 0;
+    if (shown > 0) bench.look.view = shown - 1;
+}
+
+void fit_button(ui::Ui& ui, KeyingBench& bench) {
     if (bench.look.state.fitted) return;
     if (ui::button(ui, "Fit", {.tip = "All of the picture; 0 does the same, 1 shows it pixel by pixel", .quiet = true}))
         bench.look.state = {};
+}
+
+void tools(ui::Ui& ui, app::Editor& editor, bool narrow) {
+    KeyingBench& bench = bench_of(editor);
+    if (narrow) {
+        {
+            const Room line(ui, 0);
+            clip_choice(ui, editor, ui::grow());
+            fit_button(ui, bench);
+        }
+        view_choice(ui, bench, 0);
+        behind_choice(ui, bench, 0);
+        return;
+    }
+    const Room line(ui, 0);
+    clip_choice(ui, editor, ui::px(ui.em(14)));
+    view_choice(ui, bench, 25);
+    ui::label(ui, "over", {.tone = ui::Tone::dim});
+    behind_choice(ui, bench, 19);
+    ui::spacer(ui);
+    fit_button(ui, bench);
 }
 
 // --- the pictures ----------------------------------------------------------------------------------------------------------
@@ -218,9 +234,9 @@ void scope(ui::Ui& ui, app::Editor& editor) {
         const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
         const bool off = !(bench.keying().chroma_high > 0);
         ui::label(ui,
-                  bench.look.waveform ? "Waveform"
-                  : off               ? "Chroma: off"
-                                      : "Chroma",
+                  bench.look.waveform ? "Luma by place"
+                  : off               ? "Chroma (not used)"
+                                      : "Chroma in this frame",
                   {.tone = ui::Tone::dim, .size = 0.86F, .width = ui::grow()});
         ui::toggle(ui, "Waveform", bench.look.waveform,
                    {.tip = "Luma across the picture, in place of its colours", .quiet = true});
@@ -248,7 +264,7 @@ void whose_keying(ui::Ui& ui, app::Editor& editor) {
     });
 }
 
-void pick_and_suggest(ui::Ui& ui, app::Editor& editor) {
+void pick_and_suggest(ui::Ui& ui, app::Editor& editor, bool narrow) {
     KeyingBench& bench = bench_of(editor);
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     ui::command_button(ui, editor.commands, "clip.eyedropper");
@@ -260,7 +276,7 @@ void pick_and_suggest(ui::Ui& ui, app::Editor& editor) {
         if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
     }
     ui::spacer(ui);
-    ui::command_button(ui, editor.commands, "clip.suggest");
+    ui::command_button(ui, editor.commands, "clip.suggest", narrow);
 }
 
 void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
@@ -286,11 +302,11 @@ bool is_threshold(std::string_view key) {
     return key.starts_with("luma_") || key.starts_with("chroma_") || key == "key_color";
 }
 
-void rows(ui::Ui& ui, app::Editor& editor) {
+void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
     KeyingBench& bench = bench_of(editor);
     const std::size_t number = editor.clip;
     whose_keying(ui, editor);
-    pick_and_suggest(ui, editor);
+    pick_and_suggest(ui, editor, narrow);
     told_by_suggest(ui, editor);
     const bool alpha = has_alpha(editor);
     if (alpha)
@@ -314,8 +330,11 @@ void rows(ui::Ui& ui, app::Editor& editor) {
 void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
     if (narrow) {
         const ui::ScrollArea area(ui, "Thresholds", {.gap = 0.3F});
-        luma_histogram(ui, editor, 8);
-        rows(ui, editor);
+        {
+            const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(11))});
+            luma_histogram(ui, editor, 9);
+        }
+        rows(ui, editor, narrow);
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
         scope(ui, editor);
         return;
@@ -330,7 +349,7 @@ void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
         scope(ui, editor);
     }
     const ui::ScrollArea area(ui, "Thresholds", {.width = ui::px(ui.em(27)), .gap = 0.3F});
-    rows(ui, editor);
+    rows(ui, editor, narrow);
 }
 
 // --- without a picture -----------------------------------------------------------------------------------------------------
@@ -369,7 +388,7 @@ void keying_panel(ui::Ui& ui, app::Editor& editor) {
     const ui::Rect room = ui.rect_before(ui.parent().id);
     const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
-    tools(ui, editor);
+    tools(ui, editor, narrow);
     ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {

@@ -1,7 +1,11 @@
 // The keying bench, driven by the names of what is on the screen.
+#include <chrono>
 #include <cmath>
 #include <fstream>
+#include <functional>
+#include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>
+#include <thread>
 
 #include "app/keying_bench.h"
 #include "editor/support/editor_test.h"
@@ -147,6 +151,51 @@ TEST_F(KeyingPanel, ThresholdsAreForAllClipsOrForThisOne) {
     EXPECT_FALSE(editor().document.preset().smoke.clips[0].own_keying);
 }
 
+/// An editor that waits for nothing: frames come by jobs.
+TEST_F(KeyingPanel, BesideTheWindowPicturesFollowWithoutWaiting) {
+    ui::ImageStore images;
+    app::EditorOptions options = editor().options();
+    options.exact = false;
+    app::Editor live(images, options);
+    live.document.open(editor().document.content());
+    app::KeyingBench& bench = live.keying();
+    double now = 1;
+    const auto frame = [&] {
+        bench.show();
+        live.update(now += 1.0 / 60);
+    };
+    const auto until = [&](const std::function<bool()>& met) {
+        for (int i = 0; i < 2000 && !met(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            frame();
+        }
+        return met();
+    };
+    const auto matte = [&] { return bench.picture(BenchView::matte).pixels->pixel({360, 380}).r; };
+    frame();
+    EXPECT_FALSE(bench.ready()) << "nothing was waited for";
+    ASSERT_TRUE(until([&] { return bench.ready() && !live.jobs.busy(); }));
+    EXPECT_FALSE(bench.stale());
+    const float before = matte();
+    EXPECT_GT(before, 40);
+    live.document.change("Luma low", [](document::Content& c) { c.preset.smoke.keying.luma_low = 150; });
+    EXPECT_TRUE(bench.stale());
+    frame();
+    EXPECT_LT(matte(), before) << "seen in the next frame";
+    // The newest wish is met, whatever was wished for meanwhile.
+    for (const double time : {0.5, 1.0, 1.5, 3.0}) {
+        bench.look.time = time;
+        live.document.change("Choke", [&](document::Content& c) { c.preset.smoke.keying.choke = time; });
+        frame();
+    }
+    ASSERT_TRUE(until([&] { return !bench.stale() && !live.jobs.busy(); }));
+    EXPECT_EQ(bench.frame(), 90);
+    bench.suggest();
+    ASSERT_TRUE(bench.suggesting());
+    EXPECT_TRUE(until([&] { return !bench.suggesting(); }));
+    EXPECT_EQ(live.document.steps().back().name, "Suggest keying");
+}
+
 TEST_F(KeyingPanel, ViewsShareOneLook) {
     const ui::ViewState before = editor().keying().look.state;
     ui().wheel(panel + "Bench/Source", {0, 2});
@@ -196,6 +245,21 @@ TEST_F(KeyingPanel, AMissingFileIsToldInPlace) {
     editor().document.undo();
     ui().frame().frame();
     EXPECT_TRUE(editor().keying().ready());
+}
+
+TEST_F(KeyingPanel, AClipWithItsOwnOpacityHasNoThresholds) {
+    cv::Mat image(64, 96, CV_8UC4, cv::Scalar(200, 200, 200, 0));
+    image(cv::Rect(20, 20, 30, 30)) = cv::Scalar(200, 200, 200, 160);
+    const fs::path path = folder() / "own.png";
+    ASSERT_TRUE(cv::imwrite(path.string(), image));
+    open({path.string()});
+    ASSERT_TRUE(editor().keying().ready());
+    EXPECT_NEAR(pixel(BenchView::matte, {30, 30}).r, 160, 1);
+    EXPECT_EQ(pixel(BenchView::matte, {80, 50}).r, 0);
+    EXPECT_FALSE(ui().exists(panel + "Bench/Luma/Low"));
+    EXPECT_TRUE(ui().is(panel + "Bench/Thresholds/Luma low", ui::Is::disabled));
+    EXPECT_FALSE(ui().is(panel + "Bench/Thresholds/Choke", ui::Is::disabled)) << "edges are drawn in all the same";
+    EXPECT_NE(ui().dump().find("brings its own opacity"), std::string::npos) << "told why";
 }
 
 TEST_F(KeyingPanel, WithoutAClipOneCanBeAdded) {
