@@ -259,7 +259,11 @@ std::string ThumbnailMaker::render(const Request& request, const fs::path& file)
                               {"lapfx", "render", request.scene.string(), "--preset", request.preset.string(), "--at",
                                std::to_string(request.time), "--size", wished, "-o", part.string()},
                               log);
-    if (child == 0) return options_.program.string() + " cannot be started";
+    std::error_code error;
+    if (child == 0) {
+        fs::remove(log, error);
+        return options_.program.string() + " cannot be started";
+    }
     const Clock::time_point end = Clock::now() + longest_render;
     std::string fault;
     int status = 0;
@@ -271,7 +275,6 @@ std::string ThumbnailMaker::render(const Request& request, const fs::path& file)
         fault = late ? "rendering took more than a minute" : "not wanted any more";
         break;
     }
-    std::error_code error;
     if (fault.empty() && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         fault = first_line(log);
         if (fault.empty()) fault = "rendering ended without a picture";

@@ -168,6 +168,8 @@ TEST_F(PresetPanel, TheMenuOfARowCopiesLocksAndMarks) {
     ui().right_click("**/Bleeding/Rivulets").click("**/Rivulets menu/Favourite");
     EXPECT_TRUE(ui().exists("**/Favourites/Bleeding: Rivulets"));
     EXPECT_EQ(editor().settings().favourites.back(), "bleeding.rivulets");
+    ui().right_click("**/Favourites/Bleeding: Rivulets").click("**/Bleeding: Rivulets menu/Favourite");
+    EXPECT_FALSE(ui().exists("**/Favourites/Bleeding: Rivulets"));
 }
 
 TEST_F(PresetPanel, AGroupIsCopiedAsTextAndPasted) {
