@@ -40,12 +40,24 @@ std::vector<std::string> split_tags(std::string_view text) {
     return tags;
 }
 
+/// What comes after "format":, of a file that may be cut off anywhere; empty: no text does.
+std::string_view format_of(std::string_view text) {
+    constexpr std::string_view key = "\"format\"", space = " \t\r\n";
+    const std::size_t found = text.find(key);
+    if (found == std::string_view::npos) return {};
+    text.remove_prefix(found + key.size());
+    text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
+    if (!text.starts_with(':')) return {};
+    text.remove_prefix(1);
+    text.remove_prefix(std::min(text.find_first_not_of(space), text.size()));
+    if (!text.starts_with('"')) return {};
+    return text.substr(1, text.find('"', 1) - 1);
+}
+
 /// A scene or a schema lies in such folders, too. What cannot be told may be a preset that is broken.
-bool other_kind(const std::string& text) {
-    const std::size_t format = text.find("\"format\"");
-    if (format == std::string::npos) return text.find("\"$schema\"") != std::string::npos;
-    return text.find("\"lapfx.preset\"", format) == std::string::npos &&
-           text.find("\"lapfx.scene\"", format) != std::string::npos;
+bool other_kind(std::string_view text) {
+    const std::string_view format = format_of(text);
+    return format == "lapfx.scene" || (format.empty() && text.find("\"$schema\"") != std::string_view::npos);
 }
 
 std::string tip_of(const PresetFile& file, const Preset& preset) {
@@ -54,12 +66,17 @@ std::string tip_of(const PresetFile& file, const Preset& preset) {
     return tip + (tip.empty() ? "" : "\n") + file.file.string();
 }
 
+/// Never that of nothing.
+std::uint64_t key_of(const fs::path& path) {
+    return ui::hash_bytes(0, path.string()) >> 1;
+}
+
 /// False: it is no preset.
 bool read_preset(const fs::path& path, PresetFile& file) {
     std::error_code error;
     file.file = path;
     file.name = path.stem().string();
-    file.key = ui::hash_bytes(0, path.string()) >> 1;
+    file.key = key_of(path);
     file.modified = fs::last_write_time(path, error);
     try {
         const std::string text = read_file(path, longest);
@@ -120,6 +137,7 @@ void Browser::scan() {
     scanning_ = true;
     scanned_beside_ = editor_.document.preset_file();
     current_ = scanned_beside_.empty() ? fs::path() : fs::absolute(scanned_beside_).lexically_normal();
+    current_key_ = key_of(current_);
     scanned_text_ = editor_.document.saved_preset_text();
     editor_.jobs.start(
         "Presets",
@@ -259,7 +277,7 @@ void Browser::choose_tag(std::string_view tag, bool on) {
 
 bool Browser::starred(std::size_t file) const {
     const std::vector<std::string>& stars = editor_.settings().preset_stars;
-    return std::find(stars.begin(), stars.end(), files_[file].file.string()) != stars.end();
+    return std::find(stars.begin(), stars.end(), files_[file].file.native()) != stars.end();
 }
 
 void Browser::star(std::size_t file, bool on) {

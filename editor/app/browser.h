@@ -56,6 +56,7 @@ class Browser {
     bool starred(std::size_t file) const;
     void star(std::size_t file, bool on);
     bool current(std::size_t file) const;  ///< it is the one that is open
+    std::uint64_t current_key() const { return current_key_; }
 
     std::string search;
     PresetOrder order = PresetOrder::name;
@@ -98,6 +99,7 @@ class Browser {
     bool shown_ = false, seen_ = false, stale_ = true, scanning_ = false, renders_ = true;
     std::filesystem::path program_ = "/proc/self/exe";
     std::filesystem::path scanned_beside_, current_, scene_;
+    std::uint64_t current_key_ = 0;
     std::string scanned_text_;
     std::unique_ptr<ThumbnailMaker> maker_;
 };

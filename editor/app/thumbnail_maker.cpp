@@ -102,15 +102,23 @@ std::vector<std::uint8_t> read_picture(const fs::path& file) {
     }
 }
 
-/// The longest unused pictures go; what cannot be listed or removed stays.
+/// The longest unused pictures go, and what an editor has left that was ended; what cannot be listed or removed stays.
 void evict(const fs::path& folder) {
     std::error_code error;
-    std::vector<std::pair<fs::file_time_type, fs::path>> files;
-    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error))
-        if (it->path().extension() == ".png") files.emplace_back(it->last_write_time(error), it->path());
-    if (files.size() <= ThumbnailMaker::most_kept) return;
-    std::sort(files.begin(), files.end());
-    for (std::size_t i = 0; i + ThumbnailMaker::most_kept < files.size(); ++i) fs::remove(files[i].second, error);
+    std::vector<std::pair<fs::file_time_type, fs::path>> pictures;
+    const fs::file_time_type old = fs::file_time_type::clock::now() - 10 * longest_render;
+    for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
+        const fs::path file = it->path();
+        const fs::file_time_type used = it->last_write_time(error);
+        if (file.extension() == ".log" || file.stem().extension() == ".part") {
+            if (used < old) fs::remove(file, error);
+        } else if (file.extension() == ".png") {
+            pictures.emplace_back(used, file);
+        }
+    }
+    if (pictures.size() <= ThumbnailMaker::most_kept) return;
+    std::sort(pictures.begin(), pictures.end());
+    for (std::size_t i = 0; i + ThumbnailMaker::most_kept < pictures.size(); ++i) fs::remove(pictures[i].second, error);
 }
 
 /// Without those that name a display: what renders thumbnails opens no window.
@@ -251,7 +259,11 @@ std::string ThumbnailMaker::render(const Request& request, const fs::path& file)
                               {"lapfx", "render", request.scene.string(), "--preset", request.preset.string(), "--at",
                                std::to_string(request.time), "--size", wished, "-o", part.string()},
                               log);
-    if (child == 0) return options_.program.string() + " cannot be started";
+    std::error_code error;
+    if (child == 0) {
+        fs::remove(log, error);
+        return options_.program.string() + " cannot be started";
+    }
     const Clock::time_point end = Clock::now() + longest_render;
     std::string fault;
     int status = 0;
@@ -263,7 +275,6 @@ std::string ThumbnailMaker::render(const Request& request, const fs::path& file)
         fault = late ? "rendering took more than a minute" : "not wanted any more";
         break;
     }
-    std::error_code error;
     if (fault.empty() && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         fault = first_line(log);
         if (fault.empty()) fault = "rendering ended without a picture";

@@ -166,8 +166,10 @@ class Sections {
         if (!any) return;
         const ui::Section section(ui_, "Favourites", {.tip = "Marked in the menu of a parameter"});
         if (!section) return;
-        for (const std::size_t index : tuning_.favourites())
+        for (std::size_t i = 0; i < tuning_.favourites().size(); ++i) {  // a row's menu may take it out of the list
+            const std::size_t index = tuning_.favourites()[i];
             if (shows(low_of(index)) && !listed_with_low(index)) row(low_of(index), true);
+        }
     }
 
     static std::size_t low_of(std::size_t index) {

@@ -21,6 +21,7 @@ constexpr std::string_view item_menu = "preset file menu", view_menu = "presets 
 
 struct Browsing {
     ui::Selection selection;
+    std::uint64_t current = ui::no_key;  ///< the one that is open, as it was selected last
     std::uint64_t asked = ui::no_key;    ///< key of the preset that the question is about
     std::uint64_t menu_of = ui::no_key;  ///< and of the one with the menu
 };
@@ -152,6 +153,10 @@ void item_items(ui::Ui& ui, app::Editor& editor, Browsing& b, std::size_t index)
 void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
     Browser& browser = editor.browser();
     const std::vector<std::size_t>& found = browser.found();
+    if (b.current != browser.current_key()) {
+        b.current = browser.current_key();
+        b.selection.only(b.current);
+    }
     const auto item = [&](std::size_t i) -> ui::Thumbnail {
         const std::size_t index = found[i];
         const PresetFile& file = browser.files()[index];
@@ -164,7 +169,7 @@ void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
     };
     constexpr float aspect = static_cast<float>(app::ThumbnailMaker::size.x) / app::ThumbnailMaker::size.y;
     const ui::ThumbnailEvents events =
-        ui::thumbnails(ui, "Presets", b.selection, found.size(), item, {.cell = 9, .aspect = aspect});
+        ui::thumbnails(ui, "Presets", b.selection, found.size(), item, {.cell = 7.5F, .aspect = aspect});
     if (events.marked != ui::no_row) {
         const std::size_t file = found[events.marked];
         browser.star(file, !browser.starred(file));

@@ -168,6 +168,8 @@ TEST_F(PresetPanel, TheMenuOfARowCopiesLocksAndMarks) {
     ui().right_click("**/Bleeding/Rivulets").click("**/Rivulets menu/Favourite");
     EXPECT_TRUE(ui().exists("**/Favourites/Bleeding: Rivulets"));
     EXPECT_EQ(editor().settings().favourites.back(), "bleeding.rivulets");
+    ui().right_click("**/Favourites/Bleeding: Rivulets").click("**/Bleeding: Rivulets menu/Favourite");
+    EXPECT_FALSE(ui().exists("**/Favourites/Bleeding: Rivulets"));
 }
 
 TEST_F(PresetPanel, AGroupIsCopiedAsTextAndPasted) {
@@ -193,6 +195,7 @@ TEST_F(PresetPanel, AGroupIsCopiedAsTextAndPasted) {
 TEST_F(PresetPanel, WhatCannotBePastedIsTold) {
     const std::string before = text();
     const auto told = [&](const std::string& clipboard) {
+        editor().toasts.clear();
         ui().clipboard().text = clipboard;
         ui().key('V', Mods::command | Mods::alt);
         EXPECT_EQ(text(), before) << clipboard;
@@ -207,6 +210,7 @@ TEST_F(PresetPanel, WhatCannotBePastedIsTold) {
     EXPECT_NE(told("[1, 2]").find("no JSON object"), std::string::npos);
     EXPECT_NE(told(std::string(100000, '[')).find("clipboard: "), std::string::npos);
     EXPECT_NE(told("{\"bleeding\": {\"speed\": 1e999}}").find("clipboard: "), std::string::npos);
+    editor().toasts.clear();
     ui().clipboard().text = "{\"vessels\": {\"region\": 3}}";
     ui().click("**/Parameters/Bleeding/More").click("**/Bleeding menu/Paste group");
     EXPECT_NE(ui().dump().find("\"bleeding\" is not in the text; it holds vessels"), std::string::npos);

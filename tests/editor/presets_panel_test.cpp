@@ -5,6 +5,8 @@
 #include "app/layouts.h"
 #include "app/settings.h"
 #include "editor/support/editor_test.h"
+#include "panels/panels.h"
+#include "ui/support/count_allocations.h"
 
 namespace lapfx::test {
 namespace {
@@ -110,6 +112,23 @@ TEST_F(PresetsPanel, WhatIsNotSavedIsNotLost) {
     ask();
     ui().click("**/Open preset/Open, discard changes");
     EXPECT_EQ(editor().document.preset().name, "Slow ooze");
+}
+
+TEST_F(PresetsPanel, AStillPanelAllocatesNothing) {
+    ui::Harness panel(
+        [&](ui::Ui& u) {
+            editor().set_ui(u);
+            panels::presets_panel(u, editor());
+        },
+        {1000, 300});
+    for (int i = 0; i < 5; ++i) panel.frame();
+    ASSERT_TRUE(panel.exists("Presets/Slow ooze"));
+    const std::size_t before = allocations_so_far();
+    for (int i = 0; i < 10; ++i)
+        panel.ui().frame({.size = {1000, 300}, .scale = 1, .time = panel.time + i},
+                         [&](ui::Ui& u) { panels::presets_panel(u, editor()); });
+    EXPECT_EQ(allocations_so_far() - before, 0U);
+    editor().set_ui(ui().ui());
 }
 
 TEST_F(PresetsPanel, ThumbnailsAreRenderedOnceAndKept) {
