@@ -14,7 +14,6 @@ import real_window
 from real_window import node, nodes, wait_for
 
 SIZE = (1200, 800)
-SLOWEST_START_S = 20  # of anything; how long it took is told
 IDLE_S = 20
 IDLE_SHARE = 0.0005  # of one core
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
@@ -81,12 +80,10 @@ def case_start(open_editor):
     """The sample scene, seen without a word."""
     with open_editor() as editor:
         assert editor.frames()[0][2], "the first frame is drawn"
-        first = editor.first_frame_s
-        assert first < SLOWEST_START_S, f"{first:.2f} s"
         tree = editor.close()
         assert "Gastric banding" in node(tree, "Status bar/Document")["text"]
         assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
-        return f"first frame after {first:.2f} s"
+        return f"first frame after {editor.first_frame_s:.2f} s"
 
 
 def case_idle(open_editor):
@@ -94,6 +91,7 @@ def case_idle(open_editor):
     with open_editor() as editor:
         time.sleep(2)
         spent, frames = editor.cpu_s(), len(editor.frames())
+        assert spent > 0.1, f"{spent} s since its start: this measures nothing"
         time.sleep(IDLE_S)
         share = (editor.cpu_s() - spent) / IDLE_S
         assert len(editor.frames()) == frames, editor.frames(frames)
@@ -105,11 +103,11 @@ def case_tab(open_editor):
     """A click on a tab shows its panel."""
     with open_editor() as editor:
         tree = editor.tree()
-        assert "selected" not in node(tree, "Workspace/tabs/History").get("states", ())
-        editor.click("Workspace/tabs/History")
+        assert "selected" not in node(tree, "Workspace/tabs/Amounts").get("states", ())
+        editor.click("Workspace/tabs/Amounts")
         tree = editor.close()
-        assert "selected" in node(tree, "Workspace/tabs/History")["states"]
-        assert node(tree, "Workspace/History")["rect"][3] > 100
+        assert "selected" in node(tree, "Workspace/tabs/Amounts")["states"]
+        assert node(tree, "Workspace/Amounts")["rect"][3] > 100
 
 
 def case_resize(open_editor):
