@@ -17,6 +17,7 @@ SIZE = (1200, 800)
 IDLE_S = 20
 IDLE_SHARE = 0.0005  # of one core
 ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.realpath(__file__))))
+CLIP = os.path.join(ROOT, "samples", "clips", "wisps_thin.mp4")
 SPEED = "/Bleeding/Speed"  # end of the path of the parameter that is moved
 
 
@@ -52,6 +53,16 @@ class Editor(real_window.Window):
     def type(self, text):
         self.act_now("type", "--delay", "15", text)
         self.settle(0.15)
+
+    def drop(self, path, file):
+        """Drops a file on the middle of what has this path."""
+        x, y = self.middle(path)
+        count = len(self.frames())
+        done = subprocess.run([self.drop_files, self.window, str(x), str(y), file], env=self.environment, check=False,
+                              capture_output=True, encoding="utf-8", timeout=real_window.LIMIT_S)
+        assert done.returncode == 0, f"the drop was not taken: {done.stderr}"
+        wait_for("a frame for what was dropped", lambda: any(f[1] == "drop" for f in self.frames(count)))
+        self.settle()
 
     def save_as(self, name):
         """Saves the preset under that name in the folder of the test, by keyboard; gives what is on disk."""
@@ -145,13 +156,7 @@ def case_drop_arrives(open_editor):
     with open_editor() as editor:
         if not os.path.exists(editor.drop_files):
             return "not tested: there is no Xlib to drop files with"
-        x, y = editor.middle("Workspace/View/Preview")
-        count = len(editor.frames())
-        clip = os.path.join(ROOT, "samples", "clips", "wisps_thin.mp4")
-        subprocess.run([editor.drop_files, editor.window, str(x), str(y), clip], env=editor.environment, check=True,
-                       timeout=real_window.LIMIT_S)
-        wait_for("a frame for what was dropped", lambda: any(f[1] == "drop" for f in editor.frames(count)))
-        editor.settle()
+        editor.drop("Workspace/View/Preview", CLIP)
         assert editor.process.poll() is None, editor.text()
         return None
 
@@ -161,11 +166,7 @@ def case_drop_opens(open_editor):
     with open_editor() as editor:
         if not os.path.exists(editor.drop_files):
             return "not tested: there is no Xlib to drop files with"
-        x, y = editor.middle("Workspace/View/Preview")
-        clip = os.path.join(ROOT, "samples", "clips", "wisps_thin.mp4")
-        subprocess.run([editor.drop_files, editor.window, str(x), str(y), clip], env=editor.environment, check=True,
-                       timeout=real_window.LIMIT_S)
-        editor.settle()
+        editor.drop("Workspace/View/Preview", CLIP)
         saved = editor.save_as("dropped.json")
         assert any(c["file"] == "wisps_thin.mp4" for c in saved["smoke"]["clips"]), saved["smoke"]["clips"]
         return None
