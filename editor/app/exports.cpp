@@ -197,14 +197,19 @@ void Exports::look_at_form() {
     if (output::form_of(file) != forms[which]) faults_.push_back(fault("-o", wanted[which]));
     for (Fault& found : check(render_options(), editor_.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
-    if (form.amounts && !is_writable_folder(fs::absolute(form.amounts_file).parent_path()))
+    std::error_code error;
+    if (form.amounts && !is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
         faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
     if (editor_.document.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
     for (const Fault& found : editor_.document.preset_faults()) faults_.push_back(fault("preset", found.text()));
 }
 
 const std::vector<Fault>& Exports::faults() {
-    look_at_form();
+    try {
+        look_at_form();
+    } catch (const fs::filesystem_error& error) {  // paths that cannot even be looked at
+        faults_ = {fault("-o", error.code().message())};
+    }
     return faults_;
 }
 

@@ -278,7 +278,8 @@ ClipFiles clip_files(const std::string& clip, const fs::path& preset_folder,
 Preset preset_in(const fs::path& folder, const Preset& preset, const std::vector<fs::path>& clip_folders,
                  std::vector<Fault>& faults) {
     Preset moved = preset;
-    const fs::path to = fs::weakly_canonical(fs::absolute(folder));
+    std::error_code error;
+    const fs::path to = fs::weakly_canonical(fs::absolute(folder, error), error);
     for (std::size_t i = 0; i < moved.smoke.clips.size(); ++i) {
         std::string& file = moved.smoke.clips[i].file;
         const ClipFiles found = clip_files(file, preset.folder, clip_folders);
@@ -292,7 +293,7 @@ Preset preset_in(const fs::path& folder, const Preset& preset, const std::vector
                     i, "another \"" + file + "\" lies in " + to.string() + " and would be taken for the shipped clip"));
             continue;
         }
-        const fs::path source = fs::weakly_canonical(found.files.front().parent_path()) / found.name;
+        const fs::path source = fs::weakly_canonical(found.files.front().parent_path(), error) / found.name;
         const fs::path relative = source.lexically_relative(to);
         if (relative.empty() || *relative.begin() == "..")
             faults.push_back(clip_fault(i, "\"" + source.string() + "\" lies outside of " + to.string()));
@@ -321,10 +322,12 @@ std::string check_bundle_folder(const fs::path& folder) {
     const std::string name = folder.filename().string();
     const std::vector<std::string> ours{name + ".json", name + ".scene.json", "thumbnail.png", "clips", "organ",
                                         "tool"};
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error))
-        if (std::find(ours.begin(), ours.end(), entry.path().filename().string()) == ours.end())
-            return "is a folder with other things in it (" + entry.path().filename().string() +
-                   "): name one that is not there yet";
+    for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+        const std::string found = entry->path().filename().string();
+        if (std::find(ours.begin(), ours.end(), found) == ours.end())
+            return "is a folder with other things in it (" + found + "): name one that is not there yet";
+    }
+    if (error) return "cannot be read: " + error.message();
     if (!is_file(folder / (name + ".json")))
         return "is a folder with other things in it: name one that is not there yet";
     return "";

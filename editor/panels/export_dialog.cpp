@@ -53,11 +53,14 @@ ui::FileRequest request_for(const ExportForm& form) {
     return request;
 }
 
-/// A field for a path with a button beside it.
+/// A path wants the whole width: its end tells most.
 void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::string& path, std::string_view tip,
               bool invalid) {
+    const ui::Column column(ui, {.width = ui::grow(), .gap = 0.15F});
+    const std::string_view lower = label == "Folder" ? "folder" : label == "Table" ? "table" : "file";
+    ui::label(ui, ui.join({"To this ", lower}), {.tone = ui::Tone::dim});
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    ui::text_field(ui, label, path, {.tip = tip, .caption = true, .invalid = invalid});
+    ui::text_field(ui, label, path, {.tip = tip, .invalid = invalid});
     const bool amounts = &path == &editor.exports().form.amounts_file;
     if (!ui::icon_button(ui, ui::Icon::folder, ui.join({"Browse for ", label}))) return;
     ui::FileRequest request = request_for(editor.exports().form);
@@ -248,7 +251,7 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
 void export_dialog(ui::Ui& ui, app::Editor& editor) {
     ask_replace(ui, editor);
     Exports& exports = editor.exports();
-    ui::Dialog dialog(ui, dialog_name, exports.running() ? "Export under way" : "New export", {.width = 36});
+    ui::Dialog dialog(ui, dialog_name, exports.running() ? "Export under way" : "New export", {.width = 38});
     if (!dialog) return;
     if (exports.running()) return running_dialog(ui, editor, dialog);
     form_rows(ui, editor);

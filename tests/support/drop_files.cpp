@@ -48,7 +48,8 @@ class Source {
         XEvent event;
         if (!wait_for("XdndStatus", event) || (event.xclient.data.l[1] & 1) == 0) return false;
         send("XdndDrop", {0, 0, CurrentTime, 0, 0});
-        return wait_for("XdndFinished", event) && (event.xclient.data.l[1] & 1) != 0;
+        // Bit 0 means taken; GLFW gives the number of bytes that it has got.
+        return wait_for("XdndFinished", event) && event.xclient.data.l[1] != 0;
     }
 
   private:
