@@ -147,8 +147,11 @@ void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
 
 void snapshots_panel(ui::Ui& ui, app::Editor& editor) {
     SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
-    const ui::Panel panel(ui, "Snapshots");
-    for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot);
+    const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
+    {
+        const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
+        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot);
+    }
     ui::separator(ui);
     comparison(ui, editor, state);
 }
