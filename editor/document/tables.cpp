@@ -187,7 +187,7 @@ class LooseReader {
         if (!value) return tell(place, "expected " + row.expected());
         // A clip that lies elsewhere is put right when the preset is saved.
         Parameter checked = row;
-        checked.contained = false;
+        checked.contained = checked.required = false;
         if (const std::string fault = checked.check(*value); !fault.empty()) return tell(place, fault);
         checked.set(owner, *value);
     }

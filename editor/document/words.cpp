@@ -50,7 +50,7 @@ class Matcher {
         while (tail < std::min(n_, m_) - head && same(n_ - 1 - tail, m_ - 1 - tail)) ++tail;
         for (std::size_t i = 0; i < head; ++i) out_.emplace_back(i, i);
         const std::size_t n = n_ - head - tail, m = m_ - head - tail;
-        if (n != m && n * m <= most_matched)
+        if (n * m <= most_matched)
             longest_common(head, n, m);
         else
             pair_up(head, n, head, m);

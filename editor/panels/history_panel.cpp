@@ -56,7 +56,7 @@ void head(ui::Ui& ui, app::Editor& editor) {
 void history_panel(ui::Ui& ui, app::Editor& editor) {
     document::Document& document = editor.document;
     HistoryState& state = ui.memory<HistoryState>(ui::hash_bytes(0, "history"));
-    const ui::Panel panel(ui, "History");
+    const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
     head(ui, editor);
     const auto key_of = [&](std::size_t row) { return row == 0 ? 0 : document.steps()[row - 1].id; };
     if (const std::uint64_t newest = key_of(document.steps().size());

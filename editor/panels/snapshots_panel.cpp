@@ -57,11 +57,14 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
     ui.push_seed(letter);
     {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::Place::center});
-        if (ui::button(ui, "Show " + letter,
+        ui.push_disabled(!snapshot);
+        const bool show =
+            ui::button(ui, "Show " + letter,
                        {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
-                        .on = snapshots.shown(slot)}) &&
-            snapshot)
-            snapshots.show(slot);
+                        .on = snapshots.shown(slot),
+                        .width = ui::px(ui.em(5.2F))});
+        ui.pop_disabled();
+        if (show) snapshots.show(slot);
         if (snapshot) ui::date_text(snapshot->time, state.text);
         ui::label(ui,
                   !snapshot                       ? "empty"
@@ -72,7 +75,8 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
             ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
         if (ui::button(ui, "Keep " + letter,
                        {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
-                                        : "Keeps the preset as it is now."}))
+                                        : "Keeps the preset as it is now.",
+                        .width = ui::px(ui.em(5.2F))}))
             snapshots.keep(slot);
         ui.push_disabled(!snapshots.at(slot).has_value());
         if (ui::icon_button(ui, ui::Icon::cross, "Clear " + letter, {.quiet = true})) snapshots.clear(slot);
@@ -147,8 +151,11 @@ void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
 
 void snapshots_panel(ui::Ui& ui, app::Editor& editor) {
     SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
-    const ui::Panel panel(ui, "Snapshots");
-    for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot);
+    const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
+    {
+        const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
+        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot);
+    }
     ui::separator(ui);
     comparison(ui, editor, state);
 }

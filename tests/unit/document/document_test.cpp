@@ -37,7 +37,7 @@ TEST(DocumentHistory, FollowsAModel) {
     std::vector<double> states{document.preset().bleeding.speed};
     std::size_t at = 0;
     for (int i = 0; i < 2000; ++i) {
-        const unsigned what = random() % 10;
+        const auto what = random() % 10;
         if (what < 4) {
             const double speed = static_cast<double>(random() % 500) / 10;
             const double before = states[at];
@@ -139,7 +139,9 @@ TEST_F(DocumentFiles, AnotherProgramsWritingIsSeen) {
 }
 
 TEST_F(DocumentFiles, ASceneNamesThePresetItWasSavedWith) {
-    document_.open({});
+    Content content;
+    content.scene.organ.file = "organ.glb";
+    document_.open(content);
     fs::create_directory(in("presets"));
     document_.save_preset(in("presets/p.json"));
     document_.save_scene(in("s.json"));

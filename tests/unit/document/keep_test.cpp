@@ -69,7 +69,7 @@ TEST_F(KeptWork, IsReadBackAsItWas) {
     EXPECT_EQ(back.time, 1000);
     ASSERT_EQ(back.snapshots.size(), 1U);
     EXPECT_EQ(back.snapshots[0].slot, 2U);
-    EXPECT_EQ(write_preset(back.snapshots[0].preset), write_preset(k.content.preset));
+    EXPECT_EQ(write_preset(back.snapshots[0].preset), write_preset(kept(6).content.preset));
 }
 
 TEST_F(KeptWork, BrokenFilesAreRefusedWithAReason) {

@@ -1,0 +1,381 @@
+// Files, history, snapshots and what is kept, through the whole editor.
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "app/autosave.h"
+#include "app/files.h"
+#include "app/layouts.h"
+#include "app/settings.h"
+#include "app/snapshots.h"
+#include "editor/support/editor_test.h"
+#include "lapfx/file.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using ui::Key;
+using ui::key_of;
+using ui::Mods;
+
+class EditorDocument : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+    }
+    void set_speed(double speed) {
+        editor().document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
+        ui().frame();
+    }
+    double speed() { return editor().document.preset().bleeding.speed; }
+    /// A preset of the test's own, open and saved.
+    fs::path own_preset(const std::string& name = "own.json") {
+        const fs::path file = folder() / name;
+        Preset preset;
+        preset.name = "own";
+        save_preset(preset, file);
+        open({file.string()});
+        return file;
+    }
+    void say(const std::string& answer) { ui().click("**/" + answer).frame(); }
+    bool asked(const std::string& title) {
+        ui().frame();
+        return editor().files().question() != nullptr &&
+               editor().files().question()->title.find(title) != std::string::npos;
+    }
+};
+
+TEST_F(EditorDocument, TheHistoryIsWalkedByClickAndByKeys) {
+    layout("Tune");
+    ui().key('H', Mods::command).frame();
+    set_speed(5);
+    set_speed(8.3);
+    EXPECT_THAT(ui().dump(), HasSubstr("5 to 8.3 mm/s"));
+    EXPECT_THAT(ui().dump(), HasSubstr("As opened"));
+    ui().click("**/Steps/As opened").frame();
+    EXPECT_EQ(editor().document.done(), 0U);
+    EXPECT_NE(speed(), 5);
+    ui().key(Key::down).frame();
+    EXPECT_EQ(editor().document.done(), 0U) << "arrows only look";
+    ui().key(Key::enter).frame();
+    EXPECT_EQ(editor().document.done(), 1U);
+    EXPECT_EQ(speed(), 5);
+    EXPECT_THAT(ui().dump(), HasSubstr("2 steps, 1 undone"));
+}
+
+TEST_F(EditorDocument, SavingWritesWhatIsShownAndSaysSo) {
+    const fs::path file = own_preset();
+    set_speed(7.5);
+    EXPECT_THAT(editor().files().title(), testing::StartsWith("own.json* - "));
+    ui().key('S', Mods::command).frame();
+    EXPECT_EQ(load_preset(file).bleeding.speed, 7.5);
+    EXPECT_FALSE(editor().document.preset_unsaved());
+    EXPECT_THAT(editor().files().title(), testing::StartsWith("own.json - "));
+    EXPECT_EQ(editor().settings().recent.front(), file.string());
+}
+
+TEST_F(EditorDocument, ShippedFilesAreNotWrittenOver) {
+    const fs::path file = editor().document.preset_file();
+    const std::string before = read_file(file, 1 << 20);
+    set_speed(7.5);
+    ui().key('S', Mods::command).frame();
+    EXPECT_TRUE(ui().exists("Save preset as"));
+    ui().key(Key::escape).frame();
+    EXPECT_EQ(read_file(file, 1 << 20), before);
+    EXPECT_TRUE(editor().document.preset_unsaved());
+}
+
+TEST_F(EditorDocument, AFolderThatIsGoneIsTold) {
+    fs::create_directory(folder() / "gone");
+    own_preset("gone/own.json");
+    set_speed(7.5);
+    fs::remove_all(folder() / "gone");
+    ui().key('S', Mods::command).frame();
+    ASSERT_TRUE(asked("was not saved"));
+    EXPECT_THAT(ui().dump(), HasSubstr("No such file or directory"));
+    fs::create_directory(folder() / "gone");
+    say("Try again");
+    EXPECT_EQ(load_preset(folder() / "gone" / "own.json").bleeding.speed, 7.5);
+}
+
+TEST_F(EditorDocument, SavingOverAnotherProgramsWritingAsks) {
+    const fs::path file = own_preset();
+    set_speed(7.5);
+    Preset other;
+    other.bleeding.speed = 11;
+    save_preset(other, file);
+    ui().key('S', Mods::command).frame();
+    ASSERT_TRUE(asked("has been changed by another program")) << ui().dump();
+    say("Cancel");
+    EXPECT_EQ(load_preset(file).bleeding.speed, 11);
+    ui().key('S', Mods::command).frame();
+    say("Overwrite");
+    EXPECT_EQ(load_preset(file).bleeding.speed, 7.5);
+    EXPECT_FALSE(editor().document.preset_unsaved());
+}
+
+TEST_F(EditorDocument, AFailedSaveKeepsTheWorkAndOffersAnotherName) {
+    const fs::path file = own_preset();
+    set_speed(7.5);
+    fs::remove(file);
+    fs::create_directory(file);  // cannot be replaced by a file, whoever runs this
+    ui().key('S', Mods::command).frame();
+    ASSERT_TRUE(asked("was not saved"));
+    EXPECT_EQ(speed(), 7.5);
+    EXPECT_TRUE(editor().document.preset_unsaved());
+    say("Save as...");
+    ASSERT_TRUE(ui().exists("Save preset as")) << ui().dump();
+    ui().key('A', Mods::command).type((folder() / "new.json").string()).key(Key::enter).frame();
+    EXPECT_EQ(load_preset(folder() / "new.json").bleeding.speed, 7.5);
+    EXPECT_EQ(editor().document.preset_file(), folder() / "new.json");
+}
+
+TEST_F(EditorDocument, ClosingAsksInWordsAndEachAnswerHolds) {
+    editor().ask_to_close();
+    ui().frame();
+    EXPECT_TRUE(editor().closed()) << "nothing is unsaved";
+    start();
+    open_sample();
+    const fs::path file = own_preset();
+    set_speed(7.5);
+    editor().ask_to_close();
+    ASSERT_TRUE(asked("Save changes before closing?"));
+    EXPECT_THAT(ui().dump(), HasSubstr("to 7.5 mm/s"));
+    say("Cancel");
+    EXPECT_FALSE(editor().closed());
+    EXPECT_EQ(editor().files().question(), nullptr);
+    editor().ask_to_close();
+    ui().frame().key(Key::escape).frame();
+    EXPECT_FALSE(editor().closed());
+    EXPECT_EQ(editor().files().question(), nullptr);
+    editor().ask_to_close();
+    ui().frame();
+    say("Save");
+    EXPECT_TRUE(editor().closed());
+    EXPECT_EQ(load_preset(file).bleeding.speed, 7.5);
+}
+
+TEST_F(EditorDocument, ClosingStaysWhenSavingFailsAndDiscardGoes) {
+    const fs::path file = own_preset();
+    set_speed(7.5);
+    fs::remove(file);
+    fs::create_directory(file);
+    editor().ask_to_close();
+    ui().frame();
+    say("Save");
+    EXPECT_FALSE(editor().closed());
+    ASSERT_TRUE(asked("was not saved"));
+    say("Cancel");
+    EXPECT_FALSE(editor().closed());
+    editor().ask_to_close();
+    ui().frame();
+    say("Discard");
+    EXPECT_TRUE(editor().closed());
+}
+
+TEST_F(EditorDocument, OpeningOverUnsavedWorkAsks) {
+    own_preset();
+    set_speed(7.5);
+    Preset other;
+    other.bleeding.speed = 3;
+    save_preset(other, folder() / "other.json");
+    open({(folder() / "other.json").string()});
+    EXPECT_EQ(speed(), 7.5);
+    ASSERT_TRUE(asked("Save changes before opening"));
+    say("Discard");
+    EXPECT_EQ(speed(), 3);
+    EXPECT_EQ(load_preset(folder() / "own.json").bleeding.speed, BleedingParameters{}.speed);
+}
+
+TEST_F(EditorDocument, ASecondEditorOnTheSameFileIsTold) {
+    const fs::path file = own_preset();
+    const fs::path state = folder() / "state";
+    open({(fs::path(LAPFX_SOURCE_DIR) / "presets" / "slow_ooze.json").string()});
+    const auto other = document::Lock::take(document::lock_file(state, file));
+    ASSERT_TRUE(other.has_value()) << "leaving a file releases it";
+    open({file.string()});
+    ASSERT_TRUE(asked("Open in another editor"));
+    EXPECT_NE(editor().document.preset_file(), file);
+    say("Open a copy");
+    EXPECT_TRUE(editor().document.preset_file().empty());
+    EXPECT_EQ(editor().document.preset().name, "own");
+    EXPECT_TRUE(editor().document.preset_unsaved());
+}
+
+TEST_F(EditorDocument, AFileThatIsOpenIsLocked) {
+    const fs::path file = own_preset();
+    const fs::path lock = document::lock_file(folder() / "state", file);
+    EXPECT_FALSE(document::Lock::take(lock).has_value());
+    start();
+    EXPECT_TRUE(document::Lock::take(lock).has_value());
+}
+
+TEST_F(EditorDocument, NewBeginsWithTheDefaultsOnTheSampleOrgan) {
+    editor().commands.run("file.new");
+    ui().frame().frame();
+    EXPECT_TRUE(editor().document.scene().events.empty());
+    EXPECT_EQ(speed(), BleedingParameters{}.speed);
+    EXPECT_TRUE(editor().document.preset_file().empty());
+    EXPECT_TRUE(editor().preview.ready());
+}
+
+TEST_F(EditorDocument, SnapshotsAreKeptShownAndSwapped) {
+    set_speed(5);
+    ui().key('A', Mods::shift).frame();
+    set_speed(9);
+    ui().key('B', Mods::shift).frame();
+    set_speed(12);
+    const std::size_t steps = editor().document.steps().size();
+    ui().key('A').frame();
+    EXPECT_EQ(speed(), 5);
+    EXPECT_EQ(editor().document.steps().size(), steps + 1);
+    EXPECT_EQ(editor().document.steps().back().name, "Snapshot A");
+    ui().key('B').frame();
+    EXPECT_EQ(speed(), 9);
+    ui().key('B').frame();
+    EXPECT_EQ(speed(), 12) << "once more: what was tuned before any snapshot was shown";
+    ui().key('C').frame();
+    EXPECT_EQ(speed(), 12) << "an empty one changes nothing";
+}
+
+TEST_F(EditorDocument, SnapshotsAreComparedAndOneValueTaken) {
+    layout("Tune");
+    editor().layouts().shown.show("Snapshots");
+    ui().frame();
+    EXPECT_THAT(ui().dump(), HasSubstr("Snapshot A is empty"));
+    ui().click("**/Keep A").frame();
+    editor().document.change("Two", [](document::Content& c) {
+        c.preset.bleeding.speed = 9.5;
+        c.preset.bleeding.max_extent = 30;
+    });
+    ui().frame().frame();
+    EXPECT_THAT(ui().dump(), HasSubstr("2 differences"));
+    const double before = editor().snapshots().at(0)->preset.bleeding.speed;
+    ui().click("**/Differences/Bleeding: Speed").frame();
+    EXPECT_EQ(speed(), before);
+    EXPECT_EQ(editor().document.preset().bleeding.max_extent, 30);
+    EXPECT_EQ(editor().document.steps().back().name, "Speed of snapshot A");
+    editor().document.undo();
+    EXPECT_EQ(speed(), 9.5);
+    ui().click("**/Clear A").frame();
+    EXPECT_FALSE(editor().snapshots().at(0).has_value());
+}
+
+TEST_F(EditorDocument, SettingsOutliveTheEditor) {
+    editor().settings().light = true;
+    editor().settings().favourites = {"bleeding.speed"};
+    layout("Key");
+    editor().layouts().shown.show("History");
+    ASSERT_TRUE(editor().layouts().keep("mine"));
+    editor().commands.bind(editor().commands.index_of("edit.history"), {key_of('J'), Mods::command});
+    ui().frame().frame(2).frame(2);
+    start();
+    EXPECT_TRUE(editor().settings().light);
+    EXPECT_EQ(editor().settings().favourites, std::vector<std::string>{"bleeding.speed"});
+    EXPECT_EQ(editor().layouts().name(), "mine");
+    EXPECT_THAT(editor().layouts().names(), testing::Contains("mine"));
+    EXPECT_EQ(editor().commands.chord_text(editor().commands.index_of("edit.history")), "Ctrl+J");
+    EXPECT_EQ(editor().toasts.size(), 0U);
+}
+
+TEST_F(EditorDocument, BrokenSettingsArePutAsideAndUnknownOnesKept) {
+    const fs::path file = folder() / "config" / "settings.json";
+    fs::create_directories(file.parent_path());
+    std::ofstream(file) << "{\"light\": true";
+    start();
+    EXPECT_FALSE(editor().settings().light);
+    EXPECT_EQ(editor().toasts.size(), 1U);
+    EXPECT_TRUE(fs::exists(folder() / "config" / "settings.broken.json"));
+    EXPECT_FALSE(fs::exists(file));
+    std::ofstream(file) << R"({"light": true, "scale": "big", "of_tomorrow": 5})";
+    start();
+    EXPECT_TRUE(editor().settings().light);
+    EXPECT_EQ(editor().settings().scale, 0);
+    EXPECT_EQ(editor().toasts.size(), 1U);
+    editor().settings().light = false;
+    ui().frame().frame(2).frame(2);
+    EXPECT_THAT(read_file(file, 1 << 20), HasSubstr("of_tomorrow"));
+}
+
+TEST_F(EditorDocument, SettingsThatCannotBeKeptAreToldOnce) {
+    fs::remove_all(folder() / "config");
+    std::ofstream(folder() / "config") << "a file";
+    for (const std::size_t told : {1U, 0U, 0U}) {
+        editor().toasts.clear();
+        editor().settings().light = !editor().settings().light;
+        ui().frame().frame(1.1).frame();
+        EXPECT_EQ(editor().toasts.size(), told);
+    }
+}
+
+TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
+    own_preset();
+    ui().key('A', Mods::shift).frame();
+    set_speed(7.5);
+    app::Autosave& autosave = editor().autosave();
+    autosave.update(1000);
+    EXPECT_EQ(autosave.due(), 1000 + app::Autosave::wait);
+    autosave.update(1010);
+    EXPECT_FALSE(fs::exists(folder() / "state" / "autosave"));
+    autosave.update(1020);
+    start();  // without end(): as after a crash
+    editor().autosave().find();
+    ui().frame().frame();
+    ASSERT_EQ(editor().autosave().offers().size(), 1U);
+    EXPECT_EQ(editor().autosave().offers()[0].unsaved, "preset");
+    EXPECT_THAT(ui().dump(), HasSubstr("own.json"));
+    say("Keep for later");
+    EXPECT_TRUE(editor().autosave().offers().empty());
+    editor().autosave().find();
+    ui().frame().frame();
+    say("Recover");
+    EXPECT_EQ(speed(), 7.5);
+    EXPECT_EQ(editor().document.preset_file(), folder() / "own.json");
+    EXPECT_TRUE(editor().document.preset_unsaved());
+    EXPECT_FALSE(editor().document.scene_unsaved());
+    EXPECT_TRUE(editor().snapshots().at(0).has_value());
+    start();  // a crash again: it was never saved
+    editor().autosave().find();
+    ASSERT_EQ(editor().autosave().offers().size(), 1U);
+    editor().autosave().recover(0);
+    editor().autosave().update(2000);
+    ui().frame().key('S', Mods::command).frame();
+    editor().autosave().update(2001);
+    EXPECT_EQ(load_preset(folder() / "own.json").bleeding.speed, 7.5);
+    editor().autosave().end();
+    start();
+    editor().autosave().find();
+    EXPECT_TRUE(editor().autosave().offers().empty());
+}
+
+TEST_F(EditorDocument, DiscardedWorkIsGoneAndAutosaveThatFailsIsToldOnce) {
+    own_preset();
+    set_speed(7.5);
+    editor().autosave().update(1000);
+    editor().tell(Error(Failure::runtime, Fault{"", "", "something went wrong"}));
+    editor().autosave().update(1001);  // at once
+    start();
+    editor().autosave().find();
+    ui().frame().frame();
+    say("Discard");
+    EXPECT_TRUE(editor().autosave().offers().empty());
+    editor().autosave().find();
+    EXPECT_TRUE(editor().autosave().offers().empty());
+    fs::remove_all(folder() / "state");
+    std::ofstream(folder() / "state") << "a file";
+    open_sample();
+    set_speed(8);
+    for (double time = 3000; time < 3200; time += 10) {
+        editor().autosave().update(time);
+        ::usleep(5000);
+    }
+    EXPECT_EQ(editor().toasts.size(), 1U);
+}
+
+}  // namespace
+}  // namespace lapfx::test
