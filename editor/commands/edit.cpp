@@ -1,6 +1,7 @@
 // lapfx edit: the editor, in a window or as a picture of it.
 #include <iostream>
 
+#include "app/hot_reload.h"
 #include "app/layouts.h"
 #include "app/open.h"
 #include "app/settings.h"
@@ -52,6 +53,7 @@ void write_screenshot(const Options& o) {
     if (!o.screenshot.ends_with(".png")) throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
     check_folder(o.screenshot);
     app::Opened opened = open_all(o.files);
+    const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     const Context context = Context::create(parse_backend(o.backend));
     ui::ImageStore images;
     app::Editor editor(images, {.data_folder = data_folder(),
@@ -60,7 +62,8 @@ void write_screenshot(const Options& o) {
                                 .exact = true,
                                 .renderer = context.renderer(),
                                 .software = context.software(),
-                                .files = nullptr});
+                                .files = nullptr,
+                                .early = early});
     if (o.at < 0 && o.files.empty()) editor.timeline.time = 6;
     set_up(editor, std::move(opened), o);
     ui::Fonts fonts({.hinting = ui::Hinting::slight});  // whatever the host prefers
@@ -82,6 +85,7 @@ void write_screenshot(const Options& o) {
 
 void show_window(const Options& o) {
     app::Opened opened = open_all(o.files);
+    const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     ui::ImageStore images;
     std::unique_ptr<app::Editor> editor;
     window::UiWindow window({.title = "lapfx",
@@ -95,16 +99,25 @@ void show_window(const Options& o) {
                                                                       .exact = false,
                                                                       .renderer = window.context().renderer(),
                                                                       .software = window.context().software(),
-                                                                      .files = nullptr});
+                                                                      .files = nullptr,
+                                                                      .early = early});
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);
+    editor->hot_reload().set_ui_shaders([&](std::string_view vertex, std::string_view fragment, std::string& fault) {
+        return window.reload_shaders(vertex, fragment, fault);
+    });
     window.run({.update = [&](double now) { editor->update(now); },
                 .build =
                     [&](ui::Ui& u) {
                         panels::workspace(u, *editor);
                         if (editor->closed()) window.close();
                     },
-                .draw = [&] { return editor->draw(); },
+                .draw =
+                    [&] {
+                        const bool changed = editor->draw();
+                        window.set_busy(editor->jobs.busy());
+                        return changed;
+                    },
                 .may_close =
                     [&] {
                         editor->ask_to_close();

@@ -99,6 +99,10 @@ class Document {
     void save_preset(const std::filesystem::path& file);
     void save_scene(const std::filesystem::path& file);
 
+    /// As it is on disk now: one undo step, and what is on disk counts as saved.
+    void reload(Preset preset);
+    void reload(Scene scene);
+
     /// What is wrong with the values as they are; places are JSON pointers. Of a preset, of a scene.
     std::vector<Fault> preset_faults() const;
     std::vector<Fault> scene_faults() const;
