@@ -4,15 +4,24 @@
 
 namespace lapfx {
 
-Body::Body(const Organ& organ, glm::dvec3 down, std::uint32_t seed, const VesselParameters& vessels)
-    : surface_(organ),
-      moved_(surface_),
+Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed)
+    : foundation_(std::move(foundation)),
+      moved_(surface()),
       vertices_(organ.positions.size()),
-      tissue_(organ, surface_, vessels),
-      bleed_(surface_, down),
-      cautery_(surface_, [this](const glm::dvec3& place) { return tissue_.wound_strength(place); }),
+      tissue_(foundation_->tissue),
+      bleed_(std::in_place, surface(), down),
+      cautery_(surface(), [this](const glm::dvec3& place) { return tissue_.wound_strength(place); }),
       bleed_gpu_(organ.positions.size(), seed, down),
       organ_gpu_(organ, &bleed_gpu_.values()) {}
+
+void Body::set_down(glm::dvec3 down) {
+    bleed_.emplace(surface(), down);
+    bleed_gpu_.set_down(down);
+}
+
+std::size_t Body::memory() const {
+    return surface().memory() + tissue_.memory() + organ_gpu_.memory() + bleed_gpu_.values().size();
+}
 
 void Body::set(std::span<const ToolContact> contacts, const Preset& preset) {
     if (preset.vessels != vessels_) cautery_.strengths_changed();
@@ -27,11 +36,11 @@ void Body::set(std::span<const ToolContact> contacts, const Preset& preset) {
 
 void Body::set_contacts(std::span<const ToolContact> contacts, const Preset& preset) {
     cautery_.set(contacts, preset.cautery);
-    bleed_.set_clearing(contacts, bleeding_);
+    bleed_->set_clearing(contacts, bleeding_);
 }
 
 void Body::take_wounds() {
-    bleed_.set(cautery_.wounds(), bleeding_);
+    bleed_->set(cautery_.wounds(), bleeding_);
     wounds_version_ = cautery_.wounds_version();
 }
 
@@ -64,21 +73,21 @@ void Body::send_density() {
 }
 
 void Body::inherit(const Body& former, std::span<const std::uint32_t> origin, double time) {
-    std::vector<glm::vec2> kept(surface_.positions.size(), glm::vec2(bleeding::BleedField::none, 0.0f));
-    const std::span<const glm::vec2> values = former.bleed_.values();
+    std::vector<glm::vec2> kept(surface().positions.size(), glm::vec2(bleeding::BleedField::none, 0.0f));
+    const std::span<const glm::vec2> values = former.bleed_->values();
     for (std::size_t v = 0; v < origin.size(); ++v) {
         if (origin[v] >= values.size()) continue;
-        glm::vec2& at = kept[surface_.weld[v]];
-        if (values[origin[v]].x > std::max(at.x, former.bleed_.dry())) at = values[origin[v]];
+        glm::vec2& at = kept[surface().weld[v]];
+        if (values[origin[v]].x > std::max(at.x, former.bleed_->dry())) at = values[origin[v]];
     }
-    bleed_.keep(std::move(kept), time);
+    bleed_->keep(std::move(kept), time);
 }
 
 std::size_t Body::seek(double time) noexcept {
     cautery_.update(time);
     if (wounds_version_ != cautery_.wounds_version()) take_wounds();
-    bleed_.update(time);
-    return bleed_gpu_.send(bleed_.values(), bleed_.changed().take()) +
+    bleed_->update(time);
+    return bleed_gpu_.send(bleed_->values(), bleed_->changed().take()) +
            organ_gpu_.send_marks(cautery_.marks(), cautery_.changed().take());
 }
 

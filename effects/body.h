@@ -2,13 +2,15 @@
 // makes another body. Render thread, context current.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "bleeding/bleed_cpu.h"
 #include "bleeding/bleed_gpu.h"
-#include "bleeding/tissue_density_cpu.h"
 #include "cautery/cautery.h"
+#include "foundation.h"
 #include "lapfx/preset.h"
 #include "lapfx/view.h"
 #include "organ/moved_surface.h"
@@ -19,9 +21,12 @@ namespace lapfx {
 class Body {
   public:
     /// Throws Error (runtime) when a shader does not compile. `down`: unit.
-    Body(const Organ& organ, glm::dvec3 down, std::uint32_t seed, const VesselParameters& vessels);
+    Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm::dvec3 down, std::uint32_t seed);
 
     void set(std::span<const ToolContact> contacts, const Preset& preset);
+    /// Both count for all that has happened; set() has to follow.
+    void set_down(glm::dvec3 down);
+    void set_seed(std::uint32_t seed) { bleed_gpu_.set_seed(seed); }
     void set_contacts(std::span<const ToolContact> contacts, const Preset& preset);
     /// The scene's factor on bleeding over time.
     void set_strength(const FactorCurve& strength) { bleed_.set_strength(strength); }
@@ -36,9 +41,11 @@ class Body {
     void draw() const noexcept;
 
     std::size_t vertices() const { return vertices_; }
+    void collect(std::vector<gl::Program*>& programs) { organ_gpu_.collect(programs); }  ///< for gl::rebuild()
+    std::size_t memory() const;  ///< bytes, of main memory and the GPU
     std::size_t left_out_wounds() const { return cautery_.left_out(); }
     const MovedSurface& moved() const { return moved_; }
-    const bleeding::BleedField& bleed() const { return bleed_; }
+    const bleeding::BleedField& bleed() const { return *bleed_; }
     const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
     const bleeding::TissueDensity& tissue() const { return tissue_; }
 
@@ -46,13 +53,15 @@ class Body {
     void take_wounds();
     void send_density();
 
-    Surface surface_;
+    const Surface& surface() const { return foundation_->surface; }
+
+    std::shared_ptr<const Foundation> foundation_;
     MovedSurface moved_;
     std::size_t vertices_;
     std::vector<glm::vec3> normals_;
     bleeding::TissueDensity tissue_;
     BleedingParameters bleeding_;
-    bleeding::BleedField bleed_;
+    std::optional<bleeding::BleedField> bleed_;
     cautery::Cautery cautery_;
     std::uint64_t wounds_version_ = 0;
     VesselParameters vessels_;

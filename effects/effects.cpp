@@ -10,6 +10,7 @@
 #include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "inputs.h"
+#include "lapfx/prepared_organ.h"
 #include "render/view_block.h"
 #include "smoke/contact_fat_cpu.h"
 #include "smoke/smoke.h"
@@ -17,11 +18,11 @@
 namespace lapfx {
 
 struct Effects::State {
-    State(const Organ& organ, const EffectsOptions& wanted, const VesselParameters& vessels)
+    State(const Organ& organ, std::shared_ptr<const Foundation> foundation, const EffectsOptions& wanted)
         : options(wanted),
           down(direction_of(wanted.gravity)),
-          body(std::make_unique<Body>(organ, down, wanted.seed, vessels)),
-          smoke(wanted.seed, wanted.streaming) {}
+          body(std::make_unique<Body>(organ, std::move(foundation), down, wanted.seed)),
+          smoke(wanted.seed, wanted.streaming, wanted.clip_cache) {}
 
     EffectsOptions options;
     Preset preset;
@@ -74,7 +75,12 @@ struct Effects::State {
 
 Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options) {
     require_valid(preset);
-    state_ = std::make_unique<State>(organ, options, preset.vessels);
+    state_ = std::make_unique<State>(organ, std::make_shared<const Foundation>(organ, preset.vessels), options);
+    set_preset(preset);
+}
+Effects::Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options) {
+    require_valid(preset);
+    state_ = std::make_unique<State>(organ->organ(), organ->state().foundation, options);
     set_preset(preset);
 }
 Effects::Effects(Effects&&) noexcept = default;
@@ -86,6 +92,29 @@ void Effects::set_preset(const Preset& preset) {
     state_->smoke.set_preset(preset, state_->options.clip_folders);
     state_->preset = preset;
     state_->refresh();
+}
+
+void Effects::set_parameters(const Preset& preset) {
+    require_valid(preset);
+    state_->smoke.set_parameters(preset.smoke);
+    state_->preset = preset;
+    state_->refresh();
+}
+
+void Effects::set_gravity(const glm::dvec3& gravity) {
+    State& s = *state_;
+    s.down = direction_of(gravity);
+    s.options.gravity = gravity;
+    s.body->set_down(s.down);
+    s.refresh();
+}
+
+void Effects::set_seed(std::uint32_t seed) {
+    State& s = *state_;
+    s.options.seed = seed;
+    s.body->set_seed(seed);
+    s.smoke.set_seed(seed);
+    s.refresh();
 }
 
 void Effects::set_contacts(std::span<const ToolContact> contacts) {
@@ -122,7 +151,8 @@ glm::dvec3 Effects::to_rest(const glm::dvec3& place) const noexcept {
 void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> origin) {
     State& s = *state_;
     assert(origin.size() == organ.positions.size());
-    auto body = std::make_unique<Body>(organ, s.down, s.options.seed, s.preset.vessels);
+    auto body = std::make_unique<Body>(organ, std::make_shared<const Foundation>(organ, s.preset.vessels), s.down,
+                                       s.options.seed);
     body->set_strength(FactorCurve(s.curves.bleeding_strength));
     body->set(s.acting(), s.preset);
     body->set_overlay(s.overlay);
@@ -130,6 +160,15 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     s.body = std::move(body);
     s.fat.clear();
     s.take_smoke(s.acting());
+}
+
+void Effects::reload_shaders(const std::filesystem::path& folder) {
+    gl::ShaderTrial trial(folder);
+    std::vector<gl::Program*> programs;
+    state_->body->collect(programs);
+    state_->smoke.collect(programs);
+    gl::rebuild(programs);
+    trial.keep();
 }
 
 void Effects::set_overlay(Overlay overlay) {
@@ -190,6 +229,14 @@ StreamingTimes Effects::streaming_times() const noexcept {
     times.shading = state_->smoke.shading_seconds();
     times.shaded = state_->smoke.shaded();
     return times;
+}
+
+bool Effects::late() const noexcept {
+    return state_->smoke.clips().late();
+}
+
+std::size_t Effects::memory() const noexcept {
+    return state_->body->memory() + state_->smoke.clips().memory();
 }
 
 std::size_t Effects::uploaded() const noexcept {

@@ -2,6 +2,8 @@
 
 #include <optional>
 
+#include "foundation.h"
+#include "gl/shader_source.h"
 #include "gl/state_guard.h"
 #include "render/camera.h"
 #include "render/frame.h"
@@ -17,31 +19,36 @@ EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options
             .gravity = scene.gravity,
             .clip_folders = options.clip_folders,
             .wait_for_clips = options.wait_for_clips,
-            .streaming = options.streaming};
+            .streaming = options.streaming,
+            .clip_cache = options.clip_cache};
 }
 
-/// The instrument, if the scene names one.
-std::optional<render::OrganGpu> load_tool(const Scene& scene) {
-    if (scene.tool.file.empty()) return std::nullopt;
-    return render::OrganGpu(load_organ(scene.folder / scene.tool.file, {.scale = scene.tool.scale}), nullptr);
+std::shared_ptr<const PreparedOrgan> require_same(const Scene& scene, std::shared_ptr<const PreparedOrgan> organ) {
+    const PreparedOrgan::State& made = organ->state();
+    if (made.folder == scene.folder && same_sources(made.organ_source, made.tool_source, scene.organ, scene.tool))
+        return organ;
+    throw Error(Failure::bad_input, Fault{.file = "",
+                                          .place = "/organ/file",
+                                          .reason = "\"" + scene.organ.file + "\" is not what was made ready: \"" +
+                                                    made.organ_source.file + "\""});
 }
 
 }  // namespace
 
 struct Preview::State {
-    State(const Scene& wanted, const Preset& preset, const PreviewOptions& options)
+    State(const Scene& wanted, const Preset& preset, std::shared_ptr<const PreparedOrgan> made,
+          const PreviewOptions& options)
         : scene(wanted),
-          organ(load_organ(wanted.folder / wanted.organ.file,
-                           {.scale = wanted.organ.scale, .rotation = wanted.organ.rotation})),
-          effects(organ, preset, effects_options(wanted, options)),
-          tool(load_tool(wanted)) {
+          prepared(require_same(wanted, std::move(made))),
+          effects(prepared, preset, effects_options(wanted, options)) {
+        if (prepared->state().tool) tool.emplace(*prepared->state().tool, nullptr);
         effects.set_curves(scene.curves);
         effects.set_contacts(scene.events);
         effects.set_overlay(options.overlay);
     }
 
     Scene scene;
-    Organ organ;
+    std::shared_ptr<const PreparedOrgan> prepared;
     Effects effects;
     std::optional<render::OrganGpu> tool;
     render::ViewBlock view_block;
@@ -58,7 +65,10 @@ struct Preview::State {
 };
 
 Preview::Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options)
-    : state_(std::make_unique<State>(scene, preset, options)) {}
+    : Preview(scene, preset, prepare_organ(scene, preset.vessels), options) {}
+Preview::Preview(const Scene& scene, const Preset& preset, std::shared_ptr<const PreparedOrgan> organ,
+                 const PreviewOptions& options)
+    : state_(std::make_unique<State>(scene, preset, std::move(organ), options)) {}
 Preview::Preview(Preview&&) noexcept = default;
 Preview& Preview::operator=(Preview&&) noexcept = default;
 Preview::~Preview() = default;
@@ -100,6 +110,42 @@ Image Preview::image(double time, glm::ivec2 size) {
 void Preview::set_preset(const Preset& preset) {
     state_->effects.set_preset(preset);
 }
+void Preview::set_parameters(const Preset& preset) {
+    state_->effects.set_parameters(preset);
+}
+
+bool Preview::takes(const Scene& scene) const {
+    const Scene& s = state_->scene;
+    return s.folder == scene.folder && same_sources(s.organ, s.tool, scene.organ, scene.tool);
+}
+
+void Preview::set_scene(const Scene& scene) {
+    State& s = *state_;
+    if (!takes(scene))
+        throw Error(Failure::bad_input,
+                    Fault{.file = "",
+                          .place = "/organ",
+                          .reason = "organ and tool cannot change in a preview: \"" + scene.organ.file +
+                                    "\" is not the \"" + s.scene.organ.file + "\" that it was made for"});
+    if (scene.gravity != s.scene.gravity) s.effects.set_gravity(scene.gravity);
+    if (scene.seed != s.scene.seed) s.effects.set_seed(static_cast<std::uint32_t>(scene.seed));
+    s.effects.set_curves(scene.curves);
+    s.effects.set_contacts(scene.events);
+    s.scene = scene;
+}
+
+void Preview::reload_shaders(const std::filesystem::path& folder) {
+    State& s = *state_;
+    std::vector<gl::Program*> own{&s.frame.post()};
+    if (s.tool) s.tool->collect(own);
+    gl::ShaderTrial trial(folder);
+    std::vector<gl::Program> made;
+    for (const gl::Program* program : own) made.push_back(program->rebuilt());
+    s.effects.reload_shaders(folder);  // from here on nothing throws
+    for (std::size_t i = 0; i < own.size(); ++i) *own[i] = std::move(made[i]);
+    trial.keep();
+}
+
 void Preview::set_overlay(Overlay overlay) {
     state_->effects.set_overlay(overlay);
 }
@@ -122,7 +168,7 @@ const SceneCamera& Preview::camera() const {
     return state_->scene.camera;
 }
 const Organ& Preview::organ() const {
-    return state_->organ;
+    return state_->prepared->organ();
 }
 Amounts Preview::amounts() const {
     return state_->effects.amounts();
@@ -132,6 +178,15 @@ std::vector<ClipStatus> Preview::clips() const {
 }
 StreamingTimes Preview::streaming_times() const {
     return state_->effects.streaming_times();
+}
+bool Preview::late() const {
+    return state_->effects.late();
+}
+std::size_t Preview::memory() const {
+    const State& s = *state_;
+    // What is known of the organ is in both.
+    return s.effects.memory() + s.prepared->memory() - s.prepared->state().foundation->memory() +
+           (s.tool ? s.tool->memory() : 0);
 }
 TissueSample Preview::tissue(const glm::dvec3& position) const {
     return state_->effects.tissue(position);

@@ -28,7 +28,7 @@ constexpr double still_longest = 0.5;  // s; a frame that took longer (a stopped
 }  // namespace
 
 Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
-    : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}),
+    : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}, jobs, std::move(options.early)),
       file_dialog(options.files != nullptr ? *options.files : ui::system_files()),
       images(image_store),
       options_(std::move(options)),
@@ -153,7 +153,12 @@ void Editor::update(double now) {
     reference_->update(now);
     exports_->update(now);
     hot_reload_->update(now);
-    if (!options_.exact) meter_->frame(now, playing());  // pictures of the editor do not depend on the machine
+    if (options_.exact) return;  // pictures of the editor do not depend on the machine
+    meter_->frame(now, playing());
+    if (const auto fault = preview.check_driver(now)) {
+        tell({*fault});
+        autosave_->update(now);
+    }
 }
 
 bool Editor::draw_pictures() {

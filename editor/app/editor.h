@@ -50,9 +50,10 @@ struct EditorOptions {
     document::Folders folders;                        ///< of the user: settings, state, cache
     /// For pictures and tests: clips and references are decoded exactly, jobs waited for, nothing is autosaved.
     bool exact = false;
-    std::string renderer;             ///< GL_RENDERER, for the status bar
-    bool software = false;            ///< no GPU
-    ui::FileSystem* files = nullptr;  ///< of file dialogs; null: this computer's
+    std::string renderer;                        ///< GL_RENDERER, for the status bar
+    bool software = false;                       ///< no GPU
+    ui::FileSystem* files = nullptr;             ///< of file dialogs; null: this computer's
+    std::shared_ptr<EarlyLoad> early = nullptr;  ///< of the document that will be opened first
 };
 
 /// How the organ is looked at.

@@ -1,5 +1,19 @@
-// What changes on disk while it is open: shaders, clips, textures, organs, presets.
+// What changes on disk while it is open is read again: shaders, clips, the organ with its textures and its tool, preset and scene.
+// What cannot be read, or is gone, leaves what is shown and is told once; edited work is never lost: then it asks.
+//
+//     editor.hot_reload().update(now);      // once before each frame
+//     editor.hot_reload().reload_all();     // "Reload from disk"
 #pragma once
+
+#include <filesystem>
+#include <functional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/file_watch.h"
+#include "lapfx/error.h"
 
 namespace lapfx::app {
 
@@ -7,13 +21,39 @@ class Editor;
 
 class HotReload {
   public:
-    explicit HotReload(Editor& editor) : editor_(editor) {}
+    explicit HotReload(Editor& editor);
+
     /// Once before each frame. `now`: s.
-    void update([[maybe_unused]] double now) {}
-    Editor& editor() { return editor_; }
+    void update(double now);
+    /// These have changed: what the watch tells, and tests.
+    void take(const std::vector<std::filesystem::path>& changed);
+    /// All that is open, whether or not it has changed.
+    void reload_all();
+
+    /// What is wrong with the shaders on disk; empty again once they are mended. The last good ones are used.
+    const std::vector<Fault>& shader_faults() const { return shader_faults_; }
+
+    /// The shaders of the user interface, which its window has (ui::Renderer::reload): false, and why, keeps the former ones.
+    using UiShaders = std::function<bool(std::string_view vertex, std::string_view fragment, std::string& fault)>;
+    void set_ui_shaders(UiShaders reload) { ui_shaders_ = std::move(reload); }
 
   private:
+    void follow();
+    bool is_gone(const std::filesystem::path& file);
+    void reload_shaders();
+    void reload_ui_shaders();
+    void reload_preset();
+    void reload_scene();
+    std::filesystem::path shader_folder() const;
+
     Editor& editor_;
+    std::uint64_t followed_ = 0;  // version of the document
+    bool was_loading_ = false;
+    std::vector<std::filesystem::path> watched_;
+    std::set<std::filesystem::path> gone_;  // told
+    std::vector<Fault> shader_faults_;
+    UiShaders ui_shaders_;
+    FileWatch watch_;
 };
 
 }  // namespace lapfx::app

@@ -90,6 +90,11 @@ void Jobs::set_wake(std::function<void()> wake) {
     wake_ = std::move(wake);
 }
 
+void Jobs::wake() {
+    const std::lock_guard lock(mutex_);
+    if (wake_) wake_();
+}
+
 std::vector<std::shared_ptr<Job>> Jobs::running() const {
     const std::lock_guard lock(mutex_);
     std::vector<std::shared_ptr<Job>> jobs;

@@ -65,6 +65,7 @@ class Jobs {
     std::vector<std::shared_ptr<Job>> running() const;
     bool busy() const;
     void set_wake(std::function<void()> wake);
+    void wake();  ///< any thread: as if a job had ended
 
   private:
     struct Entry {

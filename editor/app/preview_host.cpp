@@ -1,5 +1,7 @@
 #include "app/preview_host.h"
 
+#include <glad/gl.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,6 +10,7 @@ namespace lapfx::app {
 
 namespace {
 
+constexpr int most_errors = 16;
 constexpr double sample_time = 0.01;  // s between samples of the tool in the hand
 
 bool same_camera(const SceneCamera& a, const SceneCamera& b) {
@@ -15,20 +18,48 @@ bool same_camera(const SceneCamera& a, const SceneCamera& b) {
            a.exposure == b.exposure && a.vignette == b.vignette;
 }
 
-/// What the preview has to be made anew for.
+/// What another organ has to be loaded for.
 std::string key_of(const Scene& scene) {
     Scene key;
     key.organ = scene.organ;
-    key.tool = scene.tool;
-    key.light = scene.light;
-    key.gravity = scene.gravity;
-    key.seed = scene.seed;
+    key.tool.file = scene.tool.file;
+    key.tool.scale = scene.tool.scale;
     return write_scene(key) + scene.folder.string();
+}
+
+std::string text_of(const Preset& preset) {
+    return write_preset(preset) + preset.folder.string();
+}
+
+std::string text_of(const std::vector<std::filesystem::path>& paths) {
+    std::string text;
+    for (const std::filesystem::path& path : paths) text += path.string() + '\n';
+    return text;
+}
+
+std::string name_of(const std::string& file) {
+    return std::filesystem::path(file).filename().string();
 }
 
 }  // namespace
 
-PreviewHost::PreviewHost(const PreviewOptions& options) : options_(options) {}
+std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
+                                      const std::vector<std::filesystem::path>& clip_folders) {
+    auto early = std::make_shared<EarlyLoad>();
+    early->key = key_of(scene);
+    early->clips = std::make_shared<ClipCache>();
+    early->organ =
+        std::async(std::launch::async, [scene, vessels = preset.vessels] { return prepare_organ(scene, vessels); });
+    early->clips_known = std::async(std::launch::async, [preset, clip_folders, clips = early->clips] {
+        clips->look_through(preset, clip_folders);
+    });
+    return early;
+}
+
+PreviewHost::PreviewHost(const PreviewOptions& options, Jobs& jobs, std::shared_ptr<EarlyLoad> early)
+    : options_(options), jobs_(jobs), early_(std::move(early)) {
+    options_.clip_cache = early_ ? early_->clips : std::make_shared<ClipCache>();
+}
 PreviewHost::~PreviewHost() = default;
 
 ui::ImageHandle PreviewHost::picture() const {
@@ -39,56 +70,224 @@ glm::ivec2 PreviewHost::size() const {
     return target_.size();
 }
 
+// --- following ----------------------------------------------------------------------------------------------------------
+
 void PreviewHost::follow(const document::Document& document) {
-    if (document.version() == followed_ || tool_on_) return;
-    followed_ = document.version();
-    std::string organ_key = key_of(document.scene());
-    if (organ_key != organ_key_) {
-        organ_key_ = std::move(organ_key);
-        make(document);
-        return;
+    if (tool_on_) return;
+    if (document.version() != followed_) {
+        followed_ = document.version();
+        wanted_ = document.content();
+        stale_ = true;
     }
-    follow_preset(document.preset());
-    follow_scene(document.scene());
+    // What jobs bring makes it stale again: in exact mode all of it is waited for, else there is one turn.
+    do {
+        if (ready_organ_) show(std::exchange(ready_organ_, nullptr));
+        if (!std::exchange(stale_, false)) return;
+        if (std::string key = key_of(wanted_.scene); key != organ_key_) {
+            organ_key_ = std::move(key);
+            load_organ();
+        }
+        follow_preset();
+        follow_scene();
+        if (options_.wait_for_clips) jobs_.finish();
+    } while (options_.wait_for_clips);
 }
 
-void PreviewHost::make(const document::Document& document) {
+void PreviewHost::load_organ() {
+    if (organ_job_) organ_job_->cancel();
+    std::shared_ptr<EarlyLoad> early = std::exchange(early_, nullptr);
+    if (early && early->key != organ_key_) early = nullptr;
+    organ_files_.clear();
+    const auto work = [content = wanted_, early, options = options_, this](Job& job) -> Jobs::Apply {
+        const auto tell = [&](double share) {
+            job.set_progress(share);
+            return !job.cancelled();
+        };
+        auto organ = early ? early->organ.get() : prepare_organ(content.scene, content.preset.vessels, tell);
+        if (!organ || !options.clip_cache->look_through(content.preset, options.clip_folders,
+                                                        [&](double) { return !job.cancelled(); }))
+            return {};
+        return [this, organ] {
+            organ_job_ = nullptr;
+            ready_organ_ = organ;
+            stale_ = true;
+        };
+    };
+    const auto failed = [this](const std::vector<Fault>& faults) {
+        organ_job_ = nullptr;
+        organ_faults_ = faults;
+    };
+    organ_job_ = jobs_.start("Loading " + name_of(wanted_.scene.organ.file), work, failed);
+}
+
+/// The organ that was waited for. What is wrong with the preset or with its clips keeps no organ from being shown.
+void PreviewHost::show(std::shared_ptr<const PreparedOrgan> organ) {
     changed_ = true;
-    try {
-        preview_ = std::make_unique<Preview>(document.scene(), document.preset(), options_);
-        overlay_ = options_.overlay;
-        organ_faults_.clear();
-        preset_faults_.clear();
-        scene_text_ = write_scene(document.scene());
-        preset_text_ = write_preset(document.preset());
-    } catch (const Error& error) {
-        organ_faults_ = error.faults();
-    }
+    const auto make = [&](const Preset& preset) {
+        try {
+            preview_ = std::make_unique<Preview>(wanted_.scene, preset, organ, options_);
+            organ_faults_.clear();
+            return true;
+        } catch (const Error& error) {
+            organ_faults_ = error.faults();
+            return false;
+        }
+    };
+    organ_files_ = organ->files();
+    Preset bare = wanted_.preset;
+    bare.smoke.clips.clear();
+    const bool known = options_.clip_cache->knows(wanted_.preset, options_.clip_folders);
+    if (!(known && make(wanted_.preset)) && !make(bare) && !make({})) return;
+    overlay_ = options_.overlay;
+    scene_text_ = write_scene(wanted_.scene);
+    preset_text_.clear();  // clips that were not there yet, and what is wrong with the preset
 }
 
-void PreviewHost::follow_preset(const Preset& preset) {
-    if (!preview_) return;
-    std::string text = write_preset(preset);
-    if (text == preset_text_) return;
+void PreviewHost::follow_preset() {
+    const Preset& preset = wanted_.preset;
+    std::string text = text_of(preset);
+    if (!preview_ || text == preset_text_) return;
+    changed_ = true;
     preset_text_ = std::move(text);
-    changed_ = true;
+    if (!options_.clip_cache->knows(preset, options_.clip_folders)) {
+        look_through_clips();
+        return show_parameters();
+    }
+    if (clips_job_) std::exchange(clips_job_, nullptr)->cancel();
     try {
         preview_->set_preset(preset);
         preset_faults_.clear();
     } catch (const Error& error) {
         preset_faults_ = error.faults();
+        show_parameters();
     }
 }
 
-void PreviewHost::follow_scene(const Scene& scene) {
-    if (!preview_) return;
+/// The clips that play go on; all else is live.
+void PreviewHost::show_parameters() {
+    try {
+        preview_->set_parameters(wanted_.preset);
+        if (clips_job_) preset_faults_.clear();
+    } catch (const Error& error) {
+        preset_faults_ = error.faults();
+    }
+}
+
+void PreviewHost::look_through_clips() {
+    std::string text = text_of(clip_files(wanted_.preset));
+    if (clips_job_ && text == clips_text_) return;
+    if (clips_job_) clips_job_->cancel();
+    clips_text_ = std::move(text);
+    const auto work = [preset = wanted_.preset, options = options_, this](Job& job) -> Jobs::Apply {
+        options.clip_cache->look_through(preset, options.clip_folders, [&](double share) {
+            job.set_progress(share);
+            return !job.cancelled();
+        });
+        return [this] {
+            clips_job_ = nullptr;
+            preset_text_.clear();
+            stale_ = true;
+        };
+    };
+    clips_job_ = jobs_.start("Opening clips", work, [](const std::vector<Fault>&) {});
+}
+
+void PreviewHost::follow_scene() {
+    const Scene& scene = wanted_.scene;
+    if (!preview_ || !preview_->takes(scene)) return;  // its organ is on its way
     std::string text = write_scene(scene);
     if (text == scene_text_) return;
     scene_text_ = std::move(text);
     changed_ = true;
-    preview_->set_curves(scene.curves);
-    preview_->set_contacts(scene.events);
+    try {
+        preview_->set_scene(scene);
+        if (std::exchange(scene_fault_, false)) organ_faults_.clear();
+    } catch (const Error& error) {
+        organ_faults_ = error.faults();
+        scene_fault_ = true;
+    }
 }
+
+// --- loading ------------------------------------------------------------------------------------------------------------
+
+std::optional<Loading> PreviewHost::loading() const {
+    const std::shared_ptr<Job>& job = organ_job_ ? organ_job_ : clips_job_;
+    if (!job) return std::nullopt;
+    return Loading{.name = organ_job_ ? name_of(wanted_.scene.organ.file) : "clips", .progress = job->progress()};
+}
+
+void PreviewHost::cancel_loading() {
+    if (organ_job_) {
+        std::exchange(organ_job_, nullptr)->cancel();
+        organ_faults_ = {{.file = wanted_.scene.organ.file,
+                          .place = "",
+                          .reason = "loading was cancelled; Reload from disk loads it again"}};
+    }
+    if (clips_job_) {
+        std::exchange(clips_job_, nullptr)->cancel();
+        preset_faults_ = {{.file = "",
+                           .place = "/smoke/clips",
+                           .reason = "opening was cancelled; Reload from disk opens them again"}};
+    }
+}
+
+void PreviewHost::reload_clips(const std::vector<std::filesystem::path>& changed) {
+    for (const std::filesystem::path& path : changed) options_.clip_cache->forget(path);
+    if (changed.empty()) options_.clip_cache->forget();
+    preset_text_.clear();
+    stale_ = true;
+}
+
+void PreviewHost::reload_organ() {
+    organ_key_.clear();
+    stale_ = true;
+}
+
+void PreviewHost::reload_shaders(const std::filesystem::path& folder) {
+    if (!preview_) return;
+    preview_->reload_shaders(folder);
+    changed_ = true;
+}
+
+std::vector<std::filesystem::path> PreviewHost::clip_files(const Preset& preset) const {
+    return clip_places(preset, options_.clip_folders);
+}
+
+std::vector<std::filesystem::path> PreviewHost::organ_files(const Scene& scene) const {
+    std::vector<std::filesystem::path> files = organ_files_;
+    for (const std::string& file : {scene.organ.file, scene.tool.file})
+        if (!file.empty()) files.push_back(scene.folder / file);
+    for (std::filesystem::path& file : files) file = std::filesystem::absolute(file).lexically_normal();
+    std::sort(files.begin(), files.end());
+    files.erase(std::unique(files.begin(), files.end()), files.end());
+    return files;
+}
+
+std::size_t PreviewHost::memory() const {
+    return preview_ ? preview_->memory() : 0;
+}
+
+// --- the driver ---------------------------------------------------------------------------------------------------------
+
+std::optional<Fault> PreviewHost::check_driver(double now) {
+    if (lost_ || !unchecked_ || now - checked_ < 1.0) return std::nullopt;
+    unchecked_ = false;
+    checked_ = now;
+    GLenum error = GL_NO_ERROR;
+    for (int i = 0; i < most_errors; ++i)  // a lost context has no end of them
+        if (const GLenum one = glGetError(); one != GL_NO_ERROR) error = one;
+    lost_ = error == GL_CONTEXT_LOST || glGetGraphicsResetStatus() != GL_NO_ERROR;
+    if (lost_)
+        return Fault{.file = "",
+                     .place = "",
+                     .reason = "the graphics driver was reset and what it held is lost; start lapfx again to go on"};
+    if (error == GL_NO_ERROR || error == told_error_) return std::nullopt;
+    told_error_ = error;
+    const std::string what = error == GL_OUT_OF_MEMORY ? "has run out of memory" : "reports " + std::to_string(error);
+    return Fault{.file = "", .place = "", .reason = "OpenGL " + what + "; the picture may be wrong"};
+}
+
+// --- drawing ------------------------------------------------------------------------------------------------------------
 
 void PreviewHost::resize(glm::ivec2 size) {
     size = glm::clamp(size, glm::ivec2(0), glm::ivec2(8192));
@@ -106,7 +305,7 @@ bool PreviewHost::draw_into(PreviewCopy& copy, const Shot& shot) {
 }
 
 bool PreviewHost::draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn) {
-    if (!preview_ || target.texture() == 0) return false;
+    if (!preview_ || lost_ || target.texture() == 0) return false;
     if (std::exchange(changed_, false)) ++revision_;
     const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay;
     if (same && drawn == revision_ && !tool_on_ && !late()) return false;
@@ -115,11 +314,12 @@ bool PreviewHost::draw_into(const Target& target, const Shot& shot, Shot& last, 
     preview_->draw(shot.time, target.size(), target.framebuffer());
     last = shot;
     drawn = revision_;
+    unchecked_ = true;
     return true;
 }
 
 bool PreviewHost::late() const {
-    return false;
+    return preview_ && !lost_ && preview_->late();
 }
 
 void PreviewHost::push_sample(double time, glm::dvec3 place, bool touching) {

@@ -1,14 +1,20 @@
 // The preview as the editor has it: it follows the document, and draws into a texture that the UI shows. The one place of the
 // editor that draws effects; its pixels are those of `lapfx render`. Render thread, context current. No OpenGL in this header.
+//
+// Nothing here waits: organs are made ready and clips looked through by jobs, and what was shown before stays, live, until they
+// are done.
 #pragma once
 
+#include <future>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "app/jobs.h"
 #include "app/target.h"
 #include "document/document.h"
+#include "lapfx/clip_cache.h"
 #include "lapfx/preview.h"
 #include "ui/draw/draw_list.h"
 
@@ -28,19 +34,38 @@ struct PreviewCopy {
     std::uint64_t revision = 0;  ///< of the host; 0: nothing yet
 };
 
+/// Organ and clips of a first document, on their way before there is a window or an Editor. Any thread.
+struct EarlyLoad {
+    std::string key;                                                 ///< of the scene's organ and tool
+    std::shared_ptr<ClipCache> clips;                                ///< where what is known of the clips goes to
+    std::shared_future<std::shared_ptr<const PreparedOrgan>> organ;  ///< what it throws is told when it is asked for
+    std::future<void> clips_known;
+};
+std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
+                                      const std::vector<std::filesystem::path>& clip_folders);
+
+/// What is being loaded for the preview.
+struct Loading {
+    std::string name;      ///< "stomach.glb"
+    double progress = -1;  ///< 0..1; negative: nobody knows
+};
+
 class PreviewHost {
   public:
-    explicit PreviewHost(const PreviewOptions& options);
+    /// `early`: what load_early() has begun, or null.
+    PreviewHost(const PreviewOptions& options, Jobs& jobs, std::shared_ptr<EarlyLoad> early = nullptr);
     ~PreviewHost();
     PreviewHost(const PreviewHost&) = delete;
     PreviewHost& operator=(const PreviewHost&) = delete;
 
-    /// Shows the document from the next draw() on. What cannot be shown (a preset whose values contradict each other, a clip that
-    /// is gone) leaves what was there before, and is told by faults().
+    /// Shows the document from the next draw() on, or when what it needs is loaded; with PreviewOptions::wait_for_clips that is
+    /// waited for. What cannot be shown (a preset whose values contradict each other, a clip or an organ that is gone) leaves what
+    /// was there before, and is told by the faults below.
     void follow(const document::Document& document);
     /// Makes room for pictures of this size, px; picture() is another one then. Before the list that shows it is drawn.
     void resize(glm::ivec2 size);
-    /// Draws if the picture would differ from the last one; gives whether it did. Nothing is drawn without an organ.
+    /// Draws if the picture would differ from the last one; gives whether it did. Nothing is drawn without an organ, or once the
+    /// driver has failed.
     bool draw(const Shot& shot);
     /// The same into `copy`, whose target has a size.
     bool draw_into(PreviewCopy& copy, const Shot& shot);
@@ -54,9 +79,30 @@ class PreviewHost {
     /// Read back: what the texture holds.
     Image read() const { return target_.read(); }
 
+    // --- loading -----------------------------------------------------------------------------------------------------
+    /// What is on its way: an organ, else clips; none when all is there.
+    std::optional<Loading> loading() const;
+    void cancel_loading();  ///< what was shown stays; the document, which asks for another, does too
+    /// Reads again what has changed on disk: clips that these paths name (empty: all), the organ with all that belongs to it. What
+    /// cannot be read leaves what is shown.
+    void reload_clips(const std::vector<std::filesystem::path>& changed = {});
+    void reload_organ();
+    /// Compiles the shaders of this folder. Throws Error, with file and line, and keeps those that it had.
+    void reload_shaders(const std::filesystem::path& folder);
+    /// Files that the picture is made of: where clips are or would be, the organ's with textures and tool.
+    std::vector<std::filesystem::path> clip_files(const Preset& preset) const;
+    std::vector<std::filesystem::path> organ_files(const Scene& scene) const;
+
+    // --- what is wrong -----------------------------------------------------------------------------------------------
     /// What keeps the document from being shown: of the preset and its clips, and of the organ.
     const std::vector<Fault>& preset_faults() const { return preset_faults_; }
     const std::vector<Fault>& organ_faults() const { return organ_faults_; }
+    /// Looks, at most once a second and only when there was something to draw, whether the driver still works. Gives a fault the
+    /// first time that it does not; then nothing is drawn any more. `now`: s.
+    std::optional<Fault> check_driver(double now);
+    bool lost() const { return lost_; }
+
+    std::size_t memory() const;  ///< bytes of organ and clips, in main memory and on the GPU
 
     /// Null before the first organ is there. Do not draw with it.
     Preview* preview() { return preview_.get(); }
@@ -71,22 +117,39 @@ class PreviewHost {
     bool tool_on() const { return tool_on_; }
 
   private:
-    void make(const document::Document& document);
+    void load_organ();
+    void show(std::shared_ptr<const PreparedOrgan> organ);
+    void follow_preset();
+    void follow_scene();
+    void look_through_clips();
+    void show_parameters();
     bool draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn);
-    void follow_preset(const Preset& preset);
-    void follow_scene(const Scene& scene);
     void push_sample(double time, glm::dvec3 place, bool touching);
 
     PreviewOptions options_;
+    Jobs& jobs_;
+    std::shared_ptr<EarlyLoad> early_;
+    std::shared_ptr<Job> organ_job_, clips_job_;
     std::unique_ptr<Preview> preview_;
     Target target_;
-    std::uint64_t followed_ = 0;  ///< version of the document
-    std::string scene_text_, preset_text_, organ_key_;
+    std::uint64_t followed_ = 0;                        ///< version of the document
+    document::Content wanted_;                          ///< of that
+    bool stale_ = false;                                ///< it has to be looked at once more
+    std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
+    std::string scene_text_, preset_text_;
+    std::string organ_key_;   ///< of the organ that was asked for last
+    std::string clips_text_;  ///< of the preset whose clips are looked through
+    std::vector<std::filesystem::path> organ_files_;
     std::vector<Fault> preset_faults_, organ_faults_;
+    bool scene_fault_ = false;  ///< of organ_faults_: the scene as it is, not its file
     bool changed_ = true;
     std::uint64_t revision_ = 1, drawn_ = 0;  ///< of what it shows beside the shot; the one in the target
     Shot last_;
     Overlay overlay_ = Overlay::none;  ///< that the preview has
+
+    bool unchecked_ = false, lost_ = false;  // it has been drawn since the last check; for good
+    double checked_ = 0;                     // s
+    unsigned told_error_ = 0;
 
     bool tool_on_ = false;
     ToolSample tool_;

@@ -3,6 +3,7 @@
 
 #include "app/autosave.h"
 #include "app/files.h"
+#include "app/hot_reload.h"
 #include "app/layouts.h"
 #include "app/meter.h"
 #include "app/open.h"
@@ -60,7 +61,8 @@ void write_files(const Options& o) {
         if (!file.empty()) check_folder(file);
     }
     app::Opened opened = open_all(o.files);
-    HeadlessEditor headless(size, o.scale, o.backend);
+    const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
+    HeadlessEditor headless(size, o.scale, o.backend, true, early);
     set_up(headless.editor(), std::move(opened), o);
     headless.settle();
     if (!o.dump.empty()) write_dump(o.dump, headless.ui().tree());
@@ -79,23 +81,29 @@ void follow_scale(window::UiWindow& window, app::Settings& settings, float& agre
 void show_window(const Options& o) {
     if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
     app::Opened opened = open_all(o.files);
+    const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     ui::ImageStore images;
-    std::unique_ptr<app::Editor> editor;
     window::UiWindow window({.title = "lapfx",
                              .size = parse_size(o.size),
                              .scale = o.scale,
                              .images = &images,
                              .log = o.statistics ? &std::cerr : nullptr});
-    editor = std::make_unique<app::Editor>(images, app::EditorOptions{.data_folder = data_folder(),
-                                                                      .clip_folders = clip_folders(),
-                                                                      .folders = document::Folders::of_user(),
-                                                                      .exact = false,
-                                                                      .renderer = window.context().renderer(),
-                                                                      .software = window.context().software(),
-                                                                      .files = nullptr});
+    // Goes before the window does: its pictures lie in the window's context, its threads wake the window's UI.
+    const auto editor =
+        std::make_unique<app::Editor>(images, app::EditorOptions{.data_folder = data_folder(),
+                                                                 .clip_folders = clip_folders(),
+                                                                 .folders = document::Folders::of_user(),
+                                                                 .exact = false,
+                                                                 .renderer = window.context().renderer(),
+                                                                 .software = window.context().software(),
+                                                                 .files = nullptr,
+                                                                 .early = early});
     panels::add_commands(*editor);
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);
+    editor->hot_reload().set_ui_shaders([&](std::string_view vertex, std::string_view fragment, std::string& fault) {
+        return window.reload_shaders(vertex, fragment, fault);
+    });
     app::Settings& settings = editor->settings();
     if (o.scale <= 0) window.set_scale(settings.scale);
     float scale = settings.scale;
@@ -113,7 +121,12 @@ void show_window(const Options& o) {
                                             panels::workspace(u, *editor);
                                             if (editor->closed()) window.close();
                                         },
-                                    .draw = [&] { return editor->draw(); },
+                                    .draw =
+                                        [&] {
+                                            const bool changed = editor->draw();
+                                            window.set_busy(editor->jobs.busy());
+                                            return changed;
+                                        },
                                     .may_close =
                                         [&] {
                                             editor->ask_to_close();

@@ -6,7 +6,8 @@
 
 namespace lapfx::commands {
 
-HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact)
+HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact,
+                               std::shared_ptr<app::EarlyLoad> early)
     : size_(size),
       scale_(scale > 0 ? scale : 1.0F),
       context_(Context::create(parse_backend(backend))),
@@ -19,7 +20,8 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
                              .exact = exact,
                              .renderer = context_.renderer(),
                              .software = context_.software(),
-                             .files = nullptr})),
+                             .files = nullptr,
+                             .early = std::move(early)})),
       ui_(std::make_unique<ui::Ui>(
           fonts_, ui::UiOptions{.images = &images_, .shortcuts = &editor_->commands, .reduced_motion = true})),
       target_(size) {

@@ -17,7 +17,8 @@ namespace lapfx::commands {
 class HeadlessEditor {
   public:
     /// `exact`: as EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
-    HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact = true);
+    HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact = true,
+                   std::shared_ptr<app::EarlyLoad> early = nullptr);
     ~HeadlessEditor();
     HeadlessEditor(const HeadlessEditor&) = delete;
     HeadlessEditor& operator=(const HeadlessEditor&) = delete;

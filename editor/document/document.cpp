@@ -179,6 +179,16 @@ void Document::compare() const {
     preset_differs_ = write_preset(content_.preset) != saved_preset_;
 }
 
+void Document::reload(Preset preset) {
+    saved_preset_ = write_preset(preset);
+    change("Reload preset", [&](Content& c) { c.preset = std::move(preset); });
+}
+
+void Document::reload(Scene scene) {
+    saved_scene_ = write_scene(scene);
+    change("Reload scene", [&](Content& c) { c.scene = std::move(scene); });
+}
+
 bool Document::scene_unsaved() const {
     compare();
     return scene_differs_;

@@ -141,6 +141,10 @@ class Document {
     void forget_scene_file();
     void forget_preset_file();
 
+    /// As it is on disk now: one undo step, and what is on disk counts as saved.
+    void reload(Preset preset);
+    void reload(Scene scene);
+
     /// What is wrong with the values as they are; places are JSON pointers. Of a preset, of a scene.
     std::vector<Fault> preset_faults() const;
     std::vector<Fault> scene_faults() const;

@@ -1,4 +1,5 @@
 // What the program can do that belongs to no single panel: files, undo, the window.
+#include "app/hot_reload.h"
 #include "app/layouts.h"
 #include "app/open.h"
 #include "app/settings.h"
@@ -28,6 +29,12 @@ void add_commands(app::Editor& editor) {
     add_snapshot_commands(editor);
     add_export_commands(editor);
     add_window_commands(editor);
+    editor.commands.add({.id = "view.reload",
+                         .title = "Reload from disk",
+                         .group = "View",
+                         .chord = {key_of('R'), Mods::command | Mods::shift},
+                         .run = [&editor] { editor.hot_reload().reload_all(); },
+                         .tip = "Reads preset, scene, organ, clips and shaders again"});
     editor.settings().connect(editor);  // keys of the user's
 }
 

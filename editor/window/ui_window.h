@@ -114,6 +114,11 @@ class UiWindow {
     void set_title(const std::string& title);
     /// While a job runs the window looks for its results four times a second at least, whatever becomes of its wake().
     void set_busy(bool busy) { busy_ = busy; }
+    /// As ui::Renderer::reload; the next frame is drawn with them.
+    bool reload_shaders(std::string_view vertex, std::string_view fragment, std::string& fault) {
+        stale_ = true;
+        return renderer_.reload(vertex, fragment, fault);
+    }
     const WindowStatistics& statistics() const { return statistics_; }
 
   private:

@@ -1,5 +1,6 @@
 #include "bleeding/density_cpu.h"
 
+#include <future>
 #include <opencv2/imgproc.hpp>
 
 #include "bleeding/texture_blur_cpu.h"
@@ -46,52 +47,73 @@ std::vector<float> chroma_table(const F& f) {
     return table;
 }
 
+/// Two pieces of work that know nothing of each other.
+template <class A, class B>
+void side_by_side(const A& a, const B& b) {
+    auto other = std::async(std::launch::async, a);
+    b();
+    other.get();
+}
+
 }  // namespace
 
 DensityMap::DensityMap(const Organ& organ, int image) {
     const Image& pixels = organ.images[static_cast<std::size_t>(image)];
-    size_ = {pixels.width, pixels.height};
+    auto source = std::make_shared<Source>();
+    source->size = {pixels.width, pixels.height};
     values_.assign(pixels.pixels.size() / 4, Density(0));
-    if (pixels.pixels.empty()) return;
-    layout_ = layout_of(organ, image);
-    convert(pixels, factor_of(organ, image));
+    if (!pixels.pixels.empty()) {
+        source->layout = layout_of(organ, image);
+        source->convert(pixels, factor_of(organ, image));
+    }
+    source_ = std::move(source);
 }
 
-void DensityMap::convert(const Image& image, const glm::vec3& factor) {
+std::size_t DensityMap::memory() const {
+    return source_->layout.used.size() + source_->redness.size() * sizeof(std::int16_t) +
+           source_->chroma.size() * sizeof(glm::u8vec2) + values_.size() * sizeof(Density);
+}
+
+void DensityMap::Source::convert(const Image& image, const glm::vec3& factor) {
     const cv::Mat pixels(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
     cv::Mat rgb, lab;
     cv::cvtColor(pixels, rgb, cv::COLOR_RGBA2RGB);
     cv::LUT(rgb, multiplied(factor), rgb);
     cv::cvtColor(rgb, lab, cv::COLOR_RGB2Lab);
-    redness_.resize(values_.size());
-    chroma_.resize(values_.size());
+    redness.resize(image.pixels.size() / 4);
+    chroma.resize(redness.size());
     std::array<std::int16_t, 256> red, green;
     for (std::size_t i = 0; i < 256; ++i) {
         const double light = linear_of(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // whose log is 0
-        red[i] = static_cast<std::int16_t>(std::lround(redness(light, one) / redness_step));
-        green[i] = static_cast<std::int16_t>(std::lround(redness(one, light) / redness_step));
+        red[i] = static_cast<std::int16_t>(std::lround(bleeding::redness(light, one) / redness_step));
+        green[i] = static_cast<std::int16_t>(std::lround(bleeding::redness(one, light) / redness_step));
     }
     const cv::Vec3b first = rgb.at<cv::Vec3b>(0, 0);
     std::size_t i = 0;
-    for (int y = 0; y < size_.y; ++y) {
+    for (int y = 0; y < size.y; ++y) {
         const cv::Vec3b *colors = rgb.ptr<cv::Vec3b>(y), *found = lab.ptr<cv::Vec3b>(y);
-        for (int x = 0; x < size_.x; ++x, ++i) {
-            redness_[i] = static_cast<std::int16_t>(red[colors[x][0]] + green[colors[x][1]]);
-            chroma_[i] = {found[x][1], found[x][2]};
-            tells_ |= colors[x] != first;
+        for (int x = 0; x < size.x; ++x, ++i) {
+            redness[i] = static_cast<std::int16_t>(red[colors[x][0]] + green[colors[x][1]]);
+            chroma[i] = {found[x][1], found[x][2]};
+            tells |= colors[x] != first;
         }
     }
 }
 
-void DensityMap::set(const VesselParameters& p) {
-    if (!tells_) return;
-    const auto texels = [&](double mm) { return mm * layout_.texels_per_mm; };
-    const cv::Size size(size_.x, size_.y);
+void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
+    if (!tells()) return;
+    const TextureLayout& layout = source_->layout;
+    const auto texels = [&](double mm) { return mm * layout.texels_per_mm; };
+    const cv::Size size(source_->size.x, source_->size.y);
+    // Mat takes no const data; it is only read.
     cv::Mat weights, red;
-    cv::Mat(size, CV_8U, layout_.used.data()).convertTo(weights, CV_32F, 1.0 / 255);
-    cv::Mat(size, CV_16S, redness_.data()).convertTo(red, CV_32F, redness_step);
-    cv::Mat near = TextureBlur(weights, texels(near_share * p.vessel_width), layout_.repeats)(red);
-    const cv::Mat around = TextureBlur(weights, texels(around_share * p.vessel_width), layout_.repeats)(red);
+    cv::Mat(size, CV_8U, const_cast<std::uint8_t*>(layout.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
+    cv::Mat(size, CV_16S, const_cast<std::int16_t*>(source_->redness.data())).convertTo(red, CV_32F, redness_step);
+    stages.reach(0.1);
+    cv::Mat near, around;
+    side_by_side([&] { near = TextureBlur(weights, texels(near_share * p.vessel_width), layout.repeats)(red); },
+                 [&] { around = TextureBlur(weights, texels(around_share * p.vessel_width), layout.repeats)(red); });
+    stages.reach(0.5);
 
     static const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
     const auto fatty = chroma_table([&](double a, double b) { return fattiness(a, b, p.fat_low, p.fat_high); });
@@ -103,7 +125,8 @@ void DensityMap::set(const VesselParameters& p) {
         for (int y = rows.start; y < rows.end; ++y) {
             float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
             const float* far = around.ptr<float>(y);
-            const glm::u8vec2* chroma = &chroma_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
+            const glm::u8vec2* chroma =
+                &source_->chroma[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
             for (int x = 0; x < size.width; ++x) {
                 const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);
                 vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
@@ -111,8 +134,11 @@ void DensityMap::set(const VesselParameters& p) {
             }
         }
     });
-    const TextureBlur smooth(weights, texels(p.smoothing), layout_.repeats);
-    const cv::Mat planes[] = {smooth(vessels), smooth(fat)};
+    stages.reach(0.6);
+    const TextureBlur smooth(weights, texels(p.smoothing), layout.repeats);
+    cv::Mat planes[2];
+    side_by_side([&] { planes[0] = smooth(vessels); }, [&] { planes[1] = smooth(fat); });
+    stages.reach(0.9);
     cv::Mat merged, both(size, CV_8UC2, values_.data());
     cv::merge(planes, 2, merged);
     merged.convertTo(both, CV_8U, 255.0);
@@ -145,16 +171,18 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
 
 glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
     if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values_.empty()) return glm::vec2(0.0f);
-    const glm::vec2 inside = layout_.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);
-    const glm::vec2 at = inside * glm::vec2(size_) - 0.5f;
+    const TextureLayout& layout = source_->layout;
+    const glm::ivec2 size = source_->size;
+    const glm::vec2 inside = layout.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);
+    const glm::vec2 at = inside * glm::vec2(size) - 0.5f;
     const glm::vec2 low = glm::floor(at), part = at - low;
     const auto within = [&](float place, int step, int count) {
         const int index = static_cast<int>(place) + step;
-        return static_cast<std::size_t>(layout_.repeats ? (index + count) % count : std::clamp(index, 0, count - 1));
+        return static_cast<std::size_t>(layout.repeats ? (index + count) % count : std::clamp(index, 0, count - 1));
     };
     const auto texel = [&](int x, int y) {
         return glm::vec2(
-            values_[within(low.y, y, size_.y) * static_cast<std::size_t>(size_.x) + within(low.x, x, size_.x)]);
+            values_[within(low.y, y, size.y) * static_cast<std::size_t>(size.x) + within(low.x, x, size.x)]);
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x), glm::mix(texel(0, 1), texel(1, 1), part.x), part.y) /
            255.0f;

@@ -5,17 +5,19 @@
 //     map.set(preset.vessels);
 //     const glm::vec2 here = map.sample(uv);   // vessels, fat
 //
-// One thread at a time for set(); sample() from any thread in between.
+// One thread at a time for set(); sample() from any thread in between. Copies share what no parameter changes.
 #pragma once
 
 #include <cstdint>
 #include <glm/glm.hpp>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "bleeding/texture_layout_cpu.h"
 #include "lapfx/preset.h"
 #include "lapfx/tissue.h"
+#include "organ/stages.h"
 
 namespace lapfx::bleeding {
 
@@ -29,27 +31,33 @@ class DensityMap {
     DensityMap(const Organ& organ, int image);
 
     /// False when the image is of one colour, so that nothing stands out; the map is then 0 without further work.
-    bool tells() const { return tells_; }
+    bool tells() const { return source_->tells; }
     /// Makes the map. Lengths that the texture cannot resolve are taken as one texel, and those beyond it as all of it.
-    void set(const VesselParameters& parameters);
+    void set(const VesselParameters& parameters, const organ::Stages& stages = {});
 
     /// Adds what the bands are laid over: texels that are on the surface.
     void count(const VesselParameters& parameters, TissueHistogram& histogram) const;
 
-    glm::ivec2 size() const { return size_; }
+    glm::ivec2 size() const { return source_->size; }
     std::span<const Density> values() const { return values_; }  ///< rows from the top; the size of the image
-    const TextureLayout& layout() const { return layout_; }
+    const TextureLayout& layout() const { return source_->layout; }
+    std::size_t memory() const;  ///< bytes
     /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN: 0.
     glm::vec2 sample(glm::vec2 uv) const noexcept;
 
   private:
-    void convert(const Image& image, const glm::vec3& factor);
+    /// The converted image.
+    struct Source {
+        glm::ivec2 size{0};
+        TextureLayout layout;
+        bool tells = false;
+        std::vector<std::int16_t> redness;  // in steps of redness_step
+        std::vector<glm::u8vec2> chroma;    // a* and b* + 128
 
-    glm::ivec2 size_{0};
-    TextureLayout layout_;
-    bool tells_ = false;
-    std::vector<std::int16_t> redness_;  // in steps of redness_step
-    std::vector<glm::u8vec2> chroma_;    // a* and b* + 128
+        void convert(const Image& image, const glm::vec3& factor);
+    };
+
+    std::shared_ptr<const Source> source_;
     std::vector<Density> values_;
 };
 

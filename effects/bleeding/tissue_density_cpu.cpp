@@ -52,52 +52,58 @@ glm::dvec3 color_of(const Organ& organ, const Material& material, std::uint32_t 
 
 }  // namespace
 
-TissueDensity::TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters)
-    : surface_(surface), parameters_(parameters), uvs_(organ.uvs) {
+TissueDensity::TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters,
+                             const organ::Stages& stages)
+    : surface_(surface), parameters_(parameters) {
     maps_.resize(organ.images.size());
     for (const Material& material : organ.materials) {
         if (material.base_color_image < 0) continue;
-        std::unique_ptr<DensityMap>& map = maps_[static_cast<std::size_t>(material.base_color_image)];
-        if (map == nullptr) map = std::make_unique<DensityMap>(organ, material.base_color_image);
+        std::optional<DensityMap>& map = maps_[static_cast<std::size_t>(material.base_color_image)];
+        stages.reach(0.0);
+        if (!map) map.emplace(organ, material.base_color_image);
     }
-    for (std::unique_ptr<DensityMap>& map : maps_)
-        if (map != nullptr && !map->tells()) map.reset();
-    find_sources(organ);
-    take_colors(organ);
-    set(parameters);
+    for (std::optional<DensityMap>& map : maps_)
+        if (map && !map->tells()) map.reset();
+    stages.reach(0.2);
+    auto mesh = std::make_shared<Mesh>();
+    mesh->uvs = organ.uvs;
+    find_sources(organ, *mesh);
+    take_colors(organ, *mesh);
+    mesh_ = std::move(mesh);
+    make(stages.part(0.3, 1.0));
 }
 
-void TissueDensity::find_sources(const Organ& organ) {
+void TissueDensity::find_sources(const Organ& organ, Mesh& mesh) const {
     for (std::size_t i = 0; i + 2 < organ.indices.size(); i += 3)
-        corners_.emplace_back(organ.indices[i], organ.indices[i + 1], organ.indices[i + 2]);
-    source_.assign(corners_.size(), by_vertex);
+        mesh.corners.emplace_back(organ.indices[i], organ.indices[i + 1], organ.indices[i + 2]);
+    mesh.source.assign(mesh.corners.size(), by_vertex);
     for (const Part& part : organ.parts) {
         const int image = organ.materials[static_cast<std::size_t>(part.material)].base_color_image;
         if (map(image) == nullptr) continue;
         for (std::size_t t = part.first_index / 3; t < (part.first_index + part.index_count) / 3; ++t)
-            source_[t] = image;
+            mesh.source[t] = image;
     }
 }
 
-void TissueDensity::take_colors(const Organ& organ) {
+void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
     const std::size_t count = organ.positions.size();
-    areas_.assign(count, 0.0f);
-    redness_.assign(count, 0.0f);
-    chroma_.assign(count, glm::vec2(0.0f));
+    mesh.areas.assign(count, 0.0f);
+    mesh.redness.assign(count, 0.0f);
+    mesh.chroma.assign(count, glm::vec2(0.0f));
     glm::dvec3 low(1.0), high(0.0);
     for (const Part& part : organ.parts) {
         const Material& material = organ.materials[static_cast<std::size_t>(part.material)];
         for (std::size_t t = part.first_index / 3; t < (part.first_index + part.index_count) / 3; ++t) {
-            if (source_[t] != by_vertex) continue;
-            const glm::dvec3 a(organ.positions[corners_[t].x]), b(organ.positions[corners_[t].y]),
-                c(organ.positions[corners_[t].z]);
+            if (mesh.source[t] != by_vertex) continue;
+            const glm::dvec3 a(organ.positions[mesh.corners[t].x]), b(organ.positions[mesh.corners[t].y]),
+                c(organ.positions[mesh.corners[t].z]);
             const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
             for (int corner = 0; corner < 3; ++corner) {
-                const std::uint32_t vertex = corners_[t][corner];
+                const std::uint32_t vertex = mesh.corners[t][corner];
                 const glm::dvec3 color = color_of(organ, material, vertex);
-                areas_[vertex] += static_cast<float>(area / 3);
-                redness_[vertex] = static_cast<float>(redness(color.r, color.g));
-                chroma_[vertex] = glm::vec2(lab_chroma(color));
+                mesh.areas[vertex] += static_cast<float>(area / 3);
+                mesh.redness[vertex] = static_cast<float>(redness(color.r, color.g));
+                mesh.chroma[vertex] = glm::vec2(lab_chroma(color));
                 low = glm::min(low, color);
                 high = glm::max(high, color);
             }
@@ -105,10 +111,10 @@ void TissueDensity::take_colors(const Organ& organ) {
     }
     const glm::dvec3 spread = high - low;
     if (std::max({spread.x, spread.y, spread.z}) > 1.0 / 255) {
-        points_ = organ.positions;
+        mesh.points = organ.positions;
         return;
     }
-    for (int& source : source_)
+    for (int& source : mesh.source)
         if (source == by_vertex) source = unknown;
 }
 
@@ -118,50 +124,71 @@ void TissueDensity::set(const VesselParameters& p) {
                       p.vessel_width == old.vessel_width && p.fat_low == old.fat_low && p.fat_high == old.fat_high &&
                       p.smoothing == old.smoothing;
     parameters_ = p;
-    if (same && version_ > 0) return;
-    for (const std::unique_ptr<DensityMap>& map : maps_)
-        if (map != nullptr) map->set(p);
+    if (same) return;
+    make({});
+}
+
+void TissueDensity::make(const organ::Stages& stages) {
+    for (std::size_t i = 0; i < maps_.size(); ++i)
+        if (maps_[i])
+            maps_[i]->set(parameters_,
+                          stages.part(0.8 * static_cast<double>(i) / static_cast<double>(maps_.size()),
+                                      0.8 * static_cast<double>(i + 1) / static_cast<double>(maps_.size())));
+    stages.reach(0.8);
     set_vertices();
     ++version_;
 }
 
+std::size_t TissueDensity::memory() const {
+    const Mesh& m = *mesh_;
+    std::size_t bytes = m.source.size() * sizeof(int) + m.corners.size() * sizeof(glm::uvec3) +
+                        m.points.size() * sizeof(glm::vec3) + (m.areas.size() + m.redness.size()) * sizeof(float) +
+                        (m.uvs.size() + m.chroma.size() + vertex_values_.size()) * sizeof(glm::vec2);
+    for (const std::optional<DensityMap>& map : maps_)
+        if (map) bytes += map->memory();
+    return bytes;
+}
+
 void TissueDensity::set_vertices() {
-    vertex_values_.assign(redness_.size(), glm::vec2(1.0f, 0.0f));
-    for (std::size_t t = 0; t < corners_.size(); ++t)
+    const Mesh& mesh = *mesh_;
+    vertex_values_.assign(mesh.redness.size(), glm::vec2(1.0f, 0.0f));
+    for (std::size_t t = 0; t < mesh.corners.size(); ++t)
         for (int corner = 0; corner < 3; ++corner)
-            if (source_[t] >= 0) vertex_values_[corners_[t][corner]] = glm::vec2(1.0f);
-    if (points_.empty()) return;
+            if (mesh.source[t] >= 0) vertex_values_[mesh.corners[t][corner]] = glm::vec2(1.0f);
+    if (mesh.points.empty()) return;
     const VesselParameters& p = parameters_;
-    const PointBlur narrow(points_, areas_, std::max(p.smoothing, 1e-3));
+    const PointBlur narrow(mesh.points, mesh.areas, std::max(p.smoothing, 1e-3));
     const std::vector<float> around =
-        PointBlur(points_, areas_, std::max(around_share * p.vessel_width, 1e-3))(redness_);
-    std::vector<float> vessels(points_.size()), fat(points_.size());
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-        const double contrast = double(redness_[v]) - double(around[v]);
-        vessels[v] =
-            static_cast<float>(ramp(p.vessel_low, p.vessel_high, contrast) * bloodiness(chroma_[v].x, chroma_[v].y));
-        fat[v] = static_cast<float>(fattiness(chroma_[v].x, chroma_[v].y, p.fat_low, p.fat_high));
+        PointBlur(mesh.points, mesh.areas, std::max(around_share * p.vessel_width, 1e-3))(mesh.redness);
+    std::vector<float> vessels(mesh.points.size()), fat(mesh.points.size());
+    for (std::size_t v = 0; v < mesh.points.size(); ++v) {
+        const double contrast = double(mesh.redness[v]) - double(around[v]);
+        vessels[v] = static_cast<float>(ramp(p.vessel_low, p.vessel_high, contrast) *
+                                        bloodiness(mesh.chroma[v].x, mesh.chroma[v].y));
+        fat[v] = static_cast<float>(fattiness(mesh.chroma[v].x, mesh.chroma[v].y, p.fat_low, p.fat_high));
     }
     vessels = narrow(vessels);
     fat = narrow(fat);
-    for (std::size_t v = 0; v < points_.size(); ++v)
-        if (areas_[v] > 0.0f) vertex_values_[v] = {vessels[v], fat[v]};
+    for (std::size_t v = 0; v < mesh.points.size(); ++v)
+        if (mesh.areas[v] > 0.0f) vertex_values_[v] = {vessels[v], fat[v]};
 }
 
 const DensityMap* TissueDensity::map(int image) const {
-    return image < 0 ? nullptr : maps_[static_cast<std::size_t>(image)].get();
+    if (image < 0) return nullptr;
+    const std::optional<DensityMap>& found = maps_[static_cast<std::size_t>(image)];
+    return found ? &*found : nullptr;
 }
 
 TissueDensity::Place TissueDensity::at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept {
-    const int source = source_[triangle];
-    const glm::uvec3& corners = corners_[triangle];
+    const int source = mesh_->source[triangle];
+    const glm::uvec3& corners = mesh_->corners[triangle];
     if (source == unknown) return {glm::vec2(1.0f, 0.0f), false};
     const auto mixed = [&](const std::vector<glm::vec2>& values) {
         return glm::dvec2(values[corners.x]) * weights.x + glm::dvec2(values[corners.y]) * weights.y +
                glm::dvec2(values[corners.z]) * weights.z;
     };
     if (source == by_vertex) return {glm::vec2(mixed(vertex_values_)), true};
-    return {maps_[static_cast<std::size_t>(source)]->sample(glm::vec2(mixed(uvs_))), true};
+    return {maps_[static_cast<std::size_t>(source)]->sample(glm::vec2(mixed(mesh_->uvs))), true};
 }
 
 TissueDensity::Place TissueDensity::mean(const glm::dvec3& position) const noexcept {
@@ -231,12 +258,12 @@ TissueReport TissueDensity::report() const {
         area += 0.5 * glm::length(glm::cross(surface_.positions[triangle[1]] - surface_.positions[triangle[0]],
                                              surface_.positions[triangle[2]] - surface_.positions[triangle[0]]));
     if (!(area > 0.0) || !std::isfinite(area)) return report;
-    for (std::uint32_t t = 0; t < corners_.size(); ++t) {
+    for (std::uint32_t t = 0; t < mesh_->corners.size(); ++t) {
         const auto& triangle = surface_.triangles[t];
         const double piece =
             0.5 * glm::length(glm::cross(surface_.positions[triangle[1]] - surface_.positions[triangle[0]],
                                          surface_.positions[triangle[2]] - surface_.positions[triangle[0]]));
-        if (source_[t] == unknown) continue;
+        if (mesh_->source[t] == unknown) continue;
         known += piece;
         // Large triangles are looked at in more places: 20000 over the organ. Roberts' R2 sequence, folded.
         const int places = 1 + static_cast<int>(20000.0 * piece / area);
@@ -251,8 +278,8 @@ TissueReport TissueDensity::report() const {
         report.vessels = sum.x / known;
         report.fat = sum.y / known;
     }
-    for (const std::unique_ptr<DensityMap>& map : maps_)
-        if (map != nullptr)
+    for (const std::optional<DensityMap>& map : maps_)
+        if (map)
             report.texels_per_mm = std::max(report.texels_per_mm,
                                             std::sqrt(map->layout().texels_per_mm.x * map->layout().texels_per_mm.y));
     return report;

@@ -3,11 +3,12 @@
 //     TissueDensity tissue(organ, surface, preset.vessels);
 //     if (tissue.wound_strength(tip) > 0.0) ...                  // a cut here bleeds
 //
-// Where neither tells anything (one colour all over) vessels are taken as even: density 1, fat 0, strength 1. set() and the
+// A copy refers to the same surface, shares what no parameter changes, and is set on its own. Where neither tells anything (one colour all over) vessels are taken as even: density 1, fat 0, strength 1. set() and the
 // constructor on one thread; the rest is const and may run on any.
 #pragma once
 
 #include <memory>
+#include <optional>
 
 #include "bleeding/density_cpu.h"
 #include "lapfx/tissue.h"
@@ -18,7 +19,8 @@ namespace lapfx::bleeding {
 class TissueDensity {
   public:
     /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ.
-    TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {});
+    TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {},
+                  const organ::Stages& stages = {});
 
     /// Live: maps are made again only when a parameter that they depend on has changed.
     void set(const VesselParameters& parameters);
@@ -41,6 +43,7 @@ class TissueDensity {
     const std::vector<glm::vec2>& vertex_values() const { return vertex_values_; }
     /// Rises whenever the densities have changed.
     int version() const { return version_; }
+    std::size_t memory() const;  ///< bytes
 
   private:
     static constexpr int by_vertex = -1, unknown = -2;
@@ -48,8 +51,18 @@ class TissueDensity {
         glm::vec2 density{0.0f};
         bool known = false;
     };
-    void find_sources(const Organ& organ);
-    void take_colors(const Organ& organ);
+    /// What no parameter changes.
+    struct Mesh {
+        std::vector<int> source;          // per triangle: a map, by_vertex or unknown
+        std::vector<glm::uvec3> corners;  // per triangle: organ vertices
+        std::vector<glm::vec2> uvs;
+        std::vector<glm::vec3> points;      // per vertex, mm; empty when no triangle is by_vertex
+        std::vector<float> areas, redness;  // per vertex; mm2
+        std::vector<glm::vec2> chroma;      // per vertex: a*, b*
+    };
+    void find_sources(const Organ& organ, Mesh& mesh) const;
+    static void take_colors(const Organ& organ, Mesh& mesh);
+    void make(const organ::Stages& stages);
     void set_vertices();
     Place at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept;
     Place mean(const glm::dvec3& position) const noexcept;
@@ -57,13 +70,8 @@ class TissueDensity {
 
     const Surface& surface_;
     VesselParameters parameters_;
-    std::vector<std::unique_ptr<DensityMap>> maps_;  // per image; null where it tells nothing
-    std::vector<int> source_;                        // per triangle: a map, by_vertex or unknown
-    std::vector<glm::uvec3> corners_;                // per triangle: organ vertices
-    std::vector<glm::vec2> uvs_;
-    std::vector<glm::vec3> points_;       // per vertex, mm; empty when no triangle is by_vertex
-    std::vector<float> areas_, redness_;  // per vertex; mm2
-    std::vector<glm::vec2> chroma_;       // per vertex: a*, b*
+    std::vector<std::optional<DensityMap>> maps_;  // per image; none where it tells nothing
+    std::shared_ptr<const Mesh> mesh_;
     std::vector<glm::vec2> vertex_values_;
     int version_ = 0;
 };

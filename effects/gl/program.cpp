@@ -58,7 +58,7 @@ Shader compile(GLenum stage, const std::string& name, const std::string& defines
 }  // namespace
 
 Program::Program(const std::string& vertex, const std::string& fragment, const std::string& defines)
-    : name_(glCreateProgram()) {
+    : vertex_(vertex), fragment_(fragment), defines_(defines), name_(glCreateProgram()) {
     const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, defines);
     const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines);
     glAttachShader(name(), vertex_shader.get());
@@ -78,6 +78,16 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
         glGetActiveUniform(name(), static_cast<GLuint>(i), sizeof uniform, nullptr, &size, &type, uniform);
         locations_.emplace(uniform, glGetUniformLocation(name(), uniform));
     }
+}
+
+Program Program::rebuilt() const {
+    return name() == 0 ? Program() : Program(vertex_, fragment_, defines_);
+}
+
+void rebuild(std::span<Program* const> programs) {
+    std::vector<Program> made;
+    for (const Program* program : programs) made.push_back(program->rebuilt());
+    for (std::size_t i = 0; i < programs.size(); ++i) *programs[i] = std::move(made[i]);
 }
 
 GLint Program::location(const char* uniform) const {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <span>
 #include <string>
 #include <unordered_map>
 
@@ -20,6 +21,9 @@ class Program {
     /// File names in shaders/. Throws Error (runtime) with file, line and the numbered source around it.
     /// `defines`: whole lines of `#define NAME`, put before both texts, to make variants of one shader.
     Program(const std::string& vertex, const std::string& fragment, const std::string& defines = "");
+
+    /// Compiled once more, from the texts as they are now. Throws as the constructor. Of an empty one, an empty one.
+    Program rebuilt() const;
 
     void use() const { glUseProgram(name_.get()); }
     void set(const char* uniform, int value) const;
@@ -39,8 +43,12 @@ class Program {
         using is_transparent = void;  // look-ups by const char* allocate nothing
         std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
     };
+    std::string vertex_, fragment_, defines_;  // what it was made of
     Name<release_program> name_;
     std::unordered_map<std::string, GLint, Hash, std::equal_to<>> locations_;
 };
+
+/// All of them compiled once more and then taken, or none. Throws Error (runtime).
+void rebuild(std::span<Program* const> programs);
 
 }  // namespace lapfx::gl

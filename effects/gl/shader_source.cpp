@@ -4,6 +4,7 @@
 #include <optional>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 #include "lapfx/error.h"
 
@@ -20,11 +21,47 @@ std::filesystem::path& shader_folder() {
     return folder;
 }
 
+std::string content_of(std::ifstream& file) {
+    return {std::istreambuf_iterator<char>(file), {}};
+}
+
+}  // namespace
+
+std::mutex ShaderTrial::mutex_;
+std::shared_ptr<const ShaderTrial::Texts> ShaderTrial::texts_;
+
+ShaderTrial::ShaderTrial(const std::filesystem::path& folder) {
+    auto texts = std::make_shared<Texts>();
+    std::error_code error;
+    for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
+        std::ifstream in(file->path(), std::ios::binary);
+        if (in && file->is_regular_file(error)) (*texts)[file->path().filename().string()] = content_of(in);
+    }
+    if (error) throw Error(Failure::runtime, Fault{.file = folder.string(), .place = "", .reason = error.message()});
+    const std::lock_guard lock(mutex_);
+    former_ = std::exchange(texts_, std::move(texts));
+}
+
+ShaderTrial::~ShaderTrial() {
+    const std::lock_guard lock(mutex_);
+    if (!kept_) texts_ = std::move(former_);
+}
+
+std::optional<std::string> text_on_trial(const std::string& name) {
+    const std::lock_guard lock(ShaderTrial::mutex_);
+    if (!ShaderTrial::texts_) return std::nullopt;
+    const auto found = ShaderTrial::texts_->find(name);
+    return found == ShaderTrial::texts_->end() ? std::nullopt : std::optional(found->second);
+}
+
+namespace {
+
 std::optional<std::string> find_text(const std::string& name) {
     if (!shader_folder().empty()) {
         std::ifstream file(shader_folder() / name, std::ios::binary);
-        if (file) return std::string(std::istreambuf_iterator<char>(file), {});
+        if (file) return content_of(file);
     }
+    if (std::optional<std::string> text = text_on_trial(name)) return text;
     for (unsigned i = 0; i < embedded_shader_count; ++i)
         if (embedded_shaders[i].first == name) return std::string(embedded_shaders[i].second);
     return std::nullopt;

@@ -4,6 +4,10 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,7 +22,27 @@ struct ShaderSource {
 /// there.
 ShaderSource shader_source(const std::string& name);
 
-/// From now on files in `folder` come before the embedded ones; an empty path ends that.
+/// While it lives, and after it if kept, the files of a folder come before the embedded ones: as they are now, so that one that
+/// breaks later breaks nothing. Shaders of the effects that are not in the folder are the embedded ones. Any thread.
+class ShaderTrial {
+  public:
+    explicit ShaderTrial(const std::filesystem::path& folder);
+    ~ShaderTrial();
+    ShaderTrial(const ShaderTrial&) = delete;
+    ShaderTrial& operator=(const ShaderTrial&) = delete;
+    void keep() { kept_ = true; }
+
+  private:
+    using Texts = std::map<std::string, std::string>;
+    friend std::optional<std::string> text_on_trial(const std::string& name);
+    static std::mutex mutex_;
+    static std::shared_ptr<const Texts> texts_;
+
+    std::shared_ptr<const Texts> former_;
+    bool kept_ = false;
+};
+
+/// From now on files in `folder` come before all others, read when they are needed; an empty path ends that.
 void set_shader_folder(const std::filesystem::path& folder);
 
 /// The compiler's log with file names for the string numbers, and under it the lines it speaks of, numbered.

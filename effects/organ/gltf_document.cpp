@@ -146,10 +146,10 @@ void read_buffers(GltfDocument& document, const json& buffers, std::span<const s
             buffer.data.assign(binary.begin(), binary.end());
         else if (is_data_uri(uri))
             buffer.data = data_uri(uri, document.file, place + "/uri");
-        else if (!uri.empty())
-            buffer.data = read_file(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"),
-                                    document.file, place + ": " + uri);
-        else if (!is_fallback(source))
+        else if (!uri.empty()) {
+            document.files.push_back(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"));
+            buffer.data = read_file(document.files.back(), document.file, place + ": " + uri);
+        } else if (!is_fallback(source))
             refuse(document.file, place, "has no uri, and the file has no binary chunk for it");
         if (!buffer.data.empty() && buffer.data.size() < length)
             refuse(document.file, place,
@@ -246,9 +246,9 @@ std::span<const std::uint8_t> GltfDocument::image_bytes(int index, Bytes& storag
     const std::string place = "/images/" + std::to_string(index);
     if (image.bufferView >= 0) return view(image.bufferView, place + "/bufferView");
     if (is_data_uri(image.uri)) return storage = data_uri(image.uri, file, place + "/uri");
-    const std::filesystem::path path = file_beside(folder, percent_decoded(image.uri), file, place + "/uri");
+    files.push_back(file_beside(folder, percent_decoded(image.uri), file, place + "/uri"));
     try {
-        return storage = read_file(path, image.uri);
+        return storage = read_file(files.back(), image.uri);
     } catch (const Error& error) {
         fault = error.faults().front().reason;
         return {};

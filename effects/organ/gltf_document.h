@@ -11,15 +11,17 @@
 #include <map>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "organ/file.h"
 
 namespace lapfx::organ {
 
 struct GltfDocument {
-    std::string file;              ///< as faults name it
-    std::filesystem::path folder;  ///< of the file
-    tinygltf::Model model;         ///< buffers[].data and images[].uri, bufferView filled in by us
+    std::string file;                          ///< as faults name it
+    std::filesystem::path folder;              ///< of the file
+    tinygltf::Model model;                     ///< buffers[].data and images[].uri, bufferView filled in by us
+    std::vector<std::filesystem::path> files;  ///< read besides it, or looked for
     bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
 

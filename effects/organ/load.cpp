@@ -2,6 +2,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "organ/gltf.h"
+#include "organ/load.h"
 #include "organ/mend.h"
 #include "organ/obj.h"
 #include "organ/openmesh_formats.h"
@@ -69,27 +70,39 @@ glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
 
 }  // namespace
 
-Organ load_organ(const std::filesystem::path& path, const OrganOptions& options) {
+Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages) {
     const std::string file = path.string();
     if (!std::isfinite(options.scale) || options.scale < 0.0)
         organ::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
     organ::RawOrgan raw;
     Format format = Format::unknown;
+    stages.reach(0.0);
     {
         const Bytes bytes = organ::read_file(path, file);
+        stages.reach(0.1);
         format = format_of(path, bytes);
         raw = read(format, path, file, bytes);
     }
+    stages.reach(0.7);
     const double scale = options.scale > 0.0 ? options.scale : format == Format::gltf ? 1000.0 : 1.0;
     const glm::dmat4 matrix = to_millimetres(scale, options.rotation);
     for (organ::RawPart& part : raw.parts) organ::transform(part, matrix);
 
     organ::Missing missing;
+    std::vector<std::filesystem::path> files = std::move(raw.files);
     Organ organ = organ::mend(std::move(raw), file, missing);
     organ.name = path.stem().string();
     organ.scale = scale;
+    organ.files = std::move(files);
+    organ.files.insert(organ.files.begin(), path);
+    stages.reach(0.85);
     organ::complete(organ, missing);
+    stages.reach(1.0);
     return organ;
+}
+
+Organ load_organ(const std::filesystem::path& path, const OrganOptions& options) {
+    return organ::load(path, options, {});
 }
 
 }  // namespace lapfx

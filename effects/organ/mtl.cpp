@@ -124,6 +124,7 @@ class Library {
         image.name = name;
         std::string fault;
         try {
+            organ_.files.push_back(path_of(name));
             fault = decode_image(read_file(path_of(name), name), image);
         } catch (const Error& error) {
             fault = error.faults().front().reason;
@@ -156,7 +157,8 @@ void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder,
     Library library(folder, organ);
     for (const std::string& name : libraries) {
         try {
-            const Bytes bytes = read_file(file_beside(folder, name, name, ""), name);
+            organ.files.push_back(file_beside(folder, name, name, ""));
+            const Bytes bytes = read_file(organ.files.back(), name);
             library.read(std::string(bytes.begin(), bytes.end()));
         } catch (const Error& error) {
             organ.warnings.push_back("material library " + name + ": " + error.faults().front().reason);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
 #include <vector>
@@ -33,6 +34,7 @@ struct RawOrgan {
     std::vector<Material> materials;
     std::vector<Image> images;
     std::vector<std::string> warnings;
+    std::vector<std::filesystem::path> files;  ///< besides the one that was asked for
 };
 
 /// Applies an affine map; a mirroring one also turns the triangles round, so that they still face outwards.

@@ -25,7 +25,8 @@ double distance_to_path(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
 
 }  // namespace
 
-Surface::Surface(const Organ& organ) {
+Surface::Surface(const Organ& organ, const organ::Stages& stages) {
+    stages.reach(0.0);
     organ::Weld welded = organ::weld_positions(organ.positions);
     weld = std::move(welded.point);
     positions.resize(welded.points);
@@ -33,9 +34,19 @@ Surface::Surface(const Organ& organ) {
     triangles.resize(organ.triangle_count());
     for (std::size_t t = 0; t < triangles.size(); ++t)
         for (std::size_t c = 0; c < 3; ++c) triangles[t][c] = weld[organ.indices[3 * t + c]];
+    stages.reach(0.2);
     build_adjacency();
+    stages.reach(0.5);
     find_components();
+    stages.reach(0.6);
     tree_.build(mesh());
+    stages.reach(1.0);
+}
+
+std::size_t Surface::memory() const {
+    const auto indices = weld.size() + triangle_start.size() + point_triangles.size() + neighbour_start.size() +
+                         point_neighbours.size() + component.size() + 3 * triangles.size();
+    return positions.size() * sizeof(glm::dvec3) + indices * sizeof(std::uint32_t);
 }
 
 void Surface::build_adjacency() {

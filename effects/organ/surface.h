@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "lapfx/organ.h"
+#include "organ/stages.h"
 #include "organ/triangle_tree.h"
 
 namespace lapfx {
@@ -18,7 +19,7 @@ namespace lapfx {
 class Surface {
   public:
     Surface() = default;
-    explicit Surface(const Organ& organ);
+    explicit Surface(const Organ& organ, const organ::Stages& stages = {});
 
     std::vector<std::uint32_t> weld;                      ///< organ vertex to point
     std::vector<glm::dvec3> positions;                    ///< of the points, mm
@@ -65,6 +66,7 @@ class Surface {
 
     TriangleMesh mesh() const { return {positions, triangles}; }
     const TriangleTree& tree() const { return tree_; }
+    std::size_t memory() const;  ///< bytes, without the tree
 
   private:
     void build_adjacency();

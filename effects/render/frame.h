@@ -15,8 +15,9 @@ class Frame {
     /// Makes the targets for `size` unless they are that size. Throws Error: bad_input
     /// beyond the driver's largest size, runtime when it cannot make them.
     void resize(glm::ivec2 size);
-    void begin_scene() const noexcept;  ///< binds and clears the multisampled target
-    void begin_smoke() const noexcept;  ///< resolves it; binds the resolved colour
+    void begin_scene() const noexcept;              ///< binds and clears the multisampled target
+    void begin_smoke() const noexcept;              ///< resolves it; binds the resolved colour
+    gl::Program& post() noexcept { return post_; }  ///< for gl::rebuild()
     GLuint scene_depth() const noexcept { return resolved_depth_.name(); }
     /// Writes the finished picture into `framebuffer`, lower left corner first.
     void finish(GLuint framebuffer, float exposure, float vignette) const noexcept;

@@ -75,6 +75,22 @@ void OrganGpu::upload_textures(const Organ& organ) {
                               .double_sided = m.double_sided});
 }
 
+std::size_t OrganGpu::memory() const {
+    std::size_t bytes = marks_.size() + rest_.size() + indices_.size() + vertex_density_.size();
+    for (const gl::Buffer& buffer : vertices_) bytes += buffer.size();
+    const auto pixels = [](const gl::Texture& texture) {
+        return static_cast<std::size_t>(texture.size().x) * static_cast<std::size_t>(texture.size().y) * 4 / 3;
+    };  // with their smaller levels
+    for (const gl::Texture& texture : textures_) bytes += pixels(texture) * 4;
+    for (const gl::Texture& texture : densities_) bytes += pixels(texture) * 2;
+    return bytes;
+}
+
+void OrganGpu::collect(std::vector<gl::Program*>& programs) {
+    programs.push_back(&plain_);
+    programs.push_back(&wounded_);
+}
+
 std::size_t OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept {
     std::size_t bytes = 0;
     for (const VertexRun& run : changed) bytes += marks_.update(values, run.begin, run.end);

@@ -31,6 +31,9 @@ class OrganGpu {
     /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
     void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
+    std::size_t memory() const;  ///< bytes on the GPU
+    /// Every program of it, for gl::rebuild().
+    void collect(std::vector<gl::Program*>& programs);
     /// `model`: organ space to scene space, rigid.
     void draw(const glm::mat4& model) const noexcept;
 

@@ -103,4 +103,8 @@ fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::
     throw bad_clip(file, "no such clip; looked in " + looked_in);
 }
 
+fs::path clip_path(const std::string& file, const fs::path& preset_folder, std::span<const fs::path> search_path) {
+    return fs::absolute(find_clip(file, preset_folder, search_path)).lexically_normal();
+}
+
 }  // namespace lapfx::smoke

@@ -16,6 +16,10 @@ namespace lapfx::smoke {
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> search_path);
 
+/// The same as the one name that the file is known by: absolute, without "..".
+std::filesystem::path clip_path(const std::string& file, const std::filesystem::path& preset_folder,
+                                std::span<const std::filesystem::path> search_path);
+
 /// Images that are numbered without a gap, all in one folder.
 struct ImageSequence {
     std::filesystem::path folder;

@@ -7,9 +7,10 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr double default_rate = 25.0;    // frames per second, where a file tells none
-constexpr double maximum_rate = 1000.0;  // what claims more has no usable times
-constexpr double maximum_time = 1e7;     // s, likewise: 115 days
+constexpr double default_rate = 25.0;     // frames per second, where a file tells none
+constexpr double maximum_rate = 1000.0;   // what claims more has no usable times
+constexpr std::size_t packets_told = 64;  // progress is told after so many
+constexpr double maximum_time = 1e7;      // s, likewise: 115 days
 
 struct Entry {
     std::int64_t pts, dts, position, duration;
@@ -113,16 +114,14 @@ struct Packets {
 };
 
 Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::size_t maximum,
-                     const std::atomic<bool>* stop) {
+                     const organ::Stages& stages) {
+    double share = 0.0;
     Packets packets;
     std::vector<Entry>& entries = packets.shown;
     const libav::Packet packet(libav::made(av_packet_alloc()));
     const AVCodecParameters& codec = *file.video().codecpar;
     while (file.next(*packet)) {
-        if (stop != nullptr && stop->load(std::memory_order_relaxed))
-            throw Error(Failure::runtime,
-                        Fault{.file = path.string(), .place = "", .reason = "was not read to its end"});
-        ++packets.count;
+        if (packets.count++ % packets_told == 0) stages.reach(share = std::max(share, file.read_share()));
         packets.cut = packets.cut || (packet->flags & AV_PKT_FLAG_CORRUPT) != 0;
         if (is_hidden(codec, *packet)) continue;
         if (entries.size() == maximum)
@@ -217,8 +216,8 @@ int ClipIndex::frame_at(std::int64_t pts) const {
     return apart(pts, *after) <= apart(*(after - 1), pts) ? index : index - 1;
 }
 
-ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const std::atomic<bool>* stop) {
-    const Packets packets = read_packets(file, path, static_cast<std::size_t>(maximum), stop);
+ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const organ::Stages& stages) {
+    const Packets packets = read_packets(file, path, static_cast<std::size_t>(maximum), stages);
     const std::vector<Entry>& entries = packets.shown;
     if (entries.empty()) throw bad_clip(path, "holds no frame that can be decoded");
     ClipIndex index;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "organ/stages.h"
 #include "smoke/clip_file.h"
 #include "smoke/media_file.h"
 
@@ -41,10 +42,8 @@ struct ClipIndex {
     int frame_at(std::int64_t pts) const;
 };
 
-/// Reads the file to its end, and leaves it there. Throws Error (bad_input): no frame, more than `maximum`. `stop`, if given, is
-/// asked between packets: Error (runtime).
-ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum,
-                     const std::atomic<bool>* stop = nullptr);
+/// Reads the file to its end, and leaves it there. Throws Error (bad_input): no frame, more than `maximum`.
+ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const organ::Stages& stages = {});
 
 /// A sequence of images has no times of its own.
 ClipIndex index_sequence(const ImageSequence& sequence);

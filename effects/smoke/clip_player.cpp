@@ -29,19 +29,8 @@ int sent_layers(Scheme scheme) {
 
 }  // namespace
 
-FileStamp stamp_of(const std::filesystem::path& path) {
-    std::error_code error;
-    const auto bytes = std::filesystem::file_size(path, error);
-    if (error) return {0, std::filesystem::last_write_time(path.parent_path(), error)};
-    return {bytes, std::filesystem::last_write_time(path, error)};
-}
-
-ClipFile::ClipFile(const std::filesystem::path& where, const Decoder& decoder)
-    : path(where),
-      stamp(stamp_of(where)),
-      info(decoder.info()),
-      format(decoder.format()),
-      store(format, info.frame_count()) {}
+ClipFile::ClipFile(const std::filesystem::path& where, const FileStamp& seen, const Decoder& decoder)
+    : path(where), stamp(seen), info(decoder.info()), format(decoder.format()), store(format, info.frame_count()) {}
 
 std::size_t head_memory(const PictureFormat& format, Scheme scheme, int buffers) {
     return static_cast<std::size_t>(buffers + ClipStream::spare_slots + sent_layers(scheme)) * format.bytes();

@@ -7,23 +7,16 @@
 #include "lapfx/preset.h"
 #include "lapfx/streaming.h"
 #include "smoke/clip_stream.h"
+#include "smoke/file_stamp.h"
 #include "smoke/frame_textures.h"
 
 namespace lapfx::smoke {
 
-/// What tells a file from another one under the same name; of numbered pictures, their folder's.
-struct FileStamp {
-    std::uintmax_t bytes = 0;
-    std::filesystem::file_time_type written{};
-
-    friend bool operator==(const FileStamp&, const FileStamp&) = default;
-};
-FileStamp stamp_of(const std::filesystem::path& path);
-
 /// A file that clips play: what is known of it, and those of its frames that are on the GPU to stay, shared by all clips of a
 /// preset that name it.
 struct ClipFile {
-    ClipFile(const std::filesystem::path& where, const Decoder& decoder);
+    /// `seen`: before the decoder opened it.
+    ClipFile(const std::filesystem::path& where, const FileStamp& seen, const Decoder& decoder);
 
     std::filesystem::path path;
     FileStamp stamp;

@@ -4,10 +4,12 @@
 #include <chrono>
 #include <optional>
 #include <thread>
+#include <utility>
 
 #include "lapfx/error.h"
 #include "smoke/clip_file.h"
 #include "smoke/clip_player.h"
+#include "smoke/known_clips.h"
 
 namespace lapfx::smoke {
 
@@ -69,7 +71,8 @@ Loop played_by_all(const std::shared_ptr<ClipFile>& file, std::span<const SmokeC
 }  // namespace
 
 struct ClipSet::State {
-    explicit State(const StreamingOptions& wanted) : options(wanted), pool(decoding_threads(wanted)) {}
+    State(const StreamingOptions& wanted, std::shared_ptr<ClipCache> known_clips)
+        : options(wanted), cache(std::move(known_clips)), pool(decoding_threads(wanted)) {}
 
     struct Clip {
         SmokeClip settings;
@@ -77,14 +80,17 @@ struct ClipSet::State {
     };
 
     StreamingOptions options;
+    std::shared_ptr<ClipCache> cache;              // or null
     std::vector<std::shared_ptr<ClipFile>> files;  // those of clips, and those kept for when they come back
     DecodePool pool;
     std::vector<Clip> clips;  // after the pool: its threads outlive them
     StreamingTimes sums;
     ClipStream::Work gone;  // of players that are no more
     std::uint64_t cycle = 0;
+    bool missed = false, late = false;  // in this cycle, in the one before
 
-    std::shared_ptr<ClipFile> known(const std::filesystem::path& path) const;
+    std::shared_ptr<ClipFile> opened(const std::filesystem::path& path, const FileStamp& stamp) const;
+    Decoder open(const std::filesystem::path& path, const FileStamp& stamp) const;
     Plan plan(const std::filesystem::path& path, std::span<const Plan> before);
     std::size_t share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const;
     void cast(std::span<const SmokeClip> wanted, std::span<Plan> plans);
@@ -92,21 +98,37 @@ struct ClipSet::State {
 };
 
 /// The file of that name if it is still the one that was opened.
-std::shared_ptr<ClipFile> ClipSet::State::known(const std::filesystem::path& path) const {
-    const FileStamp stamp = stamp_of(path);
+std::shared_ptr<ClipFile> ClipSet::State::opened(const std::filesystem::path& path, const FileStamp& stamp) const {
     const auto found = std::find_if(files.begin(), files.end(),
                                     [&](const auto& file) { return file->path == path && file->stamp == stamp; });
-    return found == files.end() ? nullptr : *found;
+    if (found == files.end()) return nullptr;
+    if (!cache) return *found;
+    // What the cache was told to forget is opened anew.
+    const std::optional<KnownClip> known = cache->state().find(path, stamp);
+    return known && known->info.index == (*found)->info.index ? *found : nullptr;
+}
+
+/// From what the cache knows of it, or looked through here.
+Decoder ClipSet::State::open(const std::filesystem::path& path, const FileStamp& stamp) const {
+    if (!cache) return Decoder(path, layout_of(options.scheme));
+    if (const std::optional<KnownClip> known = cache->state().find(path, stamp)) {
+        if (!known->faults.empty()) throw Error(Failure::bad_input, known->faults);
+        return Decoder(path, layout_of(options.scheme), known->info);
+    }
+    Decoder decoder(path, layout_of(options.scheme));
+    cache->state().put({.path = path, .stamp = stamp, .info = decoder.info(), .faults = {}});
+    return decoder;
 }
 
 Plan ClipSet::State::plan(const std::filesystem::path& path, std::span<const Plan> before) {
     Plan made;
-    made.file = known(path);
+    const FileStamp stamp = stamp_of(path);
+    made.file = opened(path, stamp);
     for (const Plan& other : before)
         if (!made.file && other.file->path == path) made.file = other.file;
     if (made.file) return made;
-    made.opened.emplace(path, layout_of(options.scheme));
-    made.file = std::make_shared<ClipFile>(path, *made.opened);
+    made.opened.emplace(open(path, stamp));
+    made.file = std::make_shared<ClipFile>(path, stamp, *made.opened);
     require_drawable(*made.file);
     return made;
 }
@@ -202,7 +224,8 @@ void ClipSet::State::evict(std::span<const Loop> played, std::size_t buffers) {
     });
 }
 
-ClipSet::ClipSet(const StreamingOptions& options) : state_(std::make_unique<State>(options)) {}
+ClipSet::ClipSet(const StreamingOptions& options, std::shared_ptr<ClipCache> cache)
+    : state_(std::make_unique<State>(options, std::move(cache))) {}
 ClipSet::~ClipSet() = default;
 
 void ClipSet::set(std::span<const SmokeClip> wanted, const std::filesystem::path& preset_folder,
@@ -211,9 +234,7 @@ void ClipSet::set(std::span<const SmokeClip> wanted, const std::filesystem::path
     const auto start = std::chrono::steady_clock::now();
     std::vector<Plan> plans;
     for (const SmokeClip& clip : wanted) {
-        const auto path =
-            std::filesystem::absolute(find_clip(clip.file, preset_folder, search_path)).lexically_normal();
-        plans.push_back(s.plan(path, plans));
+        plans.push_back(s.plan(clip_path(clip.file, preset_folder, search_path), plans));
     }
     const std::size_t buffers = s.share_memory(wanted, plans);
     std::vector<State::Clip> clips(wanted.size());
@@ -253,12 +274,27 @@ const ClipInfo& ClipSet::info(std::size_t clip) const {
 ClipFrame ClipSet::frame(std::size_t clip, int head, int index, Policy policy) noexcept {
     ClipPlayer& player = *state_->clips[clip].player;
     player.file()->drawn = state_->cycle;
-    return player.frame(head, index, policy, state_->sums);
+    const std::uint64_t misses = player.misses();
+    const ClipFrame found = player.frame(head, index, policy, state_->sums);
+    state_->missed |= player.misses() != misses;
+    return found;
 }
 
 void ClipSet::end_cycle() noexcept {
     ++state_->cycle;
+    state_->late = std::exchange(state_->missed, false);
     for (State::Clip& clip : state_->clips) clip.player->end_cycle(state_->sums);
+}
+
+bool ClipSet::late() const noexcept {
+    return state_->late;
+}
+
+std::size_t ClipSet::memory() const noexcept {
+    std::size_t bytes = 0;
+    for (const std::shared_ptr<ClipFile>& file : state_->files) bytes += file->store.memory();
+    for (const State::Clip& clip : state_->clips) bytes += clip.player->memory();
+    return bytes;
 }
 
 std::vector<ClipStatus> ClipSet::status() const {

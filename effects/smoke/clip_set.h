@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "lapfx/clip_cache.h"
 #include "lapfx/preset.h"
 #include "lapfx/streaming.h"
 #include "smoke/clip_frame.h"
@@ -16,7 +17,8 @@ namespace lapfx::smoke {
 
 class ClipSet {
   public:
-    explicit ClipSet(const StreamingOptions& options);
+    /// `cache`: may be null.
+    explicit ClipSet(const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
     ~ClipSet();
 
     /// Opens clips that are new and lets go of those that are gone. Throws Error (bad_input) for a clip that cannot be used, and
@@ -32,6 +34,10 @@ class ClipSet {
     ClipFrame frame(std::size_t clip, int head, int index, Policy policy) noexcept;
     /// At the end of each cycle, when all is drawn: the paper's FrameCoalescing, and the signal to decode on.
     void end_cycle() noexcept;
+
+    /// Whether a frame of the last cycle was not the one that was asked for.
+    bool late() const noexcept;
+    std::size_t memory() const noexcept;  ///< bytes, of main memory and the GPU
 
     std::vector<ClipStatus> status() const;
     StreamingTimes times() const noexcept;

@@ -83,7 +83,7 @@ int ClipInfo::frame_at(double time) const {
 struct Decoder::State {
     State(const fs::path& clip, Layout wanted) : path(clip), layout(wanted) {}
 
-    void look_through(int maximum_frames, const std::atomic<bool>* stop);
+    void look_through(int maximum_frames, const organ::Stages& stages);
     void open_known(const ClipInfo& known);
     void describe(const AVFrame& frame, const ClipIndex& found);
     bool brings_opacity();
@@ -116,7 +116,7 @@ Step Decoder::State::step(Decoded& into, const std::atomic<bool>* stop) {
     return reader->next(*index, *into.frame, into.number, stop);
 }
 
-void Decoder::State::look_through(int maximum_frames, const std::atomic<bool>* stop) {
+void Decoder::State::look_through(int maximum_frames, const organ::Stages& stages) {
     const std::optional<ImageSequence> sequence = find_sequence(path, maximum_frames);
     auto found = std::make_shared<ClipIndex>();
     if (sequence) {
@@ -124,7 +124,7 @@ void Decoder::State::look_through(int maximum_frames, const std::atomic<bool>* s
         reader = std::make_unique<FrameReader>(sequence->file(0));
     } else {
         reader = std::make_unique<FrameReader>(path);
-        *found = index_clip(reader->file(), path, maximum_frames, stop);
+        *found = index_clip(reader->file(), path, maximum_frames, stages);
         reader->restart();
     }
     index = found;
@@ -269,9 +269,9 @@ bool Decoder::State::read(int frame, Picture& into, const std::atomic<bool>* sto
     return shown.number == frame;
 }
 
-Decoder::Decoder(const fs::path& path, Layout layout, int maximum_frames, const std::atomic<bool>* stop)
+Decoder::Decoder(const fs::path& path, Layout layout, int maximum_frames, const organ::Stages& stages)
     : state_(std::make_unique<State>(path, layout)) {
-    state_->look_through(maximum_frames, stop);
+    state_->look_through(maximum_frames, stages);
     state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
 }
 

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "organ/stages.h"
 #include "smoke/picture.h"
 
 namespace lapfx::smoke {
@@ -45,9 +46,10 @@ struct ClipInfo {
 class Decoder {
   public:
     /// Opens and looks through the file. Throws Error (bad_input): not a plain local file, a playlist, not a video, no
-    /// picture, no frame, a side over 8192 pixels, over `maximum_frames`. `stop`, if given, ends that early: Error (runtime).
-    Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = 100'000,
-            const std::atomic<bool>* stop = nullptr);
+    /// picture, no frame, a side over 8192 pixels, over `maximum_frames`.
+    static constexpr int most_frames = 100'000;
+    Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = most_frames,
+            const organ::Stages& stages = {});
     /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error (bad_input)
     /// when the file is gone or no video any more.
     Decoder(const std::filesystem::path& path, Layout layout, const ClipInfo& known);

@@ -32,6 +32,8 @@ class MediaFile {
     /// FFmpeg's name of the container.
     const char* container() const { return format_->iformat->name; }
     bool single_image() const;
+    /// 0..1, how far into the file the last bytes were read from.
+    double read_share() const { return size_ > 0 ? static_cast<double>(offset_) / static_cast<double>(size_) : 0.0; }
     /// Whether more was wanted than the file holds.
     bool ran_out() const { return avio_feof(io_.get()) != 0; }
 

@@ -17,6 +17,7 @@ class NoiseTiles {
     /// Compiles its shader: throws Error (runtime).
     NoiseTiles();
 
+    gl::Program& program() noexcept { return program_; }  ///< for gl::rebuild()
     void clear() noexcept { tiles_.clear(); }
     /// How finely a layer's noise is drawn and how it moves; layers that agree in this can share a tile.
     struct Grid {

@@ -27,6 +27,7 @@ class ParticlesGpu {
     /// Compiles shaders: throws Error (runtime).
     ParticlesGpu();
 
+    gl::Program& program() noexcept { return program_; }  ///< for gl::rebuild()
     /// To be filled before draw(); memory of this object.
     SpeckBlock& specks() { return specks_; }
 

@@ -63,14 +63,39 @@ void add_shown(auto shown, Layer layer, double density, const Add& add) {
 
 }  // namespace
 
-Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options)
-    : seed_(seed), options_(options), clips_(options), gpu_(options.resolution, options.gpu_timings) {}
+Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options, std::shared_ptr<ClipCache> cache)
+    : seed_(seed),
+      options_(options),
+      clips_(options, std::move(cache)),
+      gpu_(options.resolution, options.gpu_timings) {}
 
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
     SmokeParameters wanted = preset.smoke;
     prepare(wanted);
     clips_.set(wanted.clips, preset.folder, search_path);
-    // From here on nothing throws Error.
+    take(std::move(wanted));
+}
+
+void Smoke::set_parameters(const SmokeParameters& parameters) {
+    SmokeParameters wanted = parameters;
+    wanted.clips = parameters_.clips;
+    std::vector<SmokeClip> left = parameters.clips;
+    for (SmokeClip& clip : wanted.clips) {
+        const auto same =
+            std::find_if(left.begin(), left.end(), [&](const SmokeClip& c) { return c.file == clip.file; });
+        if (same == left.end()) continue;
+        const SmokeClip playing = std::exchange(clip, *same);
+        clip.in = playing.in;
+        clip.out = playing.out;
+        clip.crossfade = playing.crossfade;
+        left.erase(same);
+    }
+    prepare(wanted);
+    take(std::move(wanted));
+}
+
+/// Nothing here throws Error.
+void Smoke::take(SmokeParameters wanted) {
     parameters_ = std::move(wanted);
     set_haze();
     int pixels[2] = {0, 0};

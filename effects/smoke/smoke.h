@@ -24,12 +24,16 @@ namespace lapfx::smoke {
 
 class Smoke {
   public:
-    Smoke(std::uint32_t seed, const StreamingOptions& options);
+    Smoke(std::uint32_t seed, const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
 
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
     /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had. Shaders come first,
     /// with and without opacity of the clip's own, for which of the two it needs is known only when it has been opened.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
+    /// All but the clips: those that play go on, with what the parameters say of the same files apart from in and out points and
+    /// cross-fades. Throws Error (runtime) for a shader, and keeps what it had.
+    void set_parameters(const SmokeParameters& wanted);
+    void set_seed(std::uint32_t seed) { seed_ = seed; }
     /// `fat`: 0..1 for each contact, of the tissue there; it smokes more (PlumeParameters::fat_gain).
     void set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat);
 
@@ -42,6 +46,10 @@ class Smoke {
     /// E(t) of the haze.
     double haze(double time) const noexcept { return haze_.density(time); }
 
+    void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
+        gpu_.collect(programs);
+        programs.push_back(&particles_gpu_.program());
+    }
     const ClipSet& clips() const { return clips_; }
     /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
     double shading_seconds() const { return gpu_.timer().seconds(); }
@@ -55,6 +63,7 @@ class Smoke {
         double fade = 0.0;
     };
     void prepare(const SmokeParameters& wanted);
+    void take(SmokeParameters wanted);
     void set_haze();
     Shown show(std::size_t clip, double time, Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;

@@ -98,6 +98,16 @@ const gl::Program* SmokeGpu::program(ClipRole which, int count, unsigned variant
     return &*found;
 }
 
+void SmokeGpu::collect(std::vector<gl::Program*>& programs) {
+    for (Role& r : roles_) {
+        programs.push_back(&r.resolve);
+        for (Programs& of_count : r.programs)
+            for (std::optional<gl::Program>& program : of_count)
+                if (program) programs.push_back(&*program);
+    }
+    for (gl::Program* program : {&tiles_.program(), &resolve_even_, &view_depth_}) programs.push_back(program);
+}
+
 void SmokeGpu::set_clip_pixels(int plume, int haze) noexcept {
     role(ClipRole::plume).clip_pixels = plume;
     role(ClipRole::haze).clip_pixels = haze;

@@ -43,6 +43,8 @@ class SmokeGpu {
     /// Into the bound framebuffer and viewport, which it leaves bound. `scene_depth`: the depth texture of what has been drawn.
     void draw(GLuint scene_depth) noexcept;
 
+    /// Every program of it, for gl::rebuild().
+    void collect(std::vector<gl::Program*>& programs);
     const gl::Timer& timer() const { return timer_; }
 
   private:

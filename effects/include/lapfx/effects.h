@@ -50,12 +50,16 @@
 
 namespace lapfx {
 
+class ClipCache;
+class PreparedOrgan;
+
 struct EffectsOptions {
     std::uint32_t seed = 1;                           ///< all chance comes from it
     glm::dvec3 gravity{0.0, -1.0, 0.0};               ///< direction in organ space; blood runs down, smoke rises
     std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
     bool wait_for_clips = false;  ///< true: exact frames, for offline rendering; false: never wait, repeat the last
     StreamingOptions streaming = {};
+    std::shared_ptr<ClipCache> clip_cache = nullptr;  ///< what is known of clips already (clip_cache.h); may be null
 };
 
 /// A point on the organ under a ray.
@@ -68,6 +72,8 @@ class Effects {
   public:
     /// Uploads the organ and opens the preset's clips. Throws Error.
     Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options = {});
+    /// The same with an organ that was made ready beside this thread (prepared_organ.h): what is left is sending it to the GPU.
+    Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options = {});
     Effects(Effects&&) noexcept;
     Effects& operator=(Effects&&) noexcept;
     ~Effects();
@@ -75,6 +81,13 @@ class Effects {
     /// Live: the next frame shows it. Throws Error for a clip that cannot be used, and keeps the former
     /// preset.
     void set_preset(const Preset& preset);
+    /// The same, but the clips that play go on: none is opened or let go, and those of the preset that have another file are not
+    /// heard of. For a preset whose clips are not there, or not yet (clip_cache.h).
+    void set_parameters(const Preset& preset);
+    /// As in EffectsOptions, for all that has happened and will: blood runs anew from its wounds. Blood that set_topology() had
+    /// taken over is gone then. set_gravity throws Error (bad_input) for what is no direction.
+    void set_gravity(const glm::dvec3& gravity);
+    void set_seed(std::uint32_t seed);
     /// All contacts so far, past and running; what happened is a function of this list and the time.
     /// They take the place of what the tool queue has brought so far.
     void set_contacts(std::span<const ToolContact> contacts);
@@ -104,6 +117,11 @@ class Effects {
     void set_topology(const Organ& organ, std::span<const std::uint32_t> origin);
     static constexpr std::uint32_t new_vertex = 0xffffffff;
 
+    /// For tools, while shaders are worked on: compiles all programs from the files in `folder`, and what is not there from those that
+    /// were built in; then they take the place of the former ones, also for every Effects that is made later in this process.
+    /// Throws Error (runtime) with file and line, and changes nothing.
+    void reload_shaders(const std::filesystem::path& folder);
+
     /// Draws false colour over the tissue from the next frame on; Overlay::none at first. Uploads what it needs.
     void set_overlay(Overlay overlay);
 
@@ -129,6 +147,11 @@ class Effects {
     /// The smoke clips of the preset, in its order, and what playing them has cost so far (streaming.h).
     std::vector<ClipStatus> clips() const;
     StreamingTimes streaming_times() const noexcept;
+    /// Whether the last draw_smoke() had to show an older frame of a clip than the one that was due (never if it waits for
+    /// clips): drawing the same time again then gives a better picture.
+    bool late() const noexcept;
+    /// Bytes of main memory and of the GPU: organ, what is known of it, and frames of clips.
+    std::size_t memory() const noexcept;
     /// Bytes that the last seek sent to the GPU.
     std::size_t uploaded() const noexcept;
     /// The tissue around the place of the organ nearest to `position`, mm: means over the preset's region of influence (paper:

@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "lapfx/effects.h"
+#include "lapfx/prepared_organ.h"
 #include "lapfx/scene.h"
 
 namespace lapfx {
@@ -22,12 +23,17 @@ struct PreviewOptions {
     bool wait_for_clips = false;
     Overlay overlay = Overlay::none;
     StreamingOptions streaming = {};
+    std::shared_ptr<ClipCache> clip_cache = nullptr;
 };
 
 class Preview {
   public:
     /// Loads the scene's organ and tool and the preset's clips. Throws Error.
     Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options = {});
+    /// The same with an organ that prepare_organ(scene, ...) has made ready: what is left is sending it to the GPU and opening the
+    /// clips. Throws Error (bad_input) when it is another scene's.
+    Preview(const Scene& scene, const Preset& preset, std::shared_ptr<const PreparedOrgan> organ,
+            const PreviewOptions& options);
     Preview(Preview&&) noexcept;
     Preview& operator=(Preview&&) noexcept;
     ~Preview();
@@ -38,6 +44,14 @@ class Preview {
     Image image(double time, glm::ivec2 size);
 
     void set_preset(const Preset& preset);
+    void set_parameters(const Preset& preset);  ///< as Effects::set_parameters
+    /// Live: camera, light, gravity, seed, events, port of the tool. The next frame is that of a new Preview of this scene. Throws
+    /// Error (bad_input), and changes nothing, when its organ or tool are others: those need a new one; and when gravity is no
+    /// direction.
+    void set_scene(const Scene& scene);
+    /// Whether set_scene() takes it: organ and tool are the same.
+    bool takes(const Scene& scene) const;
+    void reload_shaders(const std::filesystem::path& folder);  ///< as Effects::reload_shaders
     void set_overlay(Overlay overlay);
     void set_camera(const SceneCamera& camera);
     void set_curves(const Curves& curves);
@@ -50,6 +64,8 @@ class Preview {
     Amounts amounts() const;
     std::vector<ClipStatus> clips() const;
     StreamingTimes streaming_times() const;
+    bool late() const;                                      ///< as Effects::late
+    std::size_t memory() const;                             ///< bytes of main memory and of the GPU
     TissueSample tissue(const glm::dvec3& position) const;  ///< as Effects::tissue
 
     /// Where the organ is under a pixel (origin top left) of a frame of `size`.

@@ -1,0 +1,180 @@
+#include "app/hot_reload.h"
+
+#include <algorithm>
+#include <fstream>
+
+#include "app/editor.h"
+#include "ui/core/ui.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+fs::path normal(const fs::path& path) {
+    return path.empty() ? path : fs::absolute(path).lexically_normal();
+}
+
+std::string text_of(const fs::path& file) {
+    std::ifstream in(file, std::ios::binary);
+    return {std::istreambuf_iterator<char>(in), {}};
+}
+
+/// All of a compiler's message in one notice: what it is about, and the first thing that it says with a line.
+std::string told(const std::vector<Fault>& faults) {
+    std::string text = faults.empty() ? "" : faults.front().text();
+    if (faults.size() > 1) text += ": " + faults[1].text();
+    return text + "; the last good one is used";
+}
+
+bool contains(const std::vector<fs::path>& paths, const fs::path& path) {
+    return std::find(paths.begin(), paths.end(), path) != paths.end();
+}
+
+}  // namespace
+
+HotReload::HotReload(Editor& editor) : editor_(editor), watch_([&editor] { editor.jobs.wake(); }) {}
+
+fs::path HotReload::shader_folder() const {
+    return normal(editor_.options().data_folder / "shaders");
+}
+
+void HotReload::update(double) {
+    follow();
+    if (const std::vector<fs::path> changed = watch_.take(); !changed.empty()) take(changed);
+}
+
+/// Watches what is open now.
+void HotReload::follow() {
+    const bool loading = editor_.preview.loading().has_value();
+    const document::Document& document = editor_.document;
+    if (document.version() == followed_ && loading == was_loading_) return;
+    followed_ = document.version();
+    was_loading_ = loading;
+    std::vector<fs::path> paths{shader_folder()};
+    for (const fs::path& file : {document.preset_file(), document.scene_file()})
+        if (!file.empty()) paths.push_back(normal(file));
+    const std::vector<fs::path> clips = editor_.preview.clip_files(document.preset());
+    const std::vector<fs::path> organ = editor_.preview.organ_files(document.scene());
+    paths.insert(paths.end(), clips.begin(), clips.end());
+    paths.insert(paths.end(), organ.begin(), organ.end());
+    if (paths == watched_) return;
+    watched_ = paths;
+    watch_.set(watched_);
+}
+
+/// Told once, until it comes back.
+bool HotReload::is_gone(const fs::path& file) {
+    std::error_code error;
+    if (fs::exists(file, error)) {
+        gone_.erase(file);
+        return false;
+    }
+    if (gone_.insert(file).second)
+        editor_.toasts.add({.kind = ui::ToastKind::warning,
+                            .text = file.filename().string() + " is gone from the disk; what is shown stays"});
+    return true;
+}
+
+void HotReload::take(const std::vector<fs::path>& changed) {
+    const document::Document& document = editor_.document;
+    const std::vector<fs::path> clips = editor_.preview.clip_files(document.preset());
+    const std::vector<fs::path> organ = editor_.preview.organ_files(document.scene());
+    const fs::path shaders = shader_folder();
+    std::vector<fs::path> changed_clips;
+    bool shader = false, organ_changed = false;
+    for (const fs::path& path : changed) {
+        const bool of_clips = contains(clips, path) || contains(clips, path.parent_path());
+        if (path.parent_path() == shaders)
+            shader = true;
+        else if (path == normal(document.preset_file()))
+            is_gone(path) ? void() : reload_preset();
+        else if (path == normal(document.scene_file()))
+            is_gone(path) ? void() : reload_scene();
+        else if (of_clips && (contains(clips, path.parent_path()) || !is_gone(path)))
+            changed_clips.push_back(path);
+        else if (contains(organ, path) && !is_gone(path))
+            organ_changed = true;
+    }
+    if (shader) reload_shaders();
+    if (!changed_clips.empty()) editor_.preview.reload_clips(changed_clips);
+    if (organ_changed) editor_.preview.reload_organ();
+}
+
+void HotReload::reload_all() {
+    gone_.clear();
+    reload_shaders();
+    editor_.preview.reload_clips();
+    editor_.preview.reload_organ();
+    if (!editor_.document.preset_file().empty() && !is_gone(normal(editor_.document.preset_file()))) reload_preset();
+    if (!editor_.document.scene_file().empty() && !is_gone(normal(editor_.document.scene_file()))) reload_scene();
+}
+
+void HotReload::reload_shaders() {
+    const bool were_broken = !shader_faults_.empty();
+    std::error_code error;
+    if (!fs::is_directory(shader_folder(), error)) return;  // installed without: those that were built in serve
+    try {
+        shader_faults_.clear();
+        editor_.preview.reload_shaders(shader_folder());
+        reload_ui_shaders();
+    } catch (const Error& fault) {
+        shader_faults_ = fault.faults();
+    }
+    if (!shader_faults_.empty())
+        editor_.toasts.add({.kind = ui::ToastKind::error, .text = told(shader_faults_)});
+    else if (were_broken)
+        editor_.toasts.add({.kind = ui::ToastKind::good, .text = "Shaders compile again"});
+}
+
+void HotReload::reload_ui_shaders() {
+    const fs::path vertex = shader_folder() / "ui.vert", fragment = shader_folder() / "ui.frag";
+    std::error_code error;
+    if (!ui_shaders_ || !fs::exists(vertex, error) || !fs::exists(fragment, error)) return;
+    std::string fault;
+    if (ui_shaders_(text_of(vertex), text_of(fragment), fault)) return;
+    throw Error(Failure::runtime, Fault{.file = "ui.vert + ui.frag", .place = "", .reason = fault});
+}
+
+void HotReload::reload_preset() {
+    const fs::path file = editor_.document.preset_file();
+    try {
+        const Preset preset = load_preset(file);
+        if (write_preset(preset) == write_preset(editor_.document.preset())) return;
+        if (!editor_.document.preset_unsaved()) {
+            editor_.document.reload(preset);
+            editor_.toasts.add({.text = file.filename().string() + " has changed on disk and was reloaded"});
+            return;
+        }
+        editor_.toasts.add({.kind = ui::ToastKind::warning,
+                            .text = file.filename().string() + " has changed on disk, and here it has unsaved changes",
+                            .action = "Reload",
+                            .act = [this, preset] { editor_.document.reload(preset); },
+                            .seconds = 0});
+    } catch (const Error& error) {
+        editor_.tell(error);
+    }
+}
+
+void HotReload::reload_scene() {
+    const fs::path file = editor_.document.scene_file();
+    try {
+        const Scene scene = load_scene(file);
+        if (write_scene(scene) == write_scene(editor_.document.scene())) return;
+        if (!editor_.document.scene_unsaved()) {
+            editor_.document.reload(scene);
+            editor_.toasts.add({.text = file.filename().string() + " has changed on disk and was reloaded"});
+            return;
+        }
+        editor_.toasts.add({.kind = ui::ToastKind::warning,
+                            .text = file.filename().string() + " has changed on disk, and here it has unsaved changes",
+                            .action = "Reload",
+                            .act = [this, scene] { editor_.document.reload(scene); },
+                            .seconds = 0});
+    } catch (const Error& error) {
+        editor_.tell(error);
+    }
+}
+
+}  // namespace lapfx::app

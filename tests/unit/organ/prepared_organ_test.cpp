@@ -1,0 +1,81 @@
+#include "lapfx/prepared_organ.h"
+
+#include <gmock/gmock.h>
+
+#include "foundation.h"
+#include "support/meshes.h"
+#include "unit/preset/support.h"
+
+namespace lapfx {
+namespace {
+
+/// A plane with a texture of stripes, so that there is a density to be filtered.
+Organ striped() {
+    Organ organ = test::plane(40.0, 20);
+    Image image{.width = 64, .height = 64, .pixels = {}, .name = "stripes"};
+    for (int i = 0; i < 64 * 64; ++i)
+        for (const int value : {i / 4 % 2 == 0 ? 150 : 90, 40, 40, 255})
+            image.pixels.push_back(static_cast<std::uint8_t>(value));
+    organ.images = {image};
+    organ.materials[0].base_color_image = 0;
+    for (std::size_t v = 0; v < organ.uvs.size(); ++v)
+        organ.uvs[v] = glm::vec2(organ.positions[v].x, organ.positions[v].z) / 40.0f + 0.5f;
+    return organ;
+}
+
+TEST(PreparedOrgan, ProgressAscendsToTheEnd) {
+    std::vector<double> shares;
+    const auto made = prepare_organ(striped(), {}, [&](double share) {
+        shares.push_back(share);
+        return true;
+    });
+    ASSERT_NE(made, nullptr);
+    ASSERT_GT(shares.size(), 8U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_GE(shares.front(), 0.0);
+    EXPECT_EQ(shares.back(), 1.0);
+    EXPECT_GT(made->memory(), 64U * 64 * 4);
+}
+
+TEST(PreparedOrgan, CanBeStoppedWhereverItAsks) {
+    int asked = 0;
+    prepare_organ(striped(), {}, [&](double) { return ++asked > 0; });
+    for (int stop = 1; stop <= asked; ++stop) {
+        int count = 0;
+        EXPECT_EQ(prepare_organ(striped(), {}, [&](double) { return ++count < stop; }), nullptr);
+        EXPECT_EQ(count, stop) << "nothing is asked after that";
+    }
+}
+
+TEST(PreparedOrgan, CopiesOfItsTissueAreSetOnTheirOwn) {
+    const auto made = prepare_organ(striped());
+    const bleeding::TissueDensity& first = made->state().foundation->tissue;
+    bleeding::TissueDensity copy = first;
+    const glm::dvec3 place(3.0, 0.0, 5.0);
+    EXPECT_EQ(copy.vessels(place), first.vessels(place));
+    VesselParameters other;
+    other.vessel_low = 0.0;
+    other.vessel_high = 0.02;
+    other.smoothing = 0.1;
+    const double before = first.vessels(place);
+    copy.set(other);
+    EXPECT_NE(copy.vessels(place), before);
+    EXPECT_EQ(first.vessels(place), before);
+}
+
+TEST(PreparedOrgan, TellsTheFilesThatItIsMadeOf) {
+    const test::Folder folder;
+    folder.write("m.obj", "mtllib m.mtl\nv 0 0 0\nv 10 0 0\nv 0 10 0\nusemtl a\nf 1 2 3\n");
+    folder.write("m.mtl", "newmtl a\nmap_Kd gone.png\n");
+    Scene scene;
+    scene.folder = folder.path();
+    scene.organ.file = "m.obj";
+    EXPECT_THAT(prepare_organ(scene)->files(),
+                testing::ElementsAre(folder / "m.obj", folder / "m.mtl", folder / "gone.png"))
+        << "also what is missing: it may come";
+    scene.organ.file = "none.obj";
+    EXPECT_EQ(test::faults_of([&] { prepare_organ(scene); }, Failure::bad_input).size(), 1U);
+}
+
+}  // namespace
+}  // namespace lapfx
