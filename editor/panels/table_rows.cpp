@@ -129,7 +129,6 @@ ui::Edit path_row(const RowBuild& b, std::string value) {
     ui.push_seed(b.name());
     {
         const ui::Row caption(ui, {.width = ui::fraction(ui::caption_share)});
-        ui::space(ui, ui::caption_inset);
         ui::label(ui, b.name(), {.width = ui::grow()});
     }
     ui::text_field(ui, "File", value, {.placeholder = "none", .tip = b.tip(), .read_only = true});
