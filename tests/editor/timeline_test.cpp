@@ -100,10 +100,10 @@ TEST_F(TimelinePanelTest, ItPlaysStepsAndGoesToTheStart) {
 }
 
 TEST_F(TimelinePanelTest, TheSceneHasItsRows) {
-    ui().click("**/Scene/**/Seed", {.clicks = 2}).type("7").key(ui::Key::enter);
+    ui().click("**/Seed", {.clicks = 2}).type("7").key(ui::Key::enter);
     EXPECT_EQ(editor().document.scene().seed, 7);
     const Image before = picture(3);
-    ui().drag("**/Scene/**/Intensity", {60, 0});
+    ui().drag("**/Light/Intensity", {60, 0});
     EXPECT_GT(editor().document.scene().light.intensity, 1.0);
     EXPECT_EQ(last_step(), "Light: Intensity");
     editor().document.undo();

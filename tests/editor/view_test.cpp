@@ -11,6 +11,7 @@ class ViewPanelTest : public EditorTest {
     void SetUp() override {
         EditorTest::SetUp();
         if (IsSkipped()) return;
+        start({1000, 640});
         open_sample();
         ASSERT_TRUE(editor().preview.ready());
     }
