@@ -128,7 +128,8 @@ ui::Edit path_row(const RowBuild& b, std::string value) {
     const ui::Row line(ui, {.width = ui::grow(), .gap = 0, .cross = ui::Place::center});
     ui.push_seed(b.name());
     {
-        const ui::Row caption(ui, {.width = ui::fraction(ui::caption_share)});
+        const ui::Row caption(ui, {.width = ui::fraction(ui::caption_share), .gap = 0});
+        ui::space(ui, ui::caption_inset);
         ui::label(ui, b.name(), {.width = ui::grow()});
     }
     ui::text_field(ui, "File", value, {.placeholder = "none", .tip = b.tip(), .read_only = true});

@@ -213,6 +213,8 @@ class TimelinePanel {
 
     void build() {
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});
+        const float width = ui_.rect_before(ui_.id_of("Events")).w;
+        narrow_ = width > 0 && width < ui_.em(narrow_below);
         tool_bar();
         const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
         timeline();
@@ -227,12 +229,11 @@ class TimelinePanel {
         ui::command_button(ui_, editor_.commands, "play.frame_on", true);
         speed();
         int unit = static_cast<int>(memory_.unit);
-        if (ui::combo(ui_, "Unit", unit, unit_names, {.tip = "How times are written", .width = ui::px(ui_.em(7))}))
+        if (!narrow_ &&
+            ui::combo(ui_, "Unit", unit, unit_names, {.tip = "How times are written", .width = ui::px(ui_.em(7))}))
             memory_.unit = static_cast<ui::TimeUnit>(unit);
         duration();
         ui::spacer(ui_);
-        const float width = ui_.rect_before(ui_.id_of("Events")).w;
-        narrow_ = width > 0 && width < ui_.em(narrow_below);
         if (tool("Add event", ui::Icon::plus,
                  "At the playhead, where the tool last was, else in the middle of the view"))
             add_event(editor_);

@@ -104,9 +104,7 @@ TEST_F(ViewPanelTest, ATrailFollowsThePointerAndTheSceneGetsLonger) {
     ui().key('1');
     const std::size_t before = events().size();
     ui().press(preview, {0.5F, 0.5F});
-    for (int i = 0; i < 20; ++i) {
-        ui().drag_by({2, 0});
-    }
+    for (int i = 0; i < 8; ++i) ui().drag_by({5, 0});
     ui().release();
     ASSERT_GT(events().size(), before);
     EXPECT_GT(glm::distance(events()[before].position, events().back().to), 2.0);
