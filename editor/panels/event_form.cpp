@@ -1,6 +1,8 @@
 #include "panels/event_form.h"
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
 
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
@@ -25,35 +27,24 @@ class EventForm {
           first_(editor.document.scene().events[stay.events.front()]),
           last_(editor.document.scene().events[stay.events.back()]) {}
 
-    void build() {
-        const ui::Row row(ui_, {.width = ui::grow(), .gap = 0.8F, .cross = ui::Place::start});
-        {
-            const ui::Column column(ui_, {.width = ui::grow(), .gap = 0.25F});
-            action();
-            number("Power", "power", first_.power, app::is_hot(stay_.action),
-                   [](ToolContact& e, double v) { e.power = v; });
-        }
-        {
-            const ui::Column column(ui_, {.width = ui::grow(), .gap = 0.25F});
-            start();
-            number("Strength", "strength", first_.strength, app::is_cutting(stay_.action),
-                   [](ToolContact& e, double v) { e.strength = v; });
-        }
-        {
-            const ui::Column column(ui_, {.width = ui::grow(), .gap = 0.25F});
-            length();
-            if (stay_.events.size() > 1) {
-                char text[64];
-                std::snprintf(text, sizeof text, "A path of %zu pieces", stay_.events.size());
-                ui::label(ui_, text, {.tone = ui::Tone::dim});
-            }
-        }
-        const ui::Column column(ui_, {.width = ui::grow(1.7F), .gap = 0.25F});
-        place();
-        to();
+    /// In pairs that belong together, side by side where there is room.
+    void build(bool narrow) {
+        const ui::Box all(ui_, narrow ? ui::Axis::y : ui::Axis::x,
+                          {.width = ui::grow(),
+                           .gap = narrow ? 0.25F : 0.8F,
+                           .cross = narrow ? ui::Place::stretch : ui::Place::start});
+        pair(1, [&] { action(), power(); });
+        pair(1, [&] { start(), strength(); });
+        pair(1, [&] { length(), pieces(); });
+        pair(1.7F, [&] { place(), to(); });
     }
 
   private:
+    template <typename F>
+    void pair(float weight, F&& rows) {
+        const ui::Column column(ui_, {.width = ui::grow(weight), .gap = 0.25F});
+        rows();
+    }
     template <typename F>
     void take(const ui::Edit& edit, std::string_view name, F&& change) {
         editor_.document.take(edit, name, [&](document::Content& c) { change(c.scene.events); });
@@ -85,7 +76,7 @@ class EventForm {
     void start() {
         double value = stay_.start;
         const ui::Edit edit =
-            ui::param(ui_, "Time", value, ui::seconds(options("time", editor_.document.scene().duration)));
+            ui::param(ui_, "Begin", value, ui::seconds(options("time", editor_.document.scene().duration)));
         take(edit, "Event time", [&](std::vector<ToolContact>& events) { app::move_stay(events, stay_, value); });
     }
     void length() {
@@ -105,6 +96,20 @@ class EventForm {
         take(edit, ui_.join({"Event ", key}), [&](std::vector<ToolContact>& events) {
             for (const std::size_t i : stay_.events) set(events[i], value);
         });
+    }
+    void power() {
+        number("Power", "power", first_.power, app::is_hot(stay_.action),
+               [](ToolContact& e, double v) { e.power = v; });
+    }
+    void strength() {
+        number("Strength", "strength", first_.strength, app::is_cutting(stay_.action),
+               [](ToolContact& e, double v) { e.strength = v; });
+    }
+    void pieces() {
+        if (stay_.events.size() < 2) return;
+        char text[48];
+        std::snprintf(text, sizeof text, "A path of %zu pieces", stay_.events.size());
+        ui::label(ui_, text, {.tone = ui::Tone::dim});
     }
     ui::ParamOptions place_options(std::string_view key) const {
         ui::ParamOptions o = options(key, near_place);
@@ -146,10 +151,10 @@ bool is_selected(const app::Editor& editor, const app::Stay& stay) {
     });
 }
 
-void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stays) {
+void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stays, bool narrow) {
     const auto found =
         std::find_if(stays.begin(), stays.end(), [&](const auto& stay) { return is_selected(editor, stay); });
-    if (found != stays.end()) return EventForm(ui, editor, *found).build();
+    if (found != stays.end()) return EventForm(ui, editor, *found).build(narrow);
     ui::label(
         ui,
         "Take a tool and hold it on the organ: what it does is recorded here. An event that is selected is edited "

@@ -1,6 +1,6 @@
 // The values of the events that are selected, to be typed: action, times, place, power, strength.
 //
-//     panels::event_form(ui, editor, stays);
+//     panels::event_form(ui, editor, stays, false);
 #pragma once
 
 #include <span>
@@ -12,7 +12,8 @@
 namespace lapfx::panels {
 
 /// `stays`: of the scene's events as they are. The first that is selected is shown; a hint where none is.
-void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stays);
+/// `narrow`: one below the other.
+void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stays, bool narrow);
 
 /// Whether any contact of it is selected; editor.selected may name events that are gone.
 bool is_selected(const app::Editor& editor, const app::Stay& stay);

@@ -128,7 +128,7 @@ ui::Edit path_row(const RowBuild& b, std::string value) {
     const ui::Row line(ui, {.width = ui::grow(), .gap = 0, .cross = ui::Place::center});
     ui.push_seed(b.name());
     {
-        const ui::Row caption(ui, {.width = ui::fraction(ui::caption_share)});
+        const ui::Row caption(ui, {.width = ui::fraction(ui::caption_share), .gap = 0});
         ui::space(ui, ui::caption_inset);
         ui::label(ui, b.name(), {.width = ui::grow()});
     }

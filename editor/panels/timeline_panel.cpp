@@ -20,6 +20,7 @@ using ui::Mods;
 
 constexpr double frame_rate = 25;  // 1/s, of steps and of timecode
 constexpr double new_event_length = 1;
+constexpr float narrow_below = 52;  // em
 constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1, 2, 4};
 constexpr std::array<std::string_view, 6> speed_names = {"0.1x", "0.25x", "0.5x", "1x", "2x", "4x"};
 constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
@@ -212,10 +213,12 @@ class TimelinePanel {
 
     void build() {
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});
+        const float width = ui_.rect_before(ui_.id_of("Events")).w;
+        narrow_ = width > 0 && width < ui_.em(narrow_below);
         tool_bar();
         const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
         timeline();
-        event_form(ui_, editor_, memory_.stays);
+        event_form(ui_, editor_, memory_.stays, narrow_);
     }
 
   private:
@@ -226,21 +229,25 @@ class TimelinePanel {
         ui::command_button(ui_, editor_.commands, "play.frame_on", true);
         speed();
         int unit = static_cast<int>(memory_.unit);
-        if (ui::combo(ui_, "Unit", unit, unit_names, {.tip = "How times are written", .width = ui::px(ui_.em(7))}))
+        if (!narrow_ &&
+            ui::combo(ui_, "Unit", unit, unit_names, {.tip = "How times are written", .width = ui::px(ui_.em(7))}))
             memory_.unit = static_cast<ui::TimeUnit>(unit);
         duration();
         ui::spacer(ui_);
-        if (ui::button(ui_, "Add event",
-                       {.icon = ui::Icon::plus,
-                        .tip = "At the playhead, where the tool last was, else in the middle of the view"}))
+        if (tool("Add event", ui::Icon::plus,
+                 "At the playhead, where the tool last was, else in the middle of the view"))
             add_event(editor_);
         ui_.push_disabled(editor_.selected.empty());
-        if (ui::button(ui_, "Duplicate",
-                       {.icon = ui::Icon::copy, .tip = "What is selected once more, at the playhead"}))
-            duplicate_events(editor_);
-        if (ui::button(ui_, "Delete", {.icon = ui::Icon::cross, .tip = "What is selected (Delete)"}))
+        if (tool("Duplicate", ui::Icon::copy, "What is selected once more, at the playhead")) duplicate_events(editor_);
+        if (tool("Delete", ui::Icon::cross, "What is selected (Delete)"))
             ItemEdits::erase_selected(editor_, editor_.selected);
         ui_.pop_disabled();
+    }
+    /// With its name where there is room for it.
+    bool tool(std::string_view name, ui::Icon icon, std::string_view tip) {
+        const ui::ButtonOptions options{
+            .icon = icon, .tip = narrow_ ? ui_.join({name, ": ", tip}) : tip, .quiet = narrow_};
+        return narrow_ ? ui::icon_button(ui_, icon, name, options) : ui::button(ui_, name, options);
     }
 
     void speed() {
@@ -290,6 +297,7 @@ class TimelinePanel {
     ui::Ui& ui_;
     app::Editor& editor_;
     TimelineMemory& memory_;
+    bool narrow_ = false;
 };
 
 }  // namespace

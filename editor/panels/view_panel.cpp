@@ -20,7 +20,7 @@ namespace {
 using ui::Key;
 using ui::Mods;
 
-constexpr float wide_enough = 62;    // em, for all tools side by side
+constexpr float wide_enough = 66;    // em, for all tools side by side
 constexpr double work_by_key = 0.5;  // s
 constexpr double key_turn = 5.0 * std::numbers::pi / 180;
 constexpr double zoom_notch = 1.15;
@@ -108,7 +108,7 @@ class ViewPanel {
     void tool_bar(bool wide) {
         const ui::Row bar(ui_, {.width = ui::grow(), .padding = 0.3F, .cross = ui::Place::center});
         int tool = tool_index(editor_.tool);
-        if (wide ? ui::segmented(ui_, "Tool", tool, tool_names)
+        if (wide ? tools_in_a_row(tool)
                  : ui::combo(ui_, "Tool", tool, tool_names,
                              {.tip = "What the left button does on the organ", .width = ui::px(ui_.em(8))}))
             take_tool(editor_, tool);
@@ -121,6 +121,13 @@ class ViewPanel {
             editor_.looking.overlay = static_cast<Overlay>(overlay);
         ui::command_button(ui_, editor_.commands, "view.endoscope");
         if (wide) ui::command_button(ui_, editor_.commands, "view.frame");
+    }
+
+    ui::Edit tools_in_a_row(int& tool) {
+        float width = 0;
+        for (const std::string_view name : tool_names) width += ui_.text_width(name) + ui_.em(1.4F);
+        const ui::Row box(ui_, {.width = ui::px(width)});
+        return ui::segmented(ui_, "Tool", tool, tool_names);
     }
 
     void strengths(ToolAction action) {

@@ -90,8 +90,7 @@ TEST(Events, AStraightPathBecomesOneContact) {
 TEST(Events, ACurvedPathStaysWithinTheTolerance) {
     std::vector<ToolContact> recorded;
     const auto at = [](int i) { return 10.0 * glm::dvec3(std::cos(i * 0.05), std::sin(i * 0.05), 0); };
-    for (int i = 0; i < 60; ++i)
-        recorded.push_back(contact(ToolAction::cauterise, 0.1 * i, 0.1, at(i), at(i + 1)));
+    for (int i = 0; i < 60; ++i) recorded.push_back(contact(ToolAction::cauterise, 0.1 * i, 0.1, at(i), at(i + 1)));
     const std::vector<ToolContact> made = simplified(recorded);
     EXPECT_LT(made.size(), 20U);
     EXPECT_GT(made.size(), 3U);

@@ -1,0 +1,152 @@
+// The timeline and the scene panel: events moved, stretched and typed; rows of the scene; an organ with its unit.
+#include <fstream>
+
+#include "app/organ_choice.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+class TimelinePanelTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        layout("Stage");
+    }
+    const std::vector<ToolContact>& events() { return editor().document.scene().events; }
+    const std::string& last_step() { return editor().document.steps().back().name; }
+    /// A box of this size in units of its file.
+    std::string box(const std::string& name, double x, double y, double z) {
+        const std::filesystem::path file = folder() / name;
+        std::ofstream out(file);
+        for (int i = 0; i < 8; ++i)
+            out << "v " << (i & 1 ? x : 0) << ' ' << (i & 2 ? y : 0) << ' ' << (i & 4 ? z : 0) << '\n';
+        out << "f 1 3 4 2\nf 5 6 8 7\nf 1 2 6 5\nf 3 7 8 4\nf 1 5 7 3\nf 2 4 8 6\n";
+        return file.string();
+    }
+};
+
+TEST_F(TimelinePanelTest, AnEventIsDraggedAndItsTimeTyped) {
+    const double before = events()[1].time;
+    ui().drag("**/Cauterise 2", {40, 0});
+    EXPECT_GT(events()[1].time, before);
+    EXPECT_NEAR(events()[1].duration, 3, 1e-9);
+    EXPECT_EQ(events()[0].time, 0.8) << "the other stays";
+    EXPECT_EQ(last_step(), "Move event");
+    EXPECT_EQ(editor().document.steps().size(), 1U);
+    EXPECT_EQ(editor().selected, std::vector<std::size_t>{1});
+}
+
+TEST_F(TimelinePanelTest, ASelectedEventIsTyped) {
+    ui().click("**/Cauterise 1");
+    ASSERT_EQ(editor().selected, std::vector<std::size_t>{0});
+    ui().click("**/Power", {.clicks = 2}).type("0.4").key(ui::Key::enter);
+    EXPECT_DOUBLE_EQ(events()[0].power, 0.4);
+    ui().click("**/Begin", {.clicks = 2}).type("2.5").key(ui::Key::enter);
+    EXPECT_DOUBLE_EQ(events()[0].time, 2.5);
+    EXPECT_EQ(last_step(), "Event time");
+    editor().document.undo();
+    EXPECT_DOUBLE_EQ(events()[0].time, 0.8);
+}
+
+TEST_F(TimelinePanelTest, EventsAreAddedDoubledAndDeleted) {
+    editor().seek(9);
+    ui().frame();
+    ui().click("**/Add event");
+    ASSERT_EQ(events().size(), 3U);
+    EXPECT_EQ(events()[2].time, 9);
+    EXPECT_EQ(events()[2].position, events()[1].to) << "where the tool last was";
+    editor().seek(10.5);
+    ui().frame();
+    ui().click("**/Duplicate");
+    ASSERT_EQ(events().size(), 4U);
+    EXPECT_EQ(events()[3].time, 10.5);
+    ui().click("**/Delete");
+    EXPECT_EQ(events().size(), 3U);
+    EXPECT_EQ(last_step(), "Delete events");
+    ui().click("**/Cauterise 1").key(ui::Key::del);
+    EXPECT_EQ(events().size(), 2U);
+    editor().document.undo();
+    EXPECT_EQ(events().size(), 3U);
+    EXPECT_EQ(events()[0].time, 0.8);
+}
+
+TEST_F(TimelinePanelTest, APathMovesWhole) {
+    editor().document.change("Path", [](document::Content& c) {
+        c.scene.events = {
+            {.action = ToolAction::cut, .time = 1, .duration = 1, .position = {0, 0, 0}, .to = {5, 0, 0}},
+            {.action = ToolAction::cut, .time = 2, .duration = 1, .position = {5, 0, 0}, .to = {5, 5, 0}}};
+    });
+    ui().frame().frame();
+    EXPECT_FALSE(ui().exists("**/Cut 2"));
+    ui().drag("**/Cut 1", {50, 0});
+    EXPECT_GT(events()[0].time, 1.2);
+    EXPECT_NEAR(events()[1].time, events()[0].end(), 1e-9);
+    EXPECT_EQ(editor().selected, (std::vector<std::size_t>{0, 1}));
+}
+
+TEST_F(TimelinePanelTest, ItPlaysStepsAndGoesToTheStart) {
+    editor().seek(4);
+    ui().key(ui::key_of('.'));
+    EXPECT_NEAR(editor().timeline.time, 4.04, 1e-9);
+    ui().key(ui::key_of(',')).key(ui::key_of(','));
+    EXPECT_NEAR(editor().timeline.time, 3.96, 1e-9);
+    ui().key(ui::Key::home, ui::Mods::command);
+    EXPECT_EQ(editor().timeline.time, 0);
+    ui().key(ui::Key::space);
+    EXPECT_TRUE(editor().playing());
+}
+
+TEST_F(TimelinePanelTest, TheSceneHasItsRows) {
+    ui().click("**/Seed", {.clicks = 2}).type("7").key(ui::Key::enter);
+    EXPECT_EQ(editor().document.scene().seed, 7);
+    const Image before = picture(3);
+    ui().drag("**/Light/Intensity", {60, 0});
+    EXPECT_GT(editor().document.scene().light.intensity, 1.0);
+    EXPECT_EQ(last_step(), "Light: Intensity");
+    editor().document.undo();
+    EXPECT_EQ(editor().document.scene().light.intensity, 1.0);
+    EXPECT_EQ(differing(before, picture(3), 0), 0U);
+}
+
+TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
+    const std::size_t steps = editor().document.steps().size();
+    open({box("metres.obj", 0.25, 0.1, 0.15)});
+    ui().frame().frame();
+    ASSERT_TRUE(editor().organ_choice().ready());
+    EXPECT_NEAR(editor().organ_choice().size().x, 0.25, 1e-6);
+    ui().click("**/Use m");
+    EXPECT_NEAR(editor().organ_choice().size().x, 250, 1e-3);
+    editor().organ_choice().set_rotation({-90, 0, 0});
+    EXPECT_NEAR(editor().organ_choice().size().y, 150, 1e-3) << "z is up";
+    ui().frame();
+    ui().click("**/Load");
+    EXPECT_EQ(editor().document.steps().size(), steps + 1);
+    EXPECT_EQ(last_step(), "Load organ");
+    EXPECT_EQ(editor().document.scene().organ.scale, 1000);
+    EXPECT_TRUE(events().empty());
+    ui().frame().frame();
+    ASSERT_TRUE(editor().preview.organ_faults().empty());
+    EXPECT_NEAR(editor().looking.camera.target.x, 125, 1e-3) << "it is seen whole";
+    editor().document.undo();
+    EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
+    EXPECT_EQ(events().size(), 2U);
+}
+
+TEST_F(TimelinePanelTest, ABrokenOrganIsToldInTheDialogAndNothingChanges) {
+    const std::string file = (folder() / "broken.obj").string();
+    std::ofstream(file) << "v 1 2\nf 1 2 9\n";
+    open({file});
+    ui().frame().frame();
+    EXPECT_FALSE(editor().organ_choice().ready());
+    ASSERT_FALSE(editor().organ_choice().faults().empty());
+    EXPECT_TRUE(ui().exists("**/Choose another..."));
+    ui().click("**/Cancel");
+    EXPECT_FALSE(editor().document.can_undo());
+    EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
+}
+
+}  // namespace
+}  // namespace lapfx::test

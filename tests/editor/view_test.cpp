@@ -1,0 +1,191 @@
+// The view panel: looking around, working with tools, overlays with what makes them.
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+constexpr const char* preview = "Workspace/View/Preview";
+
+class ViewPanelTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        start({1000, 640});
+        open_sample();
+        ASSERT_TRUE(editor().preview.ready());
+    }
+    /// Where the organ is at a fraction of the view.
+    glm::dvec3 place_at(glm::vec2 fraction) {
+        const glm::ivec2 size = editor().preview.size();
+        const auto hit = editor().preview.preview()->pick(glm::dvec2(fraction) * glm::dvec2(size), size);
+        if (!hit) throw std::runtime_error("no organ there");
+        return hit->position;
+    }
+    const std::vector<ToolContact>& events() { return editor().document.scene().events; }
+    void hold(int frames) {
+        for (int i = 0; i < frames; ++i) ui().frame();
+    }
+};
+
+TEST_F(ViewPanelTest, DraggingTurnsPansAndZooms) {
+    editor().commands.run("view.endoscope");
+    ui().frame();
+    const SceneCamera before = editor().looking.camera;
+    ui().drag(preview, {60, 0});
+    SceneCamera turned = editor().looking.camera;
+    EXPECT_EQ(turned.target, before.target);
+    EXPECT_NEAR(glm::distance(turned.eye, turned.target), glm::distance(before.eye, before.target), 1e-6);
+    EXPECT_GT(glm::distance(turned.eye, before.eye), 5.0);
+    ui().drag(preview, {60, 0}, ui::Mods::shift);
+    EXPECT_GT(glm::distance(editor().looking.camera.target, turned.target), 1.0) << "Shift pans";
+    const SceneCamera panned = editor().looking.camera;
+    ui().wheel(preview, {0, 2});
+    EXPECT_LT(glm::distance(editor().looking.camera.eye, editor().looking.camera.target),
+              0.9 * glm::distance(panned.eye, panned.target));
+    EXPECT_FALSE(editor().document.can_undo()) << "looking is no edit";
+}
+
+TEST_F(ViewPanelTest, TheEndoscopeStandsStillAndSaysSo) {
+    const SceneCamera before = editor().document.scene().camera;
+    ui().drag(preview, {60, 20});
+    EXPECT_TRUE(editor().looking.endoscope);
+    EXPECT_EQ(editor().shot().camera.eye, before.eye);
+    EXPECT_EQ(editor().toasts.size(), 1U);
+    ui().click("**/Look around freely");
+    EXPECT_FALSE(editor().looking.endoscope);
+}
+
+TEST_F(ViewPanelTest, TheKeyboardLooksAround) {
+    ui().focus(preview);
+    ui().key('E');
+    ASSERT_FALSE(editor().looking.endoscope);
+    const SceneCamera before = editor().looking.camera;
+    ui().key(ui::Key::left);
+    EXPECT_GT(glm::distance(editor().looking.camera.eye, before.eye), 1.0);
+    ui().key(ui::Key::home);
+    const SceneCamera framed = editor().looking.camera;
+    EXPECT_NE(framed.target, before.target);
+    ui().key(ui::key_of('='));
+    EXPECT_LT(glm::distance(editor().looking.camera.eye, framed.target), glm::distance(framed.eye, framed.target));
+    ui().key(ui::Key::space);
+    EXPECT_TRUE(editor().playing());
+}
+
+TEST_F(ViewPanelTest, AToolHeldOnTheOrganBecomesAnEvent) {
+    const Image clean = picture(10);
+    const std::size_t before = events().size();
+    const glm::dvec3 place = place_at({0.6F, 0.45F});
+    ui().key('2');
+    ASSERT_EQ(editor().tool.action, ToolAction::cut);
+    ui().press(preview, {0.6F, 0.45F});
+    EXPECT_TRUE(editor().hold.on());
+    EXPECT_TRUE(editor().playing());
+    hold(30);
+    EXPECT_EQ(events().size(), before) << "nothing is recorded yet";
+    ui().release();
+    EXPECT_FALSE(editor().playing()) << "it stood before";
+    ASSERT_EQ(events().size(), before + 1);
+    const ToolContact event = events().back();
+    EXPECT_EQ(event.action, ToolAction::cut);
+    EXPECT_NEAR(event.time, 10, 1e-3);
+    EXPECT_NEAR(event.duration, 0.5, 0.06);
+    EXPECT_LT(glm::distance(event.position, place), 0.5);
+    EXPECT_EQ(editor().document.steps().back().name, "Cut");
+    EXPECT_GT(differing(clean, picture(11.5)), 50U);
+    editor().document.undo();
+    EXPECT_EQ(events().size(), before);
+    EXPECT_EQ(differing(clean, picture(10), 0), 0U) << "undone to the pixel";
+}
+
+TEST_F(ViewPanelTest, ATrailFollowsThePointerAndTheSceneGetsLonger) {
+    editor().seek(11.9);
+    ui().frame();
+    ui().key('1');
+    const std::size_t before = events().size();
+    ui().press(preview, {0.5F, 0.5F});
+    for (int i = 0; i < 8; ++i) ui().drag_by({5, 0});
+    ui().release();
+    ASSERT_GT(events().size(), before);
+    EXPECT_GT(glm::distance(events()[before].position, events().back().to), 2.0);
+    EXPECT_GT(editor().duration(), 12.0);
+    EXPECT_GE(editor().duration(), events().back().end());
+    editor().document.undo();
+    EXPECT_EQ(events().size(), before);
+    EXPECT_EQ(editor().duration(), 12.0) << "one step";
+}
+
+TEST_F(ViewPanelTest, EscWhileHeldGivesEverythingBack) {
+    const Image before = picture(5);
+    ui().key('2');
+    const std::size_t count = events().size();
+    ui().press(preview, {0.6F, 0.45F});
+    hold(20);
+    ui().key(ui::Key::escape);
+    ui().release();
+    EXPECT_FALSE(editor().hold.on());
+    EXPECT_EQ(events().size(), count);
+    EXPECT_FALSE(editor().document.can_undo());
+    EXPECT_EQ(editor().timeline.time, 5);
+    EXPECT_EQ(differing(before, picture(5), 0), 0U);
+}
+
+TEST_F(ViewPanelTest, EnterWorksInTheMiddleForHalfASecond) {
+    editor().seek(5);
+    ui().focus(preview);
+    ui().key('2');
+    const std::size_t count = events().size();
+    const glm::dvec3 middle = place_at({0.5F, 0.5F});
+    ui().key(ui::Key::enter);
+    hold(40);
+    ASSERT_EQ(events().size(), count + 1);
+    EXPECT_NEAR(events().back().duration, 0.5, 0.02);
+    EXPECT_LT(glm::distance(events().back().position, middle), 0.5);
+    EXPECT_FALSE(editor().playing());
+}
+
+TEST_F(ViewPanelTest, TheBandOfVesselsIsTunedOverItsOverlay) {
+    ui().key('V');
+    EXPECT_EQ(editor().looking.overlay, Overlay::vessels);
+    ui().frame().frame();
+    const Image before = picture(0);
+    const double low = editor().document.preset().vessels.vessel_low;
+    ui().drag("**/Vessel low", {-40, 0});
+    EXPECT_LT(editor().document.preset().vessels.vessel_low, low);
+    EXPECT_EQ(editor().document.steps().size(), 1U);
+    EXPECT_GT(differing(before, picture(0)), 100U) << "more counts as vessel";
+    editor().document.undo();
+    EXPECT_EQ(editor().document.preset().vessels.vessel_low, low);
+    ui().key('T');
+    ui().frame();
+    EXPECT_TRUE(ui().exists("**/Fat low"));
+    ui().key('T');
+    ui().frame();
+    EXPECT_FALSE(ui().exists("**/View/Fat low"));
+}
+
+TEST_F(ViewPanelTest, ThisViewBecomesTheEndoscope) {
+    ui().key('E');
+    ui().drag(preview, {80, 0});
+    const SceneCamera free = editor().looking.camera;
+    const double vignette = editor().document.scene().camera.vignette;
+    EXPECT_TRUE(editor().commands.run("view.use_view"));
+    EXPECT_EQ(editor().document.scene().camera.eye, free.eye);
+    EXPECT_EQ(editor().document.scene().camera.vignette, vignette);
+    EXPECT_TRUE(editor().looking.endoscope);
+    EXPECT_EQ(editor().document.steps().size(), 1U);
+}
+
+TEST_F(ViewPanelTest, AnOrganThatIsGoneIsToldInPlaceWithTheWayOut) {
+    editor().document.change("Organ", [](document::Content& c) { c.scene.organ.file = "gone.glb"; });
+    ui().frame().frame();
+    ASSERT_TRUE(ui().exists("**/Organ fault"));
+    EXPECT_TRUE(ui().exists("**/Choose another..."));
+    ui().click("**/Organ fault/Undo");
+    ui().frame().frame();
+    EXPECT_FALSE(ui().exists("**/Organ fault"));
+    EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
+}
+
+}  // namespace
+}  // namespace lapfx::test
