@@ -16,6 +16,7 @@ Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm
 
 void Body::set_down(glm::dvec3 down) {
     bleed_.emplace(surface(), down);
+    bleed_->set_strength(strength_);
     bleed_gpu_.set_down(down);
 }
 

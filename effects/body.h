@@ -29,7 +29,7 @@ class Body {
     void set_seed(std::uint32_t seed) { bleed_gpu_.set_seed(seed); }
     void set_contacts(std::span<const ToolContact> contacts, const Preset& preset);
     /// The scene's factor on bleeding over time.
-    void set_strength(const FactorCurve& strength) { bleed_.set_strength(strength); }
+    void set_strength(const FactorCurve& strength) { bleed_->set_strength(strength_ = strength); }
     /// As Effects::set_shape.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay);
@@ -61,6 +61,7 @@ class Body {
     std::vector<glm::vec3> normals_;
     bleeding::TissueDensity tissue_;
     BleedingParameters bleeding_;
+    FactorCurve strength_;
     std::optional<bleeding::BleedField> bleed_;
     cautery::Cautery cautery_;
     std::uint64_t wounds_version_ = 0;

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 
+#include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/menu.h"
 

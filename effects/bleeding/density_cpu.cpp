@@ -145,13 +145,14 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
 }
 
 void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) const {
-    if (!tells_) return;
-    const cv::Size size(size_.x, size_.y);
+    if (!tells()) return;
+    const TextureLayout& layout = source_->layout;
+    const cv::Size size(source_->size.x, source_->size.y);
     cv::Mat weights, red;
-    cv::Mat(size, CV_8U, const_cast<std::uint8_t*>(layout_.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
-    cv::Mat(size, CV_16S, const_cast<std::int16_t*>(redness_.data())).convertTo(red, CV_32F, redness_step);
+    cv::Mat(size, CV_8U, const_cast<std::uint8_t*>(layout.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
+    cv::Mat(size, CV_16S, const_cast<std::int16_t*>(source_->redness.data())).convertTo(red, CV_32F, redness_step);
     const auto blurred = [&](double mm) {
-        return TextureBlur(weights, mm * layout_.texels_per_mm, layout_.repeats)(red);
+        return TextureBlur(weights, mm * layout.texels_per_mm, layout.repeats)(red);
     };
     const cv::Mat near = blurred(near_share * p.vessel_width), around = blurred(around_share * p.vessel_width);
     static const auto hues = chroma_table([](double a, double b) { return hue_of(a, b); });
@@ -159,7 +160,8 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
     static const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
     for (int y = 0; y < size.height; ++y) {
         const float *sharp = near.ptr<float>(y), *far = around.ptr<float>(y), *used = weights.ptr<float>(y);
-        const glm::u8vec2* chroma = &chroma_[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
+        const glm::u8vec2* chroma =
+            &source_->chroma[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
         for (int x = 0; x < size.width; ++x) {
             if (used[x] < 0.5f) continue;
             const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);

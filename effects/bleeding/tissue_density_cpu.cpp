@@ -236,15 +236,15 @@ double TissueDensity::wound_strength(const glm::dvec3& position) const noexcept 
 
 TissueHistogram TissueDensity::histogram() const {
     TissueHistogram histogram;
-    for (const std::unique_ptr<DensityMap>& map : maps_)
-        if (map != nullptr) map->count(parameters_, histogram);
-    if (points_.empty()) return histogram;
+    for (const std::optional<DensityMap>& map : maps_)
+        if (map) map->count(parameters_, histogram);
+    if (mesh_->points.empty()) return histogram;
     const std::vector<float> around =
-        PointBlur(points_, areas_, std::max(around_share * parameters_.vessel_width, 1e-3))(redness_);
-    for (std::size_t v = 0; v < points_.size(); ++v) {
-        if (!(areas_[v] > 0.0f)) continue;
-        const double a = double(chroma_[v].x), b = double(chroma_[v].y);
-        if (bloodiness(a, b) > 0.5) histogram.add_contrast(double(redness_[v]) - double(around[v]));
+        PointBlur(mesh_->points, mesh_->areas, std::max(around_share * parameters_.vessel_width, 1e-3))(mesh_->redness);
+    for (std::size_t v = 0; v < mesh_->points.size(); ++v) {
+        if (!(mesh_->areas[v] > 0.0f)) continue;
+        const double a = double(mesh_->chroma[v].x), b = double(mesh_->chroma[v].y);
+        if (bloodiness(a, b) > 0.5) histogram.add_contrast(double(mesh_->redness[v]) - double(around[v]));
         if (std::hypot(a, b) > least_chroma) histogram.add_hue(hue_of(a, b));
     }
     return histogram;

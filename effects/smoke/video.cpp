@@ -4,6 +4,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "lapfx/error.h"
 #include "organ/stages.h"
 #include "smoke/decoder.h"
 
