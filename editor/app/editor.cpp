@@ -74,6 +74,19 @@ void Editor::open(const std::vector<std::string>& files) {
     files_->put(std::move(opened), files);
 }
 
+void Editor::bring(const std::vector<std::string>& files) {
+    std::vector<std::string> documents, organs, videos;
+    for (const std::string& file : files) {
+        const bool written = std::filesystem::path(file).extension() == ".json";
+        (written ? documents : is_organ_name(file) ? organs : videos).push_back(file);
+    }
+    if (!documents.empty()) open(documents);
+    if (!organs.empty()) open_organ(organs.front());
+    if (organs.size() > 1)
+        toasts.add({.kind = ui::ToastKind::warning, .text = "A scene has one organ: the first of them is opened"});
+    if (!videos.empty()) files_->ask_use(videos);
+}
+
 void Editor::open_organ(const std::filesystem::path& file) {
     organ_choice_->open(file);
     settings_->note_recent(file.string());

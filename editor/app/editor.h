@@ -115,6 +115,9 @@ class Editor {
     /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts. Asks first when work
     /// would be lost, or another editor has the file (app/files.h).
     void open(const std::vector<std::string>& files);
+    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference, and is asked
+    /// about.
+    void bring(const std::vector<std::string>& files);
     /// An organ, by the dialog that sets its unit and orientation.
     void open_organ(const std::filesystem::path& file);
     /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked). While the

@@ -4,6 +4,9 @@
 
 #include "app/autosave.h"
 #include "app/editor.h"
+#include "app/keying_bench.h"
+#include "app/layouts.h"
+#include "app/reference.h"
 #include "app/settings.h"
 #include "document/words.h"
 
@@ -319,7 +322,7 @@ void Files::make_new() {
 
 void Files::open_dialog() {
     editor_.ask_file({.task = ui::FileTask::open_many, .title = "Open", .filters = open_filters()},
-                     [this](const std::vector<std::string>& chosen) { editor_.open(chosen); });
+                     [this](const std::vector<std::string>& chosen) { editor_.bring(chosen); });
 }
 
 Files::Kinds Files::kinds_of(const std::vector<std::string>& files) {
@@ -370,6 +373,29 @@ void Files::put(Opened opened, const std::vector<std::string>& files) {
     const auto go_on = [this, shared, files, kinds] { become(std::move(*shared), files, kinds); };
     if (used.empty()) return go_on();
     ask_in_use(used, names, go_on, [this] { relock(); });
+}
+
+void Files::ask_use(const std::vector<std::string>& videos) {
+    const bool one = videos.size() == 1;
+    const auto clips = [this, videos] {
+        editor_.layouts().shown.show("Clips");
+        editor_.keying().shelf.add(videos);
+    };
+    const auto reference = [this, video = videos.front()] {
+        editor_.layouts().shown.show("Reference");
+        editor_.reference().choose(video);
+        editor_.settings().note_recent(video);
+    };
+    ask({.title = one ? "What is " + in_marks(videos.front()) + '?' : "What are these videos?",
+         .text = "Smoke before a plain background becomes a clip of the preset. A surgery video becomes the reference "
+                 "that the "
+                 "preview is compared with.",
+         .answers = {{.label = one ? "Smoke clip" : "Smoke clips",
+                      .tip = "Adds to the clips of the preset",
+                      .act = clips,
+                      .standard = true},
+                     {.label = "Reference", .tip = "Compares the preview with the first of them", .act = reference},
+                     {.label = "Cancel", .cancel = true}}});
 }
 
 void Files::note_opened() {

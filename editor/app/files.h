@@ -46,6 +46,9 @@ class Files {
     /// The program has put something into the document by itself, at start or recovered: the same question, after the fact.
     void note_opened();
 
+    /// Asks what videos are to be: clips of smoke, or, the first of them, the reference.
+    void ask_use(const std::vector<std::string>& videos);
+
     // --- what is asked -------------------------------------------------------------------------------------------------
     struct Answer {
         std::string label;

@@ -74,6 +74,7 @@ glm::ivec2 PreviewHost::size() const {
 
 void PreviewHost::follow(const document::Document& document) {
     if (tool_on_) return;
+    if ((organ_job_ && organ_job_->cancelled()) || (clips_job_ && clips_job_->cancelled())) cancel_loading();
     if (document.version() != followed_) {
         followed_ = document.version();
         wanted_ = document.content();

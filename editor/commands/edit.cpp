@@ -109,6 +109,7 @@ void show_window(const Options& o) {
     float scale = settings.scale;
     editor->files().note_opened();
     editor->autosave().find();
+    if (o.at < 0) editor->timeline.speed = 1;  // what it is about is seen at once
     const window::UiProgram program{.update =
                                         [&](double now) {
                                             if (o.scale <= 0) follow_scale(window, settings, scale);

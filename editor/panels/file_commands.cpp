@@ -67,7 +67,7 @@ void recent_files_menu(ui::Ui& ui, app::Editor& editor) {
     ui::menu_separator(ui);
     if (ui::menu_item(ui, "Clear this list", {.tip = "The files stay.", .enabled = !recent.empty()}))
         editor.settings().recent.clear();
-    if (!chosen.empty()) editor.open({chosen});
+    if (!chosen.empty()) editor.bring({chosen});
 }
 
 }  // namespace lapfx::panels

@@ -10,10 +10,6 @@ void menu_bar(ui::Ui& ui, app::Editor& editor);
 void status_bar(ui::Ui& ui, app::Editor& editor);
 /// Three lines for those who see it for the first time; until they are closed.
 void first_hint(ui::Ui& ui, app::Editor& editor);
-/// Asks what a video that was dropped is to be. Nothing while there is no such question.
-void use_dialog(ui::Ui& ui, app::Editor& editor);
-/// Files that were dropped where no panel takes them.
-void take_dropped(ui::Ui& ui, app::Editor& editor);
 /// Name for the layout that is kept.
 void layout_dialog(ui::Ui& ui, app::Editor& editor);
 

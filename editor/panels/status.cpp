@@ -1,6 +1,7 @@
 // The bottom line: what is open, what is being done, what it costs.
 #include <cstdio>
 
+#include "app/hot_reload.h"
 #include "app/meter.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -41,6 +42,11 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
         ui, "Preset",
         ui.join({preset.empty() ? "Unnamed preset" : preset, editor.document.preset_unsaved() ? " *" : ""}),
         {.tone = ui::Tone::normal, .tip = "The preset: what a simulator loads. * marks changes that are not saved."});
+    if (const std::vector<Fault>& faults = editor.hot_reload().shader_faults(); !faults.empty())
+        ui::status_text(ui, "Shader fault", faults.front().text(),
+                        {.tone = ui::Tone::error,
+                         .icon = ui::Icon::error,
+                         .tip = "The last shaders that compiled are still used. Mend the file and it is read again."});
     ui::spacer(ui);
     export_status(ui, editor);
     jobs(ui, editor);
@@ -53,7 +59,10 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
     ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * meter.ui),
                     {.number = true, .width = 5.5F, .tip = "What the user interface costs, each frame"});
     ui::status_text(ui, "Memory", formatted(ui, "%.0f MB", static_cast<double>(meter.memory()) / 1e6),
-                    {.number = true, .width = 4.5F, .tip = "Main memory in use by the editor"});
+                    {.number = true,
+                     .width = 4.5F,
+                     .tip = ui.join({"Main memory in use by the editor; organ and clips of the preview have ",
+                                     formatted(ui, "%.0f MB", static_cast<double>(editor.preview.memory()) / 1e6)})});
     const app::EditorOptions& o = editor.options();
     ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",
                     {.tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});

@@ -9,6 +9,7 @@
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "ui/canvas/viewport.h"
+#include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
@@ -99,6 +100,8 @@ class ViewPanel {
         keys(view);
         mark(view);
         readout(view);
+        loading();
+        loading();
         faults();
         ui_.close();
     }
@@ -306,6 +309,17 @@ class ViewPanel {
         const ui::Theme& t = painter.theme();
         painter.fill(node.rect(), t.raised, painter.em(t.radius));
         painter.text(node.rect().inset(painter.em(0.6F), 0), node.text, painter.text_style(), t.text);
+    }
+
+    /// What is on its way; the former organ stays until it is there.
+    void loading() {
+        const auto loading = editor_.preview.loading();
+        if (!loading) return;
+        const ui::Panel panel(ui_, "Loading", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 0.6F});
+        const float y = editor_.preview.ready() ? 0.0F : 0.5F;
+        place({.fraction = {0.5F, y}, .offset = {0, y > 0 ? 0 : ui_.em(0.6F)}, .pivot = {0.5F, y}});
+        if (ui::progress(ui_, ui_.join({"Loading ", loading->name}), loading->progress, {.cancellable = true}))
+            editor_.preview.cancel_loading();
     }
 
     // --- what keeps it from being shown ---

@@ -1,4 +1,5 @@
 #include <array>
+#include <sstream>
 
 #include "app/layouts.h"
 #include "app/settings.h"
@@ -18,10 +19,19 @@ constexpr std::array<Build, app::panel_names.size()> panel_functions = {
     curves_panel, amounts_panel, presets_panel, snapshots_panel, history_panel,   scene_panel,
 };
 
+/// Files that were dropped where no panel takes them.
+void bring_dropped(const ui::Ui& ui, app::Editor& editor) {
+    std::vector<std::string> files;
+    std::istringstream lines{std::string(ui.dropped())};
+    for (std::string line; std::getline(lines, line);) files.push_back(line);
+    if (!files.empty()) editor.bring(files);
+}
+
 }  // namespace
 
 void workspace(ui::Ui& ui, app::Editor& editor) {
     editor.set_ui(ui);
+    bring_dropped(ui, editor);
     ui.set_theme(editor.settings().light ? ui::light_theme() : ui::dark_theme());
     ui.set_reduced_motion(editor.settings().reduced_motion);
     {
