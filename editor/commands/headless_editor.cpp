@@ -27,6 +27,7 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
       target_(size) {
     panels::add_commands(*editor_);
     editor_->settings().reduced_motion = true;
+    editor_->settings().hint_seen = true;
 }
 
 HeadlessEditor::~HeadlessEditor() = default;

@@ -29,6 +29,18 @@ void jobs(ui::Ui& ui, app::Editor& editor) {
         job.cancel();
 }
 
+void costs(ui::Ui& ui, app::Editor& editor) {
+    ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * editor.meter().scene.seconds()),
+                    {.number = true, .width = 7.5F, .tip = "What the preview costs, each frame"});
+    ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * editor.meter().ui),
+                    {.number = true, .width = 5.5F, .tip = "What the user interface costs, each frame"});
+    ui::status_text(ui, "Memory", formatted(ui, "%.0f MB", static_cast<double>(editor.meter().memory()) / 1e6),
+                    {.number = true,
+                     .width = 4.5F,
+                     .tip = ui.join({"Main memory in use by the editor; organ and clips of the preview have ",
+                                     formatted(ui, "%.0f MB", static_cast<double>(editor.preview.memory()) / 1e6)})});
+}
+
 }  // namespace
 
 void status_bar(ui::Ui& ui, app::Editor& editor) {
@@ -54,15 +66,7 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
     if (meter.frames_per_second() > 0)
         ui::status_text(ui, "Frame rate", formatted(ui, "%.0f fps", meter.frames_per_second()),
                         {.number = true, .width = 4, .tip = "Frames per second while it plays"});
-    ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * meter.scene.seconds()),
-                    {.number = true, .width = 7.5F, .tip = "What the preview costs, each frame"});
-    ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * meter.ui),
-                    {.number = true, .width = 5.5F, .tip = "What the user interface costs, each frame"});
-    ui::status_text(ui, "Memory", formatted(ui, "%.0f MB", static_cast<double>(meter.memory()) / 1e6),
-                    {.number = true,
-                     .width = 4.5F,
-                     .tip = ui.join({"Main memory in use by the editor; organ and clips of the preview have ",
-                                     formatted(ui, "%.0f MB", static_cast<double>(editor.preview.memory()) / 1e6)})});
+    if (meter.memory() > 0) costs(ui, editor);  // pictures of the editor do not depend on the machine
     const app::EditorOptions& o = editor.options();
     ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",
                     {.tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});
