@@ -47,7 +47,7 @@ TEST_F(PresetPanel, WhatThePaperTunesIsListedFirstAndLive) {
     editor().layouts().shown.show("View");
     ui().frame().frame();
     expect_live("Bleeding: Speed", -12, 6);
-    expect_live("Bleeding: Maximum extent", 30, 6);
+    expect_live("Bleeding: Max extent", 30, 6);
     expect_live("Bleeding: Noise scale", -60, 6);
     expect_live("Keying: Luma/Low", 40, 6);
     expect_live("Keying: Luma/High", -60, 6);

@@ -25,7 +25,7 @@ struct Moved {
 };
 constexpr std::array<Moved, 4> four = {{
     {"**/Bleeding/Speed", "bleeding.speed", 9, 3},
-    {"**/Bleeding/Maximum extent", "bleeding.max_extent", 5, 11},
+    {"**/Bleeding/Max extent", "bleeding.max_extent", 5, 11},
     {"**/Bleeding/Noise scale", "bleeding.noise_scale", 1.5, 6},
     {"**/Keying/Luma low", "smoke.keying.luma_low", 90, 2},
 }};
