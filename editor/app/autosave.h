@@ -1,6 +1,6 @@
 // What is not saved yet, kept in the user's state folder, and offered again after a crash.
 //
-// Kept 20 s after a change, when something went wrong, and once more when it has been saved. Written on a thread of its own. What
+// Kept 5 s after a change, when something went wrong, and once more when it has been saved. Written on a thread of its own. What
 // is kept goes when the editor ends with everything saved or given up by choice (end()); after a crash it stays, and find() of the
 // next editor offers it. What was recovered stays as well, until the recovered work is saved.
 #pragma once
@@ -19,7 +19,7 @@ class Editor;
 
 class Autosave {
   public:
-    static constexpr double wait = 20;  ///< s from a change until it is kept
+    static constexpr double wait = 5;  ///< s from a change until it is kept
 
     explicit Autosave(Editor& editor);
     ~Autosave();

@@ -93,7 +93,13 @@ void Editor::open_organ(const std::filesystem::path& file) {
 }
 
 void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then) {
-    file_asked_ = std::move(then);
+    // Each kind of file has its own place: organs lie elsewhere than presets.
+    std::string& folder = file_folders_[request.title];
+    if (request.folder.empty()) request.folder = folder;
+    file_asked_ = [&folder, then = std::move(then)](const std::vector<std::string>& chosen) {
+        if (!chosen.empty()) folder = std::filesystem::path(chosen.front()).parent_path().string();
+        then(chosen);
+    };
     file_dialog.open(*ui_, std::move(request));
 }
 
@@ -120,7 +126,10 @@ void Editor::seek(double time) {
 Shot Editor::shot() const {
     SceneCamera camera = document.scene().camera;
     if (!looking.endoscope) {
-        const double exposure = camera.exposure;
+        // The lamp is at the camera: nearer than the scene's the picture would burn out, and an endoscope turns it down, too.
+        const double nearer = glm::distance(looking.camera.eye, looking.camera.target) /
+                              std::max(glm::distance(camera.eye, camera.target), 1.0);
+        const double exposure = camera.exposure * std::clamp(nearer * nearer, 0.05, 4.0);
         camera = looking.camera;
         camera.exposure = exposure;
         camera.vignette = 0;
@@ -158,6 +167,7 @@ void Editor::update(double now) {
     now_ = now;
     hold.update(*this, ui_ != nullptr && ui_->held() != 0);
     tidy_gesture();
+    if (!preview.tool_on()) timeline.time = std::clamp(timeline.time, 0.0, duration());
     settings_->update(*this, now);
     if (!options_.exact) autosave_->update(now);
     amounts_->update(now);

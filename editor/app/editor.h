@@ -11,6 +11,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -174,6 +175,7 @@ class Editor {
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;
     std::function<void(const std::vector<std::string>&)> file_asked_;
+    std::map<std::string, std::string> file_folders_;  ///< that something was chosen in last, by the title that asked
     double now_ = -1;
     bool closing_ = false, closed_ = false;
 };

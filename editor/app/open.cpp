@@ -32,18 +32,19 @@ void open_preset(Opened& opened, const fs::path& file) {
     opened.preset_file = file;
 }
 
-/// Seen from the front. What belonged to the former organ goes: events, tool, the endoscope's round picture.
+/// Seen from the front. What belonged to the former organ goes: events, and where the tool came from.
 void open_organ(Opened& opened, const fs::path& file) {
     Scene& scene = opened.content.scene;
     scene.organ = {.file = fs::absolute(file).string()};
-    scene.tool = {};
+    scene.name = file.stem().string();
     scene.events.clear();
     const OrganReport organ = report(load_organ(file));
     for (const std::string& warning : organ.warnings) opened.warnings.push_back(file.string() + ": " + warning);
-    const double exposure = scene.camera.exposure;
+    const SceneCamera former = scene.camera;
     scene.camera = frame(organ);
-    scene.camera.exposure = exposure;
-    scene.camera.vignette = 0.0;
+    scene.camera.exposure = former.exposure;
+    scene.camera.vignette = former.vignette;
+    scene.tool.port = port_for(scene.camera);
     scene.light.focus_distance = glm::distance(scene.camera.eye, scene.camera.target);
     opened.scene_file.clear();
 }

@@ -57,6 +57,13 @@ void center_on(SceneCamera& camera, const glm::dvec3& place) {
     camera.target = place;
 }
 
+glm::dvec3 port_for(const SceneCamera& camera) {
+    const glm::dvec3 back = camera.eye - camera.target;
+    const double distance = glm::length(back);
+    const glm::dvec3 right = glm::normalize(glm::cross(camera.up, back));
+    return camera.target + 1.2 * distance * right + 0.2 * distance * glm::normalize(camera.up) + 1.1 * back;
+}
+
 SceneCamera frame(const OrganReport& organ) {
     SceneCamera camera;
     const glm::dvec3 center = (organ.minimum + organ.maximum) / 2.0;

@@ -21,6 +21,9 @@ void zoom_at(SceneCamera& camera, double factor, const glm::dvec3& place);
 /// Looks at `place` from the same side and distance.
 void center_on(SceneCamera& camera, const glm::dvec3& place);
 
+/// Where an instrument enters so that it is seen from the right, as in a picture of two ports; mm.
+glm::dvec3 port_for(const SceneCamera& camera);
+
 /// A camera that sees the whole organ from the front.
 SceneCamera frame(const OrganReport& organ);
 

@@ -47,10 +47,16 @@ std::optional<double> likely_scale(double longest, double scale) {
     const auto possible = [&](double s) { return longest * s >= shortest_organ && longest * s <= longest_organ; };
     if (!(longest > 0) || possible(scale)) return std::nullopt;
     std::optional<double> best;
-    const auto distance = [&](double s) { return std::abs(std::log(longest * s / 200)); };  // a liver
-    for (const LengthUnit& unit : length_units)
-        if (possible(unit.millimetres) && (!best || distance(unit.millimetres) < distance(*best)))
-            best = unit.millimetres;
+    // Nearest to a liver; inches only where nothing else will do.
+    const auto distance = [&](const LengthUnit& unit) {
+        return std::abs(std::log(longest * unit.millimetres / 200)) + (unit.name == "inch" ? 10.0 : 0.0);
+    };
+    double nearest = 1e300;
+    for (const LengthUnit& unit : length_units) {
+        if (!possible(unit.millimetres) || distance(unit) >= nearest) continue;
+        nearest = distance(unit);
+        best = unit.millimetres;
+    }
     return best;
 }
 
@@ -64,6 +70,7 @@ void OrganChoice::open(const std::filesystem::path& file) {
     give_up();
     file_ = file;
     asked_ = true;
+    other_unit = false;
     const SceneOrgan& now = editor_.document.scene().organ;
     const bool again =
         !now.file.empty() && same_file(file, editor_.document.scene().folder / std::filesystem::path(now.file));
@@ -133,22 +140,25 @@ std::optional<double> OrganChoice::likely() const {
     return organ_ ? likely_scale(longest_side(report_), scale_) : std::nullopt;
 }
 
+bool OrganChoice::replaces() const {
+    const Scene& scene = editor_.document.scene();
+    return scene.organ.file.empty() || !same_file(file_, scene.folder / scene.organ.file);
+}
+
 void OrganChoice::load() {
     if (!organ_) return;
     SceneCamera seen = frame(turned());
     editor_.document.change("Load organ", [&](document::Content& c) {
         Scene& scene = c.scene;
-        const bool again = !scene.organ.file.empty() && same_file(file_, scene.folder / scene.organ.file);
-        scene.organ = {.file = path_for(file_, scene.folder),
-                       .scale = close(scale_, standard_scale_) ? 0.0 : scale_,
-                       .rotation = rotation_};
-        if (!again) {
-            scene.tool = {};
+        if (replaces()) {
+            scene.name = file_.stem().string();
             scene.events.clear();
         }
+        scene.organ = {.file = path_for(file_, scene.folder), .scale = scale_, .rotation = rotation_};
         seen.exposure = scene.camera.exposure;
-        seen.vignette = 0.0;
+        seen.vignette = scene.camera.vignette;
         scene.camera = seen;
+        scene.tool.port = port_for(seen);
         scene.light.focus_distance = std::clamp(glm::distance(seen.eye, seen.target), 1.0, 2000.0);
     });
     editor_.selected.clear();

@@ -34,7 +34,7 @@ inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10
 int unit_of(double scale);
 
 /// Longest sides that an organ can have, mm.
-inline constexpr double shortest_organ = 5, longest_organ = 1000;
+inline constexpr double shortest_organ = 5, longest_organ = 600;
 /// mm per unit that make an organ of something `longest` units long; nothing when none of the units does, or `scale` does already.
 std::optional<double> likely_scale(double longest, double scale);
 
@@ -54,6 +54,8 @@ int up_axis_of(const glm::dvec3& rotation);
 class OrganChoice {
   public:
     explicit OrganChoice(Editor& editor) : editor_(editor) {}
+
+    bool other_unit = false;  ///< in the dialog: a length is typed
 
     /// Reads the file; with the scale and rotation of the scene's organ where it is the same file.
     void open(const std::filesystem::path& file);
@@ -75,7 +77,9 @@ class OrganChoice {
     glm::dvec3 size() const;  ///< mm, as chosen
     std::optional<double> likely() const;
 
-    /// Into the scene, seen whole. What belonged to another organ goes: events, tool, the endoscope's round picture.
+    /// Another organ than the scene has: its events go.
+    bool replaces() const;
+    /// Into the scene, seen whole. What belonged to another organ goes: events, and where the tool came from.
     void load();
 
   private:

@@ -305,8 +305,11 @@ bool PreviewHost::draw_into(PreviewCopy& copy, const Shot& shot) {
     return draw_into(copy.target, shot, copy.shot, copy.revision);
 }
 
-bool PreviewHost::draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn) {
+bool PreviewHost::draw_into(const Target& target, const Shot& wanted, Shot& last, std::uint64_t& drawn) {
     if (!preview_ || lost_ || target.texture() == 0) return false;
+    // The camera that is set may already be that of the organ on its way.
+    Shot shot = wanted;
+    if (organ_job_ && drawn != 0) shot.camera = last.camera;
     if (std::exchange(changed_, false)) ++revision_;
     const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay;
     if (same && drawn == revision_ && !tool_on_ && !late()) return false;

@@ -9,6 +9,7 @@
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::panels {
 
@@ -46,18 +47,21 @@ class OrganDialog {
         unit();
         orientation();
         size();
+        if (choice_.replaces() && !editor_.document.scene().events.empty())
+            ui::label(ui_, "The events on the timeline belong to the former organ and go. Undo brings both back.",
+                      {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
         warnings();
     }
 
   private:
     void unit() {
         const int found = app::unit_of(choice_.scale());
-        const bool other = found < 0 || other_;
+        const bool other = found < 0 || choice_.other_unit;
         int chosen = other ? 4 : found;
         ui::label(ui_, "One unit of the file is");
         const ui::Row row(ui_, {.width = ui::grow()});
         if (ui::segmented(ui_, "Unit", chosen, unit_names)) {
-            other_ = chosen == 4;
+            choice_.other_unit = chosen == 4;
             if (chosen < 4) choice_.set_scale(app::length_units[static_cast<std::size_t>(chosen)].millimetres);
         }
         double scale = choice_.scale();
@@ -121,7 +125,7 @@ class OrganDialog {
                 ui_, ui_.join({"Use ", unit}),
                 {.tip = text_of(ui_, "Its longest side is %.4g mm then", longest / choice_.scale() * *likely)})) {
             choice_.set_scale(*likely);
-            other_ = false;
+            choice_.other_unit = false;
         }
     }
 
@@ -138,7 +142,6 @@ class OrganDialog {
     ui::Ui& ui_;
     app::Editor& editor_;
     app::OrganChoice& choice_;
-    bool& other_ = ui_.memory<bool>(ui_.id_of("other unit"));
 };
 
 }  // namespace
@@ -146,10 +149,14 @@ class OrganDialog {
 void organ_dialog(ui::Ui& ui, app::Editor& editor) {
     app::OrganChoice& choice = editor.organ_choice();
     if (choice.take_asked()) ui::open_dialog(ui, dialog_name);
-    ui::Dialog dialog(ui, dialog_name, "Load organ", {.width = 32});
+    ui::Dialog dialog(ui, dialog_name, "Load organ",
+                      {.width = 34, .height = 26});  // of one size: its buttons stay where they are
     if (dialog.cancelled()) choice.give_up();
     if (!dialog) return;
-    OrganDialog(ui, editor).content();
+    {
+        const ui::ScrollArea area(ui, "About it", {.gap = 0.4F});
+        OrganDialog(ui, editor).content();
+    }
     const bool again = !choice.faults().empty();
     const auto answer = dialog.buttons({{.label = "Cancel", .cancel = true},
                                         {.label = "Choose another...", .tip = "Another file"},

@@ -31,6 +31,7 @@ bool takes_when_editing(Key key, Mods mods) {
             break;
     }
     if (!has(mods, Mods::command)) return printable(key);
+    if (has(mods, Mods::shift)) return key == key_of('Z');  // the others are the program's
     for (const char c : {'A', 'C', 'V', 'X', 'Z', 'Y'}) {
         if (key == key_of(c)) return true;
     }
@@ -76,6 +77,12 @@ bool takes(Sense sense, Key key, Mods mods) {
     const char c = static_cast<char>(key);
     return has(sense, Sense::typing) || (has(sense, Sense::digits) && ((c >= '0' && c <= '9') || c == '-' || c == '.' ||
                                                                        c == ',' || c == '=' || c == '+'));
+}
+
+/// A button that was clicked has the keyboard, and nobody thinks of it: space is the program's then if it has a use for it. With the
+/// ring around it, it is the button's.
+bool only_activates(Sense sense) {
+    return has(sense, Sense::activate) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
 
 bool moves_by_arrows(Role role) {
@@ -124,6 +131,11 @@ void Ui::route_key(const Event& event) {
     }
     if (takes_under_pointer(event)) return send(hot_, event);
     const Node* node = before(focus_);
+    if (node != nullptr && event.key == Key::space && !ringed_ && only_activates(node->sense) &&
+        press_shortcut(event.key, event.mods)) {
+        key_ran_shortcut_ = true;
+        return;
+    }
     if (node != nullptr && takes(node->sense, event.key, event.mods)) {
         const bool pressed = has(node->sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space);
         if (pressed && event.repeat && !has(node->sense, Sense::editing)) return;  // a button held down is one click

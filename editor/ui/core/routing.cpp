@@ -139,7 +139,7 @@ void Ui::route_pointer(const Event& event) {
     for (const Id id : active_) send(id, event);
     const Id before_id = hot_;
     find_hot(nodes_before());
-    if (hot_ != before_id) rested_since_ = time();
+    if (hot_ != before_id) rested_since_ = time(), pressed_hot_ = 0;
     if (pointer_ != from) ringed_ = ringed_ && held() == 0;
 }
 
@@ -156,6 +156,7 @@ void Ui::route_press(Event& event) {
     const bool held_already = active_[0] != 0 || active_[1] != 0 || active_[2] != 0;
     if (held_already) return cancel_held();
     ringed_ = false;
+    pressed_hot_ = hot_;
     const std::uint32_t index = hit(nodes_before(), event.at, sense_of(event.button));
     const int layer = index == no_node ? -1 : nodes_before()[index].layer;
     // A press beside what lies on top closes it, and does nothing else.

@@ -213,6 +213,7 @@ void Ui::add_tooltip() {
     if (active_[0] != 0 || active_[1] != 0 || active_[2] != 0) return;
     const bool by_keys = hot_ == 0 && ringed_;
     const Id of = by_keys ? focus_ : hot_;
+    if (!by_keys && of == pressed_hot_) return;  // known by now; what the press has opened is to be seen
     const Seen* seen = of == 0 ? nullptr : seen_.find(of);
     if (seen == nullptr || seen->build != build_) return;
     const std::string_view tip = nodes()[seen->node].tip;

@@ -380,6 +380,7 @@ class Ui {
     int unsettled_ = 0;              ///< frames in a row that did not come to rest
     bool letters_missing_ = false;   ///< in the frame before
     std::string dropped_;
+    Id pressed_hot_ = 0;  ///< was pressed since the pointer came to it
     Id hot_ = 0, hot_shown_ = 0, active_[3] = {}, focus_ = 0, reveal_ = 0;
     bool ringed_ = false, pointer_inside_ = false;
     glm::vec2 pointer_{-1, -1}, moved_{0}, pressed_at_{0}, rested_at_{-1, -1};

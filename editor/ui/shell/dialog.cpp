@@ -11,6 +11,7 @@ constexpr float shade = 0.5F;  // over what waits below
 
 struct DialogState {
     bool open = false;   ///< in the last build
+    bool waits = false;  ///< for its standard button, which could not be pressed when it opened
     bool fresh = false;  ///< the keyboard has not yet been given to the standard button
 };
 
@@ -102,6 +103,7 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
     if (!open_) return std::nullopt;
     std::optional<std::size_t> pressed;
     Id first = 0, standard = 0, cancel = 0;
+    bool has_standard = false;
     {
         Row row(ui_, {.width = grow(), .main = Place::end});
         for (std::size_t i = 0; i < all.size(); ++i) {
@@ -110,6 +112,7 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
             ui_.pop_disabled();
             Node& node = ui_.last();
             node.minimum[0] = ui_.em(6);
+            has_standard |= all[i].standard;
             if (!all[i].enabled) continue;
             if (first == 0) first = node.id;
             if (all[i].standard) standard = node.id;
@@ -123,6 +126,12 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
         // A dialog of buttons alone begins at the standard one, else at the harmless one; what Enter does has to be seen.
         if (focused->id == first) ui_.set_focus(standard != 0 ? standard : cancel != 0 ? cancel : first, true);
         state.fresh = false;
+        state.waits = has_standard && standard == 0;
+    }
+    // What it came for can be pressed now: the keyboard goes there unless it has been put somewhere else meanwhile.
+    if (state.waits && standard != 0) {
+        if (ui_.focus() == cancel) ui_.set_focus(standard, true);
+        state.waits = false;
     }
     if (pressed && !stays) close();
     return pressed;
