@@ -29,7 +29,9 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
     editor_->settings().reduced_motion = true;
 }
 
-HeadlessEditor::~HeadlessEditor() = default;
+HeadlessEditor::~HeadlessEditor() {
+    editor_.reset();  // its threads wake the UI
+}
 
 void HeadlessEditor::frame(double seconds) {
     time_ += seconds;
