@@ -147,7 +147,9 @@ ui::Edit text_field(const RowBuild& b) {
         ui::text_field(b.ui, "Text", shown.text,
                        {.tip = b.tip(), .bytes = 4 * static_cast<std::size_t>(std::max(b.row.maximum, 1.0))});
     if (!edit.began && !edit.changed && !edit.committed && !edit.cancelled) return edit;
-    return b.take(edit, shown.text);
+    const ui::Edit taken = b.take(edit, shown.text);
+    if (edit.committed || edit.cancelled) shown.text = b.value<std::string>();  // without what could not be stored
+    return taken;
 }
 
 /// The owner is asked for again when the answer comes: rows, tables and the editor outlive the dialog.

@@ -4,6 +4,7 @@
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "app/settings.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"
 
@@ -132,6 +133,15 @@ TEST_F(RestTest, WorkThatIsStoppedAmongTheJobsIsNotWaitedForEver) {
     ui().settle();
     EXPECT_FALSE(editor().jobs.busy());
     EXPECT_TRUE(editor().jobs.running().empty());
+}
+
+TEST_F(RestTest, StarsAndFoldersOfPresetsAreKept) {
+    editor().settings().preset_folders = {folder().string()};
+    editor().settings().preset_stars = {another_preset().string()};
+    editor().settings().write(editor());
+    start();
+    EXPECT_EQ(editor().settings().preset_folders, std::vector<std::string>{folder().string()});
+    EXPECT_EQ(editor().settings().preset_stars, std::vector<std::string>{(folder() / "another.json").string()});
 }
 
 }  // namespace
