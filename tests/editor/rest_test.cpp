@@ -15,9 +15,9 @@ namespace fs = std::filesystem;
 
 class RestTest : public EditorTest {
   protected:
-    /// No frame is asked for within a minute, and none after it draws anything new.
+    /// No frame is asked for within a minute, and one that comes all the same draws nothing new.
     void expect_rest(const std::string& where) {
-        ui().settle();
+        ui().settle().frame(2).frame(2).settle();  // settings are written a moment after a change
         ASSERT_FALSE(editor().wants_frame()) << where;
         EXPECT_GT(ui().output().wake_at, ui().time + 60)
             << where << ": " << (ui().ui().wake_reasons().empty() ? "" : ui().ui().wake_reasons().back().reason);
@@ -130,7 +130,7 @@ TEST_F(RestTest, WorkThatIsStoppedAmongTheJobsIsNotWaitedForEver) {
     const std::shared_ptr<app::Job> job = editor().jobs.start(
         "Long", [](app::Job&) -> app::Jobs::Apply { return [] { FAIL() << "it was stopped"; }; }, {});
     job->cancel();
-    ui().settle();
+    ui().frame().settle();
     EXPECT_FALSE(editor().jobs.busy());
     EXPECT_TRUE(editor().jobs.running().empty());
 }
