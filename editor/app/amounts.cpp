@@ -83,6 +83,12 @@ void AmountsOverTime::lay_over(AmountSeries series) {
 
 void AmountsOverTime::update(double now) {
     due_ = never;
+    if (job_ && job_->cancelled()) {  // by whoever lists jobs: it is not begun anew until something changes
+        job_.reset();
+        known_ = asked_;
+        stopped_ = true;
+        ++version_;
+    }
     if (std::exchange(wanted_, false)) follow(now);
 }
 
@@ -103,6 +109,7 @@ void AmountsOverTime::follow(double now) {
 
 void AmountsOverTime::start() {
     asked_ = wanted_key_;
+    stopped_ = false;
     const Scene& scene = editor_.document.scene();
     if (scene.organ.file.empty()) {
         known_ = asked_, scene_.reset(), faults_.clear(), ++version_;

@@ -66,6 +66,8 @@ class AmountsOverTime {
     /// Null: nothing is known yet. Of an older state of the document while it is stale().
     const AmountSeries* scene() const { return scene_ ? scene_.get() : nullptr; }
     bool stale() const;
+    bool stopped() const { return stopped_; }  ///< by the person: again() or a change goes on
+    void again() { known_.clear(), stopped_ = false; }
     bool busy() const { return job_ != nullptr; }  ///< a job is at it; it wakes the UI at its end
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
@@ -83,7 +85,7 @@ class AmountsOverTime {
     void start();
 
     Editor& editor_;
-    bool wanted_ = false;
+    bool wanted_ = false, stopped_ = false;
     std::uint64_t followed_ = 0;  // version of the document
     std::string wanted_key_;      // all that the amounts depend on
     std::string known_, asked_;   // the same, of scene_ or its faults, and of the job

@@ -177,9 +177,7 @@ void Autosave::recover(std::size_t index) {
                               .scene_unsaved = k.scene_unsaved,
                               .preset_unsaved = k.preset_unsaved});
     editor_.snapshots().restore(k.snapshots);
-    editor_.selected.clear();
-    editor_.clip = 0;
-    editor_.looking.camera = editor_.document.scene().camera;
+    editor_.forget_document();
     for (const std::string& note : offer.notes)
         editor_.toasts.add({.kind = ui::ToastKind::warning, .text = "Not recovered: " + note});
     recovered_.push_back(std::move(offer.left));

@@ -4,6 +4,7 @@
 #include <map>
 
 #include "app/editor.h"
+#include "app/files.h"
 #include "app/settings.h"
 #include "lapfx/file.h"
 #include "ui/core/id.h"
@@ -134,26 +135,25 @@ Browser::Found Browser::look(const std::vector<fs::path>& folders) {
 
 void Browser::scan() {
     stale_ = false;
-    scanning_ = true;
     scanned_beside_ = editor_.document.preset_file();
     current_ = scanned_beside_.empty() ? fs::path() : fs::absolute(scanned_beside_).lexically_normal();
     current_key_ = key_of(current_);
     scanned_text_ = editor_.document.saved_preset_text();
-    editor_.jobs.start(
+    scanning_ = editor_.jobs.start(
         "Presets",
         [this, all = folders()](Job&) -> Jobs::Apply {
             auto found = std::make_shared<Found>(look(all));
             return [this, found] { take(std::move(*found)); };
         },
         [this](const std::vector<Fault>& faults) {
-            scanning_ = false;
+            scanning_.reset();
             editor_.tell(faults);
         });
 }
 
 /// Pictures of files that are still there stay until there are newer ones.
 void Browser::take(Found found) {
-    scanning_ = false;
+    scanning_.reset();
     for (PresetFile& file : files_) {
         const auto same = std::find_if(found.files.begin(), found.files.end(), [&](const PresetFile& other) {
             return other.file == file.file && other.fault.empty();
@@ -231,6 +231,7 @@ void Browser::take_thumbnails() {
 }
 
 void Browser::update(double) {
+    if (scanning_ && scanning_->cancelled()) scanning_.reset();  // by whoever lists jobs; "Look again" reads anew
     take_thumbnails();
     const bool seen = std::exchange(shown_, false);
     if (!seen) {
@@ -296,7 +297,7 @@ void Browser::open(std::size_t file) {
         editor_.toasts.add({.kind = ui::ToastKind::error, .text = files_[file].fault});
         return;
     }
-    editor_.open({files_[file].file.string()});
+    editor_.files().open_anyway({files_[file].file.string()});
 }
 
 void Browser::take_values(std::size_t index) {
@@ -340,7 +341,7 @@ void Browser::remove_folder(const fs::path& folder) {
 }
 
 bool Browser::busy() const {
-    return scanning_ || (maker_ != nullptr && maker_->busy());
+    return scanning_ != nullptr || (maker_ != nullptr && maker_->busy());
 }
 
 }  // namespace lapfx::app

@@ -22,6 +22,7 @@
 namespace lapfx::app {
 
 class Editor;
+class Job;
 
 /// A preset that was found, or a file that could be one and is broken.
 struct PresetFile {
@@ -62,7 +63,8 @@ class Browser {
     PresetOrder order = PresetOrder::name;
     bool stars_only = false;
 
-    /// As "Open" does: it takes the place of the preset, and what was done is forgotten. Ask first if the document is unsaved.
+    /// As "Open" does: it takes the place of the preset, and what was done is forgotten. Ask first if the preset is unsaved: it is
+    /// given up.
     void open(std::size_t file);
     /// Its parameters and clips in place of those that are open, as one undo step; name and file stay.
     void take_values(std::size_t file);
@@ -96,7 +98,8 @@ class Browser {
     std::string found_for_;
     PresetOrder found_order_ = PresetOrder::name;
     bool found_stars_ = false;
-    bool shown_ = false, seen_ = false, stale_ = true, scanning_ = false, renders_ = true;
+    bool shown_ = false, seen_ = false, stale_ = true, renders_ = true;
+    std::shared_ptr<Job> scanning_;
     std::filesystem::path program_ = "/proc/self/exe";
     std::filesystem::path scanned_beside_, current_, scene_;
     std::uint64_t current_key_ = 0;

@@ -361,9 +361,8 @@ void ClipShelf::copy_beside() {
 }
 
 void ClipShelf::take_copied(const std::map<std::string, std::string>& names) {
-    document::Document& document = editor_.document;
-    document.edit([&](document::Content& c) { c.preset.folder = home(); });
-    document.change("Copy clips beside the preset", [&](document::Content& c) {
+    editor_.document.change("Copy clips beside the preset", [&, to = home()](document::Content& c) {
+        c.preset.folder = to;
         for (SmokeClip& clip : c.preset.smoke.clips)
             if (const auto name = names.find(clip.file); name != names.end()) clip.file = name->second;
     });

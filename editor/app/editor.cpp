@@ -110,6 +110,21 @@ void Editor::build_file_dialog() {
     then(*chosen);
 }
 
+void Editor::forget_document(bool scene_too) {
+    hold.cancel(*this);
+    clip = 0;
+    keying_->shelf.cancel_work();
+    keying_->shelf.forget_refused();
+    keying_->cancel_suggesting();
+    keying_->forget_suggestion();
+    snapshots_->forget_before();
+    if (!scene_too) return;
+    selected.clear();
+    looking.camera = document.scene().camera;
+    timeline.has_range = false;
+    seek(timeline.time);
+}
+
 void Editor::tell(const std::vector<Fault>& faults) {
     for (const Fault& fault : faults) toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
     autosave_->soon();

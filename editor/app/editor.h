@@ -130,6 +130,9 @@ class Editor {
     void tell(const std::vector<Fault>& faults);
     void tell(const Error& error) { tell(error.faults()); }
 
+    /// Another document, or preset alone, has been opened: what was selected, held or on its way for the former one goes.
+    void forget_document(bool scene_too = true);
+
     // --- a frame ----------------------------------------------------------------------------------------------------
     /// Once before each frame: time goes on, results of jobs are applied. `now`: s, any origin.
     void update(double now);

@@ -309,6 +309,7 @@ std::string Exports::progress_text() const {
 
 void Exports::update(double now) {
     now_ = now;
+    if (running_ && running_->copying && running_->copying->cancelled()) cancel();  // by whoever lists jobs
     if (!running_ || running_->copying) return;
     try {
         if (!running_->render) return begin();

@@ -346,14 +346,15 @@ bool Files::ready_to_open(const std::vector<std::string>& files) {
     const bool goes = kinds.scene ? d.unsaved() : kinds.preset && d.preset_unsaved();
     if (!goes) return true;
     ask_unsaved(
-        "Save changes before opening " + in_marks(files.front()) + '?',
-        [this, files] {
-            agreed_ = true;
-            editor_.open(files);
-            agreed_ = false;
-        },
-        {}, kinds.scene);
+        "Save changes before opening " + in_marks(files.front()) + '?', [this, files] { open_anyway(files); }, {},
+        kinds.scene);
     return false;
+}
+
+void Files::open_anyway(const std::vector<std::string>& files) {
+    agreed_ = true;
+    editor_.open(files);
+    agreed_ = false;
 }
 
 void Files::put(Opened opened, const std::vector<std::string>& files) {
@@ -439,6 +440,7 @@ void Files::ask_in_use(const std::vector<Kind>& used, const std::vector<fs::path
 
 void Files::become(Opened opened, const std::vector<std::string>& files, Kinds kinds) {
     document::Document& d = editor_.document;
+    const bool another_organ = !kinds.scene && opened.content.scene.organ.file != d.scene().organ.file;
     if (kinds.scene) {
         d.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     } else {
@@ -449,9 +451,11 @@ void Files::become(Opened opened, const std::vector<std::string>& files, Kinds k
         d.change("Open " + fs::path(files.front()).filename().string(),
                  [&](document::Content& c) { c = std::move(opened.content); });
     }
-    editor_.selected.clear();
-    editor_.clip = 0;
-    editor_.looking.camera = d.scene().camera;
+    if (kinds.scene || kinds.preset) editor_.forget_document(kinds.scene);
+    if (another_organ) {
+        editor_.selected.clear();
+        editor_.looking.camera = d.scene().camera;
+    }
     relock();
     for (const std::string& name : files) editor_.settings().note_recent(name);
     for (const std::string& warning : opened.warnings)

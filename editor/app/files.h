@@ -41,6 +41,8 @@ class Files {
     // --- for Editor::open() ----------------------------------------------------------------------------------------
     /// False: there is unsaved work that would go; it is asked, and Editor::open() called again after the answer.
     bool ready_to_open(const std::vector<std::string>& files);
+    /// What is not saved is given up: the person has been asked.
+    void open_anyway(const std::vector<std::string>& files);
     /// What was opened becomes the document; asks first when it is open in another editor.
     void put(Opened opened, const std::vector<std::string>& files);
     /// The program has put something into the document by itself, at start or recovered: the same question, after the fact.

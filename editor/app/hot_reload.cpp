@@ -150,7 +150,7 @@ void HotReload::reload_preset() {
         editor_.toasts.add({.kind = ui::ToastKind::warning,
                             .text = file.filename().string() + " has changed on disk, and here it has unsaved changes",
                             .action = "Reload",
-                            .act = [this, preset] { editor_.document.reload(preset); },
+                            .act = [this, file] { give_in_to_preset(file); },
                             .seconds = 0});
     } catch (const Error& error) {
         editor_.tell(error);
@@ -170,8 +170,27 @@ void HotReload::reload_scene() {
         editor_.toasts.add({.kind = ui::ToastKind::warning,
                             .text = file.filename().string() + " has changed on disk, and here it has unsaved changes",
                             .action = "Reload",
-                            .act = [this, scene] { editor_.document.reload(scene); },
+                            .act = [this, file] { give_in_to_scene(file); },
                             .seconds = 0});
+    } catch (const Error& error) {
+        editor_.tell(error);
+    }
+}
+
+/// The answer to a notice: by then another document may be open, and the file another one once more.
+void HotReload::give_in_to_preset(const fs::path& file) {
+    if (editor_.document.preset_file() != file) return;
+    try {
+        editor_.document.reload(load_preset(file));
+    } catch (const Error& error) {
+        editor_.tell(error);
+    }
+}
+
+void HotReload::give_in_to_scene(const fs::path& file) {
+    if (editor_.document.scene_file() != file) return;
+    try {
+        editor_.document.reload(load_scene(file));
     } catch (const Error& error) {
         editor_.tell(error);
     }

@@ -44,6 +44,8 @@ class HotReload {
     void reload_ui_shaders();
     void reload_preset();
     void reload_scene();
+    void give_in_to_preset(const std::filesystem::path& file);
+    void give_in_to_scene(const std::filesystem::path& file);
     std::filesystem::path shader_folder() const;
 
     Editor& editor_;

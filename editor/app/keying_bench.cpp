@@ -198,7 +198,8 @@ KeyingBench::Request KeyingBench::request() const {
 bool KeyingBench::stale() const {
     if (job_) return false;
     return !shown_ || !asked_ || !(*asked_ == request()) ||
-           (look.behind == Behind::preview && backdrop_time_ != editor_.timeline.time && !editor_.playing());
+           (look.behind == Behind::preview && backdrop_time_ != editor_.timeline.time && !editor_.playing() &&
+            editor_.preview.picture() != 0);
 }
 
 /// The picture of the frame before is that of now once time has stood still for a frame.

@@ -115,6 +115,8 @@ void Settings::apply(const std::string& text) {
     reader.list("recent", recent, most_recent);
     reader.list("favourites", favourites, most_listed);
     reader.list("file_folders", file_folders_, most_recent);
+    reader.list("preset_folders", preset_folders, most_listed);
+    reader.list("preset_stars", preset_stars, most_listed);
     reader.text("layout", layout_name_);
     reader.object("layouts", layouts_text_);
     reader.object("keys", keys_text_);
@@ -154,6 +156,8 @@ Settings::State Settings::state(Editor& e) const {
             .recent = recent,
             .favourites = favourites,
             .file_folders = e.file_dialog.recent(),
+            .preset_folders = preset_folders,
+            .preset_stars = preset_stars,
             .layout_name = e.layouts().name(),
             .shown = e.layouts().shown,
             .commands = e.commands.version(),
@@ -172,6 +176,8 @@ std::string Settings::text(Editor& e) const {
     json["recent"] = recent;
     json["favourites"] = favourites;
     json["file_folders"] = e.file_dialog.recent();
+    json["preset_folders"] = preset_folders;
+    json["preset_stars"] = preset_stars;
     json["layout"] = e.layouts().name();
     json["layouts"] = parsed_or(ui::write_layouts(layouts), Json::object());
     json["keys"] = parsed_or(e.commands.to_json(), Json::object());
@@ -186,6 +192,7 @@ void Settings::update(Editor& editor, double now) {
     const bool same = written_.light == light && written_.reduced_motion == reduced_motion &&
                       written_.hint_seen == hint_seen && written_.scale == scale && written_.recent == recent &&
                       written_.favourites == favourites && written_.file_folders == editor.file_dialog.recent() &&
+                      written_.preset_folders == preset_folders && written_.preset_stars == preset_stars &&
                       written_.layout_name == editor.layouts().name() && written_.shown == editor.layouts().shown &&
                       written_.commands == editor.commands.version() &&
                       written_.own_layouts == editor.layouts().version();

@@ -49,7 +49,7 @@ class Settings {
     struct State {
         bool light = false, reduced_motion = false, hint_seen = false;
         float scale = 0;
-        std::vector<std::string> recent, favourites, file_folders;
+        std::vector<std::string> recent, favourites, file_folders, preset_folders, preset_stars;
         std::string layout_name;
         ui::DockLayout shown;
         std::uint32_t commands = 0, own_layouts = 0;  ///< versions

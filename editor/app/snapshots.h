@@ -38,6 +38,9 @@ class Snapshots {
     /// Whether the document's preset is just this one.
     bool shown(std::size_t slot) const;
 
+    /// What was there before a snapshot was shown is of no use any more: another document has been opened.
+    void forget_before() { before_.reset(); }
+
     /// For autosave.
     std::vector<document::KeptSnapshot> kept() const;
     void restore(const std::vector<document::KeptSnapshot>& kept);

@@ -165,7 +165,6 @@ void Tuning::follow_values() {
         states_[i].changed = !entry.same(preset, standard_);
         changed_in_[entry.group] += states_[i].changed ? 1 : 0;
         changed_in_all_ += states_[i].changed ? 1 : 0;
-        if (is_text(entry)) states_[i].text = entry.in<std::string>(preset);
     }
 }
 

@@ -44,8 +44,6 @@ class Tuning {
     const Preset& standard() const { return standard_; }
     /// What is wrong with it; empty: nothing.
     const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
-    /// Of its text, for the field to edit; follow() puts the document's there.
-    std::string& text(std::size_t entry) { return states_[entry].text; }
     /// Where bars and randomising go: what the user has set, else what the table allows.
     Range range(std::size_t entry) const;
     void set_range(std::size_t entry, const Range& range) { states_[entry].range = range; }
@@ -82,7 +80,7 @@ class Tuning {
   private:
     struct State {
         bool locked = false, favourite = false, changed = false;
-        std::string fault, text;
+        std::string fault;
         std::optional<Range> range;
     };
     static std::size_t index_of(const ParameterGroup& group);

@@ -30,7 +30,9 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
     editor_->settings().hint_seen = true;
 }
 
-HeadlessEditor::~HeadlessEditor() = default;
+HeadlessEditor::~HeadlessEditor() {
+    editor_.reset();  // its threads wake the UI
+}
 
 void HeadlessEditor::frame(double seconds) {
     time_ += seconds;

@@ -69,6 +69,8 @@ bool same(const Content& a, const Content& b) {
     return write_scene(a.scene) == write_scene(b.scene) && write_preset(a.preset) == write_preset(b.preset);
 }
 
+Document::Document() : saved_scene_(write_scene(content_.scene)), saved_preset_(write_preset(content_.preset)) {}
+
 void Document::open(Content content, fs::path scene_file, fs::path preset_file) {
     content_ = std::move(content);
     scene_file_ = std::move(scene_file);

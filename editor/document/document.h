@@ -55,6 +55,8 @@ class Document {
   public:
     static constexpr std::size_t most_steps = 500;
 
+    /// An empty one, of which nothing would be lost.
+    Document();
     const Content& content() const { return content_; }
     const Scene& scene() const { return content_.scene; }
     const Preset& preset() const { return content_.preset; }

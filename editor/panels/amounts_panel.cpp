@@ -101,7 +101,12 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
     if (editor.document.scene().organ.file.empty())
         return ui::label(ui, "No organ yet: open a mesh or a scene, and its blood and smoke are plotted here.",
                          {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
-    ui::label(ui, "The amounts of this scene are being worked out.", {.tone = ui::Tone::dim});
+    if (!amounts.stopped())
+        return ui::label(ui, "The amounts of this scene are being worked out.", {.tone = ui::Tone::dim});
+    ui::label(ui, "Working out the amounts of this scene was stopped.", {.tone = ui::Tone::dim});
+    const ui::Row row(ui);
+    if (ui::button(ui, "Work out", {.tip = "Begins again; any change of the scene does, too"}))
+        editor.amounts().again();
 }
 
 }  // namespace

@@ -19,7 +19,7 @@ struct Counts {
     std::shared_ptr<const Organ> organ;
     std::optional<TissueHistogram> histogram;
     std::vector<Fault> faults;
-    bool counting = false;
+    std::shared_ptr<app::Job> counting{};
 };
 struct StripMemory {
     std::shared_ptr<Counts> counts = std::make_shared<Counts>();
@@ -39,8 +39,7 @@ void count(app::Editor& editor, const std::shared_ptr<Counts>& counts) {
     if (counts->organ_key != key) *counts = {};
     counts->organ_key = std::move(key);
     counts->vessel_width = parameters.vessel_width;
-    counts->counting = true;
-    editor.jobs.start(
+    counts->counting = editor.jobs.start(
         "Counting colours of the organ",
         [counts, parameters, organ = counts->organ, file = scene.folder / scene.organ.file,
          options = OrganOptions{.scale = scene.organ.scale, .rotation = scene.organ.rotation}](app::Job&) mutable {
@@ -50,17 +49,19 @@ void count(app::Editor& editor, const std::shared_ptr<Counts>& counts) {
                 counts->organ = organ;
                 counts->histogram = histogram;
                 counts->faults.clear();
-                counts->counting = false;
+                counts->counting.reset();
             };
         },
         [counts](const std::vector<Fault>& faults) {
             counts->faults = faults;
-            counts->counting = false;
+            counts->counting.reset();
         });
 }
 
 void follow(app::Editor& editor, StripMemory& memory) {
-    if (memory.version == editor.document.version() || memory.counts->counting || !editor.preview.ready()) return;
+    auto& counting = memory.counts->counting;
+    if (counting && counting->cancelled()) counting.reset();  // by whoever lists jobs
+    if (memory.version == editor.document.version() || counting || !editor.preview.ready()) return;
     memory.version = editor.document.version();
     const Counts& counts = *memory.counts;
     if (counts.vessel_width == editor.document.preset().vessels.vessel_width &&

@@ -2,12 +2,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
 
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
+#include "panels/table_rows.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/param.h"
@@ -150,15 +151,10 @@ void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t n
 
     const Parameter& row = *clip_table().find_row("weight");
     double weight = clips_of(editor)[number].weight;
-    const ui::Edit edit = ui::number_field(ui, "Weight", weight,
-                                           {.minimum = row.minimum,
-                                            .maximum = row.maximum,
-                                            .hard_minimum = row.minimum,
-                                            .hard_maximum = row.maximum,
-                                            .step = row.step,
-                                            .standard = 1.0,
-                                            .tip = tip_of(row),
-                                            .width = ui::px(ui.em(weight_width))});
+    ui::ParamOptions options = param_options(row);
+    options.standard = 1.0;
+    options.width = ui::px(ui.em(weight_width));
+    const ui::Edit edit = ui::number_field(ui, "Weight", weight, options);
     editor.document.take(edit, "Weight", [&](Content& c) { c.preset.smoke.clips[number].weight = weight; });
     ui.close();
     ui.pop_seed();
@@ -233,7 +229,8 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
                               ": a simulator would not find it."),
             ui::Tone::warning);
     }
-    const bool lost = !facts.known && !facts.faults.empty();
+    const bool stopped = facts.job && facts.job->cancelled();
+    const bool lost = !facts.known && (!facts.faults.empty() || stopped);
     if (!outside && !lost) return;
     const ui::Row row(ui);
     if (outside) ui::command_button(ui, editor.commands, "clip.copy");
@@ -275,7 +272,9 @@ void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
 
 void clip_rows(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size_t number) {
     static const SmokeClip standard;
-    const auto in = [number](Content& c) -> void* { return &c.preset.smoke.clips[number]; };
+    const auto in = [number](Content& c) -> void* {
+        return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
+    };
     const double duration = editor.keying().shelf.of(number).report.duration;
     const ui::Section section(ui, "Use");
     if (!section) return;
@@ -286,7 +285,8 @@ void clip_rows(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size
             in_and_out(ui, editor, clip, duration, number);
             continue;
         }
-        clip_row(ui, editor, row, &clip, &standard, in);
+        if (row.kind == Kind::path || row.kind == Kind::boolean) continue;  // the file above, own keying below
+        table_row(ui, editor, row, in, {.standard = &standard});
     }
 }
 
@@ -306,9 +306,11 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
         ui::label(ui, "The keying of the preset holds.", {.tone = ui::Tone::dim});
         return;
     }
-    const auto in = [number](Content& c) -> void* { return &c.preset.smoke.clips[number].keying; };
+    const auto in = [number](Content& c) -> void* {
+        return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number].keying : nullptr;
+    };
     for (const Parameter& row : keying_table().rows)
-        clip_row(ui, editor, row, &clip.keying, &editor.document.preset().smoke.keying, in);
+        table_row(ui, editor, row, in, {.standard = &editor.document.preset().smoke.keying});
 }
 
 void nothing_yet(ui::Ui& ui) {
@@ -324,11 +326,7 @@ void take_drops(ui::Ui& ui, app::Editor& editor) {
     panel.sense = panel.sense | ui::Sense::drop;
     ui.events_of(panel.id, [&](const ui::Event& event) {
         if (event.kind != ui::EventKind::drop) return;
-        std::vector<std::string> files;
-        std::istringstream lines(event.paths);
-        for (std::string line; std::getline(lines, line);)
-            if (!line.empty()) files.push_back(line);
-        editor.keying().shelf.add(files);
+        editor.keying().shelf.add(dropped_files(event.paths));
     });
 }
 
@@ -351,11 +349,13 @@ void clips_panel(ui::Ui& ui, app::Editor& editor) {
     const std::size_t number = editor.clip;
     if (number >= clips_of(editor).size()) return;
     ui.push_seed(number);
-    const ui::ScrollArea area(ui, "Selected clip", {.gap = 0.3F});
-    clip_faults(ui, editor);
-    const SmokeClip clip = clips_of(editor)[number];
-    clip_rows(ui, editor, clip, number);
-    own_keying(ui, editor, clip, number);
+    {
+        const ui::ScrollArea area(ui, "Selected clip", {.gap = 0.3F});
+        clip_faults(ui, editor);
+        const SmokeClip clip = clips_of(editor)[number];
+        clip_rows(ui, editor, clip, number);
+        own_keying(ui, editor, clip, number);
+    }
     ui.pop_seed();
 }
 

@@ -44,13 +44,15 @@ void add_edit_commands(app::Editor& editor) {
                          .group = "Edit",
                          .chord = {key_of('Z'), Mods::command},
                          .run = [&editor] { editor.document.undo(); },
-                         .enabled = [&editor] { return editor.document.can_undo(); }});
+                         .enabled = [&editor] { return editor.document.can_undo(); },
+                         .tip = "Takes the last step back; what is being dragged goes back to where it was"});
     editor.commands.add({.id = "edit.redo",
                          .title = "Redo",
                          .group = "Edit",
                          .chord = {key_of('Z'), Mods::command | Mods::shift},
                          .run = [&editor] { editor.document.redo(); },
-                         .enabled = [&editor] { return editor.document.can_redo(); }});
+                         .enabled = [&editor] { return editor.document.can_redo(); },
+                         .tip = "Does again what was undone last"});
 }
 
 }  // namespace lapfx::panels

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
@@ -50,14 +51,9 @@ class EventForm {
         editor_.document.take(edit, name, [&](document::Content& c) { change(c.scene.events); });
     }
     ui::ParamOptions options(std::string_view key, double most) const {
-        const Parameter& row = row_of(key);
-        return {.minimum = row.minimum,
-                .maximum = most,
-                .hard_minimum = row.minimum,
-                .hard_maximum = row.maximum,
-                .step = row.step,
-                .unit = row.unit,
-                .tip = row.help};
+        ui::ParamOptions o = param_options(row_of(key));
+        o.maximum = most;
+        return o;
     }
 
     void action() {

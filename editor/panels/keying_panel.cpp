@@ -8,6 +8,8 @@
 
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
+#include "panels/table_rows.h"
 #include "ui/canvas/histogram.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
@@ -42,13 +44,6 @@ app::KeyingBench& bench_of(app::Editor& editor) {
 }
 
 // --- above the pictures ----------------------------------------------------------------------------------------------------
-
-/// Room of so many em for something that takes all it gets; 0: a line of its own.
-class Room : public ui::Row {
-  public:
-    Room(ui::Ui& ui, float ems)
-        : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::Place::center}) {}
-};
 
 void clip_choice(ui::Ui& ui, app::Editor& editor, ui::Size width) {
     const auto& clips = editor.document.preset().smoke.clips;
@@ -303,7 +298,6 @@ bool is_threshold(std::string_view key) {
 }
 
 void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
-    KeyingBench& bench = bench_of(editor);
     const std::size_t number = editor.clip;
     whose_keying(ui, editor);
     pick_and_suggest(ui, editor, narrow);
@@ -314,14 +308,14 @@ void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
     static const KeyingParameters standard;
     static const SmokeClip standard_clip;
-    const SmokeClip clip = *bench.clip();
-    clip_row(ui, editor, *clip_table().find_row("polarity"), &clip, &standard_clip,
-             [number](Content& c) -> void* { return &c.preset.smoke.clips[number]; });
-    const KeyingParameters keying = bench.keying();
+    const auto clip = [number](Content& c) -> void* {
+        return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
+    };
+    const auto keying = [number](Content& c) -> void* { return &KeyingBench::keying_of(c, number); };
+    table_row(ui, editor, *clip_table().find_row("polarity"), clip, {.standard = &standard_clip});
     for (const Parameter& row : keying_table().rows) {
         ui.push_disabled(alpha && is_threshold(row.key));
-        clip_row(ui, editor, row, &keying, &standard,
-                 [number](Content& c) -> void* { return &KeyingBench::keying_of(c, number); });
+        table_row(ui, editor, row, keying, {.standard = &standard});
         ui.pop_disabled();
     }
 }

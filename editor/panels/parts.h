@@ -1,10 +1,22 @@
 // Parts of the window that are no panels, and small things that several panels are made of.
 #pragma once
 
+#include <string>
+#include <string_view>
+#include <vector>
+
 #include "app/editor.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::panels {
+
+/// What was dropped, as the UI has it: one a line.
+std::vector<std::string> dropped_files(std::string_view paths);
+/// Room along a row for something that takes all it gets, such as segmented(); ems: 0 is all that is left.
+struct Room : ui::Row {
+    Room(ui::Ui& ui, float ems)
+        : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::Place::center}) {}
+};
 
 void menu_bar(ui::Ui& ui, app::Editor& editor);
 void status_bar(ui::Ui& ui, app::Editor& editor);

@@ -258,7 +258,8 @@ void add_preset_commands(app::Editor& editor) {
                          .title = "Show changed parameters only",
                          .group = "Preset",
                          .run = [&tuning] { tuning.changed_only = !tuning.changed_only; },
-                         .checked = [&tuning] { return tuning.changed_only; }});
+                         .checked = [&tuning] { return tuning.changed_only; },
+                         .tip = "Only what differs from the file"});
     editor.commands.add({.id = "preset.copy_group",
                          .title = "Copy group",
                          .group = "Preset",

@@ -1,16 +1,10 @@
 #include "panels/preset_rows.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "app/tuning.h"
+#include "panels/table_rows.h"
 #include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
-#include "ui/widgets/color_field.h"
-#include "ui/widgets/combo.h"
-#include "ui/widgets/field.h"
 #include "ui/widgets/param.h"
-#include "ui/widgets/text_field.h"
 
 namespace lapfx::panels {
 
@@ -21,30 +15,12 @@ using app::ParameterEntry;
 using app::Tuning;
 
 constexpr std::string_view menu_name = "parameter menu";
-constexpr std::size_t most_segments = 3;
 
 /// Which row's menu is open: a favourite has two rows.
 struct MenuOf {
     ui::Id row = 0;
 };
 constexpr ui::Id menu_memory = 0x70726d6d656e75ULL;
-
-struct NameLook {
-    std::string_view text;
-    bool changed, locked;
-    friend bool operator==(const NameLook&, const NameLook&) = default;
-};
-
-/// As the labels of numbers are.
-void draw_name(ui::Painter& painter, const ui::Node& node, const NameLook& look) {
-    const ui::Theme& t = painter.theme();
-    ui::Rect column = node.rect();
-    column.cut_left(painter.em(ui::caption_inset));
-    const ui::Rect dot = column.cut_right(painter.em(0.9F)).inset(painter.em(0.1F), 0);
-    if (look.changed) painter.icon(dot, ui::Icon::dot, t.accent);
-    if (look.locked) painter.icon(column.cut_right(painter.em(0.9F)), ui::Icon::lock, t.text_dim);
-    painter.text(column, look.text, painter.text_style(), t.text);
-}
 
 /// One row while it is built.
 class RowBuilder {
@@ -75,50 +51,35 @@ class RowBuilder {
     bool range() const { return entry_.high != no_entry; }
     bool has_own_menu() const { return !range() && (row_.kind == Kind::number || row_.kind == Kind::integer); }
     const Preset& preset() const { return editor_.document.preset(); }
-    template <typename T>
-    void take(const ui::Edit& edit, const T& value) {
-        editor_.document.take(edit, title_, [&](document::Content& c) { entry_.in<T>(c.preset) = value; });
-    }
 
     ui::ParamOptions options() const {
+        ui::ParamOptions o = param_options(row_);
         const Tuning::Range soft = tuning_.range(index_);
-        return {.minimum = soft.low,
-                .maximum = soft.high,
-                .hard_minimum = row_.minimum,
-                .hard_maximum = row_.maximum,
-                .step = row_.step,
-                .unit = row_.unit,
-                .scale = row_.scale == Scale::logarithmic ? ui::ValueScale::logarithmic : ui::ValueScale::linear,
-                .tip = entry_.tip,
-                .locked = tuning_.locked(index_),
-                .favourite = tuning_.favourite(index_)};
+        o.minimum = soft.low, o.maximum = soft.high;
+        o.tip = entry_.tip;
+        o.locked = tuning_.locked(index_);
+        o.favourite = tuning_.favourite(index_);
+        return o;
     }
 
     void put() {
         if (range()) return put_range();
-        switch (row_.kind) {
-            case Kind::number:
-                return put_number<double>();
-            case Kind::integer:
-                return put_number<int>();
-            case Kind::vector:
-                return put_vector();
-            default:
-                return put_field();
-        }
-    }
-
-    template <typename T>
-    void put_number() {
-        T value = entry_.in<T>(preset());
-        ui::ParamOptions o = options();
-        o.standard = entry_.in<T>(tuning_.standard());
+        const Tuning::Range soft = tuning_.range(index_);
+        const bool locked = tuning_.locked(index_), favourite = tuning_.favourite(index_);
         ui::ParamActions actions;
-        const ui::Edit edit = ui::param(ui_, label_, value, o, &actions);
-        take(edit, value);
+        table_row(ui_, editor_, row_, [&entry = entry_](document::Content& c) { return entry.owner(c.preset); },
+                  {.name = label_,
+                   .step = title_,
+                   .tip = entry_.tip,
+                   .standard = entry_.owner(tuning_.standard()),
+                   .maximum = soft.high,
+                   .minimum = soft.low,
+                   .locked = locked,
+                   .favourite = favourite,
+                   .actions = &actions});
         if (actions.copy_path && ui_.clipboard() != nullptr) ui_.clipboard()->set(entry_.key);
-        if (actions.toggle_lock) tuning_.lock(index_, !o.locked);
-        if (actions.toggle_favourite) tuning_.mark_favourite(index_, !o.favourite);
+        if (actions.toggle_lock) tuning_.lock(index_, !locked);
+        if (actions.toggle_favourite) tuning_.mark_favourite(index_, !favourite);
         if (actions.range) tuning_.set_range(index_, {actions.range->low, actions.range->high});
     }
 
@@ -133,90 +94,6 @@ class RowBuilder {
             entry_.in<double>(c.preset) = low;
             upper.in<double>(c.preset) = high;
         });
-    }
-
-    void put_vector() {
-        glm::dvec3 value = entry_.in<glm::dvec3>(preset());
-        const glm::dvec3& standard = entry_.in<glm::dvec3>(tuning_.standard());
-        const ui::Edit edit =
-            ui::vector_param(ui_, label_, std::span(&value[0], 3), options(), std::span(&standard[0], 3));
-        take(edit, value);
-    }
-
-    /// Label and field, for what has no label with a dot and a lock of its own.
-    void put_field() {
-        ui::Node& node = ui_.open(ui::Role::group, label_, ui::Axis::x, ui::Sense::hover);
-        node.size[0] = ui::grow();
-        node.size[1] = ui::px(ui_.row_height());
-        node.minimum[0] = ui_.em(9);
-        node.cross = ui::Place::center;
-        node.tip = entry_.tip;
-        const bool changed = tuning_.changed(index_), locked = tuning_.locked(index_);
-        node.is |= when(changed, ui::Is::changed) | when(locked, ui::Is::locked);
-        const std::string_view shown = node.shown;
-        ui_.respond(node);
-        ui::Node& name = ui_.leaf(ui::Role::label, "##name", ui::Sense::hover | ui::Sense::press);
-        name.size[0] = ui::fraction(ui::caption_share);
-        name.size[1] = ui::grow();
-        name.tip = entry_.tip;
-        const ui::Response r = ui_.respond(name);
-        ui_.draw_with<draw_name>(name, NameLook{shown, changed, locked});
-        if (r.pressed && r.clicks == 2) tuning_.reset(index_);
-        const std::ptrdiff_t before = &ui_.last() - &ui_.parent();
-        put_value();
-        take_keys(before + 1);
-        ui_.close();
-    }
-
-    /// The menu's key and Backspace, from the field, which has the keyboard.
-    void take_keys(std::ptrdiff_t at) {
-        ui::Node& field = (&ui_.parent())[at];
-        if (row_.kind == Kind::text || row_.kind == Kind::path) return;  // these keys are the text's
-        field.sense = field.sense | ui::Sense::erase;
-        bool reset = false;
-        ui_.events_of(field.id, [&](const ui::Event& event) {
-            reset |= event.kind == ui::EventKind::key && event.key == ui::Key::backspace;
-        });
-        if (reset && tuning_.changed(index_)) tuning_.reset(index_);
-    }
-
-    void put_value() {
-        switch (row_.kind) {
-            case Kind::color:
-                return put_color();
-            case Kind::choice:
-                return put_choice();
-            case Kind::boolean: {
-                bool on = entry_.in<bool>(preset());
-                const ui::Edit edit = ui::checkbox(ui_, "On", on, entry_.tip);
-                return take(edit, on);
-            }
-            default: {
-                std::string& text = tuning_.text(index_);
-                const ui::Edit edit = ui::text_field(
-                    ui_, "Text", text, {.tip = entry_.tip, .bytes = 4 * static_cast<std::size_t>(row_.maximum)});
-                return take(edit, text);
-            }
-        }
-    }
-
-    void put_color() {
-        const glm::dvec3 value = entry_.in<glm::dvec3>(preset());
-        const auto code = [&](int i) {
-            return static_cast<std::uint8_t>(std::lround(std::clamp(value[i], 0.0, 1.0) * 255));
-        };
-        ui::Color color{code(0), code(1), code(2), 255};
-        const ui::Edit edit = ui::color_field(ui_, "Colour", color, {.tip = entry_.tip});
-        take(edit, glm::dvec3(color.r, color.g, color.b) / 255.0);
-    }
-
-    void put_choice() {
-        int chosen = std::get<int>(row_.get(entry_.owner(preset())));
-        const ui::Edit edit = row_.choices.size() <= most_segments
-                                  ? ui::segmented(ui_, "Choice", chosen, row_.choices)
-                                  : ui::combo(ui_, "Choice", chosen, row_.choices, {.tip = entry_.tip});
-        editor_.document.take(edit, title_,
-                              [&](document::Content& c) { row_.set(entry_.owner(c.preset), Value(chosen)); });
     }
 
     /// For rows that are no single number; those have one of the toolkit's with the same items.

@@ -6,6 +6,7 @@
 #include "app/layouts.h"
 #include "app/open.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
 #include "ui/canvas/image_view.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/param.h"
@@ -36,19 +37,14 @@ void ask_for_video(app::Editor& editor) {
 
 /// A video becomes the reference; a scene, a preset or an organ is what it is anywhere in the window.
 void take_dropped(app::Editor& editor, std::string_view paths) {
-    std::vector<std::string> files;
-    for (std::size_t from = 0; from < paths.size();) {
-        const std::size_t end = std::min(paths.find('\n', from), paths.size());
-        if (end > from) files.emplace_back(paths.substr(from, end - from));
-        from = end + 1;
-    }
+    const std::vector<std::string> files = dropped_files(paths);
     if (files.empty()) return;
     try {
         if (app::kind_of(files.front()) == app::FileKind::video) return editor.reference().choose(files.front());
     } catch (const Error& error) {
         return editor.tell(error);
     }
-    editor.open(files);
+    editor.bring(files);
 }
 
 void accept_drops(ui::Ui& ui, app::Editor& editor) {
@@ -116,7 +112,7 @@ void way_of_comparing(ui::Ui& ui, app::Editor& editor) {
     Reference& reference = editor.reference();
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     {
-        const ui::Row box(ui, {.width = ui::px(ui.em(27))});
+        const Room room(ui, 27);
         int way = static_cast<int>(reference.way);
         if (ui::segmented(ui, "Compare", way, ways)) reference.way = static_cast<CompareWay>(way);
     }
@@ -305,7 +301,8 @@ void add_reference_commands(app::Editor& editor) {
                          .title = "Remove reference",
                          .group = "Reference",
                          .run = [&editor] { editor.reference().remove(); },
-                         .enabled = [&editor] { return editor.reference().named(); }});
+                         .enabled = [&editor] { return editor.reference().named(); },
+                         .tip = "The scene has no reference then; its file stays"});
 }
 
 }  // namespace lapfx::panels

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
+#include <string>
+#include <unordered_map>
 
 #include "app/paths.h"
 #include "ui/widgets/basic.h"
@@ -16,7 +17,31 @@ namespace lapfx::panels {
 
 namespace {
 
-/// What all kinds of rows need.
+constexpr std::size_t most_segments = 3;
+
+struct NameLook {
+    std::string_view text;
+    bool changed, locked;
+    friend bool operator==(const NameLook&, const NameLook&) = default;
+};
+
+/// As the labels of numbers are.
+void draw_name(ui::Painter& painter, const ui::Node& node, const NameLook& look) {
+    const ui::Theme& t = painter.theme();
+    ui::Rect column = node.rect();
+    column.cut_left(painter.em(ui::caption_inset));
+    const ui::Rect dot = column.cut_right(painter.em(0.9F)).inset(painter.em(0.1F), 0);
+    if (look.changed) painter.icon(dot, ui::Icon::dot, t.accent);
+    if (look.locked) painter.icon(column.cut_right(painter.em(0.9F)), ui::Icon::lock, t.text_dim);
+    painter.text(column, look.text, painter.text_style(), t.text);
+}
+
+/// A text as its field edits it: what cannot be stored is there, too.
+struct TextShown {
+    std::string text, stored;
+};
+
+/// One row while it is built.
 struct RowBuild {
     ui::Ui& ui;
     app::Editor& editor;
@@ -27,83 +52,104 @@ struct RowBuild {
     void* find(document::Content& content) const { return owner(content); }
     /// To read from: a content that is edited through the document alone.
     const void* now() const { return owner(const_cast<document::Content&>(editor.document.content())); }
-    std::string_view name() const { return options.name.empty() ? row.name : options.name; }
-    std::string_view tip() const { return ui.join({row.help, row.help.empty() ? "" : "\n", ui.copy(row.expected())}); }
-    std::string_view step() const { return options.prefix.empty() ? name() : ui.join({options.prefix, ": ", name()}); }
     template <typename T>
-    std::optional<T> standard() const {
-        if (options.standard == nullptr) return std::nullopt;
-        return std::get<T>(row.get(options.standard));
+    const T& in(const void* of) const {
+        return *static_cast<const T*>(row.member(const_cast<void*>(of)));  // only an address is taken
     }
-    ui::Edit take(const ui::Edit& edit, const Value& value) const {
-        if (edit.changed && !row.check(value).empty()) return edit;  // the field says why already
+    template <typename T>
+    const T& value() const {
+        return in<T>(now());
+    }
+    bool is_text() const { return row.kind == Kind::text || row.kind == Kind::path; }
+    bool changed() const {
+        if (options.standard == nullptr) return false;
+        if (is_text()) return value<std::string>() != in<std::string>(options.standard);
+        return row.get(now()) != row.get(options.standard);
+    }
+    std::string_view name() const { return options.name.empty() ? row.name : options.name; }
+    std::string_view tip() const { return options.tip.empty() ? tip_of(row) : options.tip; }
+    std::string_view step() const {
+        if (!options.step.empty()) return options.step;
+        return options.prefix.empty() ? name() : ui.join({options.prefix, ": ", name()});
+    }
+    /// What is not allowed is not taken: the field says why already.
+    ui::Edit take(ui::Edit edit, const Value& next) const {
+        if (edit.changed && !row.check(next).empty()) edit.changed = false;
         editor.document.take(edit, step(), [&](document::Content& content) {
-            if (void* const found = find(content)) row.set(found, value);
+            if (void* const found = find(content)) row.set(found, next);
         });
         return edit;
+    }
+    void reset() const {
+        if (!changed()) return;
+        const Value standard = row.get(options.standard);
+        if (!row.check(standard).empty()) return;
+        editor.document.change("Reset " + std::string(step()), [&](document::Content& content) {
+            if (void* const found = find(content)) row.set(found, standard);
+        });
     }
 };
 
 ui::ParamOptions options_of(const RowBuild& b) {
-    const Parameter& row = b.row;
-    const bool narrower = b.options.maximum > 0;
-    ui::ParamOptions options;
-    options.minimum = narrower ? b.options.minimum : row.minimum;
-    options.maximum = narrower ? b.options.maximum : row.maximum;
-    options.hard_minimum = row.minimum, options.hard_maximum = row.maximum;
-    options.step = row.step;
-    options.unit = row.unit == "degrees" ? "deg" : row.unit;
-    options.scale = row.scale == Scale::logarithmic ? ui::ValueScale::logarithmic : ui::ValueScale::linear;
+    ui::ParamOptions options = param_options(b.row);
+    if (b.options.maximum > b.options.minimum) options.minimum = b.options.minimum, options.maximum = b.options.maximum;
     options.tip = b.tip();
+    options.locked = b.options.locked;
+    options.favourite = b.options.favourite;
     return options;
 }
 
-ui::Edit number_row(const RowBuild& b, double value) {
+template <typename T>
+ui::Edit number_row(const RowBuild& b) {
+    T value = b.value<T>();
     ui::ParamOptions options = options_of(b);
-    options.standard = b.standard<double>();
-    const ui::Edit edit = ui::param(b.ui, b.name(), value, options);
-    return b.take(edit, std::clamp(value, b.row.minimum, b.row.maximum));
-}
-
-ui::Edit integer_row(const RowBuild& b, int value) {
-    ui::ParamOptions options = options_of(b);
-    options.integer = true;
-    if (const auto standard = b.standard<int>()) options.standard = *standard;
-    const ui::Edit edit = ui::param(b.ui, b.name(), value, options);
+    if (b.options.standard != nullptr) options.standard = b.in<T>(b.options.standard);
+    const ui::Edit edit = ui::param(b.ui, b.name(), value, options, b.options.actions);
     return b.take(edit, value);
 }
 
-ui::Edit boolean_row(const RowBuild& b, bool value) {
-    const ui::Edit edit = ui::checkbox(b.ui, b.name(), value, b.tip());
+ui::Edit vector_row(const RowBuild& b) {
+    glm::dvec3 value = b.value<glm::dvec3>();
+    std::span<const double> standards;
+    if (b.options.standard != nullptr) standards = std::span(&b.in<glm::dvec3>(b.options.standard)[0], 3);
+    const ui::Edit edit = ui::vector_param(b.ui, b.name(), std::span(&value[0], 3), options_of(b), standards);
     return b.take(edit, value);
 }
 
-ui::Edit choice_row(const RowBuild& b, int value) {
-    const ui::Edit edit = ui::combo(b.ui, b.name(), value, b.row.choices, {.tip = b.tip(), .caption = true});
-    return b.take(edit, value);
+ui::Edit boolean_field(const RowBuild& b) {
+    bool on = b.value<bool>();
+    const ui::Edit edit = ui::checkbox(b.ui, "On", on, b.tip());
+    return b.take(edit, on);
 }
 
-ui::Edit color_row(const RowBuild& b, glm::dvec3 value) {
-    const auto code = [](double v) { return static_cast<std::uint8_t>(std::lround(std::clamp(v, 0.0, 1.0) * 255)); };
-    ui::Color color{code(value.x), code(value.y), code(value.z), 255};
-    const ui::Edit edit = ui::color_field(b.ui, b.name(), color, {.caption = true, .tip = b.tip()});
+ui::Edit choice_field(const RowBuild& b) {
+    int chosen = std::get<int>(b.row.get(b.now()));
+    const ui::Edit edit = b.row.choices.size() <= most_segments
+                              ? ui::segmented(b.ui, "Choice", chosen, b.row.choices)
+                              : ui::combo(b.ui, "Choice", chosen, b.row.choices, {.tip = b.tip()});
+    return b.take(edit, chosen);
+}
+
+ui::Edit color_field(const RowBuild& b) {
+    const glm::dvec3& value = b.value<glm::dvec3>();
+    const auto code = [&](int i) {
+        return static_cast<std::uint8_t>(std::lround(std::clamp(value[i], 0.0, 1.0) * 255));
+    };
+    ui::Color color{code(0), code(1), code(2), 255};
+    const ui::Edit edit = ui::color_field(b.ui, "Colour", color, {.tip = b.tip()});
     return b.take(edit, glm::dvec3(color.r, color.g, color.b) / 255.0);
 }
 
-ui::Edit vector_row(const RowBuild& b, glm::dvec3 value) {
-    double values[] = {value.x, value.y, value.z};
-    std::optional<glm::dvec3> standard = b.standard<glm::dvec3>();
-    const double standards[] = {standard ? standard->x : 0, standard ? standard->y : 0, standard ? standard->z : 0};
-    const ui::Edit edit = ui::vector_param(b.ui, b.name(), values, options_of(b),
-                                           standard ? std::span<const double>(standards) : std::span<const double>{});
-    return b.take(edit, glm::clamp(glm::dvec3(values[0], values[1], values[2]), b.row.minimum, b.row.maximum));
-}
-
-ui::Edit text_row(const RowBuild& b, std::string value) {
-    const ui::Edit edit = ui::text_field(
-        b.ui, b.name(), value,
-        {.tip = b.tip(), .bytes = static_cast<std::size_t>(std::max(b.row.maximum, 1.0)), .caption = true});
-    return b.take(edit, std::move(value));
+ui::Edit text_field(const RowBuild& b) {
+    TextShown& shown = b.ui.memory<TextShown>(b.ui.id_of("Text"));
+    if (const std::string& now = b.value<std::string>(); now != shown.stored) shown.text = shown.stored = now;
+    const ui::Edit edit =
+        ui::text_field(b.ui, "Text", shown.text,
+                       {.tip = b.tip(), .bytes = 4 * static_cast<std::size_t>(std::max(b.row.maximum, 1.0))});
+    if (!edit.began && !edit.changed && !edit.committed && !edit.cancelled) return edit;
+    const ui::Edit taken = b.take(edit, shown.text);
+    if (edit.committed || edit.cancelled) shown.text = b.value<std::string>();  // without what could not be stored
+    return taken;
 }
 
 /// The owner is asked for again when the answer comes: rows, tables and the editor outlive the dialog.
@@ -123,56 +169,108 @@ void choose_file(const RowBuild& b) {
 }
 
 /// Shown, not typed: a file half named would be looked for with every letter.
-ui::Edit path_row(const RowBuild& b, std::string value) {
+ui::Edit path_field(const RowBuild& b) {
     ui::Ui& ui = b.ui;
-    const ui::Row line(ui, {.width = ui::grow(), .gap = 0, .cross = ui::Place::center});
-    ui.push_seed(b.name());
-    {
-        const ui::Row caption(ui, {.width = ui::fraction(ui::caption_share), .gap = 0});
-        ui::space(ui, ui::caption_inset);
-        ui::label(ui, b.name(), {.width = ui::grow()});
-    }
-    ui::text_field(ui, "File", value, {.placeholder = "none", .tip = b.tip(), .read_only = true});
+    TextShown& shown = ui.memory<TextShown>(ui.id_of("File"));
+    shown.text = b.value<std::string>();
+    ui::text_field(ui, "File", shown.text, {.placeholder = "none", .tip = b.tip(), .read_only = true});
     ui::space(ui, 0.2F);
     ui::Edit edit;
-    if (!b.row.required && !value.empty() && ui::icon_button(ui, ui::Icon::cross, "None", {.quiet = true})) {
-        value.clear();
+    if (!b.row.required && !shown.text.empty() &&
+        ui::icon_button(ui, ui::Icon::cross, "None", {.tip = "Without a file", .quiet = true}))
         edit = ui::Edit::once();
+    if (ui::icon_button(ui, ui::Icon::folder, "Choose...", {.tip = "Choose a file", .quiet = true})) choose_file(b);
+    if (!edit.changed) return edit;
+    return b.take(edit, std::string());
+}
+
+ui::Edit field(const RowBuild& b) {
+    switch (b.row.kind) {
+        case Kind::color:
+            return color_field(b);
+        case Kind::choice:
+            return choice_field(b);
+        case Kind::boolean:
+            return boolean_field(b);
+        case Kind::path:
+            return path_field(b);
+        default:
+            return text_field(b);
     }
-    if (ui::icon_button(ui, ui::Icon::folder, "Choose...", {.tip = "Choose a file", .quiet = true})) {
-        choose_file(b);
-    }
-    ui.pop_seed();
-    return b.take(edit, std::move(value));
+}
+
+/// Backspace, from the field, which has the keyboard; a text has it for itself.
+bool resets(const RowBuild& b, ui::Node& node) {
+    if (b.is_text() || b.options.standard == nullptr) return false;
+    node.sense = node.sense | ui::Sense::erase;
+    bool asked = false;
+    b.ui.events_of(node.id, [&](const ui::Event& event) {
+        asked |= event.kind == ui::EventKind::key && event.key == ui::Key::backspace;
+    });
+    return asked;
+}
+
+/// Name and field, for what has no label with a dot and a lock of its own.
+ui::Edit field_row(const RowBuild& b) {
+    ui::Ui& ui = b.ui;
+    ui::Node& node = ui.open(ui::Role::group, b.name(), ui::Axis::x, ui::Sense::hover);
+    node.size[0] = ui::grow();
+    node.size[1] = ui::px(ui.row_height());
+    node.minimum[0] = ui.em(9);
+    node.cross = ui::Place::center;
+    node.tip = b.tip();
+    const bool changed = b.changed();
+    node.is |= when(changed, ui::Is::changed) | when(b.options.locked, ui::Is::locked);
+    const std::string_view shown = node.shown;
+    ui.respond(node);
+    ui::Node& name = ui.leaf(ui::Role::label, "##name", ui::Sense::hover | ui::Sense::press);
+    name.size[0] = ui::fraction(ui::caption_share);
+    name.size[1] = ui::grow();
+    name.tip = b.tip();
+    const ui::Response r = ui.respond(name);
+    ui.draw_with<draw_name>(name, NameLook{shown, changed, b.options.locked});
+    const std::ptrdiff_t before = &ui.last() - &ui.parent();
+    const ui::Edit edit = field(b);
+    const bool asked = resets(b, (&ui.parent())[before + 1]);
+    if (asked || (r.pressed && r.clicks == 2)) b.reset();
+    ui.close();
+    return edit;
 }
 
 }  // namespace
 
+std::string_view tip_of(const Parameter& row) {
+    static std::unordered_map<const Parameter*, std::string> tips;
+    std::string& tip = tips[&row];
+    if (tip.empty()) tip = std::string(row.help) + (row.help.empty() ? "" : "\n") + row.expected();
+    return tip;
+}
+
+ui::ParamOptions param_options(const Parameter& row) {
+    ui::ParamOptions options;
+    options.minimum = options.hard_minimum = row.minimum;
+    options.maximum = options.hard_maximum = row.maximum;
+    options.step = row.step;
+    options.unit = row.unit == "degrees" ? "deg" : row.unit;
+    options.scale = row.scale == Scale::logarithmic ? ui::ValueScale::logarithmic : ui::ValueScale::linear;
+    options.tip = tip_of(row);
+    return options;
+}
+
 ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options) {
     const RowBuild b{ui, editor, row, owner, options};
-    const void* const now = b.now();
-    if (now == nullptr) return {};
-    Value value = row.get(now);
+    if (b.now() == nullptr) return {};
     switch (row.kind) {
         case Kind::number:
-            return number_row(b, std::get<double>(value));
+            return number_row<double>(b);
         case Kind::integer:
-            return integer_row(b, std::get<int>(value));
-        case Kind::boolean:
-            return boolean_row(b, std::get<bool>(value));
-        case Kind::choice:
-            return choice_row(b, std::get<int>(value));
-        case Kind::color:
-            return color_row(b, std::get<glm::dvec3>(value));
+            return number_row<int>(b);
         case Kind::vector:
-            return vector_row(b, std::get<glm::dvec3>(value));
-        case Kind::text:
-            return text_row(b, std::get<std::string>(std::move(value)));
-        case Kind::path:
-            return path_row(b, std::get<std::string>(std::move(value)));
+            return vector_row(b);
+        default:
+            return field_row(b);
     }
-    return {};
 }
 
 ui::Edit table_rows(ui::Ui& ui, app::Editor& editor, const Table& table, const OwnerOf& owner,

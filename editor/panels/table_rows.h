@@ -5,7 +5,8 @@
 //     panels::table_row(ui, editor, *scene_table().find_row("seed"), scene, {.name = "Seed"});
 //
 // A row is called as the parameter is; its tooltip has the help and what is allowed. Where it starts a step of the history, that is
-// called after it, too, or "Camera: Eye" with a prefix.
+// called after it, too, or "Camera: Eye" with a prefix. With a standard it has a dot while it differs; Backspace or a double click
+// on the name goes back. All panels make their rows here: those of the preset panel have locks and menus added (preset_rows.h).
 #pragma once
 
 #include <functional>
@@ -14,6 +15,7 @@
 
 #include "app/editor.h"
 #include "ui/core/ui.h"
+#include "ui/widgets/param.h"
 
 namespace lapfx::panels {
 
@@ -21,18 +23,29 @@ namespace lapfx::panels {
 using OwnerOf = std::function<void*(document::Content&)>;
 
 struct TableRowOptions {
-    std::string_view name = {};       ///< in place of the parameter's own
-    std::string_view prefix = {};     ///< of the undo step's name
-    const void* standard = nullptr;   ///< a struct like the owner, with the values to go back to
-    double maximum = 0;               ///< above 0: a soft maximum nearer than the parameter's
-    double minimum = 0;               ///< and minimum, when there is a soft maximum
-    std::string_view file_kind = {};  ///< of paths: "Meshes", with `extensions`
+    std::string_view name = {};           ///< in place of the parameter's own
+    std::string_view prefix = {};         ///< of the undo step's name
+    std::string_view step = {};           ///< the undo step's whole name, in place of prefix and name
+    std::string_view tip = {};            ///< in place of the parameter's own
+    const void* standard = nullptr;       ///< a struct like the owner, with the values to go back to
+    double maximum = 0;                   ///< above `minimum`: a soft maximum nearer than the parameter's
+    double minimum = 0;                   ///< and minimum, when there is a soft maximum
+    bool locked = false;                  ///< shown with a lock
+    bool favourite = false;               ///< for the menu of a number
+    ui::ParamActions* actions = nullptr;  ///< of the menu of a number
+    std::string_view file_kind = {};      ///< of paths: "Meshes", with `extensions`
     std::initializer_list<const char*> extensions = {};
 };
 
 /// One parameter. Gives what came of it; the document has it already.
 ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options = {});
+
+/// "Help. A number from 0 to 255 code values"; good for ever.
+std::string_view tip_of(const Parameter& row);
+
+/// What a number of the UI has from its parameter: limits, step, unit, scale, tooltip.
+ui::ParamOptions param_options(const Parameter& row);
 
 /// All rows of a table, but not of the tables inside it.
 ui::Edit table_rows(ui::Ui& ui, app::Editor& editor, const Table& table, const OwnerOf& owner,

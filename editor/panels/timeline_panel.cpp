@@ -6,6 +6,7 @@
 #include "app/events.h"
 #include "panels/event_form.h"
 #include "panels/panels.h"
+#include "panels/table_rows.h"
 #include "ui/canvas/timeline.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
@@ -264,15 +265,10 @@ class TimelinePanel {
     void duration() {
         double value = editor_.document.scene().duration;
         const Parameter& row = *scene_table().find_row("duration");
-        const ui::Edit edit = ui::number_field(ui_, "Duration", value,
-                                               ui::seconds({.minimum = row.minimum,
-                                                            .maximum = 60,
-                                                            .hard_minimum = row.minimum,
-                                                            .hard_maximum = row.maximum,
-                                                            .step = row.step,
-                                                            .unit = row.unit,
-                                                            .tip = row.help,
-                                                            .width = ui::px(ui_.em(9))}));
+        ui::ParamOptions options = param_options(row);
+        options.maximum = 60;
+        options.width = ui::px(ui_.em(9));
+        const ui::Edit edit = ui::number_field(ui_, "Duration", value, ui::seconds(options));
         editor_.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });
     }
 
@@ -319,47 +315,54 @@ void add_play_commands(app::Editor& editor) {
                          .icon = ui::Icon::play,
                          .run = [&editor] { editor.timeline.speed = editor.playing() ? 0 : editor.play_speed; },
                          .enabled = free,
-                         .checked = [&editor] { return editor.playing(); }});
+                         .checked = [&editor] { return editor.playing(); },
+                         .tip = "From where it stands, at the speed of the timeline"});
     editor.commands.add({.id = "play.frame_back",
                          .title = "Frame back",
                          .group = "Play",
                          .chord = {ui::key_of(','), Mods::none},
                          .icon = ui::Icon::chevron_left,
                          .run = [step] { step(-1); },
-                         .enabled = free});
+                         .enabled = free,
+                         .tip = "Pauses, a frame before"});
     editor.commands.add({.id = "play.frame_on",
                          .title = "Frame on",
                          .group = "Play",
                          .chord = {ui::key_of('.'), Mods::none},
                          .icon = ui::Icon::chevron_right,
                          .run = [step] { step(1); },
-                         .enabled = free});
+                         .enabled = free,
+                         .tip = "Pauses, a frame later"});
     editor.commands.add({.id = "play.start",
                          .title = "To the start",
                          .group = "Play",
                          .chord = {ui::Key::home, Mods::command},
                          .icon = ui::Icon::step_back,
                          .run = [&editor] { editor.seek(editor.timeline.has_range ? editor.timeline.range.low : 0); },
-                         .enabled = free});
+                         .enabled = free,
+                         .tip = "Of the scene, or of the range that is played"});
     editor.commands.add({.id = "play.loop",
                          .title = "Loop",
                          .group = "Play",
                          .chord = {ui::key_of('L'), Mods::command},
                          .icon = ui::Icon::loop,
                          .run = [&editor] { editor.timeline.loop = !editor.timeline.loop; },
-                         .checked = [&editor] { return editor.timeline.loop; }});
+                         .checked = [&editor] { return editor.timeline.loop; },
+                         .tip = "Plays the scene, or the range, again and again"});
     editor.commands.add({.id = "event.add",
                          .title = "Add event at the playhead",
                          .group = "Play",
                          .icon = ui::Icon::plus,
                          .run = [&editor] { add_event(editor); },
-                         .enabled = free});
+                         .enabled = free,
+                         .tip = "Where the tool last was, else in the middle of the view"});
     editor.commands.add({.id = "event.duplicate",
                          .title = "Duplicate events",
                          .group = "Play",
                          .icon = ui::Icon::copy,
                          .run = [&editor] { duplicate_events(editor); },
-                         .enabled = [&editor] { return !editor.selected.empty(); }});
+                         .enabled = [&editor] { return !editor.selected.empty(); },
+                         .tip = "What is selected once more, at the playhead"});
 }
 
 }  // namespace lapfx::panels

@@ -101,7 +101,6 @@ class ViewPanel {
         mark(view);
         readout(view);
         loading();
-        loading();
         faults();
         ui_.close();
     }

@@ -27,7 +27,8 @@ void add_panel_commands(app::Editor& editor) {
         editor.commands.add({.id = "window.show_" + lower(panel),
                              .title = "Show " + std::string(panel),
                              .group = "Window",
-                             .run = [&editor, panel] { editor.layouts().shown.show(panel); }});
+                             .run = [&editor, panel] { editor.layouts().shown.show(panel); },
+                             .tip = "Brings the panel to the front, or back when it was closed"});
 }
 
 void add_layout_commands(app::Editor& editor) {
@@ -38,7 +39,8 @@ void add_layout_commands(app::Editor& editor) {
                              .group = "Window",
                              .chord = {key_of(digit++), Mods::command},
                              .run = [&editor, name] { editor.layouts().choose(name); },
-                             .checked = [&editor, name] { return editor.layouts().name() == name; }});
+                             .checked = [&editor, name] { return editor.layouts().name() == name; },
+                             .tip = "Arranges the panels for this task"});
     editor.commands.add({.id = "window.reset_layout",
                          .title = "Reset layout",
                          .group = "Window",
@@ -61,12 +63,14 @@ void add_window_commands(app::Editor& editor) {
                          .group = "Window",
                          .chord = {key_of(','), Mods::command},
                          .icon = ui::Icon::gear,
-                         .run = [&editor] { ui::open_dialog(editor.ui(), "settings"); }});
+                         .run = [&editor] { ui::open_dialog(editor.ui(), "settings"); },
+                         .tip = "Theme, size, keys"});
     editor.commands.add({.id = "window.light",
                          .title = "Light theme",
                          .group = "Window",
                          .run = [&editor] { editor.settings().light = !editor.settings().light; },
-                         .checked = [&editor] { return editor.settings().light; }});
+                         .checked = [&editor] { return editor.settings().light; },
+                         .tip = "Bright panels; else dark ones"});
     editor.commands.add({.id = "window.notices",
                          .title = "Go to notices",
                          .group = "Window",
@@ -77,14 +81,19 @@ void add_window_commands(app::Editor& editor) {
                          .title = "Command palette",
                          .group = "Window",
                          .chord = {key_of('P'), Mods::command},
-                         .run = [&editor] { ui::open_palette(editor.ui()); }});
-    editor.commands.add(
-        {.id = "help.keys", .title = "Keys", .group = "Help", .chord = {Key::f1, Mods::none}, .run = [&editor] {
-             ui::toggle_cheat_sheet(editor.ui());
-         }});
-    editor.commands.add({.id = "help.first_steps", .title = "First steps", .group = "Help", .run = [&editor] {
-                             editor.settings().hint_seen = false;
-                         }});
+                         .run = [&editor] { ui::open_palette(editor.ui()); },
+                         .tip = "Finds any command by its name and runs it"});
+    editor.commands.add({.id = "help.keys",
+                         .title = "Keys",
+                         .group = "Help",
+                         .chord = {Key::f1, Mods::none},
+                         .run = [&editor] { ui::toggle_cheat_sheet(editor.ui()); },
+                         .tip = "All commands that have keys"});
+    editor.commands.add({.id = "help.first_steps",
+                         .title = "First steps",
+                         .group = "Help",
+                         .run = [&editor] { editor.settings().hint_seen = false; },
+                         .tip = "Shows the three lines for beginners again"});
 }
 
 void layout_dialog(ui::Ui& ui, app::Editor& editor) {

@@ -1,5 +1,5 @@
+#include <algorithm>
 #include <array>
-#include <sstream>
 
 #include "app/layouts.h"
 #include "app/settings.h"
@@ -21,13 +21,20 @@ constexpr std::array<Build, app::panel_names.size()> panel_functions = {
 
 /// Files that were dropped where no panel takes them.
 void bring_dropped(const ui::Ui& ui, app::Editor& editor) {
-    std::vector<std::string> files;
-    std::istringstream lines{std::string(ui.dropped())};
-    for (std::string line; std::getline(lines, line);) files.push_back(line);
-    if (!files.empty()) editor.bring(files);
+    if (const std::vector<std::string> files = dropped_files(ui.dropped()); !files.empty()) editor.bring(files);
 }
 
 }  // namespace
+
+std::vector<std::string> dropped_files(std::string_view paths) {
+    std::vector<std::string> files;
+    for (std::size_t from = 0; from < paths.size();) {
+        const std::size_t end = std::min(paths.find('\n', from), paths.size());
+        if (end > from) files.emplace_back(paths.substr(from, end - from));
+        from = end + 1;
+    }
+    return files;
+}
 
 void workspace(ui::Ui& ui, app::Editor& editor) {
     editor.set_ui(ui);

@@ -85,10 +85,14 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     editor().timeline.speed = 0;
 
     // An organ and a clip come in, as dropped on the window.
+    const Image sample = picture(0);
     open({(data / "samples/liver_lobe.glb").string()});
+    ui().click("**/Load organ/Load").frame();
     ASSERT_TRUE(editor().preview.ready());
     const Image organ = picture(0);
+    EXPECT_GT(differing(sample, organ), 10'000U);
     open({(data / "samples/lagb.scene.json").string()});
+    ui().click("**/Discard").frame().frame();  // the organ was a change
     EXPECT_GT(differing(organ, picture(0)), 10'000U);
     open({(data / "samples/clips/wisps_thin.mp4").string()});
     EXPECT_EQ(editor().document.preset().smoke.clips.front().file, "wisps_thin.mp4");

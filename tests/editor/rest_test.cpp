@@ -1,0 +1,148 @@
+// What holds for the whole window: it comes to rest, its commands can be told apart, and nothing of one document is left over in
+// the next.
+#include "app/browser.h"
+#include "app/hot_reload.h"
+#include "app/keying_bench.h"
+#include "app/layouts.h"
+#include "app/settings.h"
+#include "app/snapshots.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class RestTest : public EditorTest {
+  protected:
+    /// No frame is asked for within a minute, and one that comes all the same draws nothing new.
+    void expect_rest(const std::string& where) {
+        ui().settle().frame(2).frame(2).settle();  // settings are written a moment after a change
+        ASSERT_FALSE(editor().wants_frame()) << where;
+        EXPECT_GT(ui().output().wake_at, ui().time + 60)
+            << where << ": " << (ui().ui().wake_reasons().empty() ? "" : ui().ui().wake_reasons().back().reason);
+        ui().frame(1);
+        EXPECT_FALSE(ui().output().changed) << where;
+        EXPECT_EQ(ui().ui().duplicates(), 0U) << where;
+    }
+    void expect_rest_everywhere(const std::string& what) {
+        for (const char* name : {"Tune", "Key", "Compare", "Stage"}) {
+            layout(name);
+            expect_rest(what + ", layout " + name);
+        }
+        for (const auto& panel : app::panel_names) {
+            editor().layouts().shown.show(panel);
+            ui().frame();
+            expect_rest(what + ", panel " + std::string(panel));
+        }
+    }
+    fs::path another_preset() {
+        Preset preset;
+        preset.name = "Another";
+        preset.bleeding.speed = 2;
+        save_preset(preset, folder() / "another.json");
+        return folder() / "another.json";
+    }
+};
+
+TEST_F(RestTest, EveryLayoutComesToRest) {
+    open_sample();
+    editor().timeline.speed = 0;
+    expect_rest_everywhere("sample");
+}
+
+TEST_F(RestTest, AnEmptyEditorComesToRestToo) {
+    editor().timeline.speed = 0;
+    editor().keying().look.behind = app::Behind::preview;  // there is none
+    ui().frame();
+    expect_rest_everywhere("nothing open");
+}
+
+TEST_F(RestTest, CommandsSayWhatTheyDo) {
+    const ui::CommandTable& commands = editor().commands;
+    ASSERT_GT(commands.size(), 50U);
+    for (std::size_t i = 0; i < commands.size(); ++i) EXPECT_FALSE(commands[i].tip.empty()) << commands[i].id;
+}
+
+TEST_F(RestTest, AnUntouchedEditorAsksNothing) {
+    EXPECT_FALSE(editor().document.unsaved());
+    open({another_preset().string()});
+    EXPECT_EQ(editor().document.preset().name, "Another");
+}
+
+TEST_F(RestTest, APresetAloneLeavesTheViewAndTheEventsAlone) {
+    open_sample();
+    editor().looking.endoscope = false;
+    editor().looking.camera.eye += glm::dvec3(10, 0, 0);
+    editor().selected = {0};
+    editor().clip = 2;
+    const glm::dvec3 eye = editor().looking.camera.eye;
+    open({another_preset().string()});
+    EXPECT_EQ(editor().document.preset().name, "Another");
+    EXPECT_EQ(editor().looking.camera.eye, eye);
+    EXPECT_EQ(editor().selected, std::vector<std::size_t>{0});
+    EXPECT_EQ(editor().clip, 0U);
+}
+
+TEST_F(RestTest, WhatWasBeforeASnapshotIsNotBroughtIntoAnotherDocument) {
+    open_sample();
+    Preset other = load_preset(another_preset());
+    editor().document.change("Values", [&](document::Content& c) { c.preset.bleeding.speed = 2; });
+    editor().snapshots().keep(0);
+    editor().document.undo();
+    editor().snapshots().show(0);
+    ASSERT_TRUE(editor().snapshots().shown(0));
+    editor().document.undo();
+    editor().snapshots().show(0);
+    const std::string shown = write_preset(editor().document.preset());
+    save_preset(editor().document.preset(), folder() / "same.json");
+    editor().document.note_disk();
+    editor().document.undo();
+    open({(folder() / "same.json").string()});
+    ASSERT_TRUE(editor().snapshots().shown(0));
+    editor().snapshots().show(0);
+    EXPECT_EQ(write_preset(editor().document.preset()), shown) << "there was nothing before it here";
+}
+
+TEST_F(RestTest, AnOldNoticeDoesNotReloadIntoAnotherDocument) {
+    open({another_preset().string()});
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 7; });
+    Preset changed = load_preset(another_preset());
+    changed.bleeding.speed = 11;
+    save_preset(changed, folder() / "another.json");
+    editor().hot_reload().take({folder() / "another.json"});
+    ui().frame().frame();
+    ASSERT_TRUE(ui().exists("**/Reload"));
+    Preset third;
+    third.name = "Third";
+    save_preset(third, folder() / "third.json");
+    editor().document.open_preset(load_preset(folder() / "third.json"), folder() / "third.json");
+    ui().frame();
+    ui().click("**/Reload").frame();
+    EXPECT_EQ(editor().document.preset().name, "Third");
+    EXPECT_NE(editor().document.preset().bleeding.speed, 11.0);
+}
+
+TEST_F(RestTest, WorkThatIsStoppedAmongTheJobsIsNotWaitedForEver) {
+    open_sample();
+    editor().browser().show();
+    ui().frame();
+    const std::shared_ptr<app::Job> job = editor().jobs.start(
+        "Long", [](app::Job&) -> app::Jobs::Apply { return [] { FAIL() << "it was stopped"; }; }, {});
+    job->cancel();
+    ui().frame().settle();
+    EXPECT_FALSE(editor().jobs.busy());
+    EXPECT_TRUE(editor().jobs.running().empty());
+}
+
+TEST_F(RestTest, StarsAndFoldersOfPresetsAreKept) {
+    editor().settings().preset_folders = {folder().string()};
+    editor().settings().preset_stars = {another_preset().string()};
+    editor().settings().write(editor());
+    start();
+    EXPECT_EQ(editor().settings().preset_folders, std::vector<std::string>{folder().string()});
+    EXPECT_EQ(editor().settings().preset_stars, std::vector<std::string>{(folder() / "another.json").string()});
+}
+
+}  // namespace
+}  // namespace lapfx::test
