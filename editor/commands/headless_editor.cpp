@@ -29,7 +29,10 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
     editor_->settings().reduced_motion = true;
 }
 
-HeadlessEditor::~HeadlessEditor() = default;
+/// The editor's threads wake the UI: they go before it does.
+HeadlessEditor::~HeadlessEditor() {
+    editor_.reset();
+}
 
 void HeadlessEditor::frame(double seconds) {
     time_ += seconds;

@@ -19,16 +19,16 @@ void EditorTest::SetUp() {
 }
 
 void EditorTest::TearDown() {
+    editor_.reset();  // its threads wake the UI
     ui_.reset();
-    editor_.reset();
     std::error_code error;
     fs::remove_all(folder_, error);
     GpuTest::TearDown();
 }
 
 void EditorTest::start(glm::ivec2 size) {
-    ui_.reset();
     editor_.reset();
+    ui_.reset();
     const fs::path data = LAPFX_SOURCE_DIR;
     editor_ = std::make_unique<app::Editor>(
         images_, app::EditorOptions{
