@@ -129,11 +129,13 @@ TEST_F(DocumentFiles, AFileThatCannotBeWrittenStaysAndSoDoesTheWork) {
 }
 
 TEST_F(DocumentFiles, WhatWasReloadedIsKnownAndSaved) {
-    document_.open({});
+    Content content;
+    content.scene.organ.file = "a.obj";
+    document_.open(content);
     document_.save_preset(in("a.json"));
     document_.save_scene(in("a.scene.json"));
     Document other;
-    other.open({});
+    other.open(content);
     other.change("Speed", [](Content& c) { c.preset.bleeding.speed = 9, c.scene.duration = 7; });
     other.save_preset(in("a.json"));
     other.save_scene(in("a.scene.json"));
