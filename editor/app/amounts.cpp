@@ -12,6 +12,7 @@ namespace lapfx::app {
 namespace {
 
 constexpr double settled_after = 0.15;  // s without a change: a drag does not start a job for each of its steps
+constexpr double look_again = 0.05;     // s
 constexpr double sample_time = 0.05;    // s, within the counts below
 constexpr double fewest = 60, most = 600;
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -99,7 +100,7 @@ void AmountsOverTime::follow(double now) {
         start();
     else
         due_ = changed_at_ + settled_after;
-    if (settled && !job_ && known_ != wanted_key_) due_ = now + settled_after;  // the organ is on its way
+    if (settled && !job_ && known_ != wanted_key_) due_ = now + look_again;  // the organ is on its way
 }
 
 /// It is on its way, or the preview tells what keeps it.
