@@ -3,9 +3,9 @@
 #include <cmath>
 
 #include "bleeding/bleed_cpu.h"
-#include "bleeding/tissue_density_cpu.h"
 #include "cautery/cautery.h"
 #include "cautery/power_cpu.h"
+#include "foundation.h"
 #include "inputs.h"
 #include "smoke/contact_fat_cpu.h"
 #include "smoke/haze_cpu.h"
@@ -13,13 +13,13 @@
 namespace lapfx {
 
 struct AmountsModel::State {
-    State(const Organ& organ, glm::dvec3 down)
-        : surface(organ),
-          tissue(organ, surface),
-          bleed(surface, down),
-          cautery(surface, [this](const glm::dvec3& place) { return tissue.wound_strength(place); }) {}
+    State(std::shared_ptr<const Foundation> shared, glm::dvec3 down)
+        : foundation(std::move(shared)),
+          tissue(foundation->tissue),
+          bleed(foundation->surface, down),
+          cautery(foundation->surface, [this](const glm::dvec3& place) { return tissue.wound_strength(place); }) {}
 
-    Surface surface;
+    std::shared_ptr<const Foundation> foundation;
     bleeding::TissueDensity tissue;
     bleeding::BleedField bleed;
     cautery::Cautery cautery;
@@ -44,7 +44,10 @@ struct AmountsModel::State {
 };
 
 AmountsModel::AmountsModel(const Organ& organ, const AmountsOptions& options)
-    : state_(std::make_unique<State>(organ, direction_of(options.gravity))) {}
+    : state_(std::make_unique<State>(std::make_shared<const Foundation>(organ, VesselParameters{}),
+                                     direction_of(options.gravity))) {}
+AmountsModel::AmountsModel(const std::shared_ptr<const PreparedOrgan>& organ, const AmountsOptions& options)
+    : state_(std::make_unique<State>(organ->state().foundation, direction_of(options.gravity))) {}
 AmountsModel::AmountsModel(AmountsModel&&) noexcept = default;
 AmountsModel& AmountsModel::operator=(AmountsModel&&) noexcept = default;
 AmountsModel::~AmountsModel() = default;

@@ -31,7 +31,4 @@ struct PreparedOrgan::State {
     std::filesystem::path folder;
 };
 
-/// Whether both scenes have the same organ and instrument, each as large and turned the same way.
-bool same_sources(const SceneOrgan& a, const SceneTool& a_tool, const SceneOrgan& b, const SceneTool& b_tool);
-
 }  // namespace lapfx

@@ -39,11 +39,6 @@ Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, cons
     stages.reach(1.0);
 }
 
-bool same_sources(const SceneOrgan& a, const SceneTool& a_tool, const SceneOrgan& b, const SceneTool& b_tool) {
-    return a.file == b.file && a.scale == b.scale && a.rotation == b.rotation && a_tool.file == b_tool.file &&
-           a_tool.scale == b_tool.scale;
-}
-
 PreparedOrgan::PreparedOrgan(std::unique_ptr<const State> state) : state_(std::move(state)) {}
 PreparedOrgan::~PreparedOrgan() = default;
 
@@ -55,6 +50,13 @@ std::vector<std::filesystem::path> PreparedOrgan::files() const {
     std::vector<std::filesystem::path> files = state_->organ.files;
     if (state_->tool) files.insert(files.end(), state_->tool->files.begin(), state_->tool->files.end());
     return files;
+}
+
+bool PreparedOrgan::made_for(const Scene& scene) const {
+    const SceneOrgan& organ = state_->organ_source;
+    const SceneTool& tool = state_->tool_source;
+    return state_->folder == scene.folder && organ.file == scene.organ.file && organ.scale == scene.organ.scale &&
+           organ.rotation == scene.organ.rotation && tool.file == scene.tool.file && tool.scale == scene.tool.scale;
 }
 
 std::size_t PreparedOrgan::memory() const {
@@ -89,6 +91,10 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages);
         return made;
     });
+}
+
+TissueHistogram tissue_histogram(const PreparedOrgan& organ, const VesselParameters& parameters) {
+    return organ.state().foundation->tissue.histogram(parameters);
 }
 
 }  // namespace lapfx

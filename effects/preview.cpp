@@ -24,13 +24,11 @@ EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options
 }
 
 std::shared_ptr<const PreparedOrgan> require_same(const Scene& scene, std::shared_ptr<const PreparedOrgan> organ) {
-    const PreparedOrgan::State& made = organ->state();
-    if (made.folder == scene.folder && same_sources(made.organ_source, made.tool_source, scene.organ, scene.tool))
-        return organ;
+    if (organ->made_for(scene)) return organ;
     throw Error(Failure::bad_input, Fault{.file = "",
                                           .place = "/organ/file",
                                           .reason = "\"" + scene.organ.file + "\" is not what was made ready: \"" +
-                                                    made.organ_source.file + "\""});
+                                                    organ->state().organ_source.file + "\""});
 }
 
 }  // namespace
@@ -115,8 +113,7 @@ void Preview::set_parameters(const Preset& preset) {
 }
 
 bool Preview::takes(const Scene& scene) const {
-    const Scene& s = state_->scene;
-    return s.folder == scene.folder && same_sources(s.organ, s.tool, scene.organ, scene.tool);
+    return state_->prepared->made_for(scene);
 }
 
 void Preview::set_scene(const Scene& scene) {

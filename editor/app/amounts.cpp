@@ -12,6 +12,7 @@ namespace lapfx::app {
 namespace {
 
 constexpr double settled_after = 0.15;  // s without a change: a drag does not start a job for each of its steps
+constexpr double look_again = 0.05;     // s
 constexpr double sample_time = 0.05;    // s, within the counts below
 constexpr double fewest = 60, most = 600;
 constexpr double never = std::numeric_limits<double>::infinity();
@@ -48,20 +49,19 @@ void AmountSeries::add(double time, const Amounts& amounts) {
     of(AmountKind::bleeding_wounds).push_back(amounts.bleeding_wounds);
 }
 
-/// Kept from job to job, for an organ takes longest to make ready. A job that was cancelled may still be in it for a moment.
+/// Kept from job to job: what has not changed costs nothing then. A job that was cancelled may still be in it for a moment.
 struct AmountsOverTime::Model {
     std::mutex mutex;
-    std::string organ;  // what it was made of
+    std::shared_ptr<const PreparedOrgan> organ;  // what it was made of
+    glm::dvec3 gravity{0.0};
     std::optional<AmountsModel> model;
 
-    AmountsModel& of(const Scene& scene) {
-        std::string wanted = organ_key(scene);
-        if (model && wanted == organ) return *model;
+    AmountsModel& of(const std::shared_ptr<const PreparedOrgan>& wanted, const glm::dvec3& down) {
+        if (model && wanted == organ && down == gravity) return *model;
         model.reset();
-        model.emplace(
-            load_organ(scene.folder / scene.organ.file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation}),
-            AmountsOptions{.gravity = scene.gravity});
-        organ = std::move(wanted);
+        model.emplace(wanted, AmountsOptions{.gravity = down});
+        organ = wanted;
+        gravity = down;
         return *model;
     }
 };
@@ -93,9 +93,10 @@ void AmountsOverTime::update(double now) {
 }
 
 void AmountsOverTime::follow(double now) {
-    if (followed_ != editor_.document.version()) {
-        followed_ = editor_.document.version();
-        std::string key = key_of(editor_.document.content());
+    const std::uint64_t organ = editor_.preview.organ_version();
+    if (followed_ != editor_.document.version() || organ_ != organ) {
+        followed_ = editor_.document.version(), organ_ = organ;
+        std::string key = key_of(editor_.document.content()) + std::to_string(organ);
         if (key != wanted_key_) wanted_key_ = std::move(key), changed_at_ = now;
     }
     if (wanted_key_ == known_ || (job_ && asked_ == wanted_key_)) return;
@@ -105,6 +106,15 @@ void AmountsOverTime::follow(double now) {
         start();
     else
         due_ = changed_at_ + settled_after;
+    if (settled && !job_ && known_ != wanted_key_) due_ = now + look_again;  // the organ is on its way
+}
+
+/// It is on its way, or the preview tells what keeps it.
+void AmountsOverTime::without_organ() {
+    const std::vector<Fault>& faults = editor_.preview.organ_faults();
+    if (editor_.preview.loading() || faults.empty()) return;
+    known_ = asked_, scene_.reset(), ++version_;
+    faults_ = faults;
 }
 
 void AmountsOverTime::start() {
@@ -115,13 +125,15 @@ void AmountsOverTime::start() {
         known_ = asked_, scene_.reset(), faults_.clear(), ++version_;
         return;
     }
-    const auto work = [model = model_, content = editor_.document.content(), key = asked_,
+    const std::shared_ptr<const PreparedOrgan> organ = editor_.preview.organ_of(scene);
+    if (organ == nullptr) return without_organ();
+    const auto work = [model = model_, content = editor_.document.content(), key = asked_, organ,
                        this](Job& job) -> Jobs::Apply {
         const std::lock_guard lock(model->mutex);
         auto series = std::make_shared<AmountSeries>();
         series->name = "Scene";
         if (job.cancelled()) return {};
-        AmountsModel& amounts = model->of(content.scene);
+        AmountsModel& amounts = model->of(organ, content.scene.gravity);
         amounts.set(content.preset, content.scene.events, content.scene.curves);
         const int count = static_cast<int>(std::clamp(std::ceil(content.scene.duration / sample_time), fewest, most));
         for (int i = 0; i <= count && !job.cancelled(); ++i) {

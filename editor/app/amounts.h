@@ -83,10 +83,12 @@ class AmountsOverTime {
     struct Model;
     void follow(double now);
     void start();
+    void without_organ();
 
     Editor& editor_;
     bool wanted_ = false, stopped_ = false;
     std::uint64_t followed_ = 0;  // version of the document
+    std::uint64_t organ_ = 0;     // and of the preview's organ
     std::string wanted_key_;      // all that the amounts depend on
     std::string known_, asked_;   // the same, of scene_ or its faults, and of the job
     double changed_at_ = 0.0, due_ = std::numeric_limits<double>::infinity();

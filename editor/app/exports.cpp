@@ -241,7 +241,7 @@ void Exports::begin() {
             return begin_bundle();
         default:
             running_->render =
-                std::make_unique<output::RenderJob>(running_->scene, running_->preset, running_->options);
+                std::make_unique<output::RenderJob>(running_->scene, running_->preset, running_->options, loaded());
     }
 }
 
@@ -250,7 +250,13 @@ void Exports::begin_bundle() {
     running_->render = std::make_unique<output::RenderJob>(
         running_->scene, running_->preset,
         output::RenderOptions{
-            .size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders});
+            .size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders},
+        loaded());
+}
+
+/// What the view has of it.
+output::Loaded Exports::loaded() const {
+    return {.organ = editor_.preview.organ_of(running_->scene), .clips = editor_.preview.clip_cache()};
 }
 
 void Exports::begin_copying() {

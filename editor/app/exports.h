@@ -105,6 +105,7 @@ class Exports {
     void check_preset_file(std::vector<Fault>& faults) const;
     void begin();
     void begin_bundle();
+    output::Loaded loaded() const;
     void begin_copying();
     void step();
     void end(const std::string& what);

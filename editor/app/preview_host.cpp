@@ -3,6 +3,7 @@
 #include <glad/gl.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -43,15 +44,36 @@ std::string name_of(const std::string& file) {
 
 }  // namespace
 
+namespace {
+
+/// Null when the job was cancelled. Throws what loading threw.
+std::shared_ptr<const PreparedOrgan> wait_for(EarlyLoad& early, Job& job) {
+    using namespace std::chrono_literals;
+    while (early.organ.wait_for(20ms) != std::future_status::ready) {
+        job.set_progress(early.progress);
+        if (job.cancelled()) early.stopped = true;
+    }
+    std::shared_ptr<const PreparedOrgan> organ = early.organ.get();
+    early.clips_known.wait();  // or they would be looked through twice
+    return organ;
+}
+
+}  // namespace
+
 std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
                                       const std::vector<std::filesystem::path>& clip_folders) {
     auto early = std::make_shared<EarlyLoad>();
     early->key = key_of(scene);
     early->clips = std::make_shared<ClipCache>();
-    early->organ =
-        std::async(std::launch::async, [scene, vessels = preset.vessels] { return prepare_organ(scene, vessels); });
-    early->clips_known = std::async(std::launch::async, [preset, clip_folders, clips = early->clips] {
-        clips->look_through(preset, clip_folders);
+    // Both end before what they refer to goes: their futures are parts of it.
+    early->organ = std::async(std::launch::async, [scene, vessels = preset.vessels, e = early.get()] {
+        return prepare_organ(scene, vessels, [e](double share) {
+            e->progress = share;
+            return !e->stopped;
+        });
+    });
+    early->clips_known = std::async(std::launch::async, [preset, clip_folders, e = early.get()] {
+        e->clips->look_through(preset, clip_folders, [e](double) { return !e->stopped; });
     });
     return early;
 }
@@ -82,12 +104,13 @@ void PreviewHost::follow(const document::Document& document) {
     }
     // What jobs bring makes it stale again: in exact mode all of it is waited for, else there is one turn.
     do {
-        if (ready_organ_) show(std::exchange(ready_organ_, nullptr));
         if (!std::exchange(stale_, false)) return;
         if (std::string key = key_of(wanted_.scene); key != organ_key_) {
             organ_key_ = std::move(key);
             load_organ();
         }
+        // One that cannot be shown, for a gravity without direction, waits until the scene is another one.
+        if (ready_organ_ && show(ready_organ_)) ready_organ_ = nullptr;
         follow_preset();
         follow_scene();
         if (options_.wait_for_clips) jobs_.finish();
@@ -97,14 +120,16 @@ void PreviewHost::follow(const document::Document& document) {
 void PreviewHost::load_organ() {
     if (organ_job_) organ_job_->cancel();
     std::shared_ptr<EarlyLoad> early = std::exchange(early_, nullptr);
-    if (early && early->key != organ_key_) early = nullptr;
+    const bool in_time = early && early->key == organ_key_;
+    if (early && !in_time) early->stopped = true;  // the job keeps it until it has ended
+    ready_organ_ = nullptr;
     organ_files_.clear();
-    const auto work = [content = wanted_, early, options = options_, this](Job& job) -> Jobs::Apply {
+    const auto work = [content = wanted_, early, in_time, options = options_, this](Job& job) -> Jobs::Apply {
         const auto tell = [&](double share) {
             job.set_progress(share);
             return !job.cancelled();
         };
-        auto organ = early ? early->organ.get() : prepare_organ(content.scene, content.preset.vessels, tell);
+        auto organ = in_time ? wait_for(*early, job) : prepare_organ(content.scene, content.preset.vessels, tell);
         if (!organ || !options.clip_cache->look_through(content.preset, options.clip_folders,
                                                         [&](double) { return !job.cancelled(); }))
             return {};
@@ -117,17 +142,20 @@ void PreviewHost::load_organ() {
     const auto failed = [this](const std::vector<Fault>& faults) {
         organ_job_ = nullptr;
         organ_faults_ = faults;
+        scene_fault_ = false;
+        ++organ_version_;
     };
     organ_job_ = jobs_.start("Loading " + name_of(wanted_.scene.organ.file), work, failed);
 }
 
 /// The organ that was waited for. What is wrong with the preset or with its clips keeps no organ from being shown.
-void PreviewHost::show(std::shared_ptr<const PreparedOrgan> organ) {
+bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
     changed_ = true;
     const auto make = [&](const Preset& preset) {
         try {
             preview_ = std::make_unique<Preview>(wanted_.scene, preset, organ, options_);
             organ_faults_.clear();
+            scene_fault_ = false;
             return true;
         } catch (const Error& error) {
             organ_faults_ = error.faults();
@@ -138,10 +166,13 @@ void PreviewHost::show(std::shared_ptr<const PreparedOrgan> organ) {
     Preset bare = wanted_.preset;
     bare.smoke.clips.clear();
     const bool known = options_.clip_cache->knows(wanted_.preset, options_.clip_folders);
-    if (!(known && make(wanted_.preset)) && !make(bare) && !make({})) return;
+    if (!(known && make(wanted_.preset)) && !make(bare) && !make({})) return false;
+    organ_ = organ;
+    ++organ_version_;
     overlay_ = options_.overlay;
     scene_text_ = write_scene(wanted_.scene);
     preset_text_.clear();  // clips that were not there yet, and what is wrong with the preset
+    return true;
 }
 
 void PreviewHost::follow_preset() {
@@ -190,7 +221,11 @@ void PreviewHost::look_through_clips() {
             stale_ = true;
         };
     };
-    clips_job_ = jobs_.start("Opening clips", work, [](const std::vector<Fault>&) {});
+    const auto failed = [this](const std::vector<Fault>& faults) {
+        clips_job_ = nullptr;
+        preset_faults_ = faults;
+    };
+    clips_job_ = jobs_.start("Opening clips", work, failed);
 }
 
 void PreviewHost::follow_scene() {
@@ -223,6 +258,7 @@ void PreviewHost::cancel_loading() {
         organ_faults_ = {{.file = wanted_.scene.organ.file,
                           .place = "",
                           .reason = "loading was cancelled; Reload from disk loads it again"}};
+        ++organ_version_;
     }
     if (clips_job_) {
         std::exchange(clips_job_, nullptr)->cancel();
@@ -262,6 +298,10 @@ std::vector<std::filesystem::path> PreviewHost::organ_files(const Scene& scene) 
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());
     return files;
+}
+
+std::shared_ptr<const PreparedOrgan> PreviewHost::organ_of(const Scene& scene) const {
+    return organ_ && organ_->made_for(scene) ? organ_ : nullptr;
 }
 
 std::size_t PreviewHost::memory() const {

@@ -5,6 +5,7 @@
 // are done.
 #pragma once
 
+#include <atomic>
 #include <future>
 #include <memory>
 #include <optional>
@@ -36,9 +37,16 @@ struct PreviewCopy {
 
 /// Organ and clips of a first document, on their way before there is a window or an Editor. Any thread.
 struct EarlyLoad {
-    std::string key;                                                 ///< of the scene's organ and tool
-    std::shared_ptr<ClipCache> clips;                                ///< where what is known of the clips goes to
-    std::shared_future<std::shared_ptr<const PreparedOrgan>> organ;  ///< what it throws is told when it is asked for
+    EarlyLoad() = default;
+    EarlyLoad(const EarlyLoad&) = delete;
+    EarlyLoad& operator=(const EarlyLoad&) = delete;
+    ~EarlyLoad() { stopped = true; }  // what is still on its way ends soon, and is waited for
+
+    std::string key;                   ///< of the scene's organ and tool
+    std::shared_ptr<ClipCache> clips;  ///< where what is known of the clips goes to
+    std::atomic<bool> stopped = false;
+    std::atomic<double> progress = 0;                         ///< of the organ, 0..1
+    std::future<std::shared_ptr<const PreparedOrgan>> organ;  ///< what it throws is told when it is asked for
     std::future<void> clips_known;
 };
 std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
@@ -104,6 +112,13 @@ class PreviewHost {
 
     std::size_t memory() const;  ///< bytes of organ and clips, in main memory and on the GPU
 
+    /// What is known of clips: another preview that uses it looks through none of them again.
+    const std::shared_ptr<ClipCache>& clip_cache() const { return options_.clip_cache; }
+    /// The organ of this scene as it is shown, for others that work on it; null while it is not there, or another one is.
+    std::shared_ptr<const PreparedOrgan> organ_of(const Scene& scene) const;
+    /// Grows whenever another one is shown, or why there is none.
+    std::uint64_t organ_version() const { return organ_version_; }
+
     /// Null before the first organ is there. Do not draw with it.
     Preview* preview() { return preview_.get(); }
     const Preview* preview() const { return preview_.get(); }
@@ -118,7 +133,7 @@ class PreviewHost {
 
   private:
     void load_organ();
-    void show(std::shared_ptr<const PreparedOrgan> organ);
+    bool show(const std::shared_ptr<const PreparedOrgan>& organ);
     void follow_preset();
     void follow_scene();
     void look_through_clips();
@@ -130,6 +145,8 @@ class PreviewHost {
     Jobs& jobs_;
     std::shared_ptr<EarlyLoad> early_;
     std::shared_ptr<Job> organ_job_, clips_job_;
+    std::shared_ptr<const PreparedOrgan> organ_;  ///< that is shown
+    std::uint64_t organ_version_ = 0;
     std::unique_ptr<Preview> preview_;
     Target target_;
     std::uint64_t followed_ = 0;                        ///< version of the document

@@ -30,8 +30,9 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
     editor_->settings().hint_seen = true;
 }
 
+/// The editor's threads wake the UI: they go before it does.
 HeadlessEditor::~HeadlessEditor() {
-    editor_.reset();  // its threads wake the UI
+    editor_.reset();
 }
 
 void HeadlessEditor::frame(double seconds) {

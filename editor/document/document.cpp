@@ -183,11 +183,13 @@ void Document::compare() const {
 
 void Document::reload(Preset preset) {
     saved_preset_ = write_preset(preset);
+    preset_disk_ = OnDisk::of(preset_file_);
     change("Reload preset", [&](Content& c) { c.preset = std::move(preset); });
 }
 
 void Document::reload(Scene scene) {
     saved_scene_ = write_scene(scene);
+    scene_disk_ = OnDisk::of(scene_file_);
     change("Reload scene", [&](Content& c) { c.scene = std::move(scene); });
 }
 

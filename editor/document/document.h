@@ -143,7 +143,7 @@ class Document {
     void forget_scene_file();
     void forget_preset_file();
 
-    /// As it is on disk now: one undo step, and what is on disk counts as saved.
+    /// As it is on disk now: one undo step, and what is on disk counts as saved and known.
     void reload(Preset preset);
     void reload(Scene scene);
 

@@ -122,6 +122,22 @@ std::vector<Session> sessions(const fs::path& all) {
     return found;
 }
 
+/// Up to `most` files of an ended editor, the oldest first, but `kept` of them; then its folder, too. One that cannot be locked is
+/// left alone: it is not ours, or somebody is at it.
+void drop_oldest(Session& session, std::size_t most, std::size_t kept) {
+    std::error_code error;
+    try {
+        const std::optional<Lock> lock = Lock::take(session.folder / "lock");
+        for (; lock && most > 0 && session.files.size() > kept; --most) {
+            fs::remove(session.files.back(), error);
+            session.files.pop_back();
+        }
+    } catch (const Error&) {
+        return;
+    }
+    if (session.files.empty()) fs::remove(session.folder, error);  // only when it is empty
+}
+
 /// What ended editors left behind goes, the oldest first, and of each editor the newest last.
 void drop_oldest(const fs::path& all, const fs::path& own) {
     std::vector<Session> found = sessions(all);
@@ -130,14 +146,9 @@ void drop_oldest(const fs::path& all, const fs::path& own) {
     for (const bool newest_too : {false, true}) {
         for (auto session = found.rbegin(); session != found.rend() && count > KeepFolder::most_in_all; ++session) {
             if (session->folder == own) continue;
-            const std::optional<Lock> lock = Lock::take(session->folder / "lock");
-            if (!lock) continue;
-            while (count > KeepFolder::most_in_all && session->files.size() > (newest_too ? 0U : 1U)) {
-                std::error_code error;
-                fs::remove(session->files.back(), error);
-                session->files.pop_back();
-                --count;
-            }
+            const std::size_t before = session->files.size();
+            drop_oldest(*session, count - KeepFolder::most_in_all, newest_too ? 0 : 1);
+            count -= before - session->files.size();
         }
     }
 }

@@ -8,10 +8,10 @@
 #include <cstring>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
+#include <set>
 
 #include "lapfx/clip.h"
 #include "output/files.h"
-#include "output/organ_files.h"
 
 namespace lapfx::output {
 
@@ -93,10 +93,17 @@ struct Copy {
     fs::path from, to;  ///< `to`: relative to the bundle
 };
 
+/// Absolute; "ooze/" is called "ooze".
+fs::path plain(const fs::path& folder) {
+    std::error_code error;
+    const fs::path whole = fs::absolute(folder, error).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
 class Writer {
   public:
     Writer(const Bundle& bundle, const std::function<bool(double)>& goes_on)
-        : bundle_(bundle), goes_on_(goes_on), target_(fs::absolute(bundle.folder)), beside_(target_) {
+        : bundle_(bundle), goes_on_(goes_on), target_(plain(bundle.folder)), beside_(target_) {
         name_ = target_.filename().string();
     }
 
@@ -150,12 +157,23 @@ class Writer {
         if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
     }
 
-    /// With all files that it names, into a folder of its own. Gives its new name.
-    std::string plan_organ(const std::string& file, const std::string& folder) {
+    /// A mesh of the scene on its way: with all files that it names, into a folder of its own.
+    struct Mesh {
+        std::string file;  ///< its new name; empty: the scene has none
+        OrganOptions options;
+        Organ organ;
+    };
+    Mesh plan_mesh(const std::string& file, const OrganOptions& options, const std::string& folder) {
         if (file.empty()) return {};
         const fs::path whole = bundle_.scene->folder / file;
-        for (const fs::path& part : organ_files(whole)) copies_.push_back({whole.parent_path() / part, folder / part});
-        return folder + "/" + whole.filename().string();
+        Mesh mesh{
+            .file = folder + "/" + whole.filename().string(), .options = options, .organ = load_organ(whole, options)};
+        std::set<fs::path> taken;
+        for (const fs::path& from : mesh.organ.files) {
+            const fs::path to = folder / from.lexically_relative(whole.parent_path());
+            if (is_file(from) && taken.insert(to).second) copies_.push_back({from, to});
+        }
+        return mesh;
     }
 
     void plan_scene() {
@@ -164,8 +182,11 @@ class Writer {
         scene_->folder = beside_.path();
         scene_->preset = name_ + ".json";
         scene_->reference = {};
-        scene_->organ.file = plan_organ(bundle_.scene->organ.file, "organ");
-        scene_->tool.file = plan_organ(bundle_.scene->tool.file, "tool");
+        organ_ =
+            plan_mesh(scene_->organ.file, {.scale = scene_->organ.scale, .rotation = scene_->organ.rotation}, "organ");
+        tool_ = plan_mesh(scene_->tool.file, {.scale = scene_->tool.scale}, "tool");
+        scene_->organ.file = organ_.file;
+        scene_->tool.file = tool_.file;
     }
 
     void copy(const Copy& c) {
@@ -199,14 +220,14 @@ class Writer {
         check_clips(loaded, (target_ / file.filename()).string(), {});
     }
 
-    void check_organ(const std::string& before, const std::string& after, const OrganOptions& options) const {
-        if (after.empty()) return;
-        const Organ a = load_organ(bundle_.scene->folder / before, options);
-        const Organ b = load_organ(beside_.path() / after, options);
+    void check_mesh(const Mesh& mesh) const {
+        if (mesh.file.empty()) return;
+        const Organ& a = mesh.organ;
+        const Organ b = load_organ(beside_.path() / mesh.file, mesh.options);
         const auto same_image = [](const Image& x, const Image& y) { return x.pixels == y.pixels; };
         if (a.positions != b.positions || a.indices != b.indices || a.uvs != b.uvs ||
             !std::equal(a.images.begin(), a.images.end(), b.images.begin(), b.images.end(), same_image))
-            fail(target_ / after, "the copy is not the same organ: it names files that lie elsewhere");
+            fail(target_ / mesh.file, "the copy is not the same organ; did its files change meanwhile?");
     }
 
     void check_scene() const {
@@ -214,10 +235,9 @@ class Writer {
         if (write_scene(load_scene(file)) != write_scene(*scene_))
             fail(target_ / file.filename(), "does not come back as it was written");
         tell(0.92);
-        check_organ(bundle_.scene->organ.file, scene_->organ.file,
-                    {.scale = scene_->organ.scale, .rotation = scene_->organ.rotation});
+        check_mesh(organ_);
         tell(0.96);
-        check_organ(bundle_.scene->tool.file, scene_->tool.file, {.scale = scene_->tool.scale});
+        check_mesh(tool_);
     }
 
     void check_thumbnail() const {
@@ -254,6 +274,7 @@ class Writer {
     std::string name_;
     Preset preset_;
     std::optional<Scene> scene_;
+    Mesh organ_, tool_;
     std::vector<Copy> copies_;
     double total_ = 0, copied_ = 0;  ///< bytes
 };
@@ -313,7 +334,9 @@ void export_preset(const Preset& preset, const fs::path& file, const std::vector
         throw cannot_write(file, "does not come back as it was written; is the disk sound?");
 }
 
-std::string check_bundle_folder(const fs::path& folder) {
+std::string check_bundle_folder(const fs::path& named) {
+    const fs::path folder = plain(named);
+    if (!folder.has_filename()) return "has no name that files could be called after";
     std::error_code error;
     const fs::file_status status = fs::symlink_status(folder, error);
     if (!fs::exists(status)) return "";

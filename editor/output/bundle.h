@@ -48,8 +48,8 @@ struct Bundle {
     Image thumbnail;
 };
 
-/// Why a bundle cannot be made in `folder`; empty: it can. A folder that is there is replaced only if it is empty or a bundle.
-std::string check_bundle_folder(const std::filesystem::path& folder);
+/// Why a bundle cannot be made in the folder `named` so; empty: it can. A folder that is there is replaced only if it is empty or a bundle.
+std::string check_bundle_folder(const std::filesystem::path& named);
 
 /// What a bundle holds.
 struct BundleContent {

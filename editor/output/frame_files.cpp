@@ -13,6 +13,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::size_t longest_name = 255;
+
 std::size_t hash_of(const cv::Mat& bgr) {
     return std::hash<std::string_view>{}({reinterpret_cast<const char*>(bgr.data), bgr.total() * bgr.elemSize()});
 }
@@ -78,6 +80,7 @@ class VideoFrames : public FrameFiles {
 FileForm form_of(const fs::path& path) {
     static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)");
     const std::string name = path.filename().string();
+    if (name.size() > longest_name) return FileForm::unknown;  // no file system takes it, and std::regex recurses
     if (is_video_name(path)) return FileForm::video;
     if (std::regex_match(name, pattern)) return FileForm::sequence;
     return path.extension() == ".png" && name.find('%') == std::string::npos ? FileForm::picture : FileForm::unknown;

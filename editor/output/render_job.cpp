@@ -102,16 +102,20 @@ std::vector<double> frame_times(const RenderOptions& o, double duration) {
     return times;
 }
 
-RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions options) : options_(std::move(options)) {
+RenderJob::RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded)
+    : options_(std::move(options)) {
     if (std::vector<Fault> faults = check(options_, scene.duration); !faults.empty())
         throw Error(Failure::bad_input, std::move(faults));
     times_ = frame_times(options_, scene.duration);
     if (!options_.output.empty())
         files_ = make_frame_files(options_.output, options_.fps, options_.size, static_cast<int>(times_.size()));
     if (!options_.amounts.empty()) require_replaceable(options_.amounts);
-    preview_ = std::make_unique<Preview>(
-        scene, preset,
-        PreviewOptions{.clip_folders = options_.clip_folders, .wait_for_clips = true, .overlay = options_.overlay});
+    preview_ =
+        std::make_unique<Preview>(scene, preset, loaded.organ ? loaded.organ : prepare_organ(scene, preset.vessels),
+                                  PreviewOptions{.clip_folders = options_.clip_folders,
+                                                 .wait_for_clips = true,
+                                                 .overlay = options_.overlay,
+                                                 .clip_cache = loaded.clips});
     amounts_ = "time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze\n";
 }
 

@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/clip_cache.h"
+#include "lapfx/prepared_organ.h"
 #include "lapfx/preview.h"
 #include "output/frame_files.h"
 
@@ -35,10 +37,16 @@ std::vector<Fault> check(const RenderOptions& options, double duration);
 /// Times of the frames, s. Of options without a fault.
 std::vector<double> frame_times(const RenderOptions& options, double duration);
 
+/// What there is already of a scene and its clips; null: it is loaded.
+struct Loaded {
+    std::shared_ptr<const PreparedOrgan> organ;
+    std::shared_ptr<ClipCache> clips;
+};
+
 class RenderJob {
   public:
     /// Loads the scene. Throws Error: what check() finds (bad_input), what cannot be loaded, where it cannot be written (runtime).
-    RenderJob(const Scene& scene, const Preset& preset, RenderOptions options);
+    RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded = {});
     ~RenderJob();
     RenderJob(const RenderJob&) = delete;
     RenderJob& operator=(const RenderJob&) = delete;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "lapfx/prepared_organ.h"
 #include "lapfx/tissue.h"
 #include "panels/table_rows.h"
 #include "ui/canvas/histogram.h"
@@ -14,39 +15,26 @@ namespace {
 
 /// Counted beside the UI, whenever the organ or what the counts depend on is another.
 struct Counts {
-    std::string organ_key;
+    std::shared_ptr<const PreparedOrgan> organ;
     double vessel_width = -1;
-    std::shared_ptr<const Organ> organ;
     std::optional<TissueHistogram> histogram;
     std::vector<Fault> faults;
     std::shared_ptr<app::Job> counting{};
 };
 struct StripMemory {
     std::shared_ptr<Counts> counts = std::make_shared<Counts>();
-    std::uint64_t version = 0;  ///< of the document, when last looked at
 };
 
-std::string key_of(const Scene& scene) {
-    const glm::dvec3& r = scene.organ.rotation;
-    return (scene.folder / scene.organ.file).string() + ' ' + std::to_string(scene.organ.scale) + ' ' +
-           std::to_string(r.x) + ' ' + std::to_string(r.y) + ' ' + std::to_string(r.z);
-}
-
-void count(app::Editor& editor, const std::shared_ptr<Counts>& counts) {
-    const Scene& scene = editor.document.scene();
+void count(app::Editor& editor, const std::shared_ptr<Counts>& counts,
+           const std::shared_ptr<const PreparedOrgan>& organ) {
     const VesselParameters parameters = editor.document.preset().vessels;
-    std::string key = key_of(scene);
-    if (counts->organ_key != key) *counts = {};
-    counts->organ_key = std::move(key);
+    if (counts->organ != organ) *counts = {};
+    counts->organ = organ;
     counts->vessel_width = parameters.vessel_width;
     counts->counting = editor.jobs.start(
         "Counting colours of the organ",
-        [counts, parameters, organ = counts->organ, file = scene.folder / scene.organ.file,
-         options = OrganOptions{.scale = scene.organ.scale, .rotation = scene.organ.rotation}](app::Job&) mutable {
-            if (!organ) organ = std::make_shared<Organ>(load_organ(file, options));
-            const TissueHistogram histogram = tissue_histogram(*organ, parameters);
-            return [counts, organ, histogram] {
-                counts->organ = organ;
+        [counts, parameters, organ](app::Job&) -> app::Jobs::Apply {
+            return [counts, histogram = tissue_histogram(*organ, parameters)] {
                 counts->histogram = histogram;
                 counts->faults.clear();
                 counts->counting.reset();
@@ -59,15 +47,12 @@ void count(app::Editor& editor, const std::shared_ptr<Counts>& counts) {
 }
 
 void follow(app::Editor& editor, StripMemory& memory) {
-    auto& counting = memory.counts->counting;
-    if (counting && counting->cancelled()) counting.reset();  // by whoever lists jobs
-    if (memory.version == editor.document.version() || counting || !editor.preview.ready()) return;
-    memory.version = editor.document.version();
-    const Counts& counts = *memory.counts;
-    if (counts.vessel_width == editor.document.preset().vessels.vessel_width &&
-        counts.organ_key == key_of(editor.document.scene()))
-        return;
-    count(editor, memory.counts);
+    Counts& counts = *memory.counts;
+    if (counts.counting && counts.counting->cancelled()) counts.counting.reset();  // by whoever lists jobs
+    if (counts.counting) return;
+    const std::shared_ptr<const PreparedOrgan> organ = editor.preview.organ_of(editor.document.scene());
+    if (organ && (counts.organ != organ || counts.vessel_width != editor.document.preset().vessels.vessel_width))
+        count(editor, memory.counts, organ);
 }
 
 /// One of the two overlays.

@@ -100,15 +100,20 @@ void DensityMap::Source::convert(const Image& image, const glm::vec3& factor) {
     }
 }
 
+void DensityMap::Source::weigh(cv::Mat& weights, cv::Mat& red) const {
+    // Mat takes no const data; it is only read.
+    cv::Mat(size.y, size.x, CV_8U, const_cast<std::uint8_t*>(layout.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
+    cv::Mat(size.y, size.x, CV_16S, const_cast<std::int16_t*>(redness.data())).convertTo(red, CV_32F, redness_step);
+    cv::multiply(red, weights, red);
+}
+
 void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     if (!tells()) return;
     const TextureLayout& layout = source_->layout;
     const auto texels = [&](double mm) { return mm * layout.texels_per_mm; };
     const cv::Size size(source_->size.x, source_->size.y);
-    // Mat takes no const data; it is only read.
     cv::Mat weights, red;
-    cv::Mat(size, CV_8U, const_cast<std::uint8_t*>(layout.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
-    cv::Mat(size, CV_16S, const_cast<std::int16_t*>(source_->redness.data())).convertTo(red, CV_32F, redness_step);
+    source_->weigh(weights, red);
     stages.reach(0.1);
     cv::Mat near, around;
     side_by_side([&] { near = TextureBlur(weights, texels(near_share * p.vessel_width), layout.repeats)(red); },
@@ -124,13 +129,13 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
         for (int y = rows.start; y < rows.end; ++y) {
             float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
-            const float* far = around.ptr<float>(y);
+            const float *far = around.ptr<float>(y), *weight = weights.ptr<float>(y);
             const glm::u8vec2* chroma =
                 &source_->chroma[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
             for (int x = 0; x < size.width; ++x) {
                 const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);
-                vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
-                fatness[x] = fatty[color];
+                vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color] * weight[x];
+                fatness[x] = fatty[color] * weight[x];
             }
         }
     });
@@ -139,9 +144,9 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     cv::Mat planes[2];
     side_by_side([&] { planes[0] = smooth(vessels); }, [&] { planes[1] = smooth(fat); });
     stages.reach(0.9);
-    cv::Mat merged, both(size, CV_8UC2, values_.data());
-    cv::merge(planes, 2, merged);
-    merged.convertTo(both, CV_8U, 255.0);
+    for (cv::Mat& plane : planes) plane.convertTo(plane, CV_8U, 255.0);
+    cv::Mat both(size, CV_8UC2, values_.data());
+    cv::merge(planes, 2, both);
 }
 
 void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) const {
@@ -149,8 +154,7 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
     const TextureLayout& layout = source_->layout;
     const cv::Size size(source_->size.x, source_->size.y);
     cv::Mat weights, red;
-    cv::Mat(size, CV_8U, const_cast<std::uint8_t*>(layout.used.data())).convertTo(weights, CV_32F, 1.0 / 255);
-    cv::Mat(size, CV_16S, const_cast<std::int16_t*>(source_->redness.data())).convertTo(red, CV_32F, redness_step);
+    source_->weigh(weights, red);
     const auto blurred = [&](double mm) {
         return TextureBlur(weights, mm * layout.texels_per_mm, layout.repeats)(red);
     };

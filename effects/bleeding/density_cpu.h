@@ -19,6 +19,10 @@
 #include "lapfx/tissue.h"
 #include "organ/stages.h"
 
+namespace cv {
+class Mat;
+}
+
 namespace lapfx::bleeding {
 
 /// Vessel and fat density, 0..255 for 0..1.
@@ -55,6 +59,8 @@ class DensityMap {
         std::vector<glm::u8vec2> chroma;    // a* and b* + 128
 
         void convert(const Image& image, const glm::vec3& factor);
+        /// Where there is surface, 1 or 0, and the redness there, 0 elsewhere.
+        void weigh(cv::Mat& weights, cv::Mat& red) const;
     };
 
     std::shared_ptr<const Source> source_;

@@ -21,11 +21,12 @@ TextureBlur::Axis TextureBlur::reduced(int length, double deviation) {
 }
 
 TextureBlur::TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, bool repeats)
-    : weights_(weights),
+    : size_(weights.size()),
       repeats_(repeats),
       x_(reduced(weights.cols, std::max(deviation.x, 0.3))),
       y_(reduced(weights.rows, std::max(deviation.y, 0.3))) {
-    blurred_ = cv::max(blur(weights), 1e-5);
+    blurred_ = blur(weights);
+    cv::max(blurred_, 1e-5, blurred_);
 }
 
 cv::Mat TextureBlur::blur(const cv::Mat& values) const {
@@ -42,12 +43,12 @@ cv::Mat TextureBlur::blur(const cv::Mat& values) const {
     return repeats_ ? out(cv::Rect(right, down, x_.length, y_.length)) : out;
 }
 
-cv::Mat TextureBlur::operator()(const cv::Mat& values) const {
-    cv::Mat mean = blur(values.mul(weights_));
+cv::Mat TextureBlur::operator()(const cv::Mat& weighted) const {
+    cv::Mat mean = blur(weighted);
     cv::divide(mean, blurred_, mean);
-    if (mean.size() == values.size()) return mean;
+    if (mean.size() == size_) return mean;
     cv::Mat full;
-    cv::resize(mean, full, values.size(), 0, 0, cv::INTER_LINEAR);
+    cv::resize(mean, full, size_, 0, 0, cv::INTER_LINEAR);
     return full;
 }
 

@@ -13,8 +13,8 @@ class TextureBlur {
     /// nothing, or with `repeats` the other side of the texture.
     TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, bool repeats);
 
-    /// `values`: CV_32F, finite, the size of the weights. Far from all weight the result is near 0.
-    cv::Mat operator()(const cv::Mat& values) const;
+    /// `weighted`: values times their weights, CV_32F, finite, the size of the weights. Far from all weight the result is near 0.
+    cv::Mat operator()(const cv::Mat& weighted) const;
 
   private:
     /// One axis: its length made smaller, and the deviation there.
@@ -25,7 +25,7 @@ class TextureBlur {
     static Axis reduced(int length, double deviation);
     cv::Mat blur(const cv::Mat& values) const;
 
-    cv::Mat weights_;
+    cv::Size size_;
     bool repeats_;
     Axis x_, y_;
     cv::Mat blurred_;  // the weights, made smaller

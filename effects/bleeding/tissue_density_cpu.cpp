@@ -234,13 +234,13 @@ double TissueDensity::wound_strength(const glm::dvec3& position) const noexcept 
     return strength_of(mean(position));
 }
 
-TissueHistogram TissueDensity::histogram() const {
+TissueHistogram TissueDensity::histogram(const VesselParameters& parameters) const {
     TissueHistogram histogram;
     for (const std::optional<DensityMap>& map : maps_)
-        if (map) map->count(parameters_, histogram);
+        if (map) map->count(parameters, histogram);
     if (mesh_->points.empty()) return histogram;
     const std::vector<float> around =
-        PointBlur(mesh_->points, mesh_->areas, std::max(around_share * parameters_.vessel_width, 1e-3))(mesh_->redness);
+        PointBlur(mesh_->points, mesh_->areas, std::max(around_share * parameters.vessel_width, 1e-3))(mesh_->redness);
     for (std::size_t v = 0; v < mesh_->points.size(); ++v) {
         if (!(mesh_->areas[v] > 0.0f)) continue;
         const double a = double(mesh_->chroma[v].x), b = double(mesh_->chroma[v].y);
@@ -296,7 +296,7 @@ TissueReport report_tissue(const Organ& organ, const VesselParameters& parameter
 
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters) {
     const Surface surface(organ);
-    return bleeding::TissueDensity(organ, surface, parameters).histogram();
+    return bleeding::TissueDensity(organ, surface, parameters).histogram(parameters);
 }
 
 }  // namespace lapfx

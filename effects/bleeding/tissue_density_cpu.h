@@ -33,7 +33,7 @@ class TissueDensity {
     /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4.
     double wound_strength(const glm::dvec3& position) const noexcept;
     TissueReport report() const;
-    TissueHistogram histogram() const;
+    TissueHistogram histogram(const VesselParameters& parameters) const;  ///< whatever was set
 
     /// For the overlay: the map of an image, null where the image tells nothing.
     const DensityMap* map(int image) const;

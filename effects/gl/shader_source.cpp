@@ -34,8 +34,9 @@ ShaderTrial::ShaderTrial(const std::filesystem::path& folder) {
     auto texts = std::make_shared<Texts>();
     std::error_code error;
     for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-        std::ifstream in(file->path(), std::ios::binary);
-        if (in && file->is_regular_file(error)) (*texts)[file->path().filename().string()] = content_of(in);
+        if (std::error_code gone; !file->is_regular_file(gone)) continue;  // to open a pipe would wait for its writer
+        if (std::ifstream in(file->path(), std::ios::binary); in)
+            (*texts)[file->path().filename().string()] = content_of(in);
     }
     if (error) throw Error(Failure::runtime, Fault{.file = folder.string(), .place = "", .reason = error.message()});
     const std::lock_guard lock(mutex_);

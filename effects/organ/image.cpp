@@ -10,7 +10,7 @@ namespace lapfx::organ {
 namespace {
 
 /// 8-bit RGBA out of whatever the codec gave: 8 or 16 bit, grey, BGR or BGRA.
-bool to_rgba(cv::Mat pixels, cv::Mat& rgba) {
+bool to_rgba(cv::Mat pixels, cv::Mat rgba) {
     if (pixels.depth() == CV_16U) pixels.convertTo(pixels, CV_8U, 1.0 / 257.0);
     if (pixels.depth() != CV_8U) return false;
     switch (pixels.channels()) {
@@ -45,19 +45,23 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
     if (file.size() > (std::size_t{1} << 30)) return "is larger than 1 GiB";
     // What OpenCV would log about a broken image is said by the caller's warning.
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-    cv::Mat rgba;
     try {
         // The codecs only read; imdecode takes a non-const array all the same.
         const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U, const_cast<std::uint8_t*>(file.data()));
         const cv::Mat pixels = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
         if (pixels.empty()) return "cannot be decoded";
-        if (!to_rgba(pixels, rgba)) return "has a pixel format that is not read";
+        // Straight to its place: a copy of a large texture takes longer than its conversion.
+        image.pixels.resize(pixels.total() * 4);
+        if (!to_rgba(pixels, cv::Mat(pixels.size(), CV_8UC4, image.pixels.data()))) {
+            image.pixels.clear();
+            return "has a pixel format that is not read";
+        }
+        image.width = pixels.cols;
+        image.height = pixels.rows;
     } catch (const cv::Exception&) {
+        image.pixels.clear();
         return "cannot be decoded";
     }
-    image.width = rgba.cols;
-    image.height = rgba.rows;
-    image.pixels.assign(rgba.datastart, rgba.dataend);
     return {};
 }
 

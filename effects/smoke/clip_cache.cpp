@@ -51,6 +51,11 @@ std::optional<KnownClip> ClipCache::State::find(const fs::path& path, const smok
 
 void ClipCache::State::put(KnownClip clip) {
     const std::lock_guard lock(mutex);
+    // Two threads may have looked through the same file: clips play on with what the first one found.
+    if (std::any_of(clips.begin(), clips.end(), [&](const KnownClip& other) {
+            return other.path == clip.path && other.stamp == clip.stamp && other.faults.empty();
+        }))
+        return;
     std::erase_if(clips, [&](const KnownClip& other) { return other.path == clip.path; });
     clips.push_back(std::move(clip));
     for (std::size_t i = 0; clips.size() > most_clips && i + 1 < clips.size();) {

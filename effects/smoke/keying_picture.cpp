@@ -245,9 +245,14 @@ bool KeyingReader::read(int frame, KeyingFrame& into) noexcept {
     const bool good = decoder.read(std::clamp(frame, 0, state_->report.frames - 1), state_->picture);
     const smoke::PictureFormat format = decoder.format();
     const glm::ivec2 size = format.size;
-    into.size = size;
-    for (std::vector<float>* plane : {&into.luma, &into.cb, &into.cr}) plane->resize(area(size));
-    into.opacity.resize(format.alpha ? area(size) : 0);
+    try {
+        for (std::vector<float>* plane : {&into.luma, &into.cb, &into.cr}) plane->resize(area(size));
+        into.opacity.resize(format.alpha ? area(size) : 0);
+        into.size = size;
+    } catch (const std::bad_alloc&) {
+        into = {};
+        return false;
+    }
     if (state_->picture.bytes.size() < format.bytes()) {  // nothing of it could be decoded
         for (std::vector<float>* plane : {&into.luma, &into.cb, &into.cr, &into.opacity})
             std::fill(plane->begin(), plane->end(), 0.0f);

@@ -190,6 +190,44 @@ TEST_F(PreviewLoading, TheNewestRequestCounts) {
     EXPECT_EQ(host.preview()->organ().name, "hook_cautery");
 }
 
+TEST_F(PreviewLoading, AnOrganThatCannotBeShownYetIsShownOnceItCan) {
+    document.change("Gravity", [](document::Content& c) { c.scene.gravity = glm::dvec3(0.0); });
+    settle(0);
+    EXPECT_FALSE(host.ready());
+    ASSERT_EQ(host.organ_faults().size(), 1U);
+    EXPECT_EQ(host.organ_faults()[0].place, "/gravity");
+    EXPECT_EQ(host.organ_of(document.scene()), nullptr);
+    document.undo();
+    EXPECT_TRUE(turn(0)) << "without loading it once more";
+    EXPECT_THAT(host.organ_faults(), IsEmpty());
+    EXPECT_NE(host.organ_of(document.scene()), nullptr);
+}
+
+TEST_F(PreviewLoading, TheOrganIsHandedOutForItsSceneOnly) {
+    settle(0);
+    const auto organ = host.organ_of(document.scene());
+    ASSERT_NE(organ, nullptr);
+    EXPECT_EQ(&organ->organ(), &host.preview()->organ());
+    const std::uint64_t version = host.organ_version();
+    document.change("Organ", [](document::Content& c) { c.scene.organ.scale = 2; });
+    EXPECT_EQ(host.organ_of(document.scene()), nullptr);
+    settle(0);
+    EXPECT_NE(host.organ_of(document.scene()), nullptr);
+    EXPECT_NE(host.organ_of(document.scene()), organ);
+    EXPECT_GT(host.organ_version(), version);
+}
+
+TEST_F(PreviewLoading, AnEarlyLoadOfAnotherSceneIsGivenUpWithoutWaiting) {
+    const auto early = app::load_early(content.scene, content.preset, {});
+    app::PreviewHost other({}, jobs, early);
+    document.change("Organ", [](document::Content& c) { c.scene.organ.file = "liver_lobe.glb"; });
+    other.follow(document);
+    EXPECT_TRUE(early->stopped);
+    jobs.finish();
+    other.follow(document);
+    EXPECT_EQ(other.preview()->organ().name, "liver_lobe");
+}
+
 TEST_F(PreviewLoading, CancelKeepsWhatWasThereAndSaysSo) {
     settle(0);
     document.change("Organ", [](document::Content& c) { c.scene.organ.file = "liver_lobe.glb"; });

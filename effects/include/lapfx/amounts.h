@@ -33,6 +33,8 @@ struct Amounts {
     double haze = 0.0;               ///< E, optical thickness at the focus distance
 };
 
+class PreparedOrgan;
+
 struct AmountsOptions {
     glm::dvec3 gravity{0.0, -1.0, 0.0};  ///< direction in organ space
 };
@@ -42,6 +44,8 @@ class AmountsModel {
     /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Throws Error (bad_input) for a
     /// gravity without a direction.
     explicit AmountsModel(const Organ& organ, const AmountsOptions& options = {});
+    /// The same with an organ that was made ready (prepared_organ.h): takes no time, and shares what is known of it.
+    explicit AmountsModel(const std::shared_ptr<const PreparedOrgan>& organ, const AmountsOptions& options = {});
     AmountsModel(AmountsModel&&) noexcept;
     AmountsModel& operator=(AmountsModel&&) noexcept;
     ~AmountsModel();

@@ -4,7 +4,9 @@
 //     lapfx::KeyingReader reader(lapfx::find_clip("plume.mp4", preset.folder, {}));  // throws lapfx::Error: not a clip
 //     lapfx::KeyingFrame frame;
 //     reader.read(12, frame);
-//     const lapfx::Image matte = lapfx::matte_picture(frame, {.keying = preset.smoke.keying});
+//     std::vector<float> opacity;
+//     lapfx::keyed_opacity(frame, preset.smoke.keying, clip.polarity, opacity);
+//     const lapfx::Image matte = lapfx::matte_picture(frame.size, opacity);
 //
 // Pictures have rows from the top, RGBA. Code values 0..255. Any thread; a reader one at a time. No GL.
 #pragma once
@@ -43,7 +45,8 @@ class KeyingReader {
     const ClipReport& report() const;
     int frame_at(double time) const;  ///< shown at `time`, s of the clip; clamped
     double time_of(int frame) const;  ///< s
-    /// 0 .. report().frames - 1, clamped. False when the file cannot give it: then it is the last good one before it, or black.
+    /// 0 .. report().frames - 1, clamped. False when the file cannot give it: then it is the last good one before it, or
+    /// black; without memory for it, a frame of no size.
     bool read(int frame, KeyingFrame& into) noexcept;
 
   private:

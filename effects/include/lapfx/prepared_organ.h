@@ -24,6 +24,9 @@ class PreparedOrgan {
     const Organ& organ() const;
     /// Every file that was read for it or looked for: organ, textures, materials, the instrument.
     std::vector<std::filesystem::path> files() const;
+    /// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are those, as
+    /// large and turned the same way.
+    bool made_for(const Scene& scene) const;
     std::size_t memory() const;  ///< bytes of main memory
 
     struct State;  ///< private

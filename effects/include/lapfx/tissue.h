@@ -10,6 +10,8 @@
 
 namespace lapfx {
 
+class PreparedOrgan;
+
 /// The tissue around a place: means over the tool tip's region of influence (`region`, mm).
 struct TissueSample {
     double vessels = 0.0;  ///< 0..1, share of the region that is vessel; 1 where the organ has no colour
@@ -45,6 +47,8 @@ struct TissueHistogram {
 
 /// As report_tissue().
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters = {});
+/// Of an organ that was made ready (prepared_organ.h): only counting is left.
+TissueHistogram tissue_histogram(const PreparedOrgan& organ, const VesselParameters& parameters = {});
 
 /// Throws nothing but std::bad_alloc. `parameters` must be in range (they are when they come from a preset).
 TissueReport report_tissue(const Organ& organ, const VesselParameters& parameters = {});

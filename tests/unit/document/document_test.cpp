@@ -128,6 +128,26 @@ TEST_F(DocumentFiles, AFileThatCannotBeWrittenStaysAndSoDoesTheWork) {
     EXPECT_EQ(read_file(in("a.json"), 1 << 20), old);
 }
 
+TEST_F(DocumentFiles, WhatWasReloadedIsKnownAndSaved) {
+    Content content;
+    content.scene.organ.file = "a.obj";
+    document_.open(content);
+    document_.save_preset(in("a.json"));
+    document_.save_scene(in("a.scene.json"));
+    Document other;
+    other.open(content);
+    other.change("Speed", [](Content& c) { c.preset.bleeding.speed = 9, c.scene.duration = 7; });
+    other.save_preset(in("a.json"));
+    other.save_scene(in("a.scene.json"));
+    ASSERT_NE(OnDisk::of(in("a.json")), document_.preset_on_disk());
+    document_.reload(load_preset(in("a.json")));
+    document_.reload(load_scene(in("a.scene.json")));
+    EXPECT_EQ(document_.preset().bleeding.speed, 9);
+    EXPECT_FALSE(document_.unsaved());
+    EXPECT_EQ(OnDisk::of(in("a.json")), document_.preset_on_disk()) << "saving does not ask";
+    EXPECT_EQ(OnDisk::of(in("a.scene.json")), document_.scene_on_disk());
+}
+
 TEST_F(DocumentFiles, AnotherProgramsWritingIsSeen) {
     document_.open({});
     document_.save_preset(in("a.json"));

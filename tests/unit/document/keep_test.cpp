@@ -127,14 +127,15 @@ TEST_F(KeptWork, ACrashedEditorsIsOfferedToOneAtATime) {
     EXPECT_TRUE(fs::is_empty(folder_));
 }
 
+std::size_t count(const fs::path& folder) {
+    std::size_t files = 0;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) files += entry.path().extension() == ".json";
+    return files;
+}
+
 TEST_F(KeptWork, IsRotated) {
     KeepFolder mine(folder_);
     for (int i = 0; i < 8; ++i) mine.write(kept(i));
-    const auto count = [&](const fs::path& folder) {
-        std::size_t files = 0;
-        for (const auto& entry : fs::recursive_directory_iterator(folder)) files += entry.path().extension() == ".json";
-        return files;
-    };
     EXPECT_EQ(count(mine.folder()), KeepFolder::most_files);
     std::vector<std::string> told;
     EXPECT_EQ(read_kept(mine.folder() / "00000008.json", told).content.preset.bleeding.speed, 7);
@@ -153,6 +154,24 @@ TEST_F(KeptWork, IsRotated) {
     EXPECT_TRUE(fs::exists(folder_ / "old-24" / "00000002.json")) << "the newest of each goes last";
     EXPECT_FALSE(fs::exists(folder_ / "old-24" / "00000001.json"));
     EXPECT_TRUE(fs::exists(folder_ / "old-10" / "00000002.json"));
+}
+
+TEST_F(KeptWork, FoldersOfOthersThatCannotBeLockedOrAreEmptyAreInNobodysWay) {
+    for (int i = 10; i < 12; ++i) {
+        const fs::path old = folder_ / ("old-" + std::to_string(i));
+        fs::create_directory(old);
+        for (int number = 1; number <= 20; ++number) {
+            const fs::path file = old / (std::to_string(100 + number) + ".json");
+            std::ofstream(file) << write_kept(kept(1));
+            fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(100 - i));
+        }
+    }
+    fs::create_symlink(folder_ / "nowhere", folder_ / "old-11" / "lock");  // a lock is never opened through a link
+    KeepFolder mine(folder_);
+    mine.write(kept(50));
+    EXPECT_TRUE(fs::exists(mine.folder() / "00000001.json"));
+    EXPECT_EQ(count(folder_ / "old-11"), 20U) << "left alone";
+    EXPECT_FALSE(fs::exists(folder_ / "old-10")) << "what is empty goes";
 }
 
 TEST_F(KeptWork, AFolderThatCannotBeWrittenIsAFaultAndTriedAgain) {

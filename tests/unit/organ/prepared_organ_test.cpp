@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "foundation.h"
+#include "lapfx/amounts.h"
 #include "support/meshes.h"
 #include "unit/preset/support.h"
 
@@ -75,6 +76,49 @@ TEST(PreparedOrgan, TellsTheFilesThatItIsMadeOf) {
         << "also what is missing: it may come";
     scene.organ.file = "none.obj";
     EXPECT_EQ(test::faults_of([&] { prepare_organ(scene); }, Failure::bad_input).size(), 1U);
+}
+
+TEST(PreparedOrgan, AmountsAndHistogramOfItAreThoseOfTheOrgan) {
+    const Organ organ = striped();
+    VesselParameters before;
+    before.vessel_width = 3.0;
+    const auto made = prepare_organ(striped(), before);
+    VesselParameters narrow;
+    narrow.vessel_width = 1.0;
+    const TissueHistogram wanted = tissue_histogram(organ, narrow), found = tissue_histogram(*made, narrow);
+    EXPECT_EQ(found.contrast, wanted.contrast);
+    EXPECT_EQ(found.hue, wanted.hue);
+    EXPECT_NE(found.contrast, tissue_histogram(*made, before).contrast) << "what is asked for, not what was set";
+
+    Preset preset;
+    preset.vessels = narrow;
+    const ToolContact cut{.action = ToolAction::cut, .time = 0.5, .duration = 0.5, .position = {1.0, 0.0, 2.0}};
+    AmountsModel direct(organ), shared(made);
+    for (AmountsModel* model : {&direct, &shared}) model->set(preset, {&cut, 1});
+    EXPECT_GT(direct.at(3.0).blood_area, 1.0);
+    EXPECT_EQ(shared.at(3.0).blood_area, direct.at(3.0).blood_area);
+    EXPECT_EQ(shared.at(3.0).haze, direct.at(3.0).haze);
+}
+
+TEST(PreparedOrgan, IsMadeForScenesWithTheSameOrganAndTool) {
+    const test::Folder folder;
+    folder.write("m.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+    Scene scene;
+    scene.folder = folder.path();
+    scene.organ.file = "m.obj";
+    const auto made = prepare_organ(scene);
+    Scene other = scene;
+    other.gravity = {1.0, 0.0, 0.0};
+    other.seed = 7;
+    EXPECT_TRUE(made->made_for(other));
+    other.organ.scale = 2.0;
+    EXPECT_FALSE(made->made_for(other));
+    other = scene;
+    other.tool.file = "hook.glb";
+    EXPECT_FALSE(made->made_for(other));
+    other = scene;
+    other.folder /= "elsewhere";
+    EXPECT_FALSE(made->made_for(other));
 }
 
 }  // namespace

@@ -9,7 +9,7 @@
 
 #include <csignal>
 
-#include "output/organ_files.h"
+#include "output/files.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::output {
@@ -187,25 +187,34 @@ TEST_F(BundleTest, APresetAloneKeepsItsClipsWhereItCan) {
                 ElementsAre(HasSubstr("would be taken for the shipped clip")));
 }
 
-TEST(OrganFiles, AreAllThatTheMeshNames) {
-    const test::Folder folder;
-    fs::create_directory(folder / "maps");
-    folder.write("maps/my skin.png", "x");
-    folder.write("bump.png", "x");
-    folder.write("secret.png", "x");
-    folder.write("a.mtl", "newmtl m\nmap_Kd -s 1 1 1 maps/my skin.png # colour\nmap_bump -bm 0.5 bump.png\n");
-    folder.write("a.obj", "mtllib a.mtl\nmtllib gone.mtl\nv 0 0 0\n");
-    EXPECT_THAT(organ_files(folder / "a.obj"), UnorderedElementsAre("a.obj", "a.mtl", "maps/my skin.png", "bump.png"));
-    folder.write("b.bin", "x");
-    folder.write("c d.png", "x");
-    folder.write("b.gltf", R"({"buffers": [{"uri": "b.bin"}, {"uri": "data:abc"}, {"uri": "../up.bin"}, 7],
-                               "images": [{"uri": "c%20d.png"}, {"uri": 3}, {"bufferView": 1}]})");
-    EXPECT_THAT(organ_files(folder / "b.gltf"), UnorderedElementsAre("b.gltf", "b.bin", "c d.png"));
-    folder.write("broken.gltf", "{\"buffers\": [");
-    EXPECT_THAT(organ_files(folder / "broken.gltf"), ElementsAre("broken.gltf"));
-    folder.write("short.glb", "glTF");
-    EXPECT_THAT(organ_files(folder / "short.glb"), ElementsAre("short.glb"));
-    EXPECT_THAT(organ_files(samples / "lagb.glb"), ElementsAre("lagb.glb"));
+TEST_F(BundleTest, AnOrganComesWithTheFilesThatItNamesAndNoOthers) {
+    fs::create_directory(from_ / "maps");
+    write_png(from_ / "maps/my skin.png", picture());
+    write_png(from_ / "bump.png", picture());
+    from_.write("secret.png", "x");
+    from_.write("a.mtl", "newmtl m\nmap_Kd maps/my skin.png\nmap_bump bump.png\nnewmtl n\nmap_Kd maps/my skin.png\n");
+    from_.write("a.obj",
+                "mtllib a.mtl\nmtllib gone.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl m\n"
+                "f 1/1 2/2 3/3\nusemtl n\nf 1/1 3/3 2/2\n");
+    Bundle whole = bundle(preset_with(from_.path(), {}));
+    whole.scene.emplace();
+    whole.scene->folder = from_.path();
+    whole.scene->organ.file = "a.obj";
+    write_bundle(whole);
+    EXPECT_THAT(files_in(to_ / "ooze"),
+                UnorderedElementsAre("ooze.json", "ooze.scene.json", "thumbnail.png", "organ/a.obj", "organ/a.mtl",
+                                     "organ/maps/my skin.png", "organ/bump.png"));
+    EXPECT_EQ(load_organ(to_ / "ooze/organ/a.obj").images.size(), load_organ(from_ / "a.obj").images.size());
+}
+
+TEST_F(BundleTest, ASlashAtTheEndIsNoPartOfTheName) {
+    Bundle whole = bundle(preset_with(from_.path(), {}));
+    whole.folder = to_ / "ooze/";
+    write_bundle(whole);
+    EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("ooze.json", "thumbnail.png"));
+    EXPECT_EQ(check_bundle_folder(to_ / "ooze/"), "");
+    EXPECT_THAT(check_bundle_folder("/"), HasSubstr("no name"));
+    EXPECT_THAT(check_bundle_folder(""), HasSubstr("no name"));
 }
 
 }  // namespace

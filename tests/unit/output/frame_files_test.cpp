@@ -38,6 +38,7 @@ TEST(FormOf, ByTheName) {
     EXPECT_EQ(form_of("out.mkv"), FileForm::video);
     for (const char* name : {"out.jpg", "out", "", "out_%s.png", "%d_%d.png"})
         EXPECT_EQ(form_of(name), FileForm::unknown) << name;
+    EXPECT_EQ(form_of(std::string(1'000'000, 'a') + "%04d.png"), FileForm::unknown) << "no file is called so";
 }
 
 TEST(SequenceName, PadsItsNumber) {
