@@ -100,7 +100,7 @@ def case_start(open_editor):
 def case_idle(open_editor):
     """Paused and left alone: no frames, and hardly a trace of CPU."""
     with open_editor("--at", "6") as editor:  # without it, it plays
-        time.sleep(2)
+        editor.settle(4)  # what runs beside the UI has ended
         spent, frames = editor.cpu_s(), len(editor.frames())
         assert spent > 0.1, f"{spent} s since its start: this measures nothing"
         time.sleep(IDLE_S)
