@@ -327,12 +327,39 @@ void ClipShelf::take_found(const std::vector<std::string>& files, std::optional<
 
 void ClipShelf::copy_beside() {
     const fs::path to = home();
-    if (to.empty()) return;
     std::map<std::string, fs::path> from;  // by name in the preset
     const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
     for (std::size_t i = 0; i < clips.size(); ++i)
         if (outside(i)) from[clips[i].file] = of(i).path;
-    if (from.empty()) return;
+    copy(from, to, [this, to](const std::map<std::string, std::string>& names) {
+        editor_.document.change("Copy clips beside the preset", [&](document::Content& c) {
+            c.preset.folder = to;
+            for (SmokeClip& clip : c.preset.smoke.clips)
+                if (const auto name = names.find(clip.file); name != names.end()) clip.file = name->second;
+        });
+    });
+}
+
+void ClipShelf::copy_to(const fs::path& folder, std::function<void()> then) {
+    const std::vector<std::string> needed = editor_.document.clips_outside(folder);
+    std::map<std::string, fs::path> from;
+    const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
+    for (std::size_t i = 0; i < clips.size(); ++i)
+        if (std::find(needed.begin(), needed.end(), clips[i].file) != needed.end()) from[clips[i].file] = of(i).path;
+    copy(from, folder, [this, folder, then = std::move(then)](const std::map<std::string, std::string>& names) {
+        // Whole paths: saving makes them fit the preset's new folder, whatever the former one was.
+        editor_.document.change("Copy clips", [&](document::Content& c) {
+            for (SmokeClip& clip : c.preset.smoke.clips)
+                if (const auto name = names.find(clip.file); name != names.end())
+                    clip.file = (folder / name->second).string();
+        });
+        then();
+    });
+}
+
+void ClipShelf::copy(const std::map<std::string, fs::path>& from, const fs::path& to,
+                     std::function<void(const std::map<std::string, std::string>&)> taken) {
+    if (from.empty() || to.empty()) return;
     cancel_work();
     refused_.clear();
     const auto work = [=, this](Job& job) -> Jobs::Apply {
@@ -351,20 +378,12 @@ void ClipShelf::copy_beside() {
         }
         return [=, this] {
             work_.reset();
-            take_copied(names);
+            taken(names);
         };
     };
-    work_ = editor_.jobs.start("Copying clips beside the preset", work, [this](const std::vector<Fault>& told) {
+    work_ = editor_.jobs.start("Copying clips", work, [this](const std::vector<Fault>& told) {
         work_.reset();
         refused_ = told;
-    });
-}
-
-void ClipShelf::take_copied(const std::map<std::string, std::string>& names) {
-    editor_.document.change("Copy clips beside the preset", [&, to = home()](document::Content& c) {
-        c.preset.folder = to;
-        for (SmokeClip& clip : c.preset.smoke.clips)
-            if (const auto name = names.find(clip.file); name != names.end()) clip.file = name->second;
     });
 }
 

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -64,6 +65,8 @@ class ClipShelf {
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
     /// Copies every clip that lies outside into home(), by a job, and names it there.
     void copy_beside();
+    /// Copies the clips that a preset in `folder` could not name into it, by a job, names the copies, and goes on with `then`.
+    void copy_to(const std::filesystem::path& folder, std::function<void()> then);
     /// A job of add() or copy_beside(); null: none runs.
     const std::shared_ptr<Job>& work() const { return work_; }
     void cancel_work();
@@ -80,7 +83,8 @@ class ClipShelf {
     ClipFacts& find(const std::string& file);
     void look(const std::string& key, const std::string& file);
     void take_found(const std::vector<std::string>& files, std::optional<std::size_t> replace);
-    void take_copied(const std::map<std::string, std::string>& names);
+    void copy(const std::map<std::string, std::filesystem::path>& from, const std::filesystem::path& to,
+              std::function<void(const std::map<std::string, std::string>&)> taken);
     std::string name_of(const std::filesystem::path& file) const;
     bool needs_folder() const;
     bool is_outside(const ClipFacts& facts) const;

@@ -156,16 +156,23 @@ void Files::ask_outside(const fs::path& file, const std::vector<std::string>& cl
                       .lines = clips,
                       .answers = {},
                       .serial = 0};
+    question.answers.push_back({.label = "Copy clips and save",
+                                .tip = "Copies them beside the preset, which then names the copies.",
+                                .act =
+                                    [this, file, then] {
+                                        editor_.keying().shelf.copy_to(document::folder_of(file), [this, file, then] {
+                                            save_to(Kind::preset, file, then);
+                                        });
+                                    },
+                                .standard = true});
     const bool bundles = editor_.commands.contains("export.bundle");
     if (bundles)
         question.answers.push_back({.label = "Export as a bundle...",
                                     .tip = "A folder with the preset and copies of its clips.",
-                                    .act = [this] { editor_.commands.run("export.bundle"); },
-                                    .standard = true});
+                                    .act = [this] { editor_.commands.run("export.bundle"); }});
     question.answers.push_back({.label = "Save as...",
                                 .tip = "A folder that has the clips in it or below.",
-                                .act = [this, then] { save_preset_as(then); },
-                                .standard = !bundles});
+                                .act = [this, then] { save_preset_as(then); }});
     question.answers.push_back({.label = "Cancel", .tip = "Goes on without saving.", .cancel = true});
     ask(std::move(question));
 }

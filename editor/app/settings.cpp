@@ -110,6 +110,7 @@ void Settings::apply(const std::string& text) {
     Reader reader(json, faults);
     reader.flag("light", light);
     reader.flag("reduced_motion", reduced_motion);
+    reader.flag("half_resolution", half_resolution);
     reader.flag("hint_seen", hint_seen);
     reader.number("scale", scale, least_scale, most_scale);
     reader.list("recent", recent, most_recent);
@@ -151,6 +152,7 @@ void Settings::connect(Editor& editor) {
 Settings::State Settings::state(Editor& e) const {
     return {.light = light,
             .reduced_motion = reduced_motion,
+            .half_resolution = half_resolution,
             .hint_seen = hint_seen,
             .scale = scale,
             .recent = recent,
@@ -172,6 +174,7 @@ std::string Settings::text(Editor& e) const {
     json["light"] = light;
     json["scale"] = std::round(scale * 1000.0) / 1000.0;
     json["reduced_motion"] = reduced_motion;
+    json["half_resolution"] = half_resolution;
     json["hint_seen"] = hint_seen;
     json["recent"] = recent;
     json["favourites"] = favourites;
@@ -190,8 +193,9 @@ void Settings::update(Editor& editor, double now) {
     if (now >= due_) return write(editor);
     // Comparing costs next to nothing; copies are made when something has changed.
     const bool same = written_.light == light && written_.reduced_motion == reduced_motion &&
-                      written_.hint_seen == hint_seen && written_.scale == scale && written_.recent == recent &&
-                      written_.favourites == favourites && written_.file_folders == editor.file_dialog.recent() &&
+                      written_.half_resolution == half_resolution && written_.hint_seen == hint_seen &&
+                      written_.scale == scale && written_.recent == recent && written_.favourites == favourites &&
+                      written_.file_folders == editor.file_dialog.recent() &&
                       written_.preset_folders == preset_folders && written_.preset_stars == preset_stars &&
                       written_.layout_name == editor.layouts().name() && written_.shown == editor.layouts().shown &&
                       written_.commands == editor.commands.version() &&

@@ -24,6 +24,7 @@ class Settings {
     bool light = false;  ///< theme
     float scale = 0;     ///< of the UI; 0: the screen's
     bool reduced_motion = false;
+    bool half_resolution = false;     ///< of the view
     bool hint_seen = false;           ///< the three lines of the first run
     std::vector<std::string> recent;  ///< files, the newest first
     /// Keys of parameters that are listed first: what Halic et al. tune.
@@ -47,7 +48,7 @@ class Settings {
   private:
     /// All that is written, to see whether it has changed without making a text of it each frame.
     struct State {
-        bool light = false, reduced_motion = false, hint_seen = false;
+        bool light = false, reduced_motion = false, half_resolution = false, hint_seen = false;
         float scale = 0;
         std::vector<std::string> recent, favourites, file_folders, preset_folders, preset_stars;
         std::string layout_name;

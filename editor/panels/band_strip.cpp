@@ -1,5 +1,6 @@
 #include "panels/band_strip.h"
 
+#include <algorithm>
 #include <memory>
 #include <optional>
 
@@ -131,6 +132,18 @@ void band_strip(ui::Ui& ui, app::Editor& editor) {
     follow(editor, memory);
     const Counts& counts = *memory.counts;
     const ui::Row row(ui, {.width = ui::grow(), .gap = 0.8F, .padding = 0.4F, .cross = ui::Place::center});
+    const auto& counted = counts.histogram;
+    const auto all_zero = [](std::span<const std::uint32_t> bins) {
+        return std::all_of(bins.begin(), bins.end(), [](std::uint32_t n) { return n == 0; });
+    };
+    if (counted && all_zero(counted->contrast) && all_zero(counted->hue)) {
+        ui::label(ui,
+                  "This organ is of one colour: vessels and fat cannot be told apart on it, and every cut bleeds "
+                  "alike. An organ "
+                  "with a texture or vertex colours tells more.",
+                  {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+        return;
+    }
     static const TissueHistogram none;
     const TissueHistogram& shown = counts.histogram ? *counts.histogram : none;
     levels(ui, editor, vessels ? vessel_band : fat_band, vessels ? shown.contrast : shown.hue);

@@ -28,6 +28,12 @@ void add_commands(app::Editor& editor) {
     add_reference_commands(editor);
     add_snapshot_commands(editor);
     add_export_commands(editor);
+    editor.commands.add({.id = "file.quit",
+                         .title = "Quit",
+                         .group = "File",
+                         .chord = {key_of('Q'), Mods::command},
+                         .run = [&editor] { editor.ask_to_close(); },
+                         .tip = "Asks first when something is not saved."});
     add_window_commands(editor);
     editor.commands.add({.id = "view.reload",
                          .title = "Reload from disk",

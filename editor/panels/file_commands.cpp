@@ -42,12 +42,6 @@ void add_file_commands(app::Editor& editor) {
         [](app::Files& f) { f.save_scene(); });
     add("file.save_scene_as", "Save scene as...", {}, "Writes the scene under another name.",
         [](app::Files& f) { f.save_scene_as(); });
-    editor.commands.add({.id = "file.quit",
-                         .title = "Quit",
-                         .group = "File",
-                         .chord = {key_of('Q'), Mods::command},
-                         .run = [&editor] { editor.ask_to_close(); },
-                         .tip = "Asks first when something is not saved."});
 }
 
 void recent_files_menu(ui::Ui& ui, app::Editor& editor) {

@@ -15,7 +15,7 @@ constexpr std::array<std::string_view, 10> groups = {"File", "Edit", "Preset",  
 /// Commands that begin another part of their menu.
 constexpr std::array<std::string_view, 14> parts = {
     "file.save",        "export.open",        "file.quit",       "edit.history",     "snapshot.show_a",
-    "snapshot.keep_a",  "view.endoscope",     "view.vessels",    "view.reload",      "window.palette",
+    "file.load_organ",  "view.endoscope",     "view.vessels",    "view.reload",      "window.palette",
     "window.show_view", "window.layout_tune", "window.settings", "help.first_steps",
 };
 

@@ -6,6 +6,7 @@
 
 #include "app/events.h"
 #include "app/orbit.h"
+#include "app/settings.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "ui/canvas/viewport.h"
@@ -21,6 +22,7 @@ namespace {
 using ui::Key;
 using ui::Mods;
 
+constexpr float field_width = 8.6F;  // em, of a number beside the tools
 constexpr float wide_enough = 66;    // em, for all tools side by side
 constexpr double work_by_key = 0.5;  // s
 constexpr double key_turn = 5.0 * std::numbers::pi / 180;
@@ -85,14 +87,19 @@ class ViewPanel {
     void build() {
         const float width = ui_.rect_before(ui_.id_of("Preview")).w;
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
-        tool_bar(width == 0 || width >= ui_.em(wide_enough));
+        const bool hot = editor_.tool.action && app::is_hot(*editor_.tool.action);
+        const bool cutting = editor_.tool.action && app::is_cutting(*editor_.tool.action);
+        const float fields = (hot ? field_width : 0) + (cutting ? field_width : 0) +
+                             (editor_.looking.endoscope ? 0 : 1.4F * field_width);
+        tool_bar(width == 0 || width >= ui_.em(wide_enough + fields));
         band_strip(ui_, editor_);
         ui::Node& stage = ui_.open(ui::Role::none, {}, ui::Axis::y);
         stage.size[0] = stage.size[1] = ui::grow();
         stage.clips = true;
         const ui::ViewportResult view = ui::viewport(ui_, "Preview", editor_.preview.picture());
-        if (view.size != editor_.preview.size()) {
-            editor_.preview.resize(view.size);
+        const glm::ivec2 wanted = editor_.settings().half_resolution ? (view.size + 1) / 2 : view.size;
+        if (wanted != editor_.preview.size()) {
+            editor_.preview.resize(wanted);
             ui_.build_again();
         }
         look_under(view);
@@ -122,7 +129,15 @@ class ViewPanel {
                 {.tip = "False colour over the organ: what decides, but is not seen", .width = ui::px(ui_.em(8))}))
             editor_.looking.overlay = static_cast<Overlay>(overlay);
         ui::command_button(ui_, editor_.commands, "view.endoscope");
+        if (!editor_.looking.endoscope) use_view_button();
         if (wide) ui::command_button(ui_, editor_.commands, "view.frame");
+    }
+
+    void use_view_button() {
+        if (ui::button(
+                ui_, "Use view",
+                {.tip = "The endoscope goes to where you look from: what is compared and exported is seen from here"}))
+            editor_.commands.run("view.use_view");
     }
 
     ui::Edit tools_in_a_row(int& tool) {
@@ -439,6 +454,13 @@ void add_view_commands(app::Editor& editor) {
                          .run = [&editor] { use_view(editor); },
                          .enabled = [&editor] { return !editor.looking.endoscope; },
                          .tip = "The scene's camera goes to where you look from"});
+    editor.commands.add(
+        {.id = "view.half_resolution",
+         .title = "Half resolution",
+         .group = "View",
+         .run = [&editor] { editor.settings().half_resolution = !editor.settings().half_resolution; },
+         .checked = [&editor] { return editor.settings().half_resolution; },
+         .tip = "Draws the view with a quarter of the pixels: faster without a GPU. Exports do not change"});
     add_overlay(editor, "view.vessels", "Vessel overlay", 'V', Overlay::vessels, "Density of vessels, blue");
     add_overlay(editor, "view.fat", "Fat overlay", 'T', Overlay::fat, "Density of fat, yellow");
     add_overlay(editor, "view.bleed", "Bleed value overlay", 'G', Overlay::bleed,

@@ -1,6 +1,7 @@
 // The list of clips, driven by the names of what is on the screen.
 #include <fstream>
 
+#include "app/files.h"
 #include "app/keying_bench.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
@@ -108,6 +109,20 @@ TEST_F(ClipsPanel, AMissingFileIsToldInPlaceWithTheWayOut) {
     ui().focus(panel + "Selected clip/Look again").key(ui::Key::enter).frame();  // a notice may lie over it
     EXPECT_TRUE(editor().keying().shelf.faults(3).empty());
     EXPECT_FALSE(ui().exists(panel + "Selected clip/Choose file..."));
+}
+
+TEST_F(ClipsPanel, SavingCopiesTheClipsThatLieElsewhereWhenAskedTo) {
+    const fs::path home = folder() / "preset", elsewhere = folder() / "videos";
+    for (const fs::path& made : {home, elsewhere}) fs::create_directory(made);
+    editor().document.save_preset(home / "mine.json");
+    drop(write_clip(elsewhere / "smoke.avi", 5).string());
+    editor().files().save_preset();
+    ui().frame();
+    ui().click("**/Copy clips and save").frame().frame();
+    EXPECT_TRUE(fs::exists(home / "smoke.avi"));
+    EXPECT_FALSE(editor().document.preset_unsaved());
+    EXPECT_EQ(load_preset(home / "mine.json").smoke.clips[3].file, "smoke.avi");
+    EXPECT_TRUE(editor().document.preset_faults().empty());
 }
 
 TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {

@@ -320,9 +320,9 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     app::Autosave& autosave = editor().autosave();
     autosave.update(1000);
     EXPECT_EQ(autosave.due(), 1000 + app::Autosave::wait);
-    autosave.update(1010);
+    autosave.update(1000 + app::Autosave::wait / 2);
     EXPECT_FALSE(fs::exists(folder() / "state" / "autosave"));
-    autosave.update(1020);
+    autosave.update(1000 + app::Autosave::wait);
     start();  // without end(): as after a crash
     editor().autosave().find();
     ui().frame().frame();

@@ -143,6 +143,23 @@ TEST(Ui, F6GoesFromPanelToPanel) {
     EXPECT_EQ(ui.key(Key::f6, Mods::shift).focused(), "Right/First");
 }
 
+TEST(Ui, ATooltipStaysAwayFromWhatAPressHasOpened) {
+    Harness ui([](Ui& u) {
+        button(u, "Menu", {.tip = "Opens the menu"});
+        button(u, "Other", {.tip = "Something else"});
+    });
+    const auto tooltip = [&] {
+        return std::any_of(ui.ui().tree().begin(), ui.ui().tree().end(),
+                           [](const Node& node) { return node.role == Role::tooltip; });
+    };
+    ui.click("Menu").frame(1).frame(1);
+    EXPECT_FALSE(tooltip());
+    ui.move_to("Other").frame(1).frame(1);
+    EXPECT_TRUE(tooltip());
+    ui.move_to("Menu").frame(1).frame(1);
+    EXPECT_TRUE(tooltip()) << "come to anew";
+}
+
 TEST(Ui, ATooltipComesWhenThePointerRestsAndGoesWithIt) {
     Harness ui([&](Ui& u) { button(u, "Reset", {.tip = "Back to the defaults"}); });
     ui.move_to("Reset");

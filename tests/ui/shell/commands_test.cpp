@@ -183,5 +183,21 @@ TEST_F(CommandsTest, MenuItemsAndButtonsShowAndRunThem) {
     EXPECT_TRUE(grid);
 }
 
+TEST(Commands, SpaceIsTheProgramsAfterAClickAndTheButtonsOnceItHasTheRing) {
+    CommandTable table;
+    int played = 0, clicked = 0;
+    table.add(
+        {.id = "play", .title = "Play", .group = "Play", .chord = {Key::space, Mods::none}, .run = [&] { ++played; }});
+    Harness ui([&](Ui& u) { clicked += button(u, "Hold") ? 1 : 0; }, {400, 300}, 1, &table);
+    ui.click("Hold").key(Key::space);
+    EXPECT_EQ(clicked, 1) << "by the pointer alone";
+    EXPECT_EQ(played, 1);
+    ui.key(Key::enter);
+    EXPECT_EQ(clicked, 2) << "Enter is always the button's";
+    ui.key(Key::space);
+    EXPECT_EQ(clicked, 3) << "the keyboard was used last, and the ring is seen";
+    EXPECT_EQ(played, 1);
+}
+
 }  // namespace
 }  // namespace lapfx::ui

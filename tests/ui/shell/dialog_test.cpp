@@ -127,5 +127,28 @@ TEST_F(DialogTest, ASmallWindowHoldsIt) {
     EXPECT_GE(ui.rect("Quit?").x, 0);
 }
 
+class WaitingDialog : public testing::Test {
+  protected:
+    bool ready = false;
+    std::optional<std::size_t> answer;
+    Harness ui{[this](Ui& u) {
+        if (button(u, "Open")) open_dialog(u, "load");
+        if (const auto a =
+                ask(u, "load", "Load?", "A file is being read.",
+                    {{.label = "Cancel", .cancel = true}, {.label = "Load", .standard = true, .enabled = ready}}))
+            answer = a;
+    }};
+};
+
+TEST_F(WaitingDialog, TheKeyboardGoesToTheStandardButtonOnceItCanBePressed) {
+    ui.focus("Open").key(Key::enter);
+    EXPECT_EQ(ui.focused(), "Load?/Cancel");
+    ready = true;
+    ui.frame().frame();
+    EXPECT_EQ(ui.focused(), "Load?/Load");
+    ui.key(Key::enter);
+    EXPECT_EQ(answer, 1U);
+}
+
 }  // namespace
 }  // namespace lapfx::ui
