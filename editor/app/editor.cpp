@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 #include "app/amounts.h"
 #include "app/autosave.h"
@@ -206,8 +207,19 @@ bool Editor::draw_pictures() {
     return preview.draw(shot()) || compared;
 }
 
-bool Editor::draw() {
+/// Following the document may bring what the panels just built knew nothing of: the first picture, a fault, something that loads.
+void Editor::follow() {
+    const auto told = [this] {
+        return std::tuple(preview.picture(), preview.loading().has_value(), preview.preset_faults().size(),
+                          preview.organ_faults().size());
+    };
+    const auto before = told();
     preview.follow(document);
+    if (told() != before && ui_ != nullptr) ui_->wake("the preview");
+}
+
+bool Editor::draw() {
+    follow();
     if (options_.exact) return draw_pictures();
     meter_->scene.begin();
     const bool drawn = draw_pictures();

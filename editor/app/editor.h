@@ -158,6 +158,7 @@ class Editor {
 
   private:
     void advance(double seconds);
+    void follow();
     bool draw_pictures();
     void tidy_gesture();
 

@@ -35,12 +35,20 @@ HeadlessEditor::~HeadlessEditor() {
     editor_.reset();
 }
 
-void HeadlessEditor::frame(double seconds) {
+void HeadlessEditor::advance(double seconds) {
     time_ += seconds;
     editor_->update(time_);
+}
+
+void HeadlessEditor::build() {
     output_ = &ui_->frame({.size = size_, .scale = scale_, .time = time_},
                           [this](ui::Ui& u) { panels::workspace(u, *editor_); });
-    drew_ = editor_->draw();
+}
+
+void HeadlessEditor::frame(double seconds) {
+    advance(seconds);
+    build();
+    draw();
 }
 
 void HeadlessEditor::settle() {
