@@ -125,6 +125,8 @@ void amounts_panel(ui::Ui& ui, app::Editor& editor) {
         nothing_known(ui, editor);
         return ui.close();
     }
+    if (amounts.stale() && amounts.busy())
+        ui::label(ui, "Of the scene as it was: the new amounts are being worked out.", {.tone = ui::Tone::warning});
     auto& plots = ui.memory<AmountPlots>(id);
     take_series(plots, amounts);
     const ui::Rect before = ui.rect_before(id);

@@ -170,7 +170,8 @@ void alignment(ui::Ui& ui, app::Editor& editor) {
         held ? reference.hold(reference.frame()) : reference.let_go();
     ui.push_disabled(!reference.held());
     if (ui::button(ui, "Align start here",
-                   {.tip = "The frame that is held belongs to the scene's time as it is now: sets the offset"}))
+                   {.tip = "Hold a frame of the reference first. It then belongs to the scene's time as it is now: "
+                           "sets the offset"}))
         reference.align();
     ui.pop_disabled();
     double offset = editor.document.scene().reference.offset;
