@@ -1,7 +1,7 @@
 // Tells which of some files have changed on disk. It sleeps until the system says so: idle it costs nothing.
 //
 //     FileWatch watch([&] { ui.wake("file"); });
-//     watch.set({"/work/tuned.json", "/work/shaders"});   // a file, or a folder with what is right in it
+//     watch.set({"presets/tuned.json", "shaders"});   // a file, or a folder with what is right in it
 //     for (const auto& path : watch.take()) reload(path);  // once a frame
 //
 // Changes are told when nothing more has happened for 150 ms, at the latest after a second: programs write in pieces, or beside
