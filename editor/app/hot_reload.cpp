@@ -137,41 +137,43 @@ void HotReload::reload_ui_shaders() {
     throw Error(Failure::runtime, Fault{.file = "ui.vert + ui.frag", .place = "", .reason = fault});
 }
 
+/// A document that differs on disk: read at once where nothing would be lost, else by the notice's button.
+void HotReload::take_or_ask(const fs::path& file, bool unsaved, const std::function<void()>& take,
+                            std::function<void()> give_in) {
+    const std::string name = file.filename().string();
+    if (!unsaved) {
+        take();
+        editor_.toasts.add({.text = name + " has changed on disk and was reloaded"});
+        return;
+    }
+    editor_.toasts.add({.kind = ui::ToastKind::warning,
+                        .text = name + " has changed on disk, and here it has unsaved changes",
+                        .action = "Reload",
+                        .act = std::move(give_in),
+                        .seconds = 0});
+}
+
 void HotReload::reload_preset() {
-    const fs::path file = editor_.document.preset_file();
+    document::Document& d = editor_.document;
+    const fs::path file = d.preset_file();
     try {
         const Preset preset = load_preset(file);
-        if (write_preset(preset) == write_preset(editor_.document.preset())) return;
-        if (!editor_.document.preset_unsaved()) {
-            editor_.document.reload(preset);
-            editor_.toasts.add({.text = file.filename().string() + " has changed on disk and was reloaded"});
-            return;
-        }
-        editor_.toasts.add({.kind = ui::ToastKind::warning,
-                            .text = file.filename().string() + " has changed on disk, and here it has unsaved changes",
-                            .action = "Reload",
-                            .act = [this, file] { give_in_to_preset(file); },
-                            .seconds = 0});
+        if (write_preset(preset) == write_preset(d.preset())) return;
+        take_or_ask(
+            file, d.preset_unsaved(), [&] { d.reload(preset); }, [this, file] { give_in_to_preset(file); });
     } catch (const Error& error) {
         editor_.tell(error);
     }
 }
 
 void HotReload::reload_scene() {
-    const fs::path file = editor_.document.scene_file();
+    document::Document& d = editor_.document;
+    const fs::path file = d.scene_file();
     try {
         const Scene scene = load_scene(file);
-        if (write_scene(scene) == write_scene(editor_.document.scene())) return;
-        if (!editor_.document.scene_unsaved()) {
-            editor_.document.reload(scene);
-            editor_.toasts.add({.text = file.filename().string() + " has changed on disk and was reloaded"});
-            return;
-        }
-        editor_.toasts.add({.kind = ui::ToastKind::warning,
-                            .text = file.filename().string() + " has changed on disk, and here it has unsaved changes",
-                            .action = "Reload",
-                            .act = [this, file] { give_in_to_scene(file); },
-                            .seconds = 0});
+        if (write_scene(scene) == write_scene(d.scene())) return;
+        take_or_ask(
+            file, d.scene_unsaved(), [&] { d.reload(scene); }, [this, file] { give_in_to_scene(file); });
     } catch (const Error& error) {
         editor_.tell(error);
     }

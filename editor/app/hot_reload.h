@@ -42,6 +42,8 @@ class HotReload {
     bool is_gone(const std::filesystem::path& file);
     void reload_shaders();
     void reload_ui_shaders();
+    void take_or_ask(const std::filesystem::path& file, bool unsaved, const std::function<void()>& take,
+                     std::function<void()> give_in);
     void reload_preset();
     void reload_scene();
     void give_in_to_preset(const std::filesystem::path& file);
