@@ -94,9 +94,9 @@ PictureLook plain(const ComparedLook& look, int which) {
 void draw_halves(Painter& painter, const Rect& area, const ComparedLook& look) {
     Rect halves[2];
     split(area, look.pictures[0].size, 2 * painter.hairline(), halves);
-    painter.fill(area, painter.theme().border);
+    painter.ground(area, painter.theme().border);
     for (int i = 0; i < 2; ++i) {
-        painter.fill(halves[i], painter.theme().canvas);
+        painter.ground(halves[i], painter.theme().canvas);
         PictureLook picture = plain(look, i);
         picture.pick.by_keys = look.pick.on;  // the place is marked in the other half as well
         draw_picture(painter, view_of(look.state.view, halves[i], look.pictures[0].size), picture);
@@ -106,7 +106,7 @@ void draw_halves(Painter& painter, const Rect& area, const ComparedLook& look) {
 
 void draw_compared(Painter& painter, const Node& node, const ComparedLook& look) {
     const Rect area = node.rect();
-    painter.fill(area, painter.theme().canvas);
+    painter.ground(area, painter.theme().canvas);
     const View view = view_of(look.state.view, area, look.pictures[0].size);
     if (look.flicker) {
         draw_picture(painter, view, plain(look, 1));

@@ -67,8 +67,8 @@ void draw_ground(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
     const CurveEditorOptions& o = look.options;
     const Frame f = frame_of(p, node.rect(), o);
-    p.fill(node.rect(), t.panel);
-    p.fill(f.graph, t.canvas);
+    p.ground(node.rect(), t.panel);
+    p.ground(f.graph, t.canvas);
     draw_axes(p, f, o);
     p.frame(f.graph, t.border, p.hairline());
     p.push_clip(f.graph.inset(-p.em(0.2F)));

@@ -21,7 +21,7 @@ struct ImageOverLook {
 
 void draw_image(Painter& painter, const Node& node, const ImageOverLook& look) {
     const Theme& t = painter.theme();
-    painter.fill(node.rect(), t.canvas);
+    painter.ground(node.rect(), t.canvas);
     const View view = view_of(look.below.state, node.rect(), look.below.picture.picture.size);
     draw_picture(painter, view, look.below.picture);
     if (!look.has_region) return;

@@ -388,7 +388,7 @@ void draw_residual(Painter& p, Frame f, const Look& look) {
     const PlotData& data = *look.options.residual;
     const Extremes e = data.extremes(data.index_from(look.state.x.low), data.index_from(look.state.x.high));
     const double most = e.any ? std::max({std::abs(e.low), std::abs(e.high), 1e-300}) : 1;
-    p.fill(f.residual, t.canvas);
+    p.ground(f.residual, t.canvas);
     f.plot = f.residual;
     PlotState state = look.state;
     state.log_y = false;
@@ -432,8 +432,8 @@ void draw_cursor(Painter& p, const Frame& f, const Look& look) {
 void draw_plot(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
     const Frame f = frame_of(p, node.rect(), look.state, look.options.residual != nullptr);
-    p.fill(node.rect(), t.panel);
-    p.fill(f.plot, t.canvas);
+    p.ground(node.rect(), t.panel);
+    p.ground(f.plot, t.canvas);
     ShortText name;
     name.add(look.options.y_name);
     if (!look.options.y_unit.empty()) name.add(" (").add(look.options.y_unit).add(")");

@@ -142,7 +142,7 @@ void draw_vectorscope(Painter& painter, const Node& node, const VectorscopeLook&
     const Theme& t = painter.theme();
     const ChromaMap map(node.rect(), look.zoom);
     const Rect& square = map.square;
-    painter.fill(square, t.canvas);
+    painter.ground(square, t.canvas);
     painter.push_clip(square);
     const glm::vec2 zero = glm::round(map.at({0, 0}));
     painter.fill({square.x, zero.y, square.w, painter.hairline()}, canvas_ink(t, 0.16F));
@@ -223,7 +223,7 @@ Rect waveform_area(const Rect& rect, float em) {
 
 void draw_waveform(Painter& painter, const Node& node, const WaveformLook& look) {
     const Theme& t = painter.theme();
-    painter.fill(node.rect(), t.canvas);
+    painter.ground(node.rect(), t.canvas);
     const Rect area = waveform_area(node.rect(), painter.em(1));
     TextStyle style = painter.number_style();
     style.size = painter.em(0.85F);

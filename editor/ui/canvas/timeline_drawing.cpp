@@ -44,7 +44,7 @@ void draw_ruler(Painter& p, const Frame& f, const Look& look) {
     const double step = ruler_step(p.em(o.unit == TimeUnit::timecode ? 7.5F : 5) / f.x.scale(), o.rate, o.unit);
     const int parts =
         o.unit != TimeUnit::seconds && step * o.rate < 4.5 ? static_cast<int>(std::lround(step * o.rate)) : 5;
-    p.fill(f.ruler, t.header);
+    p.ground(f.ruler, t.header);
     p.push_clip(f.ruler);
     char buffer[32];
     const double first = std::max(0.0, std::floor(look.state.view.low / step));
@@ -66,7 +66,7 @@ void draw_ruler(Painter& p, const Frame& f, const Look& look) {
 void draw_thumbnails(Painter& p, const Frame& f, const Look& look) {
     const TimelineOptions& o = look.options;
     if (o.thumbnails.empty()) return;
-    p.fill(f.thumbnails, p.theme().canvas);
+    p.ground(f.thumbnails, p.theme().canvas);
     p.push_clip(f.thumbnails);
     const float width = std::max(8.0F, std::round(f.thumbnails.h * o.thumbnail_aspect));
     const float end = std::min(f.thumbnails.right(), f.x.px_of(o.length));
@@ -86,7 +86,7 @@ void draw_thumbnails(Painter& p, const Frame& f, const Look& look) {
 
 void draw_lanes(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
-    p.fill(f.lanes, t.canvas);
+    p.ground(f.lanes, t.canvas);
     for (std::size_t i = 0; i < look.tracks.size(); ++i) {
         const float y = f.lanes.y + f.lane * static_cast<float>(i);
         const Rect name{f.corner.x + p.em(0.6F), y, f.corner.w - p.em(1), f.lane};
@@ -102,7 +102,7 @@ void draw_lanes(Painter& p, const Frame& f, const Look& look) {
 void draw_ground(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
     const Frame f = frame_of(p, node.rect(), look.state.view, look.options);
-    p.fill(node.rect(), t.panel);
+    p.ground(node.rect(), t.panel);
     draw_ruler(p, f, look);
     draw_thumbnails(p, f, look);
     draw_lanes(p, f, look);

@@ -14,7 +14,7 @@ struct ViewportMemory {
 };
 
 void draw_viewport(Painter& painter, const Node& node, const ImageHandle& image) {
-    if (image == 0) return painter.fill(node.rect(), painter.theme().canvas);
+    if (image == 0) return painter.ground(node.rect(), painter.theme().canvas);
     painter.image(node.rect(), image);
 }
 

@@ -15,11 +15,9 @@ void arrange(Ui& ui, Node& node, const BoxOptions& options) {
     node.rigid = false;
 }
 
-/// Beneath all else in the window, so it can be cleared: a third of the cost of drawing it, on a software renderer. What has been
-/// placed lies over other things, such as a picture.
 void draw_panel(Painter& painter, const Node& node, const Color& color) {
-    if (node.layer == 0 && !node.placed) return painter.clear(node.seen(), color);
-    painter.fill(node.rect(), color, node.placed ? painter.em(painter.theme().radius) : 0);
+    node.placed ? painter.fill(node.rect(), color, painter.em(painter.theme().radius))
+                : painter.ground(node.rect(), color);
 }
 
 }  // namespace

@@ -82,10 +82,10 @@ void Ui::draw_all(Painter& painter, bool keep) {
     }
 }
 
-void Ui::draw_node(std::uint32_t index, Painter& painter, bool keep) {
+void Ui::draw_node(std::uint32_t index, bool bottom, Painter& painter, bool keep) {
     Node& node = nodes()[index];
     painter.set_clip(node.clip);
-    painter.begin_node();
+    painter.begin_node(bottom);
     if (reuse_ && keep && node.drawer->same != nullptr && index < nodes_before().size()) {
         const Node& old = nodes_before()[index];
         if (old.instances != Node::not_kept && same_node(node, old) && node.drawer->same(node.arg, old.arg)) {
@@ -113,13 +113,14 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
         while (!open.empty() && nodes()[open.back()].end <= index) {
             const Node& node = nodes()[open.back()];
             painter.set_clip(node.clip);
-            painter.begin_node();
+            painter.begin_node(false);
             if (keep) copy_kept_places(painter.instances());
             node.draw_over(painter, node, node.arg);
             open.pop_back();
         }
     };
     std::uint32_t ringed = no_node;
+    std::uint32_t covered_until = layer == 0 ? from : to;  // by what is placed over other things, such as a picture
     for (std::uint32_t i = from; i < to;) {
         const Node& node = nodes()[i];
         if (node.overlay && i != from) {  // has its own turn
@@ -132,7 +133,8 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
             i = node.end;
             continue;
         }
-        if (seen && node.drawer != nullptr) draw_node(i, painter, keep);
+        if (node.placed && node.drawer != nullptr) covered_until = std::max(covered_until, node.end);
+        if (seen && node.drawer != nullptr) draw_node(i, i >= covered_until, painter, keep);
         if (seen && node.draw_over != nullptr) open.push_back(i);
         if (has(node.is, Is::ringed)) ringed = i;
         if (options_.debug && has(node.is, Is::duplicate)) {
@@ -147,7 +149,7 @@ void Ui::draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Pa
     if (keep) copy_kept_places(painter.instances());
     const Node& node = nodes()[ringed];
     painter.set_clip(node.clip);
-    painter.begin_node();
+    painter.begin_node(false);
     const float width = 2 * painter.hairline();
     // Outside of it: on what is in the accent colour it could not be seen.
     painter.frame(node.rect().inset(-width), theme().focus, width, em(theme().radius) + width);

@@ -313,7 +313,7 @@ class Ui {
     void copy_kept_places(std::uint32_t count);
     bool take_shown();
     void draw_layer(std::uint32_t from, std::uint32_t to, std::uint8_t layer, Painter& painter, bool keep);
-    void draw_node(std::uint32_t index, Painter& painter, bool keep);
+    void draw_node(std::uint32_t index, bool bottom, Painter& painter, bool keep);
 
     // routing.cpp: events against the nodes of the last build
     void take_events();

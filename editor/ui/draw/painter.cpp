@@ -167,6 +167,10 @@ void Painter::clear(const Rect& rect, Color color) {
     list_.clears.push_back({rect, color});
 }
 
+void Painter::ground(const Rect& rect, Color color) {
+    node_.bottom ? clear(intersect(rect, clip()), color) : fill(rect, color);
+}
+
 void Painter::fill(const Rect& rect, Color color, float radius) {
     if (color.a == 0 || hidden(rect)) return;
     Instance& instance = add(InstanceKind::fill, color);

@@ -91,7 +91,7 @@ void draw_line(Painter& painter, const Node& node, const Color& color) {
 }
 
 void draw_bar(Painter& painter, const Node& node, const Color& color) {
-    painter.fill(node.rect(), color);
+    painter.ground(node.rect(), color);
 }
 
 void draw_bar_item(Painter& painter, const Node& node, const TextStyle& style) {

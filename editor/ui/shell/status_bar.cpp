@@ -6,7 +6,7 @@ namespace {
 
 void draw_status_bar(Painter& painter, const Node& node, const Theme* const& theme) {
     Rect rect = node.rect();
-    painter.fill(rect, theme->panel);
+    painter.ground(rect, theme->panel);
     painter.fill(rect.cut_top(painter.hairline()), theme->border);
 }
 

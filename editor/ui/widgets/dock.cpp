@@ -16,10 +16,9 @@ struct DockLook {
     Rect preview;
 };
 
-/// Cleared where its panels are (core/box.cpp): a fill would lie over them.
 void draw_ground(Painter& painter, const Node& node, const void*) {
     const Color ground = painter.theme().window;
-    node.layer == 0 ? painter.clear(node.seen(), ground) : painter.fill(node.rect(), ground);
+    painter.ground(node.rect(), ground);
 }
 
 void draw_preview(Painter& painter, const Node&, const void* arg) {

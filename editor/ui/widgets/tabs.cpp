@@ -47,7 +47,7 @@ void draw_tab(Painter& painter, const Node& node, const TabLook& look) {
 }
 
 void draw_strip(Painter& painter, const Node& node, const Color& color) {
-    painter.fill(node.rect(), color);
+    painter.ground(node.rect(), color);
 }
 
 /// One strip while it is built.

@@ -428,6 +428,29 @@ TEST(Ui, WhatFollowsASizeIsBuiltAgainBeforeItIsDrawn) {
     EXPECT_EQ(ui.ui().builds(), builds + 1) << "a size that stays costs nothing";
 }
 
+TEST(Ui, GroundsAreClearedButInWhatIsPlacedOverAPicture) {
+    bool placed = false;
+    Harness ui([&](Ui& u) {
+        Node& area = u.open(Role::canvas, "Area", Axis::y);
+        area.size[0] = grow(), area.size[1] = grow();
+        {
+            Panel over(u, "Over", {.width = px(100), .height = px(100)});
+            if (placed) {
+                u.parent().placed = true;
+                u.parent().placement = u.arena().make(Placement{});
+            }
+            Panel inner(u, "Inner");
+        }
+        Panel beside(u, "Beside");
+        u.close();
+    });
+    const auto grounds = [&] { return std::pair(ui.output().list->clears.size(), ui.output().list->instances.size()); };
+    EXPECT_EQ(grounds(), std::pair(std::size_t(4), std::size_t(0))) << "the window, and three panels";
+    placed = true;
+    ui.frame();
+    EXPECT_EQ(grounds(), std::pair(std::size_t(2), std::size_t(2))) << "what is placed fills, and what is inside it";
+}
+
 TEST(Ui, AnyWindowAndScaleHold) {
     for (const glm::ivec2 size : {glm::ivec2(0, 0), glm::ivec2(1, 1), glm::ivec2(7680, 4320)}) {
         for (const float scale : {0.0F, 0.75F, 3.0F, std::numeric_limits<float>::quiet_NaN()}) {

@@ -350,6 +350,20 @@ TEST_F(PainterTest, ClearsAreOpaqueAndKeptInOrder) {
     EXPECT_THAT(finished().clears, ElementsAre(Clear{{0, 0, 10, 10}, {1, 2, 3, 255}}, Clear{{5, 5, 10, 10}, red}));
 }
 
+TEST_F(PainterTest, AGroundIsClearedOnlyWhereNothingIsUnderIt) {
+    painter.push_clip({0, 0, 20, 20});
+    painter.begin_node(true);
+    painter.ground({10, 10, 50, 50}, red);
+    EXPECT_THAT(list.clears, ElementsAre(Clear{{10, 10, 10, 10}, red})) << "within the clip";
+    EXPECT_TRUE(list.instances.empty());
+    painter.begin_node(false);
+    painter.ground({10, 10, 50, 50}, red);
+    EXPECT_EQ(list.clears.size(), 1U);
+    EXPECT_EQ(list.instances.size(), 1U);
+    painter.pop_clip();
+    finished();
+}
+
 TEST_F(PainterTest, ThePictureIsTheSameWhenItIsDrawnTheSame) {
     const auto draw = [&] {
         painter.clear(whole, blue);
