@@ -6,7 +6,6 @@
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/key_editor.h"
-#include "ui/shell/palette.h"
 #include "ui/widgets/dock.h"
 
 namespace lapfx::panels {
@@ -56,7 +55,7 @@ void workspace(ui::Ui& ui, app::Editor& editor) {
     settings_dialog(ui, editor);
     layout_dialog(ui, editor);
     editor.build_file_dialog();
-    ui::palette(ui, editor.commands);
+    command_palette(ui, editor);
     ui::cheat_sheet(ui, editor.commands);
     editor.toasts.build(ui);
     if (editor.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
