@@ -5,7 +5,6 @@
 #include "app/settings.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
-#include "ui/shell/key_editor.h"
 #include "ui/widgets/dock.h"
 
 namespace lapfx::panels {
@@ -54,9 +53,10 @@ void workspace(ui::Ui& ui, app::Editor& editor) {
     recovery_dialog(ui, editor);
     settings_dialog(ui, editor);
     layout_dialog(ui, editor);
+    about_dialog(ui, editor);
     editor.build_file_dialog();
     command_palette(ui, editor);
-    ui::cheat_sheet(ui, editor.commands);
+    keys_sheet(ui, editor);
     editor.toasts.build(ui);
     if (editor.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
 }

@@ -16,8 +16,8 @@ constexpr Id state_id = 0x70616c6574746521ULL;
 constexpr std::size_t rows_shown = 12;
 constexpr float width = 36;        // em
 constexpr float recent_bonus = 3;  // of the score: about a third of a word's beginning
-constexpr float whole_word =
-    12;  // of the score, each: what has the words somewhere comes before letters here and there
+// Of the score, for words that are whole somewhere: after those in a title, before letters here and there.
+constexpr float whole_letter = 10, whole_word = -4;
 
 struct Found {
     std::size_t index;  ///< of a command; from their number on, of an item
@@ -34,19 +34,22 @@ struct PaletteState {
     std::size_t current = 0;
 };
 
-std::size_t words_in(std::string_view text) {
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < text.size(); ++i) count += text[i] != ' ' && (i == 0 || text[i - 1] == ' ') ? 1U : 0U;
-    return count;
+float score_of_words(std::string_view text) {
+    float score = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == ' ') continue;
+        score += whole_letter + (i == 0 || text[i - 1] == ' ' ? whole_word : 0.0F);
+    }
+    return score;
 }
 
 void search_items(PaletteState& state, std::size_t first, Items items) {
-    const std::size_t words = words_in(state.query);
-    if (words == 0) return;
+    const float by_words = score_of_words(state.query);
+    if (by_words == 0) return;
     for (std::size_t i = 0; i < items.size(); ++i) {
         if (!contains_words(items[i].words, state.query)) continue;
         FuzzyMatch match = fuzzy_match(state.query, items[i].title).value_or(FuzzyMatch{});
-        match.score = std::max(match.score, whole_word * static_cast<float>(words));
+        match.score = std::max(match.score, by_words);
         state.found.push_back({first + i, match});
     }
 }
