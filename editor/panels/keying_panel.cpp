@@ -79,7 +79,7 @@ void fit_button(ui::Ui& ui, KeyingBench& bench) {
         bench.look.state = {};
 }
 
-void tools(ui::Ui& ui, app::Editor& editor, bool narrow) {
+void tools(ui::Ui& ui, app::Editor& editor, bool narrow, bool wide) {
     KeyingBench& bench = bench_of(editor);
     if (narrow) {
         {
@@ -94,7 +94,7 @@ void tools(ui::Ui& ui, app::Editor& editor, bool narrow) {
     const Room line(ui, 0);
     clip_choice(ui, editor, ui::px(ui.em(14)));
     view_choice(ui, bench, 25);
-    ui::label(ui, "over", {.tone = ui::Tone::dim});
+    if (wide) ui::label(ui, "over", {.tone = ui::Tone::dim});
     behind_choice(ui, bench, 19);
     ui::spacer(ui);
     fit_button(ui, bench);
@@ -210,10 +210,13 @@ void chroma_scope(ui::Ui& ui, app::Editor& editor) {
                            .chroma_high = keying.chroma_high,
                            .reset_low = 0,
                            .reset_high = 0};
-    const ui::VectorscopeResult result =
-        ui::vectorscope(ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
-                        {.tip = "Colours of this frame. Inside of the inner circle is background, outside of the outer "
-                                "one is whole smoke"});
+    const ui::VectorscopeResult result = ui::vectorscope(
+        ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
+        {.tip = circles.chroma_high > 0
+                    ? "Colours of this frame. Inside of the inner circle is background, outside of the "
+                      "outer one is whole smoke"
+                    : "Colours of this frame. They are not used while Chroma high is 0: smoke is told by "
+                      "its brightness alone"});
     editor.document.take(result.low, "Chroma low", [&](Content& c) {
         KeyingBench::keying_of(c, number).chroma_low = std::clamp(circles.chroma_low, 0.0, 180.0);
     });
@@ -226,19 +229,15 @@ void scope(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
     {
-        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-        const bool off = !(bench.keying().chroma_high > 0);
-        ui::label(ui,
-                  bench.look.waveform ? "Luma by place"
-                  : off               ? "Chroma (not used)"
-                                      : "Chroma in this frame",
-                  {.tone = ui::Tone::dim, .size = 0.86F, .width = ui::grow()});
-        ui::toggle(ui, "Waveform", bench.look.waveform,
-                   {.tip = "Luma across the picture, in place of its colours", .quiet = true});
+        constexpr std::array<std::string_view, 2> kinds = {"Colours", "Waveform"};
+        int kind = bench.look.waveform ? 1 : 0;
+        const Room room(ui, 0);
+        if (ui::segmented(ui, "Scope", kind, kinds)) bench.look.waveform = kind == 1;
     }
     ui.push_seed("scope");
     if (bench.look.waveform)
-        ui::waveform(ui, "Luma waveform", bench.waves(), {.tip = "Luma, across the picture"});
+        ui::waveform(ui, "Luma waveform", bench.waves(),
+                     {.tip = "How bright the frame is: its columns from left to right, black below, white above"});
     else
         chroma_scope(ui, editor);
     ui.pop_seed();
@@ -382,7 +381,7 @@ void keying_panel(ui::Ui& ui, app::Editor& editor) {
     const ui::Rect room = ui.rect_before(ui.parent().id);
     const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
-    tools(ui, editor, narrow);
+    tools(ui, editor, narrow, room.w >= ui.em(64));
     ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {
