@@ -20,7 +20,7 @@ constexpr int now = static_cast<int>(Snapshots::count);
 constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", "C", "D", "Now"};
 
 // em: of the panel's width, below which rows leave things out; of its height, below which it scrolls.
-constexpr float whole_row = 24, named_row = 17, whole_height = 24, least_table = 9;
+constexpr float whole_row = 24, named_row = 17, worded_row = 14, whole_height = 24, least_table = 9;
 
 struct SnapshotsState {
     int left = 0, right = now;
@@ -59,16 +59,21 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
     const auto& snapshot = snapshots.at(slot);
     const std::string letter = Snapshots::names[slot];
     const bool timed = room >= ui.em(whole_row), named = room >= ui.em(named_row);
+    const auto slot_button = [&](ui::Icon icon, std::string_view label, ui::ButtonOptions options) {
+        options.quiet = room < ui.em(worded_row);
+        return options.quiet ? ui::icon_button(ui, icon, label, options) : ui::button(ui, label, options);
+    };
     const ui::Size button_width = named ? ui::px(ui.em(5.2F)) : ui::grow();
     ui.push_seed(letter);
     {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::Place::center});
+        if (room < ui.em(worded_row)) ui::label(ui, letter, {.width = ui::grow()});
         ui.push_disabled(!snapshot);
         const bool show =
-            ui::button(ui, "Show " + letter,
-                       {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
-                        .on = snapshots.shown(slot),
-                        .width = button_width});
+            slot_button(ui::Icon::eye, ui.join({"Show ", letter}),
+                        {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
+                         .on = snapshots.shown(slot),
+                         .width = button_width});
         ui.pop_disabled();
         if (show) snapshots.show(slot);
         if (snapshot) ui::date_text(snapshot->time, state.text);
@@ -80,10 +85,10 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
                       {.tone = snapshot ? ui::Tone::normal : ui::Tone::dim, .width = ui::grow()});
         if (snapshot && timed)
             ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
-        if (ui::button(ui, "Keep " + letter,
-                       {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
-                                        : "Keeps the preset as it is now.",
-                        .width = button_width}))
+        if (slot_button(ui::Icon::plus, ui.join({"Keep ", letter}),
+                        {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
+                                         : "Keeps the preset as it is now.",
+                         .width = button_width}))
             snapshots.keep(slot);
         ui.push_disabled(!snapshots.at(slot).has_value());
         if (ui::icon_button(ui, ui::Icon::cross, "Clear " + letter, {.quiet = true})) snapshots.clear(slot);
