@@ -82,7 +82,7 @@ void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t k
     }
 }
 
-constexpr float least_width = 12, least_height = 7;  // em of a plot; in a smaller panel they scroll
+constexpr float least_width = 12, least_height = 6.2F;  // em of a plot; in a smaller panel they scroll
 
 /// As many plots side by side as make the smallest side of each the largest; they are best twice as wide as high.
 std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
