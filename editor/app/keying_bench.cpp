@@ -364,10 +364,11 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
     if (clip()->polarity != clip_before.polarity)
         changes += (changes.empty() ? "" : ", ") +
                    change_text(*smoke.find("clips")->find_row("polarity"), &clip_before, clip());
-    const std::size_t many = sharing();
-    const std::string whose = clip()->own_keying ? "This clip alone: "
-                              : many > 1 ? "All " + std::to_string(many) + " clips without keying of their own: "
-                                         : "The keying of all clips: ";
+    const std::size_t many = sharing(), all = editor_.document.preset().smoke.clips.size();
+    const std::string whose = clip()->own_keying ? "For this clip alone: "
+                              : many == all      ? "For all clips (" + std::to_string(all) + "): "
+                                                 : "For " + std::to_string(many) + " of " + std::to_string(all) +
+                                                  " clips, which share their keying: ";
     suggestion_changes_ = changes.empty() ? "Nothing changed: it was so already" : whose + changes;
 }
 

@@ -96,7 +96,7 @@ class KeyingBench {
     void cancel_suggesting();
     /// Of the clip that is selected, as long as nobody has selected another one.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
-    /// What it changed, and for whom: "This clip alone: Luma low 16 to 31".
+    /// What it changed, and for whom: "For this clip alone: Luma low 16 to 31".
     const std::string& suggestion_changes() const { return suggestion_changes_; }
     /// How many clips have no keying of their own.
     std::size_t sharing() const;

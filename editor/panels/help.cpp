@@ -13,10 +13,8 @@ namespace {
 using ui::SheetLine;
 
 constexpr SheetLine in_view[] = {
-    {"Work with the tool in hand", "hold on organ"},
-    {"Orbit", "drag"},
-    {"Pan", "Shift+drag, middle drag"},
-    {"Zoom at the pointer", "wheel"},
+    {"Use the tool", "hold on organ"},         {"Orbit", "drag"},
+    {"Pan", "Shift+drag, middle drag"},        {"Zoom at the pointer", "wheel"},
     {"Turn about this place", "double click"},
 };
 constexpr SheetLine on_numbers[] = {
@@ -27,7 +25,7 @@ constexpr SheetLine on_numbers[] = {
     {"Type: 12/2, 0.5 cm", "double click"},
     {"Standard value", "double click name"},
     {"Menu: copy, lock, range", "right click"},
-    {"Put back while dragging", "right press, Esc"},
+    {"Give up a drag", "right press, Esc"},
 };
 constexpr SheetLine on_pictures[] = {
     {"Zoom at the pointer", "wheel"},
@@ -95,7 +93,7 @@ void keys_sheet(ui::Ui& ui, app::Editor& editor) {
 }
 
 void about_dialog(ui::Ui& ui, app::Editor& editor) {
-    ui::Dialog dialog(ui, "about", "About lapfx", {.width = 44, .height = 34});
+    ui::Dialog dialog(ui, "about", "About lapfx", {.width = 46, .height = 43});
     if (!dialog) return;
     const std::string graphics = graphics_of(editor);
     {

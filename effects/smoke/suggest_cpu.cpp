@@ -363,7 +363,7 @@ class Suggester {
         const double reach = smoke_.amount.count() > 0 ? smoke_.amount.quantile(0.995) : 0.0;
         doubt(reach < faint, 0.4, "what is before the background hardly differs from it");
         doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8,
-              "thick smoke is not seen, so how bright it is is assumed");
+              "thick smoke is not seen, so its brightness is assumed");
         doubt(s_.marks > 0.0, 0.9, "a mark that never moves covers " + percent(s_.marks) + " and is keyed as smoke");
         found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
     }

@@ -143,7 +143,7 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     EXPECT_NE(told.find("the background is green ("), std::string::npos);
     EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
     EXPECT_EQ(told.find("code values, keyed by"), std::string::npos);
-    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("All ")) << "the shared keying";
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For all clips (")) << "the shared keying";
     ui().click(panel + "Bench/Thresholds/Dismiss");
     EXPECT_FALSE(editor().keying().suggestion());
     editor().document.undo();
@@ -160,7 +160,7 @@ TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
     EXPECT_EQ(keying().luma_high, shared.luma_high);
     EXPECT_EQ(keying().key_color, shared.key_color);
     EXPECT_GT(editor().keying().keying().chroma_high, 20.0);
-    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("This clip alone: ")) << "and says so";
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip alone: ")) << "and says so";
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
     EXPECT_EQ(editor().keying().suggestion_changes(), "Nothing changed: it was so already");
     EXPECT_EQ(steps(), 2U);

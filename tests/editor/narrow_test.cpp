@@ -80,11 +80,11 @@ TEST_F(NarrowTest, SnapshotsAndAmountsDoNotOverlap) {
 
 TEST_F(NarrowTest, PlotsKeepRoomForTheirCurves) {
     shape(1, {600, 800});
-    const ui::Rect plot = ui().rect("**/Plots/All plots/Blood area");
+    const ui::Rect plot = ui().rect("**/All plots/Blood area");
     EXPECT_GT(plot.h, 80.0F);
     EXPECT_GT(plot.w, 120.0F);
     shape(1, {1440, 900});
-    EXPECT_FALSE(ui().exists("**/Amounts/Plots/All plots/vertical scroll bar"))
+    EXPECT_FALSE(ui().exists("**/All plots/vertical scroll bar"))
         << "all fit in a window of usual size: " << ui().dump();
 }
 
