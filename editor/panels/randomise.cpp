@@ -52,7 +52,7 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
         .integer = true};
     if (ui::param(ui, "Seed", seed, seeds).changed) tuning.seed = static_cast<std::uint64_t>(seed);
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    ui::label(ui, "Within locks; one undo step", {.tone = ui::Tone::dim, .width = ui::grow()});
+    ui::label(ui, "What is not locked", {.tone = ui::Tone::dim, .width = ui::grow()});
     if (ui::button(ui, "Randomise all", {.icon = ui::Icon::dice, .primary = true})) randomise(editor, nullptr);
     ui.close_overlay_node();
 }
