@@ -5,6 +5,7 @@
 #include <tuple>
 
 #include "app/editor.h"
+#include "app/parameters.h"
 
 namespace lapfx::app {
 
@@ -41,6 +42,25 @@ Image checker(glm::ivec2 size) {
             image.pixels.insert(image.pixels.end(), {value, value, value, 255});
         }
     return image;
+}
+
+/// "Luma low 16 to 31".
+std::string change_text(const Parameter& row, const void* before, const void* after) {
+    const auto text = [&](const void* owner) {
+        const Value value = row.get(owner);
+        const double* const number = std::get_if<double>(&value);
+        return text_of(row, number != nullptr ? Value(std::round(10 * *number) / 10) : value);
+    };
+    return std::string(row.name) + ' ' + text(before) + " to " + text(after);
+}
+
+std::string differing_rows(const Table& table, const void* before, const void* after) {
+    std::string changes;
+    for (const Parameter& row : table.rows) {
+        if (row.get(before) == row.get(after)) continue;
+        changes += (changes.empty() ? "" : ", ") + change_text(row, before, after);
+    }
+    return changes;
 }
 
 }  // namespace
@@ -312,7 +332,44 @@ void KeyingBench::cancel_suggesting() {
 
 void KeyingBench::forget_suggestion() {
     suggestion_.reset();
+    suggestion_changes_.clear();
     suggestion_faults_.clear();
+}
+
+std::size_t KeyingBench::sharing() const {
+    const auto& clips = editor_.document.preset().smoke.clips;
+    return static_cast<std::size_t>(
+        std::count_if(clips.begin(), clips.end(), [](const SmokeClip& clip) { return !clip.own_keying; }));
+}
+
+void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t number) {
+    suggestion_changes_.clear();
+    if (found.alpha) {
+        suggestion_changes_ = "Nothing changed";
+        return;
+    }
+    const KeyingParameters before = keying();
+    const SmokeClip clip_before = *clip();
+    editor_.document.change("Suggest keying", [&](document::Content& c) {
+        KeyingParameters& k = keying_of(c, number);
+        const KeyingParameters& s = found.keying;
+        k.luma_low = s.luma_low, k.luma_high = s.luma_high;
+        k.key_color = s.key_color;
+        k.chroma_low = s.chroma_low, k.chroma_high = s.chroma_high;
+        k.spill = s.spill;
+        c.preset.smoke.clips[number].polarity = found.polarity;
+    });
+    const Table& smoke = *preset_table().find("smoke");
+    std::string changes = differing_rows(*smoke.find("keying"), &before, &keying());
+    if (clip()->polarity != clip_before.polarity)
+        changes += (changes.empty() ? "" : ", ") +
+                   change_text(*smoke.find("clips")->find_row("polarity"), &clip_before, clip());
+    const std::size_t many = sharing(), all = editor_.document.preset().smoke.clips.size();
+    const std::string whose = clip()->own_keying ? "For this clip alone: "
+                              : many == all      ? "For all clips (" + std::to_string(all) + "): "
+                                                 : "For " + std::to_string(many) + " of " + std::to_string(all) +
+                                                  " clips, which share their keying: ";
+    suggestion_changes_ = changes.empty() ? "Nothing changed: it was so already" : whose + changes;
 }
 
 void KeyingBench::suggest() {
@@ -329,16 +386,7 @@ void KeyingBench::suggest() {
         if (number >= clips.size() || clips[number].file != file) return;
         suggestion_ = found;
         suggested_for_ = file;
-        if (found.alpha) return;
-        editor_.document.change("Suggest keying", [&](document::Content& c) {
-            KeyingParameters& k = keying_of(c, number);
-            const KeyingParameters& s = found.keying;
-            k.luma_low = s.luma_low, k.luma_high = s.luma_high;
-            k.key_color = s.key_color;
-            k.chroma_low = s.chroma_low, k.chroma_high = s.chroma_high;
-            k.spill = s.spill;
-            c.preset.smoke.clips[number].polarity = found.polarity;
-        });
+        put_suggestion(found, number);
     };
     suggesting_ = editor_.jobs.start(
         "Suggesting keying for " + facts.path.filename().string(),

@@ -89,12 +89,17 @@ class KeyingBench {
     const KeyingParameters& keying() const;
     static KeyingParameters& keying_of(document::Content& content, std::size_t clip);
 
-    /// Thresholds out of the clip, by a job; one undo step, with polarity.
+    /// Thresholds out of the clip, by a job; one undo step, with polarity. They go where keying() comes from: into the clip's own
+    /// keying, or into the one that clips share.
     void suggest();
     const std::shared_ptr<Job>& suggesting() const { return suggesting_; }
     void cancel_suggesting();
     /// Of the clip that is selected, as long as nobody has selected another one.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
+    /// What it changed, and for whom: "For this clip alone: Luma low 16 to 31".
+    const std::string& suggestion_changes() const { return suggestion_changes_; }
+    /// How many clips have no keying of their own.
+    std::size_t sharing() const;
     const std::vector<Fault>& suggestion_faults() const { return suggestion_faults_; }
     void forget_suggestion();
 
@@ -130,7 +135,8 @@ class KeyingBench {
     std::shared_ptr<Job> suggesting_;
     std::optional<KeyingSuggestion> suggestion_;
     std::vector<Fault> suggestion_faults_;
-    std::string suggested_for_;
+    std::string suggestion_changes_, suggested_for_;
+    void put_suggestion(const KeyingSuggestion& found, std::size_t number);
 };
 
 }  // namespace lapfx::app

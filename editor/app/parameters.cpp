@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "app/parameter_words.h"
+
 namespace lapfx::app {
 
 namespace {
@@ -45,16 +47,35 @@ std::string without(std::string_view text, std::string_view end) {
     return std::string(text.ends_with(end) ? text.substr(0, text.size() - end.size()) : text);
 }
 
+bool counts(const Parameter& row) {
+    return row.kind == Kind::number || row.kind == Kind::integer || row.kind == Kind::vector;
+}
+
 std::string tip_of(const ParameterEntry& entry) {
-    const Parameter& row = *entry.row;
     static const Preset defaults;
-    std::string tip = std::string(row.help) + '\n' + sentence(row.expected());
-    const std::string standard = text_of(row, row.get(entry.owner(defaults)));
-    if (!standard.empty()) tip += "; " + standard + " by default";
-    return tip + '\n' + entry.key;
+    const bool tuned = !entry.key.starts_with(entry.row->key);  // name, description and tags are no matter of the paper
+    const bool in_paper = entry.row->help.find("paper") != std::string_view::npos;
+    return tip_text(*entry.row, entry.owner(defaults)) + '\n' + entry.key +
+           (tuned && !in_paper ? "; the paper has no term for it" : "");
 }
 
 }  // namespace
+
+std::string tip_text(const Parameter& row, const void* defaults) {
+    std::string tip = std::string(row.help) + (row.help.empty() ? "" : "\n") + sentence(row.expected());
+    if (counts(row) && row.unit.empty()) tip += ", no unit";
+    const std::string standard = defaults != nullptr ? text_of(row, row.get(defaults)) : std::string();
+    return standard.empty() ? tip : tip + "; " + standard + " by default";
+}
+
+std::string search_words(std::string_view title, std::string_view key, std::string_view help) {
+    std::string words = std::string(title) + ' ' + std::string(key) + ' ' + std::string(help);
+    for (std::size_t end = 0; end < key.size();) {
+        end = std::min(key.find('.', end + 1), key.size());
+        words += ' ' + std::string(everyday_words(key.substr(0, end)));
+    }
+    return lower(std::move(words));
+}
 
 std::string text_of(const Parameter& row, const Value& value) {
     switch (row.kind) {
@@ -107,7 +128,7 @@ void Parameters::add(const Table& table, const std::string& key, const std::vect
             entry.pointer = '/' + entry.key;
             std::replace(entry.pointer.begin(), entry.pointer.end(), '.', '/');
             entry.title = key.empty() ? std::string(row.name) : group.name + ": " + std::string(row.name);
-            entry.words = lower(entry.title + ' ' + entry.key + ' ' + std::string(row.help));
+            entry.words = search_words(entry.title, entry.key, row.help);
             entries_.push_back(std::move(entry));
         }
         group.last = entries_.size();

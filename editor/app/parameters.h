@@ -27,7 +27,7 @@ struct ParameterEntry {
     std::string key{};                ///< "smoke.keying.luma_low"
     std::string pointer{};            ///< "/smoke/keying/luma_low", as faults name it
     std::string title{};              ///< "Keying: Luma low", where the group is not seen
-    std::string tip{};                ///< help, what is allowed, the default, the key
+    std::string tip{};                ///< tip_text(), the key, whether the paper has a term for it
     std::string words{};              ///< what search looks into
     std::size_t high = no_entry;      ///< this is the lower of two bounds; the upper one
     std::size_t low = no_entry;       ///< this is the upper one; the lower
@@ -80,6 +80,13 @@ class Parameters {
 
 /// Those of presets.
 const Parameters& parameters();
+
+/// What search looks into, in lower case: title, key, help, and the everyday words of the key and of the groups it is in.
+std::string search_words(std::string_view title, std::string_view key, std::string_view help);
+
+/// What a tooltip tells of a row: what it does, with the paper's term; range and unit; with `defaults`, a struct like its owner, what
+/// it is by default.
+std::string tip_text(const Parameter& row, const void* defaults = nullptr);
 
 /// As set_parameter() reads it: "4.5", "true", "light", "#5d0f11", "1,2,3".
 std::string text_of(const Parameter& row, const Value& value);

@@ -18,17 +18,6 @@ const std::vector<ParameterEntry>& entries() {
     return parameters().entries();
 }
 
-double share_of(Amount amount) {
-    switch (amount) {
-        case Amount::tenth:
-            return 0.1;
-        case Amount::third:
-            return 0.3;
-        default:
-            return 1;
-    }
-}
-
 /// The same numbers everywhere: the standard leaves its distributions to the library.
 class Dice {
   public:
@@ -240,7 +229,7 @@ int Tuning::randomise(const ParameterGroup* group) {
             const Value before = entry.row->get(owner);
             const std::size_t broken = broken_rules(entry, c.preset);
             for (int tries = 0; tries < most_tries; ++tries) {
-                entry.row->set(owner, thrown(entry, range(i), c.preset, share_of(amount), dice));
+                entry.row->set(owner, thrown(entry, range(i), c.preset, strength, dice));
                 if (broken_rules(entry, c.preset) <= broken) break;
                 put(entry, c.preset, before);
             }
@@ -248,6 +237,12 @@ int Tuning::randomise(const ParameterGroup* group) {
         }
     });
     return count;
+}
+
+void Tuning::want(std::size_t entry) {
+    wanted = entry;
+    search.clear();
+    changed_only = false;
 }
 
 std::string Tuning::copy(const ParameterGroup* group) const {

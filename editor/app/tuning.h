@@ -21,9 +21,6 @@ namespace lapfx::app {
 
 class Editor;
 
-/// How far randomising goes, of the range that the row has.
-enum class Amount { tenth, third, whole };
-
 class Tuning {
   public:
     struct Range {
@@ -59,10 +56,12 @@ class Tuning {
     /// Null stands for all groups. Each is one undo step; locked values stay with randomise(), only with that.
     void reset(const ParameterGroup* group);
     void reset(std::size_t entry);
-    /// The same seed, preset, locks and amount give the same values. Rules between values hold if they held before. Gives how many
-    /// values changed.
+    /// From the values as they are. The same seed, preset, locks and strength give the same values. Rules between values hold if they
+    /// held before. Gives how many values changed.
     int randomise(const ParameterGroup* group);
-    Amount amount = Amount::tenth;
+    static constexpr double standard_strength = 0.1;
+    double strength =
+        standard_strength;   ///< how far a value goes at most, of its range; 1: anywhere in it, choices too
     std::uint64_t seed = 1;  ///< of the next randomise(); it counts on
 
     std::string copy(const ParameterGroup* group) const;
@@ -76,6 +75,11 @@ class Tuning {
     bool changed_only = false;
     bool wants_search = false;       ///< the field is to have the keyboard
     std::size_t current = no_entry;  ///< the row that has or had the keyboard
+    /// A row that is to come into sight and have the keyboard, by the next build of its panel: a parameter of the preset, or one of
+    /// the scene's.
+    std::size_t wanted = no_entry;
+    const Parameter* wanted_in_scene = nullptr;
+    void want(std::size_t entry);  ///< nothing that the panel is narrowed to hides it
 
   private:
     struct State {

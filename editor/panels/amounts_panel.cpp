@@ -3,6 +3,7 @@
 #include "panels/panels.h"
 #include "ui/canvas/plot.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::panels {
 
@@ -81,12 +82,15 @@ void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t k
     }
 }
 
+constexpr float least_width = 12, least_height = 6.2F;  // em of a plot; in a smaller panel they scroll
+
 /// As many plots side by side as make the smallest side of each the largest; they are best twice as wide as high.
-std::size_t columns_for(const ui::Rect& room) {
+std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
     std::size_t best = 1;
     float largest = -1;
     for (const std::size_t columns : {1U, 2U, 4U}) {
         const auto across = static_cast<float>(columns), down = static_cast<float>(amount_infos.size()) / across;
+        if (columns > 1 && room.w / across < ui.em(least_width)) break;
         const float size = std::min(room.w / across / 2, room.h / down);
         if (size > largest) largest = size, best = columns;
     }
@@ -109,6 +113,25 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
         editor.amounts().again();
 }
 
+void all_plots(ui::Ui& ui, app::Editor& editor, ui::Id id) {
+    const app::AmountsOverTime& amounts = editor.amounts();
+    if (amounts.stale() && amounts.busy())
+        ui::label(ui, "Of the scene as it was: the new amounts are being worked out.", {.tone = ui::Tone::warning});
+    auto& plots = ui.memory<AmountPlots>(id);
+    take_series(plots, amounts);
+    const ui::Rect before = ui.rect_before(id);
+    const std::size_t columns = columns_for(ui, before), lines = plots.all.size() / columns;
+    constexpr float gap = 0.4F;
+    const auto parted = static_cast<float>(lines);
+    const float height = std::floor((before.h - (parted - 1) * std::ceil(ui.em(gap))) / parted);
+    const ui::ScrollArea area(ui, "All plots", {.gap = gap});
+    for (std::size_t first = 0; first < plots.all.size(); first += columns) {
+        const ui::Row row(ui,
+                          {.width = ui::grow(), .height = ui::px(std::max(height, ui.em(least_height))), .gap = gap});
+        for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, editor, plots, i);
+    }
+}
+
 }  // namespace
 
 void amounts_panel(ui::Ui& ui, app::Editor& editor) {
@@ -125,16 +148,7 @@ void amounts_panel(ui::Ui& ui, app::Editor& editor) {
         nothing_known(ui, editor);
         return ui.close();
     }
-    if (amounts.stale() && amounts.busy())
-        ui::label(ui, "Of the scene as it was: the new amounts are being worked out.", {.tone = ui::Tone::warning});
-    auto& plots = ui.memory<AmountPlots>(id);
-    take_series(plots, amounts);
-    const ui::Rect before = ui.rect_before(id);
-    const std::size_t columns = columns_for(before);
-    for (std::size_t first = 0; first < plots.all.size(); first += columns) {
-        const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
-        for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, editor, plots, i);
-    }
+    all_plots(ui, editor, id);
     ui.close();
 }
 

@@ -79,7 +79,7 @@ void fit_button(ui::Ui& ui, KeyingBench& bench) {
         bench.look.state = {};
 }
 
-void tools(ui::Ui& ui, app::Editor& editor, bool narrow) {
+void tools(ui::Ui& ui, app::Editor& editor, bool narrow, bool wide) {
     KeyingBench& bench = bench_of(editor);
     if (narrow) {
         {
@@ -94,7 +94,7 @@ void tools(ui::Ui& ui, app::Editor& editor, bool narrow) {
     const Room line(ui, 0);
     clip_choice(ui, editor, ui::px(ui.em(14)));
     view_choice(ui, bench, 25);
-    ui::label(ui, "over", {.tone = ui::Tone::dim});
+    if (wide) ui::label(ui, "over", {.tone = ui::Tone::dim});
     behind_choice(ui, bench, 19);
     ui::spacer(ui);
     fit_button(ui, bench);
@@ -110,6 +110,28 @@ void take_color(app::Editor& editor, const glm::vec4& value) {
     bench_of(editor).look.eyedropper = false;
 }
 
+std::string_view whole(ui::Ui& ui, float value) {
+    return ui.copy(std::to_string(std::lround(value)));
+}
+
+/// Of a pixel of each view, what its thresholds go by.
+std::string_view source_text(ui::Ui& ui, const glm::vec4& v) {
+    const float luma = glm::dot(glm::vec3(v), glm::vec3(0.299F, 0.587F, 0.114F));  // BT.601, as keying has it
+    return ui.join(
+        {"Luma ", whole(ui, luma), "  red ", whole(ui, v.r), "  green ", whole(ui, v.g), "  blue ", whole(ui, v.b)});
+}
+std::string_view matte_text(ui::Ui& ui, const glm::vec4& v) {
+    return ui.join({"Opacity ", whole(ui, v.r / 2.55F), " %"});
+}
+std::string_view keyed_text(ui::Ui& ui, const glm::vec4& v) {
+    return ui.join({"Opacity ", whole(ui, v.a / 2.55F), " %  red ", whole(ui, v.r), "  green ", whole(ui, v.g),
+                    "  blue ", whole(ui, v.b)});
+}
+std::string_view composite_text(ui::Ui& ui, const glm::vec4& v) {
+    return ui.join({"Red ", whole(ui, v.r), "  green ", whole(ui, v.g), "  blue ", whole(ui, v.b)});
+}
+constexpr std::array pixel_texts = {source_text, matte_text, keyed_text, composite_text};
+
 void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
     KeyingBench& bench = bench_of(editor);
     const auto index = static_cast<std::size_t>(view);
@@ -122,6 +144,7 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
                                                       {.magnifier = picks,
                                                        .eyedropper = picks,
                                                        .sample_box = picks ? bench.look.sample_box : 1,
+                                                       .text_of = pixel_texts[index],
                                                        .tip = view_tips[index]});
     ui.pop_seed();
     if (result.picked) take_color(editor, result.value);
@@ -210,10 +233,13 @@ void chroma_scope(ui::Ui& ui, app::Editor& editor) {
                            .chroma_high = keying.chroma_high,
                            .reset_low = 0,
                            .reset_high = 0};
-    const ui::VectorscopeResult result =
-        ui::vectorscope(ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
-                        {.tip = "Colours of this frame. Inside of the inner circle is background, outside of the outer "
-                                "one is whole smoke"});
+    const ui::VectorscopeResult result = ui::vectorscope(
+        ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
+        {.tip = circles.chroma_high > 0
+                    ? "Colours of this frame. Inside of the inner circle is background, outside of the "
+                      "outer one is whole smoke"
+                    : "Colours of this frame. They are not used while Chroma high is 0: smoke is told by "
+                      "its brightness alone"});
     editor.document.take(result.low, "Chroma low", [&](Content& c) {
         KeyingBench::keying_of(c, number).chroma_low = std::clamp(circles.chroma_low, 0.0, 180.0);
     });
@@ -226,52 +252,49 @@ void scope(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
     {
-        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-        const bool off = !(bench.keying().chroma_high > 0);
-        ui::label(ui,
-                  bench.look.waveform ? "Luma by place"
-                  : off               ? "Chroma (not used)"
-                                      : "Chroma in this frame",
-                  {.tone = ui::Tone::dim, .size = 0.86F, .width = ui::grow()});
-        ui::toggle(ui, "Waveform", bench.look.waveform,
-                   {.tip = "Luma across the picture, in place of its colours", .quiet = true});
+        constexpr std::array<std::string_view, 2> kinds = {"Colours", "Waveform"};
+        int kind = bench.look.waveform ? 1 : 0;
+        const Room room(ui, 0);
+        if (ui::segmented(ui, "Scope", kind, kinds)) bench.look.waveform = kind == 1;
     }
     ui.push_seed("scope");
     if (bench.look.waveform)
-        ui::waveform(ui, "Luma waveform", bench.waves(), {.tip = "Luma, across the picture"});
+        ui::waveform(ui, "Luma waveform", bench.waves(),
+                     {.tip = "How bright the frame is: its columns from left to right, black below, white above"});
     else
         chroma_scope(ui, editor);
     ui.pop_seed();
 }
 
-void whose_keying(ui::Ui& ui, app::Editor& editor) {
+void whose_and_suggest(ui::Ui& ui, app::Editor& editor, bool narrow) {
     constexpr std::array<std::string_view, 2> names = {"All clips", "This clip"};
     const std::size_t number = editor.clip;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    ui::label(ui, "Thresholds for", {.width = ui::grow()});
-    const Room room(ui, 13);
+    ui::label(ui, "For", {.tone = ui::Tone::dim});
     int own = bench_of(editor).clip()->own_keying ? 1 : 0;
-    const ui::Edit edit = ui::segmented(ui, "Thresholds for", own, names);
+    ui::Edit edit;
+    {
+        const Room room(ui, narrow ? 0 : 11);
+        edit = ui::segmented(ui, "Thresholds for", own, names);
+    }
     editor.document.take(edit, "Own keying", [&](Content& c) {
         SmokeClip& clip = c.preset.smoke.clips[number];
         if (own == 1) clip.keying = c.preset.smoke.keying;  // goes on from what is seen
         clip.own_keying = own == 1;
     });
+    if (!narrow) ui::spacer(ui);
+    ui::command_button(ui, editor.commands, "clip.suggest", narrow);
 }
 
-void pick_and_suggest(ui::Ui& ui, app::Editor& editor, bool narrow) {
+void pick_color(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     ui::command_button(ui, editor.commands, "clip.eyedropper");
-    constexpr std::array<std::string_view, 4> names = {"1", "3", "5", "11"};
+    constexpr std::array<std::string_view, 4> names = {"1 px", "3 x 3", "5 x 5", "11 x 11"};
     constexpr std::array<int, 4> sides = {1, 3, 5, 11};
     int box = static_cast<int>(std::find(sides.begin(), sides.end(), bench.look.sample_box) - sides.begin());
-    {
-        const Room room(ui, 7);
-        if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
-    }
-    ui::spacer(ui);
-    ui::command_button(ui, editor.commands, "clip.suggest", narrow);
+    const Room room(ui, 0);
+    if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
 }
 
 void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
@@ -284,12 +307,18 @@ void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
         ui::label(ui, ui.copy(fault.text()), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     if (!bench.suggestion()) return;
     const KeyingSuggestion& found = *bench.suggestion();
-    const int percent = static_cast<int>(std::lround(100 * found.confidence));
-    const std::string text = "Suggested, " + std::to_string(percent) + " % sure" +
-                             (found.confidence < 0.5 ? " (look before you trust it): " : ": ") + found.reason;
+    const bool unsure = found.confidence < 0.5;
+    const std::string percent = std::to_string(std::lround(100 * found.confidence));
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
-    ui::label(ui, ui.copy(text),
-              {.tone = found.confidence < 0.5 ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
+    {
+        const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.2F});
+        ui::label(ui, ui.join({bench.suggestion_changes(), ". Ctrl+Z takes it back."}),
+                  {.tone = unsure ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
+        ui::label(ui,
+                  ui.join({unsure ? "Only " : "", percent, " % sure", unsure ? ", look before you trust it" : "", ": ",
+                           found.reason}),
+                  {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+    }
     if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) bench.forget_suggestion();
 }
 
@@ -299,9 +328,9 @@ bool is_threshold(std::string_view key) {
 
 void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
     const std::size_t number = editor.clip;
-    whose_keying(ui, editor);
-    pick_and_suggest(ui, editor, narrow);
+    whose_and_suggest(ui, editor, narrow);
     told_by_suggest(ui, editor);
+    pick_color(ui, editor);
     const bool alpha = has_alpha(editor);
     if (alpha)
         ui::label(ui, "This clip brings its own opacity, which takes the place of thresholds.",
@@ -382,7 +411,7 @@ void keying_panel(ui::Ui& ui, app::Editor& editor) {
     const ui::Rect room = ui.rect_before(ui.parent().id);
     const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
-    tools(ui, editor, narrow);
+    tools(ui, editor, narrow, room.w >= ui.em(64));
     ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {

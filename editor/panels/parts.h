@@ -22,6 +22,12 @@ void menu_bar(ui::Ui& ui, app::Editor& editor);
 void status_bar(ui::Ui& ui, app::Editor& editor);
 /// Three lines for those who see it for the first time; until they are closed.
 void first_hint(ui::Ui& ui, app::Editor& editor);
+/// Commands and parameters by name: a command runs, a parameter's row comes into sight and has the keyboard.
+void command_palette(ui::Ui& ui, app::Editor& editor);
+/// All keys, and what the pointer does.
+void keys_sheet(ui::Ui& ui, app::Editor& editor);
+/// Version, renderer, paper, licences.
+void about_dialog(ui::Ui& ui, app::Editor& editor);
 /// Name for the layout that is kept.
 void layout_dialog(ui::Ui& ui, app::Editor& editor);
 

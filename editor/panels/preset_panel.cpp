@@ -1,10 +1,12 @@
 // All parameters of the preset, in sections: made from the parameter table, no row by hand.
 #include <charconv>
+#include <cmath>
 
 #include "app/layouts.h"
 #include "app/tuning.h"
 #include "panels/panels.h"
 #include "panels/preset_rows.h"
+#include "panels/randomise.h"
 #include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
@@ -16,7 +18,6 @@ namespace lapfx::panels {
 
 namespace {
 
-using app::Amount;
 using app::no_entry;
 using app::ParameterEntry;
 using app::ParameterGroup;
@@ -46,24 +47,8 @@ void paste_group(app::Editor& editor, const ParameterGroup* group) {
     if (clipboard != nullptr) editor.tuning().paste(clipboard->get(), group);
 }
 
-void randomise(app::Editor& editor, const ParameterGroup* group) {
-    if (editor.tuning().randomise(group) == 0)
-        editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: all of it is locked"});
-}
-
-void amount_items(ui::Ui& ui, Tuning& tuning) {
-    constexpr std::pair<std::string_view, Amount> amounts[] = {{"By 10 % of the range", Amount::tenth},
-                                                               {"By 30 % of the range", Amount::third},
-                                                               {"Over the whole range", Amount::whole}};
-    for (const auto& [label, amount] : amounts)
-        if (ui::menu_item(
-                ui, label,
-                {.tip = "How far randomising goes from the values as they are", .checked = tuning.amount == amount}))
-            tuning.amount = amount;
-}
-
 /// Of the whole preset (null) or of a group.
-void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group) {
+void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui::Id box_at) {
     Tuning& tuning = editor.tuning();
     const bool clipboard = ui.clipboard() != nullptr;
     const int changed = group == nullptr ? tuning.changed_in_all() : tuning.changed_in(*group);
@@ -77,9 +62,12 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group) {
                       {.icon = Icon::reset, .tip = "Back to the values of the file", .enabled = changed > 0}))
         tuning.reset(group);
     ui::menu_separator(ui);
-    if (ui::menu_item(ui, "Randomise", {.icon = Icon::dice, .tip = "All that is not locked, in one undo step"}))
+    const std::string percent = std::to_string(std::lround(100 * tuning.strength));
+    if (ui::menu_item(ui, ui.join({"Randomise by ", percent, " %###Randomise"}),
+                      {.icon = Icon::dice, .tip = "All that is not locked, in one undo step"}))
         randomise(editor, group);
-    amount_items(ui, tuning);
+    if (ui::menu_item(ui, "Strength and seed...", {.tip = "How far randomising goes from the values as they are"}))
+        open_randomise_box(ui, box_at);
     ui::menu_separator(ui);
     bool locked = true;
     for (const ParameterGroup& one : app::parameters().groups())
@@ -102,13 +90,15 @@ void tool_row(ui::Ui& ui, app::Editor& editor) {
                      {.placeholder = "Find a parameter", .tip = "By name, key or what it does (Ctrl+F)"});
     ui::toggle(ui, "Changed only", tuning.changed_only,
                {.icon = Icon::dot, .tip = "Only what differs from the file", .quiet = true});
+    const ui::Id dice = ui.id_of("Randomise");
     if (ui::icon_button(ui, Icon::dice, "Randomise",
-                        {.tip = "Randomise all that is not locked (Ctrl+R)", .quiet = true}))
-        randomise(editor, nullptr);
+                        {.tip = "Randomise what is not locked: asks how far. Ctrl+R does it at once", .quiet = true}))
+        open_randomise_box(ui, dice);
+    randomise_box(ui, editor);
     const ui::Id id = ui.id_of("More");
     if (ui::icon_button(ui, Icon::menu, "More", {.tip = "Copy, paste, reset, randomise, lock", .quiet = true}))
         ui::open_menu(ui, all_menu, {.side = ui::Placement::Side::below, .anchor = id});
-    if (const ui::Menu menu(ui, all_menu, "Preset menu"); menu) menu_items(ui, editor, nullptr);
+    if (const ui::Menu menu(ui, all_menu, "Preset menu"); menu) menu_items(ui, editor, nullptr, dice);
 }
 
 class Sections {
@@ -192,6 +182,7 @@ class Sections {
         const ui::Section section(ui_, label,
                                   {.changed = tuning_.changed_in(group),
                                    .open = narrowed || group.key == "bleeding",
+                                   .unfold = has_wanted(group),
                                    .tip = group.table->help,
                                    .buttons = buttons});
         ui_.push_seed(group.key);
@@ -204,10 +195,14 @@ class Sections {
         }
         if (menu_of == owner)
             if (const ui::Menu menu(ui_, group_menu, ui_.join({group.name, " menu"})); menu)
-                menu_items(ui_, editor_, &group);
+                menu_items(ui_, editor_, &group, ui_.id_of("More"));
         if (!section) return;
         for (std::size_t i = group.first; i < group.last; ++i)
             if (shows(i)) row(i, false);
+    }
+
+    bool has_wanted(const ParameterGroup& group) const {
+        return tuning_.wanted >= group.first && tuning_.wanted < group.last;
     }
 
     void put_clips() {

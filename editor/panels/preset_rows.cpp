@@ -27,6 +27,7 @@ class RowBuilder {
   public:
     RowBuilder(ui::Ui& ui, app::Editor& editor, std::size_t index, bool with_group)
         : ui_(ui),
+          listed_apart_(with_group),
           editor_(editor),
           tuning_(editor.tuning()),
           index_(index),
@@ -42,6 +43,10 @@ class RowBuilder {
         const ui::Id id = nodes[before + 1].id;
         for (const ui::Node* node = nodes + before + 1; node <= &ui_.last(); ++node)
             if (has(node->is, ui::Is::focused)) tuning_.current = index_;
+        if (wanted()) {
+            go_to_row(ui_, before, tuning_.wanted == index_ ? 0 : 1);
+            tuning_.wanted = no_entry;
+        }
         if (!has_own_menu()) put_menu(before + 1, id);
         put_fault(index_);
         if (range()) put_fault(entry_.high);
@@ -49,6 +54,10 @@ class RowBuilder {
 
   private:
     bool range() const { return entry_.high != no_entry; }
+    bool wanted() const {
+        return !listed_apart_ && tuning_.wanted != no_entry &&
+               (tuning_.wanted == index_ || tuning_.wanted == entry_.high);
+    }
     bool has_own_menu() const { return !range() && (row_.kind == Kind::number || row_.kind == Kind::integer); }
     const Preset& preset() const { return editor_.document.preset(); }
 
@@ -142,6 +151,7 @@ class RowBuilder {
     }
 
     ui::Ui& ui_;
+    bool listed_apart_;  ///< as a favourite: its section has another row of it
     app::Editor& editor_;
     Tuning& tuning_;
     std::size_t index_;

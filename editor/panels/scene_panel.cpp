@@ -1,5 +1,8 @@
 // The scene: what the preset is seen on. Rows from the scene's table, and what is wrong between them.
+#include <algorithm>
+
 #include "app/orbit.h"
+#include "app/tuning.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
@@ -38,14 +41,20 @@ class ScenePanel {
     void build() {
         const ui::ScrollArea area(ui_, "Scene rows", {.gap = 0.3F, .padding = 0.6F});
         rows_of_scene();
-        if (const ui::Section section(ui_, "Organ", {.tip = table("organ").help}); section) organ();
-        if (const ui::Section section(ui_, "Tool", {.tip = table("tool").help}); section) tool();
-        if (const ui::Section section(ui_, "Camera", {.tip = table("camera").help}); section) camera();
-        if (const ui::Section section(ui_, "Light", {.tip = table("light").help}); section) light();
-        if (const ui::Section section(ui_, "Reference", {.tip = table("reference").help}); section) reference();
+        if (const ui::Section section(ui_, "Organ", options("organ")); section) organ();
+        if (const ui::Section section(ui_, "Tool", options("tool")); section) tool();
+        if (const ui::Section section(ui_, "Camera", options("camera")); section) camera();
+        if (const ui::Section section(ui_, "Light", options("light")); section) light();
+        if (const ui::Section section(ui_, "Reference", options("reference")); section) reference();
     }
 
   private:
+    ui::SectionOptions options(std::string_view key) {
+        const Parameter* const wanted = editor_.tuning().wanted_in_scene;
+        const auto& rows = table(key).rows;
+        const bool here = std::any_of(rows.begin(), rows.end(), [&](const Parameter& row) { return &row == wanted; });
+        return {.unfold = here, .tip = table(key).help};
+    }
     static const Table& table(std::string_view key) { return *scene_table().find(key); }
 
     void row(const Table& table, std::string_view key, const OwnerOf& owner, TableRowOptions options = {}) {
@@ -131,6 +140,10 @@ class ScenePanel {
 
 void scene_panel(ui::Ui& ui, app::Editor& editor) {
     ScenePanel(ui, editor).build();
+    const Parameter*& wanted = editor.tuning().wanted_in_scene;
+    if (wanted == nullptr) return;
+    editor.toasts.add({.text = std::string(wanted->name) + " has no row yet: load an organ or a tool first"});
+    wanted = nullptr;
 }
 
 }  // namespace lapfx::panels

@@ -5,6 +5,7 @@
 #include "document/words.h"
 #include "panels/panels.h"
 #include "ui/shell/file_system.h"
+#include "ui/widgets/scroll.h"
 #include "ui/widgets/table.h"
 
 namespace lapfx::panels {
@@ -17,6 +18,9 @@ using ui::Mods;
 
 constexpr int now = static_cast<int>(Snapshots::count);
 constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", "C", "D", "Now"};
+
+// em: of the panel's width, below which rows leave things out; of its height, below which it scrolls.
+constexpr float whole_row = 24, named_row = 17, worded_row = 14, whole_height = 24, least_table = 9;
 
 struct SnapshotsState {
     int left = 0, right = now;
@@ -50,33 +54,41 @@ void compare(app::Editor& editor, SnapshotsState& s) {
         s.differences = document::differences(preset_of(editor, s.left), preset_of(editor, s.right));
 }
 
-void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_t slot) {
+void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_t slot, float room) {
     Snapshots& snapshots = editor.snapshots();
     const auto& snapshot = snapshots.at(slot);
     const std::string letter = Snapshots::names[slot];
+    const bool timed = room >= ui.em(whole_row), named = room >= ui.em(named_row);
+    const auto slot_button = [&](ui::Icon icon, std::string_view label, ui::ButtonOptions options) {
+        options.quiet = room < ui.em(worded_row);
+        return options.quiet ? ui::icon_button(ui, icon, label, options) : ui::button(ui, label, options);
+    };
+    const ui::Size button_width = named ? ui::px(ui.em(5.2F)) : ui::grow();
     ui.push_seed(letter);
     {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::Place::center});
+        if (room < ui.em(worded_row)) ui::label(ui, letter, {.width = ui::grow()});
         ui.push_disabled(!snapshot);
         const bool show =
-            ui::button(ui, "Show " + letter,
-                       {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
-                        .on = snapshots.shown(slot),
-                        .width = ui::px(ui.em(5.2F))});
+            slot_button(ui::Icon::eye, ui.join({"Show ", letter}),
+                        {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
+                         .on = snapshots.shown(slot),
+                         .width = button_width});
         ui.pop_disabled();
         if (show) snapshots.show(slot);
         if (snapshot) ui::date_text(snapshot->time, state.text);
-        ui::label(ui,
-                  !snapshot                       ? "empty"
-                  : snapshot->preset.name.empty() ? "unnamed"
-                                                  : snapshot->preset.name,
-                  {.tone = snapshot ? ui::Tone::normal : ui::Tone::dim, .width = ui::grow()});
-        if (snapshot)
+        if (named)
+            ui::label(ui,
+                      !snapshot                       ? "empty"
+                      : snapshot->preset.name.empty() ? "unnamed"
+                                                      : snapshot->preset.name,
+                      {.tone = snapshot ? ui::Tone::normal : ui::Tone::dim, .width = ui::grow()});
+        if (snapshot && timed)
             ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
-        if (ui::button(ui, "Keep " + letter,
-                       {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
-                                        : "Keeps the preset as it is now.",
-                        .width = ui::px(ui.em(5.2F))}))
+        if (slot_button(ui::Icon::plus, ui.join({"Keep ", letter}),
+                        {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
+                                         : "Keeps the preset as it is now.",
+                         .width = button_width}))
             snapshots.keep(slot);
         ui.push_disabled(!snapshots.at(slot).has_value());
         if (ui::icon_button(ui, ui::Icon::cross, "Clear " + letter, {.quiet = true})) snapshots.clear(slot);
@@ -106,15 +118,15 @@ ui::TableCell cell_of(const document::Difference& d, std::size_t column) {
             .tone = missing ? ui::Tone::dim : ui::Tone::normal};
 }
 
-void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
+void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, ui::Size height) {
     const auto left = static_cast<std::size_t>(s.left), right = static_cast<std::size_t>(s.right);
     const std::array columns = {
         ui::TableColumn{"Parameter", 13, ui::Align::start, false},
         ui::TableColumn{sides[left], 6, ui::Align::start, false},
         ui::TableColumn{s.left == s.right ? "the same" : sides[right], 6, ui::Align::start, false}};
-    const auto events =
-        ui::table(ui, "Differences", s.table, columns, s.differences.size(),
-                  [&](std::size_t row, std::size_t column) { return cell_of(s.differences[row], column); });
+    const auto events = ui::table(
+        ui, "Differences", s.table, columns, s.differences.size(),
+        [&](std::size_t row, std::size_t column) { return cell_of(s.differences[row], column); }, {.height = height});
     std::size_t row = events.opened;
     if (events.selected && ui.held() != 0) row = events.hovered;  // arrows only look
     if (s.left == now || row == ui::no_row) return;
@@ -123,13 +135,25 @@ void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
     ui.build_again();
 }
 
-void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
-    {
+void sides_row(ui::Ui& ui, SnapshotsState& s, float room) {
+    if (room >= ui.em(whole_row)) {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.6F, .cross = ui::Place::center});
         ui::segmented(ui, "Compare", s.left, sides);
         ui::label(ui, "against", {.tone = ui::Tone::dim});
         ui::segmented(ui, "Against", s.right, sides);
+        return;
     }
+    {
+        const ui::Row row(ui, {.width = ui::grow()});
+        ui::segmented(ui, "Compare", s.left, sides);
+    }
+    ui::label(ui, "against", {.tone = ui::Tone::dim});
+    const ui::Row row(ui, {.width = ui::grow()});
+    ui::segmented(ui, "Against", s.right, sides);
+}
+
+void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, float room, ui::Size table_height) {
+    sides_row(ui, s, room);
     compare(editor, s);
     Snapshots& snapshots = editor.snapshots();
     for (const int side : {s.left, s.right}) {
@@ -144,20 +168,29 @@ void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s) {
         s.left == now ? "" : "; a click takes the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
     ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
               {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
-    difference_table(ui, editor, s);
+    difference_table(ui, editor, s, table_height);
+}
+
+void slots_and_comparison(ui::Ui& ui, app::Editor& editor, float room, ui::Size table_height) {
+    SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
+    {
+        const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
+        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot, room);
+    }
+    ui::separator(ui);
+    comparison(ui, editor, state, room, table_height);
 }
 
 }  // namespace
 
 void snapshots_panel(ui::Ui& ui, app::Editor& editor) {
-    SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
-    const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
-    {
-        const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
-        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot);
+    const ui::Rect room = ui.rect_before(ui.parent().id);
+    if (room.h > 0 && room.h < ui.em(whole_height)) {
+        const ui::ScrollArea area(ui, "All snapshots", {.gap = 0.4F});
+        return slots_and_comparison(ui, editor, room.w, ui::px(ui.em(least_table)));
     }
-    ui::separator(ui);
-    comparison(ui, editor, state);
+    const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
+    slots_and_comparison(ui, editor, room.w, ui::grow());
 }
 
 void add_snapshot_commands(app::Editor& editor) {

@@ -5,7 +5,9 @@
 #include <string>
 #include <unordered_map>
 
+#include "app/parameters.h"
 #include "app/paths.h"
+#include "app/tuning.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"
@@ -237,12 +239,25 @@ ui::Edit field_row(const RowBuild& b) {
     return edit;
 }
 
+ui::Edit any_row(const RowBuild& b) {
+    switch (b.row.kind) {
+        case Kind::number:
+            return number_row<double>(b);
+        case Kind::integer:
+            return number_row<int>(b);
+        case Kind::vector:
+            return vector_row(b);
+        default:
+            return field_row(b);
+    }
+}
+
 }  // namespace
 
 std::string_view tip_of(const Parameter& row) {
     static std::unordered_map<const Parameter*, std::string> tips;
     std::string& tip = tips[&row];
-    if (tip.empty()) tip = std::string(row.help) + (row.help.empty() ? "" : "\n") + row.expected();
+    if (tip.empty()) tip = app::tip_text(row);
     return tip;
 }
 
@@ -261,16 +276,23 @@ ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const 
                    const TableRowOptions& options) {
     const RowBuild b{ui, editor, row, owner, options};
     if (b.now() == nullptr) return {};
-    switch (row.kind) {
-        case Kind::number:
-            return number_row<double>(b);
-        case Kind::integer:
-            return number_row<int>(b);
-        case Kind::vector:
-            return vector_row(b);
-        default:
-            return field_row(b);
+    const std::ptrdiff_t before = &ui.last() - &ui.parent();
+    const ui::Edit edit = any_row(b);
+    if (editor.tuning().wanted_in_scene == &row) {
+        editor.tuning().wanted_in_scene = nullptr;
+        go_to_row(ui, before);
     }
+    return edit;
+}
+
+void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth) {
+    const ui::Node* const nodes = &ui.parent();
+    ui::Id id = 0;
+    for (const ui::Node* node = nodes + before + 1; node <= &ui.last() && nth >= 0; ++node)
+        if (has(node->sense, ui::Sense::focus)) id = node->id, --nth;
+    if (id == 0) return;
+    ui.set_focus(id, true);
+    ui.reveal(id);
 }
 
 ui::Edit table_rows(ui::Ui& ui, app::Editor& editor, const Table& table, const OwnerOf& owner,

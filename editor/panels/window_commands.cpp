@@ -84,16 +84,21 @@ void add_window_commands(app::Editor& editor) {
                          .run = [&editor] { ui::open_palette(editor.ui()); },
                          .tip = "Finds any command by its name and runs it"});
     editor.commands.add({.id = "help.keys",
-                         .title = "Keys",
+                         .title = "Keys and mouse",
                          .group = "Help",
                          .chord = {Key::f1, Mods::none},
                          .run = [&editor] { ui::toggle_cheat_sheet(editor.ui()); },
-                         .tip = "All commands that have keys"});
+                         .tip = "All commands that have keys, and what the pointer does"});
     editor.commands.add({.id = "help.first_steps",
                          .title = "First steps",
                          .group = "Help",
                          .run = [&editor] { editor.settings().hint_seen = false; },
                          .tip = "Shows the three lines for beginners again"});
+    editor.commands.add({.id = "help.about",
+                         .title = "About lapfx",
+                         .group = "Help",
+                         .run = [&editor] { ui::open_dialog(editor.ui(), "about"); },
+                         .tip = "Version, graphics, the paper, licences"});
 }
 
 void layout_dialog(ui::Ui& ui, app::Editor& editor) {

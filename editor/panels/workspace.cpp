@@ -5,8 +5,6 @@
 #include "app/settings.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
-#include "ui/shell/key_editor.h"
-#include "ui/shell/palette.h"
 #include "ui/widgets/dock.h"
 
 namespace lapfx::panels {
@@ -55,9 +53,10 @@ void workspace(ui::Ui& ui, app::Editor& editor) {
     recovery_dialog(ui, editor);
     settings_dialog(ui, editor);
     layout_dialog(ui, editor);
+    about_dialog(ui, editor);
     editor.build_file_dialog();
-    ui::palette(ui, editor.commands);
-    ui::cheat_sheet(ui, editor.commands);
+    command_palette(ui, editor);
+    keys_sheet(ui, editor);
     editor.toasts.build(ui);
     if (editor.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
 }

@@ -90,8 +90,10 @@ constexpr Parameter rows[] = {
                         "Bleed value above the edge at which the colour gradient reaches the deep colour."),
     number<&B::opacity>("opacity", "Opacity", {0, 1, 0.01}, "How much of the tissue a deep pool hides."),
     number<&B::thickness>("thickness", "Thickness", {0, 3, 0.05, "mm"},
-                          "Height of a deep pool above the tissue; it bends the normals and so shapes the highlights."),
-    number<&B::gloss>("gloss", "Gloss", {0, 1, 0.01}, "How sharp and strong the lamp is mirrored in fresh blood."),
+                          "Height of a deep pool above the tissue; it bends the normals, as the paper's bump mapping "
+                          "does, and so shapes the highlights."),
+    number<&B::gloss>("gloss", "Gloss", {0, 1, 0.01},
+                      "How sharp and strong the lamp is mirrored in fresh blood: the paper's wet surface effect."),
     number<&B::clot_darkening>("clot_darkening", "Clot darkening", {0, 1, 0.01},
                                "How far clotted blood turns from red to brown-black. It dulls in any case."),
 };

@@ -72,7 +72,7 @@ constexpr Parameter rows[] = {
     number<&V::smoothing>("smoothing", "Smoothing", {0, 20, 0.05, "mm"},
                           "Standard deviation of the paper's Gaussian filter, which smooths the pixelated result."),
     number<&V::region>("region", "Region", {0.1, 20, 0.1, "mm", Scale::logarithmic},
-                       "Radius of the tool tip's region of influence, over which density is averaged."),
+                       "Radius of the paper's region of influence of the tool tip, over which density is averaged."),
     number<&V::vessel_threshold>("vessel_threshold", "Vessel threshold", share,
                                  "Density below which a cut does not bleed: the paper's preset density threshold. 0: "
                                  "every cut bleeds."),

@@ -48,10 +48,10 @@ constexpr Parameter keying_rows[] = {
     number<&K::chroma_low>(
         "chroma_low", "Chroma low", chroma,
         "Distance from the key colour in Cb and Cr up to which a pixel is still background. With both "
-        "chroma bounds 0, chroma is not used."),
-    number<&K::chroma_high>(
-        "chroma_high", "Chroma high", chroma,
-        "Distance from the key colour in Cb and Cr from which a pixel is fully smoke, whatever its luma."),
+        "chroma bounds 0, chroma is not used. The lower of the paper's chroma thresholds."),
+    number<&K::chroma_high>("chroma_high", "Chroma high", chroma,
+                            "Distance from the key colour in Cb and Cr from which a pixel is fully smoke, whatever its "
+                            "luma: the upper of the paper's chroma thresholds."),
     number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is taken out of the smoke."),
     number<&K::choke>(
         "choke", "Choke", {0, 16, 0.5, "pixels"},
@@ -59,9 +59,10 @@ constexpr Parameter keying_rows[] = {
     number<&K::feather>("feather", "Feather", {0, 16, 0.5, "pixels"},
                         "How far the smoke's opacity is smoothed, in pixels of the clip: takes off noise and blocks."),
     number<&K::noise_scale>("noise_scale", "Noise scale", {0.01, 2, 0.01, "clip heights", Scale::logarithmic},
-                            "Width of one lobe of the Perlin noise on alpha."),
+                            "Width of one lobe of the paper's Perlin noise on the smoke's opacity (alpha)."),
     number<&K::noise_strength>("noise_strength", "Noise strength", {0, 1, 0.01},
-                               "How much the Perlin noise changes alpha, so that a looping clip never looks the same."),
+                               "How much the paper's Perlin noise changes the smoke's opacity (alpha), so that a "
+                               "looping clip never looks the same."),
     number<&K::noise_drift>("noise_drift", "Noise drift", {0, 2, 0.01, "clip heights/s"}, "How fast the noise moves."),
 };
 
@@ -148,7 +149,8 @@ constexpr Parameter plume_rows[] = {
     number<&P::softness>("softness", "Softness", {0.1, 50, 0.1, "mm", Scale::logarithmic},
                          "Over which distance the plume fades where it meets tissue or instruments."),
     number<&P::fat_gain>("fat_gain", "Fat gain", {0, 4, 0.05},
-                         "How much more smoke burning fat gives, plume and haze: 1 is twice as much where all is fat."),
+                         "How much more smoke burning fat gives, plume and haze: 1 is twice as much where all is fat. "
+                         "The paper's future work: smoke by the density of the fat layer."),
     color<&P::color>("color", "Colour", "Colour of thick plume under the endoscope's lamp."),
     vector<&P::extinction>("extinction", "Extinction", extinction,
                            "How strongly red, green and blue are held back; real smoke passes more red than blue."),
@@ -158,8 +160,9 @@ using H = HazeParameters;
 constexpr Parameter haze_rows[] = {
     number<&H::accumulation>("accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
                              "How fast cautery at full emission fills the view with the paper's environmental smoke."),
-    number<&H::ventilation>("ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
-                            "Which part of the haze leaves per second; 0 keeps it for ever."),
+    number<&H::ventilation>(
+        "ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
+        "Which part of the haze leaves per second: the paper's ventilation capacity. 0 keeps it for ever."),
     number<&H::suction>("suction", "Suction", {0, 10, 0.05, "1/s"},
                         "Which part of the haze a suction tool takes per second while it runs, besides ventilation."),
     number<&H::unevenness>("unevenness", "Unevenness", {0, 1, 0.01},
@@ -172,7 +175,8 @@ constexpr Parameter haze_rows[] = {
 using F = ParticleParameters;
 constexpr Parameter particle_rows[] = {
     number<&F::rate>("rate", "Rate", {0, 60, 1, "1/s"},
-                     "Specks thrown off per second where all of the tissue is fat and power is full; 0 is none."),
+                     "Specks thrown off per second where all of the tissue is fat and power is full: the paper's fat "
+                     "particles. 0 is none."),
     number<&F::size>("size", "Size", {0.05, 3, 0.05, "mm", Scale::logarithmic}, "Diameter of the largest specks."),
     number<&F::speed>("speed", "Speed", {0, 200, 1, "mm/s"}, "How fast specks leave the tip; air slows them down."),
     number<&F::lifetime>("lifetime", "Lifetime", {0.05, 5, 0.05, "s", Scale::logarithmic}, "How long a speck is seen."),

@@ -362,17 +362,25 @@ class Suggester {
                   std::string(dark_ ? "darker" : "lighter"));
         const double reach = smoke_.amount.count() > 0 ? smoke_.amount.quantile(0.995) : 0.0;
         doubt(reach < faint, 0.4, "what is before the background hardly differs from it");
-        doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8, "thick smoke is not seen, its luma is assumed");
+        doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8,
+              "thick smoke is not seen, so its brightness is assumed");
         doubt(s_.marks > 0.0, 0.9, "a mark that never moves covers " + percent(s_.marks) + " and is keyed as smoke");
         found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
+    }
+
+    const char* name_of_background() const {
+        const glm::vec3 c = s_.background;
+        if (!coloured_) return luma(c) < 48.0f ? "black" : luma(c) > 208.0f ? "white" : "grey";
+        if (c.g >= c.r && c.g >= c.b) return "green";
+        return c.b >= c.r ? "blue" : "red";
     }
 
     std::string description() const {
         char text[200];
         const glm::ivec3 c(glm::round(s_.background));
-        if (!s_.plain) return "keyed by luma";
-        std::snprintf(text, sizeof text, "background %d, %d, %d, straying by %.0f code values, keyed by %s", c.r, c.g,
-                      c.b, noise_, coloured_ ? "chroma" : "luma");
+        if (!s_.plain) return "smoke is told by its brightness";
+        std::snprintf(text, sizeof text, "the background is %s (%d, %d, %d), even within %.0f; smoke is told by its %s",
+                      name_of_background(), c.r, c.g, c.b, noise_, coloured_ ? "colour" : "brightness");
         return text;
     }
 

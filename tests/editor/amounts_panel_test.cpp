@@ -56,7 +56,7 @@ TEST_F(AmountsPanel, FollowsTheDocument) {
 }
 
 TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
-    ui().click("**/Plots/Blood area", {.at = {0.6F, 0.6F}});
+    ui().click("**/All plots/Blood area", {.at = {0.6F, 0.6F}});
     const double there = editor().timeline.time;
     EXPECT_GT(there, 0.3 * editor().duration());
     EXPECT_LT(there, 0.9 * editor().duration());
@@ -64,7 +64,7 @@ TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
     ui::PlotData area;
     area.set(series().of(AmountKind::blood_area), series().times);
     const auto value = std::to_string(std::lround(area.value_at(there)));
-    EXPECT_TRUE(ui().exists("**/Plots/Blood area/" + value)) << value;
+    EXPECT_TRUE(ui().exists("**/All plots/Blood area/" + value)) << value;
 }
 
 TEST_F(AmountsPanel, OthersAreLaidOver) {
@@ -72,11 +72,11 @@ TEST_F(AmountsPanel, OthersAreLaidOver) {
     for (auto& values : other.values) values = {1.0, 2.0};
     editor().amounts().lay_over(other);
     ui().frame();
-    EXPECT_TRUE(ui().exists("**/Plots/Haze/Reference 1.00"));
+    EXPECT_TRUE(ui().exists("**/All plots/Haze/Reference 1.00"));
     other.times.clear();
     editor().amounts().lay_over(other);
     ui().frame();
-    EXPECT_FALSE(ui().exists("**/Plots/Haze/Reference 1.00"));
+    EXPECT_FALSE(ui().exists("**/All plots/Haze/Reference 1.00"));
 }
 
 TEST_F(AmountsPanel, AFaultIsToldInPlace) {

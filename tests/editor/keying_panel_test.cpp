@@ -138,11 +138,44 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     EXPECT_GT(keying().chroma_high, 20.0);
     EXPECT_GT(keying().key_color.g, keying().key_color.r + 0.3);
     ASSERT_TRUE(editor().keying().suggestion());
-    EXPECT_NE(ui().dump().find("Suggested, "), std::string::npos) << "told in place";
+    const std::string told = ui().dump();
+    EXPECT_NE(told.find("% sure"), std::string::npos) << "told in place";
+    EXPECT_NE(told.find("the background is green ("), std::string::npos);
+    EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
+    EXPECT_EQ(told.find("code values, keyed by"), std::string::npos);
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For all clips (")) << "the shared keying";
     ui().click(panel + "Bench/Thresholds/Dismiss");
     EXPECT_FALSE(editor().keying().suggestion());
     editor().document.undo();
     EXPECT_EQ(keying().chroma_high, 0.0);
+}
+
+TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
+    open_clip(green_clip());
+    const KeyingParameters shared = keying();
+    ui().click(panel + "Bench/Thresholds/Thresholds for/This clip").frame();
+    ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
+    ASSERT_EQ(steps(), 2U) << "the clip's own keying, then one step for all that was suggested";
+    EXPECT_EQ(keying().chroma_high, shared.chroma_high);
+    EXPECT_EQ(keying().luma_high, shared.luma_high);
+    EXPECT_EQ(keying().key_color, shared.key_color);
+    EXPECT_GT(editor().keying().keying().chroma_high, 20.0);
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip alone: ")) << "and says so";
+    ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
+    EXPECT_EQ(editor().keying().suggestion_changes(), "Nothing changed: it was so already");
+    EXPECT_EQ(steps(), 2U);
+}
+
+TEST_F(KeyingPanel, ThePixelSaysWhatThresholdsGoBy) {
+    open_clip(green_clip());
+    ui().move_to(panel + "Bench/Source").frame();
+    EXPECT_NE(ui().text(panel + "Bench/Source").find("Luma 1"), std::string::npos) << ui().text(panel + "Bench/Source");
+    ui().move_to(panel + "Bench/Matte").frame();
+    EXPECT_NE(ui().text(panel + "Bench/Matte").find("Opacity "), std::string::npos);
+    ui().click(panel + "Bench/Scope/Waveform").frame();
+    EXPECT_TRUE(ui().exists(panel + "Bench/Luma waveform"));
+    ui().click(panel + "Bench/Scope/Colours").frame();
+    EXPECT_TRUE(ui().exists(panel + "Bench/Chroma"));
 }
 
 TEST_F(KeyingPanel, ThresholdsAreForAllClipsOrForThisOne) {

@@ -1,4 +1,6 @@
 // The preset panel: made from the parameter table, and what it does to the preview.
+#include <array>
+
 #include "app/layouts.h"
 #include "app/settings.h"
 #include "app/tuning.h"
@@ -221,7 +223,7 @@ TEST_F(PresetPanel, RandomisingKeepsWhatIsLockedAndTheRules) {
     app::Tuning& tuning = editor().tuning();
     tuning.lock(parameters().group("smoke.keying"), true);
     tuning.lock(parameters().find("bleeding.speed"), true);
-    tuning.amount = app::Amount::whole;
+    tuning.strength = 1;
     const Preset before = preset();
     const std::string before_text = text();
     ui().key('R', Mods::command);
@@ -235,7 +237,7 @@ TEST_F(PresetPanel, RandomisingKeepsWhatIsLockedAndTheRules) {
 
     tuning.lock(parameters().group("smoke.keying"), false);
     for (int i = 0; i < 300; ++i) {
-        tuning.amount = static_cast<app::Amount>(i % 3);
+        tuning.strength = std::array{0.01, 0.1, 1.0}[static_cast<std::size_t>(i % 3)];
         tuning.randomise(nullptr);
         ASSERT_EQ(editor().document.preset_faults().size(), 0U)
             << i << ": " << editor().document.preset_faults().front().text();
@@ -258,6 +260,33 @@ TEST_F(PresetPanel, RandomisingIsSeededAndGoesAsFarAsIsAsked) {
     tuning.seed = 42;
     tuning.randomise(&parameters().group("bleeding"));
     EXPECT_EQ(text(), once);
+}
+
+TEST_F(PresetPanel, TheDiceAsksHowFar) {
+    const std::string before = text();
+    ui().click("**/Preset/Randomise").frame();
+    EXPECT_EQ(text(), before) << "nothing changes before one has seen how far";
+    EXPECT_EQ(ui().value("**/Randomise box/Strength"), 10.0);
+    ui().click("**/Randomise box/Strength", {.clicks = 2}).type("2").key(Key::enter);
+    ui().click("**/Randomise box/Seed", {.clicks = 2}).type("77").key(Key::enter);
+    EXPECT_EQ(editor().tuning().strength, 0.02);
+    const Preset was = preset();
+    ui().click("**/Randomise box/Randomise all").frame();
+    EXPECT_EQ(editor().document.done(), 1U);
+    EXPECT_NE(text(), before);
+    EXPECT_LE(std::abs(preset().bleeding.max_extent - was.bleeding.max_extent), 4.0) << "2 % of 200 mm";
+    EXPECT_LE(std::abs(preset().bleeding.opacity - was.bleeding.opacity), 0.02 + 1e-9);
+    EXPECT_EQ(ui().value("**/Randomise box/Seed"), 78.0) << "the next one is another";
+    const std::string once = text();
+    ui().key(Key::escape).key('Z', Mods::command);
+    EXPECT_EQ(text(), before);
+    editor().tuning().seed = 77;
+    ui().key('R', Mods::command);
+    EXPECT_EQ(text(), once) << "at once, with the same strength";
+    ui().click("**/Parameters/Bleeding/More");
+    EXPECT_TRUE(ui().exists("**/Bleeding menu/Randomise by 2 %"));
+    ui().click("**/Bleeding menu/Strength and seed...").frame();
+    EXPECT_TRUE(ui().exists("**/Randomise box/Strength"));
 }
 
 TEST_F(PresetPanel, TheClipsAreOnePressAway) {

@@ -41,10 +41,14 @@ void draw_readout_over(Painter& painter, const Node& node, const void* arg) {
     draw_readout(painter, view_of(look.below.state, node.rect(), look.below.picture.picture.size), look.readout);
 }
 
+std::string_view value_text(Ui& ui, const ImageViewOptions& options, const glm::vec4& value) {
+    return options.text_of != nullptr ? options.text_of(ui, value) : pixel_text(ui, value, options.decimals);
+}
+
 Readout readout_of(Ui& ui, const Picture& picture, const ImageViewOptions& options, const ImageViewResult& result) {
     Readout readout{.at = result.pick, .side = options.sample_box};
-    readout.lines[0] = pixel_text(ui, result.value, options.decimals);
-    readout.lines[1] = place_text(ui, result.pick);
+    readout.lines[0] = value_text(ui, options, result.value);
+    readout.lines[1] = ui.join({"pixel ", place_text(ui, result.pick)});
     if (options.sample_box == 3) readout.lines[1] = ui.join({readout.lines[1], "   mean of 3 x 3"});
     if (options.sample_box == 5) readout.lines[1] = ui.join({readout.lines[1], "   mean of 5 x 5"});
     if (options.sample_box == 11) readout.lines[1] = ui.join({readout.lines[1], "   mean of 11 x 11"});
@@ -175,7 +179,7 @@ ImageViewResult image_view(Ui& ui, std::string_view label, const Picture& pictur
         if (options.readout) look.readout = readout_of(ui, picture, options, result);
         look.below.picture.pick = pick;
         look.below.picture.side = options.sample_box;
-        node.text = ui.join({place_text(ui, pick.at), "   ", pixel_text(ui, result.value, options.decimals)});
+        node.text = ui.join({place_text(ui, pick.at), "   ", value_text(ui, options, result.value)});
     }
     if (region != nullptr) {
         keep_inside(*region, size);

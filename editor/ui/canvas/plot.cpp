@@ -218,6 +218,7 @@ struct Look {
     int cursor_series;                    ///< -1: none
     double cursor_x, cursor_y;            ///< of its sample, y on the axis
     std::string_view cursor, statistics;  ///< texts
+    float legend;                         ///< px at the right of the title
 };
 
 /// A mark of an axis: where labels are not long numbers.
@@ -437,7 +438,9 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
     ShortText name;
     name.add(look.options.y_name);
     if (!look.options.y_unit.empty()) name.add(" (").add(look.options.y_unit).add(")");
-    p.text(f.title, name.view(), p.text_style(), t.text_dim);
+    Rect title = f.title;
+    title.cut_right(look.legend + p.em(0.6F));
+    p.text(title, name.view(), p.text_style(), t.text_dim);
     draw_x_ticks(p, f, look);
     draw_y_ticks(p, f, look);
     p.push_clip(f.plot);
@@ -525,7 +528,8 @@ PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> seri
     node.size[1] = options.height.kind == SizeKind::fit ? px(ui.em(14)) : options.height;
     node.tip = ui.copy(options.tip);
     const Response r = ui.respond(node);
-    const bool toggled = legend(ui, series, state);
+    const float width = ui.rect_before(id).w, legend_room = width > 0 ? width : ui.em(24);
+    const bool toggled = legend(ui, series, state, legend_room);
 
     if (state.fitted) fitted_spans(state, series, state.x, state.y);
     const Frame f = frame_of(ui, ui.rect_before(id), state, options.residual != nullptr);
@@ -544,7 +548,8 @@ PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> seri
               .cursor_x = 0,
               .cursor_y = 0,
               .cursor = {},
-              .statistics = {}};
+              .statistics = {},
+              .legend = legend_width(ui, series, legend_room)};
     if (memory.drag == Gestures::Drag::box) {
         const glm::vec2 a = glm::min(memory.from, memory.to), b = glm::max(memory.from, memory.to);
         look.box = {memory.x ? a.x : f.plot.x, memory.y ? a.y : f.plot.y, memory.x ? b.x - a.x : f.plot.w,

@@ -120,7 +120,9 @@ void draw_targets(Painter& painter, const ChromaMap& map, Matrix matrix) {
         const float side = painter.em(0.8F);
         painter.frame({std::round(place.x - side / 2), std::round(place.y - side / 2), side, side}, canvas_ink(t, 0.6F),
                       painter.hairline());
-        painter.text({place.x + side, place.y - side, 2 * side, 2 * side}, target.name, style, canvas_ink(t, 0.6F));
+        const bool beside = place.x + 2 * side <= map.square.right();  // else before it: a small scope has no room
+        painter.text({beside ? place.x + side : place.x - 1.5F * side, place.y - side, 2 * side, 2 * side}, target.name,
+                     style, canvas_ink(t, 0.6F));
     }
 }
 

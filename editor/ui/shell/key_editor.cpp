@@ -13,13 +13,14 @@ namespace {
 constexpr std::string_view sheet = "cheat sheet";
 constexpr Id state_id = 0x6b657973206f6621ULL;
 constexpr std::size_t none = ~std::size_t{0};
-constexpr float chord_width = 11, sheet_column = 19;  // em
+constexpr float chord_width = 11;                                     // em
+constexpr float sheet_column = 19, sheet_gap = 2, sheet_padding = 1;  // em
 
 /// Of the UI itself; they cannot be bound otherwise.
-constexpr std::pair<std::string_view, std::string_view> fixed_keys[] = {
-    {"Next field", "Tab"},        {"Field before", "Shift+Tab"},  {"Next panel", "F6"},
-    {"Press, choose", "Enter"},   {"Close, give up", "Esc"},      {"Menu of what has the keyboard", "Menu"},
-    {"Undo in a text", "Ctrl+Z"}, {"Standard value", "Backspace"}};
+constexpr SheetLine fixed_keys[] = {{"Next field", "Tab"},        {"Field before", "Shift+Tab"},
+                                    {"Next panel", "F6"},         {"Press, choose", "Enter"},
+                                    {"Close, give up", "Esc"},    {"Menu of what has the keyboard", "Menu"},
+                                    {"Undo in a text", "Ctrl+Z"}, {"Standard value", "Backspace"}};
 
 struct EditorState {
     std::string query;
@@ -164,12 +165,19 @@ class SheetColumns {
     }
     void line(std::string_view what, std::string_view keys) {
         if (used_ >= lines_) next();
+        ui_.push_seed(placed_++);  // "Zoom" is in several parts
         Node& node = ui_.leaf(Role::list_item, what);
+        ui_.pop_seed();
         node.text = ui_.copy(keys);
         node.size[0] = grow();
         node.size[1] = px(ui_.row_height());
         ui_.draw_with<draw_sheet_line>(node, ui_.text_style());
         ++used_;
+    }
+
+    void part(const SheetPart& part) {
+        title(part.title);
+        for (const SheetLine& one : part.lines) line(one.what, one.keys);
     }
 
   private:
@@ -183,7 +191,7 @@ class SheetColumns {
         used_ = 0;
     }
     Ui& ui_;
-    std::size_t lines_, used_ = 0;
+    std::size_t lines_, used_ = 0, placed_ = 0;
 };
 
 bool in_group(const CommandTable& table, std::size_t i, const std::string& group) {
@@ -199,8 +207,14 @@ bool begins_group(const CommandTable& table, std::size_t i) {
     return true;
 }
 
+std::size_t lines_of(std::span<const SheetPart> parts) {
+    std::size_t lines = 0;
+    for (const SheetPart& part : parts) lines += 1 + part.lines.size();
+    return lines;
+}
+
 std::size_t lines_of(const CommandTable& table) {
-    std::size_t lines = 1 + std::size(fixed_keys);
+    std::size_t lines = 0;
     for (std::size_t i = 0; i < table.size(); ++i)
         lines += (table.chord(i) ? 1U : 0U) + (begins_group(table, i) ? 1U : 0U);
     return lines;
@@ -243,21 +257,30 @@ void toggle_cheat_sheet(Ui& ui) {
     ui.open_overlay(sheet, OverlayKind::popup, {.side = Placement::Side::center});
 }
 
-void cheat_sheet(Ui& ui, const CommandTable& table) {
-    Node* root = ui.open_overlay_node(sheet, Role::dialog, "Keys", Axis::x);
+void cheat_sheet(Ui& ui, const CommandTable& table, std::span<const SheetPart> more) {
+    Node* root = ui.open_overlay_node(sheet, Role::dialog, "Keys", Axis::y);
     if (root == nullptr) return;
-    for (std::uint8_t& pad : root->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(1), 255.0F));
-    root->gap = ui.em(2);
+    for (std::uint8_t& pad : root->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(sheet_padding), 255.0F));
     root->clips = true;
     ui.draw_with<draw_sheet>(*root, ui.theme().raised);
-    const std::size_t all = lines_of(table);
-    const auto most = static_cast<std::size_t>(std::max(4.0F, (ui.window().y - 4 * ui.em(1)) / ui.row_height()));
-    const std::size_t count = (all + most - 1) / most;  // columns, all about as long
+    const SheetPart own{"Everywhere", fixed_keys};
+    const std::size_t all = lines_of(table) + 1 + own.lines.size() + lines_of(more);
+    const glm::vec2 room = glm::max(ui.window() - 4 * ui.em(sheet_padding), glm::vec2(ui.em(sheet_column)));
+    const auto at_most = [](float whole, float part) { return static_cast<std::size_t>(std::max(1.0F, whole / part)); };
+    const std::size_t across = at_most(room.x + ui.em(sheet_gap), ui.em(sheet_column + sheet_gap));
+    const std::size_t down = at_most(room.y, ui.row_height());
+    const std::size_t columns = std::min(across, (all + down - 1) / down);
+    const std::size_t lines = (all + columns - 1) / columns + 1;  // all about as long
     {
-        SheetColumns columns(ui, std::min(most, (all + count - 1) / count + 1));
-        put_groups(table, columns);
-        columns.title("Everywhere");
-        for (const auto& [what, keys] : fixed_keys) columns.line(what, keys);
+        const auto count = static_cast<float>(columns);
+        const ScrollArea area(ui, "All keys",
+                              {.width = px(count * ui.em(sheet_column) + (count - 1) * ui.em(sheet_gap)),
+                               .height = px(std::min(static_cast<float>(lines) * ui.row_height(), room.y))});
+        const Row row(ui, {.gap = sheet_gap, .cross = Place::start});
+        SheetColumns put(ui, lines);
+        put_groups(table, put);
+        put.part(own);
+        for (const SheetPart& part : more) put.part(part);
     }
     ui.close_overlay_node();
 }

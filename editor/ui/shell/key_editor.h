@@ -10,9 +10,19 @@ namespace lapfx::ui {
 /// Gives whether a binding changed.
 bool key_editor(Ui& ui, CommandTable& table);
 
+/// A part of the sheet that no command has: "Mouse", {"Zoom", "wheel"}.
+struct SheetLine {
+    std::string_view what, keys;
+};
+struct SheetPart {
+    std::string_view title;
+    std::span<const SheetLine> lines;
+};
+
 /// Opens the sheet, or closes it when it is open; for a command on F1.
 void toggle_cheat_sheet(Ui& ui);
-/// While it is open: all commands that have keys, by group, and the keys of the UI itself. Esc or a press outside closes.
-void cheat_sheet(Ui& ui, const CommandTable& table);
+/// While it is open: all commands that have keys, by group, the keys of the UI itself, then `more`. As many columns as the window has
+/// room for; it scrolls when they are longer than that. Esc or a press outside closes.
+void cheat_sheet(Ui& ui, const CommandTable& table, std::span<const SheetPart> more = {});
 
 }  // namespace lapfx::ui

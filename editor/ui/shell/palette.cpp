@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ui/shell/fuzzy.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/scroll.h"
 #include "ui/widgets/text_field.h"
 
@@ -15,11 +16,14 @@ constexpr Id state_id = 0x70616c6574746521ULL;
 constexpr std::size_t rows_shown = 12;
 constexpr float width = 36;        // em
 constexpr float recent_bonus = 3;  // of the score: about a third of a word's beginning
+// Of the score, for words that are whole somewhere: after those in a title, before letters here and there.
+constexpr float whole_letter = 10, whole_word = -4;
 
 struct Found {
-    std::size_t command;
+    std::size_t index;  ///< of a command; from their number on, of an item
     FuzzyMatch match;
 };
+using Items = std::span<const PaletteItem>;
 
 struct PaletteState {
     std::string query;
@@ -30,7 +34,27 @@ struct PaletteState {
     std::size_t current = 0;
 };
 
-void search(PaletteState& state, const CommandTable& table) {
+float score_of_words(std::string_view text) {
+    float score = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == ' ') continue;
+        score += whole_letter + (i == 0 || text[i - 1] == ' ' ? whole_word : 0.0F);
+    }
+    return score;
+}
+
+void search_items(PaletteState& state, std::size_t first, Items items) {
+    const float by_words = score_of_words(state.query);
+    if (by_words == 0) return;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (!contains_words(items[i].words, state.query)) continue;
+        FuzzyMatch match = fuzzy_match(state.query, items[i].title).value_or(FuzzyMatch{});
+        match.score = std::max(match.score, by_words);
+        state.found.push_back({first + i, match});
+    }
+}
+
+void search(PaletteState& state, const CommandTable& table, Items items) {
     state.found.clear();
     const auto& recent = table.recent();
     for (std::size_t i = 0; i < table.size(); ++i) {
@@ -41,6 +65,7 @@ void search(PaletteState& state, const CommandTable& table) {
         if (at != recent.end()) match->score += recent_bonus - 0.1F * static_cast<float>(at - recent.begin());
         state.found.push_back({i, *match});
     }
+    search_items(state, table.size(), items);
     std::stable_sort(state.found.begin(), state.found.end(),
                      [](const Found& a, const Found& b) { return a.match.score > b.match.score; });
     state.found_query = state.query;
@@ -95,21 +120,40 @@ void draw_row(Painter& painter, const Node& node, const RowLook& look) {
     if (!disabled) draw_matched(painter, rect, node.shown, look.match, current ? t.text : t.text_link);
 }
 
+/// What a row shows.
+struct RowText {
+    std::string_view title, note, tip;
+    Icon icon = Icon::none;
+    bool enabled = true, checked = false;
+};
+
+RowText text_of(const CommandTable& table, Items items, std::size_t index) {
+    if (index >= table.size()) {
+        const PaletteItem& item = items[index - table.size()];
+        return {.title = item.title, .note = item.note, .tip = item.tip, .icon = item.icon};
+    }
+    return {.title = table.full_title(index),
+            .note = table.chord_text(index),
+            .tip = table[index].tip,
+            .icon = table[index].icon,
+            .enabled = table.enabled(index),
+            .checked = table.checked(index)};
+}
+
 /// Gives whether it was clicked.
-bool put_row(Ui& ui, const CommandTable& table, const Found& found, bool current) {
-    const std::size_t i = found.command;
-    ui.push_seed(i);
-    ui.push_disabled(!table.enabled(i));
-    Node& node = ui.leaf(Role::list_item, table.full_title(i), Sense::hover | Sense::press);
+bool put_row(Ui& ui, const RowText& text, const Found& found, bool current) {
+    ui.push_seed(found.index);
+    ui.push_disabled(!text.enabled);
+    Node& node = ui.leaf(Role::list_item, text.title, Sense::hover | Sense::press);
     ui.pop_disabled();
     ui.pop_seed();
     node.size[0] = grow();
     node.size[1] = px(ui.row_height());
-    node.text = ui.copy(table.chord_text(i));
-    node.tip = ui.copy(table[i].tip);
-    node.is |= when(current, Is::selected) | when(table.checked(i), Is::checked);
+    node.text = ui.copy(text.note);
+    node.tip = ui.copy(text.tip);
+    node.is |= when(current, Is::selected) | when(text.checked, Is::checked);
     const Response r = ui.respond(node);
-    ui.draw_with<draw_row>(node, RowLook{table.checked(i) ? Icon::check : table[i].icon, found.match});
+    ui.draw_with<draw_row>(node, RowLook{text.checked ? Icon::check : text.icon, found.match});
     return r.clicked;
 }
 
@@ -146,17 +190,19 @@ bool move(PaletteState& state, Key key) {
 }
 
 /// The rows in sight. The index of what was clicked in `found`, or its size.
-std::size_t put_rows(Ui& ui, const CommandTable& table, PaletteState& state, bool show) {
+std::size_t put_rows(Ui& ui, const CommandTable& table, Items items, PaletteState& state, bool show) {
     const float height = ui.row_height();
     const auto rows = static_cast<float>(std::clamp<std::size_t>(state.found.size(), 1, rows_shown));
     ScrollArea area(ui, "Commands", {.height = px(rows * height), .role = Role::list});
-    if (state.found.empty()) label(ui, "No command of this name", {.tone = Tone::dim});
+    if (state.found.empty())
+        label(ui, items.empty() ? "No command of this name" : "Nothing of this name", {.tone = Tone::dim});
     if (show && state.current == 0) area.state().offset.y = 0;
     if (show && area.state().view.y > 0) LineWindow::show(area, state.current, height);
     const LineWindow window(ui, area, state.found.size(), height);
     std::size_t clicked = state.found.size();
     for (std::size_t i = window.first(); i < window.last(); ++i) {
-        if (put_row(ui, table, state.found[i], i == state.current)) clicked = i;
+        const RowText text = text_of(table, items, state.found[i].index);
+        if (put_row(ui, text, state.found[i], i == state.current)) clicked = i;
     }
     return clicked;
 }
@@ -171,7 +217,7 @@ void open_palette(Ui& ui) {
                     {.side = Placement::Side::top, .offset = {0, std::round(ui.window().y * 0.1F)}});
 }
 
-bool palette(Ui& ui, CommandTable& table) {
+bool palette(Ui& ui, CommandTable& table, Items items, const std::function<void(std::size_t)>& choose) {
     Node* root = ui.open_overlay_node(overlay, Role::dialog, "Command palette", Axis::y);
     if (root == nullptr) return false;
     PaletteState& state = ui.memory<PaletteState>(state_id);
@@ -180,20 +226,27 @@ bool palette(Ui& ui, CommandTable& table) {
     root->gap = ui.em(0.5F);
     root->clips = true;
     ui.draw_with<draw_palette>(*root, ui.theme().raised);
-    text_field(ui, "Command", state.query, {.placeholder = "Type a command", .keys_outside = true});
+    text_field(
+        ui, "Command", state.query,
+        {.placeholder = items.empty() ? "Type a command" : "Type a command or a parameter", .keys_outside = true});
     const Key key = key_of_field(ui, ui.last().id);
     const bool searched = state.stale || state.query != state.found_query || state.found_version != table.version();
-    if (searched) search(state, table);
+    if (searched) search(state, table, items);
     const bool moved = move(state, key);
-    std::size_t chosen = put_rows(ui, table, state, searched || moved);
+    std::size_t chosen = put_rows(ui, table, items, state, searched || moved);
     if (key == Key::enter) chosen = state.current;
     ui.close_overlay_node();
     if (key == Key::escape) ui.close_overlay(overlay);
-    if (chosen >= state.found.size() || !table.enabled(state.found[chosen].command)) return false;
-    const std::size_t command = state.found[chosen].command;
+    if (chosen >= state.found.size()) return false;
+    const std::size_t index = state.found[chosen].index;
+    if (index < table.size() && !table.enabled(index)) return false;
     ui.close_overlay(overlay);  // first: the command may open something itself
-    table.note_recent(command);
-    return table.run(command);
+    if (index >= table.size()) {
+        if (choose) choose(index - table.size());
+        return true;
+    }
+    table.note_recent(index);
+    return table.run(index);
 }
 
 }  // namespace lapfx::ui

@@ -52,6 +52,7 @@ bool put_header(Ui& ui, std::string_view title, const SectionOptions& options) {
     const Id id = header.id;  // of two sections of one name each has its own
     Folding& folding = ui.memory<Folding>(id);
     if (!folding.known) folding = {true, options.open};
+    folding.open |= options.unfold;
     const std::string_view count = options.changed > 0 ? count_text(ui, options.changed) : std::string_view{};
     header.text = count.empty() ? title : ui.join({title, ", ", count, " changed"});
     header.tip = ui.copy(options.tip);

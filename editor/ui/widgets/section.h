@@ -18,8 +18,9 @@ struct SectionButton {
 };
 
 struct SectionOptions {
-    int changed = -1;  ///< how many values inside differ from what is stored: shown; -1: not known
-    bool open = true;  ///< to begin with
+    int changed = -1;     ///< how many values inside differ from what is stored: shown; -1: not known
+    bool open = true;     ///< to begin with
+    bool unfold = false;  ///< opens it now, whatever it was
     std::string_view tip = {};
     std::span<const SectionButton> buttons = {};  ///< at the right end of its title
 };

@@ -86,6 +86,35 @@ TEST_F(PaletteTest, ArrowsGoRoundAndPagesToTheEnds) {
     EXPECT_THAT(ran, ElementsAre("n8"));
 }
 
+class PaletteItems : public PaletteTest {
+  protected:
+    std::vector<PaletteItem> items{
+        {.title = "Bleeding: Speed", .note = "bleeding.speed", .words = "bleeding: speed blood fast", .tip = "Speed"},
+        {.title = "Haze: Suction", .note = "haze.suction", .words = "haze: suction fog vacuum"}};
+    std::vector<std::size_t> chosen;
+    Harness list{[this](Ui& u) { palette(u, table, items, [this](std::size_t item) { chosen.push_back(item); }); },
+                 {640, 480}};
+};
+
+TEST_F(PaletteItems, AreFoundByTheirWordsAndChosen) {
+    open_palette(list.ui());
+    list.frame().frame();
+    EXPECT_FALSE(list.exists("**/Bleeding: Speed")) << "with nothing typed there are commands only";
+    list.type("fog");
+    EXPECT_TRUE(list.is("**/Haze: Suction", Is::selected));
+    EXPECT_EQ(list.text("**/Haze: Suction"), "haze.suction");
+    EXPECT_FALSE(list.exists("**/Bleeding: Speed"));
+    list.key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre(1U));
+    EXPECT_FALSE(list.exists("Command palette"));
+    open_palette(list.ui());
+    list.frame().frame().type("sa");  // letters of "Save"; no item has them
+    EXPECT_FALSE(list.exists("**/Haze: Suction"));
+    list.key(Key::enter);
+    EXPECT_THAT(ran, ElementsAre("save"));
+    EXPECT_EQ(chosen.size(), 1U);
+}
+
 TEST_F(PaletteTest, OnlyWhatIsInSightIsBuilt) {
     open();
     EXPECT_LE(rows().size(), 13U);

@@ -2,6 +2,8 @@
 #include "app/parameters.h"
 
 #include "app/parameter_text.h"
+#include "app/parameter_words.h"
+#include "ui/widgets/combo.h"
 #include "unit/preset/support.h"
 
 namespace lapfx::app {
@@ -38,6 +40,115 @@ TEST(Parameters, TextOfAValueIsReadAsThatValue) {
     for (const ParameterEntry& entry : parameters().entries())
         set_parameter(preset_table(), &to, entry.key, text_of(*entry.row, entry.row->get(entry.owner(from))));
     EXPECT_EQ(write_preset(to), write_preset(from));
+}
+
+std::vector<std::string> found(std::string_view query) {
+    std::vector<std::string> keys;
+    for (const ParameterEntry& entry : parameters().entries())
+        if (ui::contains_words(entry.words, query)) keys.push_back(entry.key);
+    return keys;
+}
+
+TEST(Parameters, EverydayWordsFindThem) {
+    constexpr std::pair<std::string_view, std::string_view> asked[] = {
+        {"blood size", "bleeding.max_extent"},
+        {"blood spread", "bleeding.max_extent"},
+        {"blood amount", "bleeding.max_extent"},
+        {"blood transparent", "bleeding.opacity"},
+        {"blood colour dark", "bleeding.color_deep"},
+        {"artery", "bleeding.pulse_rate"},
+        {"heartbeat", "bleeding.pulse_strength"},
+        {"shiny", "bleeding.gloss"},
+        {"green screen", "smoke.keying.key_color"},
+        {"chroma key", "smoke.keying.chroma_low"},
+        {"brightness", "smoke.keying.luma_low"},
+        {"blur", "smoke.keying.feather"},
+        {"smoke opacity", "smoke.plume.density"},
+        {"smoke amount", "smoke.plume.density"},
+        {"fog", "smoke.haze.accumulation"},
+        {"veil clear", "smoke.haze.ventilation"},
+        {"sparks", "smoke.particles.rate"},
+        {"burn black", "cautery.char_temperature"},
+        {"SPEED", "bleeding.speed"},
+    };
+    for (const auto& [query, key] : asked) {
+        const std::vector<std::string> keys = found(query);
+        EXPECT_NE(std::find(keys.begin(), keys.end(), key), keys.end()) << query << " does not find " << key;
+        EXPECT_LT(keys.size(), parameters().entries().size() / 2) << query << " finds too many";
+    }
+}
+
+/// Whether a row or a group of this document has the key.
+bool known(const Table& root, std::string_view key) {
+    const Table* at = &root;
+    for (;;) {
+        const std::size_t dot = std::min(key.find('.'), key.size());
+        const std::string_view name = key.substr(0, dot);
+        const Table* const next = at->find(name);
+        if (dot == key.size()) return next != nullptr || at->find_row(name) != nullptr;
+        if (next == nullptr) return false;
+        at = next;
+        key.remove_prefix(dot + 1);
+    }
+}
+
+TEST(Parameters, EverydayWordsAreOfKeysThatAre) {
+    for (const auto& [key, words] : parameter_words()) {
+        const bool scene = key.starts_with("scene.");
+        EXPECT_TRUE(known(scene ? scene_table() : preset_table(), scene ? key.substr(6) : key)) << key;
+        EXPECT_FALSE(words.empty()) << key;
+    }
+    for (const ParameterEntry& entry : parameters().entries()) {
+        if (entry.row->key == "name") continue;
+        EXPECT_FALSE(everyday_words(entry.key).empty()) << entry.key << ": what do people call it?";
+    }
+}
+
+TEST(Parameters, TooltipsLackNothing) {
+    for (const ParameterEntry& entry : parameters().entries()) {
+        const Parameter& row = *entry.row;
+        const std::string& tip = entry.tip;
+        EXPECT_GT(row.help.size(), 20U) << entry.key;
+        EXPECT_TRUE(tip.starts_with(row.help)) << tip;
+        EXPECT_NE(tip.find('\n' + entry.key), std::string::npos) << tip;
+        if (entry.key == row.key) continue;  // name, description and tags are texts
+        EXPECT_NE(tip.find(" by default"), std::string::npos) << tip;
+        EXPECT_NE(tip.find("paper"), std::string::npos) << tip;
+        if (row.kind != Kind::number && row.kind != Kind::integer && row.kind != Kind::vector) continue;
+        EXPECT_NE(tip.find(" to "), std::string::npos) << tip;
+        EXPECT_NE(tip.find(row.unit.empty() ? "no unit" : ' ' + std::string(row.unit)), std::string::npos) << tip;
+    }
+}
+
+/// What the paper has a word for (shared with its text: section and figure names).
+TEST(Parameters, TooltipsTellThePapersTerm) {
+    constexpr std::pair<std::string_view, std::string_view> terms[] = {
+        {"bleeding.speed", "bleeding speed"},
+        {"bleeding.max_extent", "upper threshold"},
+        {"bleeding.threshold", "predefined threshold"},
+        {"bleeding.noise_scale", "Perlin noise"},
+        {"bleeding.color_deep", "colour gradient"},
+        {"bleeding.thickness", "bump mapping"},
+        {"bleeding.gloss", "wet surface"},
+        {"vessels.vessel_low", "band pass"},
+        {"vessels.smoothing", "Gaussian filter"},
+        {"vessels.region", "region of influence"},
+        {"vessels.vessel_threshold", "density threshold"},
+        {"cautery.cut_temperature", "temperature threshold"},
+        {"cautery.model", "bio-heat equation"},
+        {"smoke.keying.luma_low", "luminance thresholds"},
+        {"smoke.keying.chroma_high", "chroma thresholds"},
+        {"smoke.keying.noise_strength", "paper's Perlin noise"},
+        {"smoke.plume.fat_gain", "future work"},
+        {"smoke.haze.accumulation", "environmental smoke"},
+        {"smoke.haze.ventilation", "ventilation capacity"},
+        {"smoke.particles.rate", "fat particles"},
+    };
+    for (const auto& [key, term] : terms) {
+        const ParameterEntry& entry = parameters()[parameters().find(key)];
+        EXPECT_NE(entry.tip.find(term), std::string::npos) << entry.tip;
+        EXPECT_EQ(entry.tip.find("no term"), std::string::npos) << entry.tip;
+    }
 }
 
 TEST(ParameterText, AGroupIsTheOnlyThingThatChanges) {

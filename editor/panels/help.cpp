@@ -1,0 +1,117 @@
+// Help: what the pointer does (the other half of the sheet of keys), and what lapfx is made of.
+#include "panels/panels.h"
+#include "panels/parts.h"
+#include "ui/shell/dialog.h"
+#include "ui/shell/key_editor.h"
+#include "ui/widgets/basic.h"
+#include "ui/widgets/scroll.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+using ui::SheetLine;
+
+constexpr SheetLine in_view[] = {
+    {"Use the tool", "hold on organ"},         {"Orbit", "drag"},
+    {"Pan", "Shift+drag, middle drag"},        {"Zoom at the pointer", "wheel"},
+    {"Turn about this place", "double click"},
+};
+constexpr SheetLine on_numbers[] = {
+    {"Change", "drag"},
+    {"Ten times finer", "Shift+drag"},
+    {"By steps", "Ctrl+drag"},
+    {"One step", "Ctrl+wheel"},
+    {"Type: 12/2, 0.5 cm", "double click"},
+    {"Standard value", "double click name"},
+    {"Menu: copy, lock, range", "right click"},
+    {"Give up a drag", "right press, Esc"},
+};
+constexpr SheetLine on_pictures[] = {
+    {"Zoom at the pointer", "wheel"},
+    {"Pan", "drag, middle drag"},
+    {"Fit", "double click"},
+};
+constexpr SheetLine on_times[] = {
+    {"Go to a time", "drag ruler"},      {"Zoom", "wheel"},
+    {"Pan", "Shift+wheel, middle drag"}, {"Move, stretch an event", "drag it, its end"},
+    {"One more event", "Shift+click"},   {"Without catching", "Ctrl+drag"},
+};
+constexpr SheetLine on_plots[] = {
+    {"Pan", "drag"},
+    {"Zoom to a box", "Shift+drag"},
+    {"Fit", "double click"},
+};
+constexpr ui::SheetPart pointer_parts[] = {
+    {"Mouse: view, looking freely", in_view},
+    {"Mouse: numbers", on_numbers},
+    {"Mouse: pictures", on_pictures},
+    {"Mouse: timeline", on_times},
+    {"Mouse: plots", on_plots},
+};
+
+constexpr std::string_view version = LAPFX_VERSION;
+constexpr std::string_view paper =
+    "T. Halic, G. Sankaranarayanan, S. De: GPU-based Efficient Realistic Techniques for Bleeding and Smoke Generation "
+    "in "
+    "Surgical Simulators. Int J Med Robot 6(4), 431-443, 2010. doi:10.1002/rcs.353";
+
+struct Library {
+    std::string_view name, use, licence;
+};
+constexpr Library libraries[] = {
+    {"FFmpeg", "videos", "LGPL 2.1 or later, or GPL where it was built so"},
+    {"OpenCV", "images", "Apache 2.0"},
+    {"tinygltf", "glTF", "MIT"},
+    {"meshoptimizer", "packed glTF", "MIT"},
+    {"OpenMesh", "OBJ, OFF, STL", "BSD 3-clause"},
+    {"GLM", "vectors", "MIT"},
+    {"nlohmann/json", "JSON", "MIT"},
+    {"CLI11", "command line", "BSD 3-clause"},
+    {"GLFW", "window", "zlib"},
+    {"glad", "OpenGL loader", "MIT"},
+    {"FreeType", "glyphs", "FreeType License"},
+    {"HarfBuzz", "text", "MIT"},
+    {"fontconfig", "fonts", "MIT"},
+};
+
+std::string graphics_of(const app::Editor& editor) {
+    const std::string& name = editor.options().renderer;
+    return (name.empty() ? "unknown" : name) + (editor.options().software ? " (software)" : "");
+}
+
+void about_line(ui::Ui& ui, std::string_view name, std::string_view text) {
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(ui.em(8))});
+    ui::label(ui, text, {.wrap = true, .width = ui::grow()});
+}
+
+}  // namespace
+
+void keys_sheet(ui::Ui& ui, app::Editor& editor) {
+    ui::cheat_sheet(ui, editor.commands, pointer_parts);
+}
+
+void about_dialog(ui::Ui& ui, app::Editor& editor) {
+    ui::Dialog dialog(ui, "about", "About lapfx", {.width = 46, .height = 43});
+    if (!dialog) return;
+    const std::string graphics = graphics_of(editor);
+    {
+        const ui::ScrollArea area(ui, "What it is", {.gap = 0.4F});
+        ui::heading(ui, ui.join({"lapfx ", version}));
+        ui::label(ui, "Bleeding and surgical smoke for laparoscopic simulators, and the editor that tunes both.",
+                  {.wrap = true, .width = ui::grow()});
+        about_line(ui, "OpenGL", ui.copy(graphics));
+        about_line(ui, "After the paper", paper);
+        ui::separator(ui);
+        ui::label(ui, "With these libraries, each under its own licence", {.tone = ui::Tone::dim});
+        for (const Library& library : libraries)
+            about_line(ui, library.name, ui.join({library.licence, "  (", library.use, ")"}));
+    }
+    const auto pressed = dialog.buttons({{.label = "Copy", .tip = "Version and OpenGL, for a report"},
+                                         {.label = "Close", .standard = true, .cancel = true}});
+    if (pressed == 0 && ui.clipboard() != nullptr)
+        ui.clipboard()->set("lapfx " + std::string(version) + ", OpenGL: " + graphics);
+}
+
+}  // namespace lapfx::panels

@@ -1,0 +1,60 @@
+#include "panels/randomise.h"
+
+#include "app/editor.h"
+#include "ui/shell/menu.h"
+#include "ui/widgets/basic.h"
+#include "ui/widgets/field.h"
+#include "ui/widgets/param.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+constexpr std::string_view box_name = "randomise";
+constexpr float box_width = 22;  // em
+constexpr double most_seed = 1e9;
+
+}  // namespace
+
+void randomise(app::Editor& editor, const app::ParameterGroup* group) {
+    if (editor.tuning().randomise(group) == 0)
+        editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: all of it is locked"});
+}
+
+void open_randomise_box(ui::Ui& ui, ui::Id anchor) {
+    ui.open_overlay(box_name, ui::OverlayKind::popup, {.side = ui::Placement::Side::below, .anchor = anchor});
+}
+
+void randomise_box(ui::Ui& ui, app::Editor& editor) {
+    ui::Node* const box = ui.open_overlay_node(box_name, ui::Role::dialog, "Randomise box", ui::Axis::y);
+    if (box == nullptr) return;
+    app::Tuning& tuning = editor.tuning();
+    box->size[0] = ui::px(std::min(ui.em(box_width), ui.window().x));
+    box->gap = ui.em(ui.theme().gap);
+    for (std::uint8_t& pad : box->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(ui.theme().padding), 255.0F));
+    ui.draw_with<ui::draw_popup>(*box, true);
+    ui::ParamOptions strength = ui::percent({.minimum = 1, .maximum = 100, .step = 1});
+    strength.hard_minimum = 1, strength.hard_maximum = 100;
+    strength.standard = 100 * app::Tuning::standard_strength;
+    strength.tip =
+        "How far each value may go from what it is now, of its range (the one set in its menu, else the whole). At 100 "
+        "% "
+        "choices and switches change, too";
+    ui::param(ui, "Strength", tuning.strength, strength);
+    auto seed = static_cast<double>(tuning.seed);
+    const ui::ParamOptions seeds{
+        .minimum = 1,
+        .maximum = 1000,
+        .hard_minimum = 1,
+        .hard_maximum = most_seed,
+        .step = 1,
+        .tip = "The same seed, values and strength give the same result; it counts on with each",
+        .integer = true};
+    if (ui::param(ui, "Seed", seed, seeds).changed) tuning.seed = static_cast<std::uint64_t>(seed);
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::label(ui, "What is not locked", {.tone = ui::Tone::dim, .width = ui::grow()});
+    if (ui::button(ui, "Randomise all", {.icon = ui::Icon::dice, .primary = true})) randomise(editor, nullptr);
+    ui.close_overlay_node();
+}
+
+}  // namespace lapfx::panels

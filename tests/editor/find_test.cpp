@@ -1,0 +1,71 @@
+// Finding: by the command palette, a row of preset or scene comes into sight with the keyboard; by everyday words.
+#include "app/layouts.h"
+#include "app/tuning.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+using ui::Key;
+using ui::Mods;
+
+class FindTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        editor().layouts().shown.close("View");  // drawn only where pixels are asked for
+        open_sample();
+    }
+    void find(const std::string& words) {
+        ui().key('P', Mods::command).frame().type(words).key(Key::enter).frame().frame().settle();
+    }
+};
+
+TEST_F(FindTest, ThePaletteGoesToAParameter) {
+    ui().key('P', Mods::command).frame().type("sparks");
+    EXPECT_EQ(ui().text("**/Commands/Fat particles: Rate"), "smoke.particles.rate");
+    ui().key(Key::escape).frame();
+    find("haze ventilation");
+    EXPECT_TRUE(ui().focused().ends_with("Haze/Ventilation")) << ui().focused();
+    const ui::Rect row = ui().rect("**/Parameters/Haze/Ventilation"), area = ui().rect("**/Preset/Parameters");
+    EXPECT_GE(row.y, area.y) << "in sight";
+    EXPECT_LE(row.bottom(), area.bottom());
+    EXPECT_EQ(editor().tuning().current, app::parameters().find("smoke.haze.ventilation"));
+    EXPECT_EQ(editor().document.done(), 0U);
+}
+
+TEST_F(FindTest, WhatNarrowsThePanelIsTakenBack) {
+    editor().layouts().shown.close("Preset");
+    editor().tuning().search = "gloss";
+    editor().tuning().changed_only = true;
+    ui().frame();
+    find("luma high");
+    EXPECT_TRUE(ui().focused().ends_with("Keying/Luma/High")) << ui().focused();
+    EXPECT_EQ(editor().tuning().search, "");
+    EXPECT_FALSE(editor().tuning().changed_only);
+}
+
+TEST_F(FindTest, ThePaletteGoesToARowOfTheScene) {
+    find("fov");
+    EXPECT_TRUE(ui().focused().ends_with("Camera/Field of view")) << ui().focused();
+    ui().click("**/Scene rows/Camera/header");
+    find("brightness exposure");
+    EXPECT_TRUE(ui().focused().ends_with("Camera/Exposure")) << "its section is unfolded: " << ui().focused();
+}
+
+TEST_F(FindTest, ARowThatIsNotThereIsTold) {
+    editor().document.change("No tool", [](document::Content& c) { c.scene.tool.file.clear(); });
+    find("trocar");
+    EXPECT_NE(ui().dump().find("Port has no row yet"), std::string::npos);
+    EXPECT_EQ(editor().tuning().wanted_in_scene, nullptr);
+}
+
+TEST_F(FindTest, ThePanelsSearchKnowsEverydayWords) {
+    ui().key('F', Mods::command).type("blood size");
+    EXPECT_TRUE(ui().exists("**/Bleeding/Max extent"));
+    EXPECT_FALSE(ui().exists("**/Bleeding/Gloss"));
+}
+
+}  // namespace
+}  // namespace lapfx::test
