@@ -168,6 +168,38 @@ TEST(CompareView, TheMagnifierShowsWhatIsSeenThere) {
     EXPECT_EQ(c.last.pick, glm::ivec2(150, 15));
 }
 
+TEST(CompareView, TheEyedropperTakesWhatIsSeenThereAndMovesNothing) {
+    Compared c;
+    c.options.eyedropper = true;
+    bool picked = false;
+    int under = -1;
+    const auto click = [&](glm::vec2 at) {
+        c.ui.move(at);
+        c.ui.send({.kind = EventKind::press, .at = at});
+        picked = c.last.picked, under = c.last.under;
+        c.ui.send({.kind = EventKind::release, .at = at});
+    };
+    c.ui.frame();
+    EXPECT_EQ(c.last.zoom, 2.0);
+    click({100, 150});
+    EXPECT_TRUE(picked);
+    EXPECT_EQ(under, 0);
+    EXPECT_EQ(c.last.pick, glm::ivec2(50, 50));
+    click({300, 150});
+    EXPECT_TRUE(picked);
+    EXPECT_EQ(under, 1);
+    c.state.swapped = true;
+    click({300, 150});
+    EXPECT_EQ(under, 0) << "of the arguments, however they are shown";
+    c.ui.press("Takes", {0.5F, 0.4F}).drag_by({40, 0}).release();
+    EXPECT_EQ(c.state.position, 0.5);
+    EXPECT_TRUE(c.state.view.fitted);
+    EXPECT_EQ(c.changed, 0);
+    c.options.eyedropper = false;
+    click({100, 150});
+    EXPECT_FALSE(picked);
+}
+
 TEST(CompareView, TheLineMovesByKeysTheWayTheArrowsPoint) {
     Compared c;
     c.ui.focus("Takes/Wipe").key(Key::right);
