@@ -30,19 +30,23 @@ class EventForm {
 
     /// In pairs that belong together, side by side; in a narrow panel two and two.
     void build(bool narrow) {
-        const ui::Column all(ui_, {.width = ui::grow(), .gap = 0.25F});
-        if (!narrow) {
+        // Of its own name: the scene has a duration, too.
+        ui::Node& all = ui_.open(ui::Role::group, "Event", ui::Axis::y);
+        all.size[0] = ui::grow();
+        all.gap = ui_.em(0.25F);
+        if (narrow) {
+            {
+                const ui::Row row(ui_, row_options);
+                whens();
+            }
+            const ui::Row row(ui_, row_options);
+            wheres();
+        } else {
             const ui::Row row(ui_, row_options);
             whens();
             wheres();
-            return;
         }
-        {
-            const ui::Row row(ui_, row_options);
-            whens();
-        }
-        const ui::Row row(ui_, row_options);
-        wheres();
+        ui_.close();
     }
 
   private:
