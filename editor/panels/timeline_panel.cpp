@@ -21,8 +21,8 @@ using ui::Mods;
 
 constexpr double frame_rate = 25;  // 1/s, of steps and of timecode
 constexpr double new_event_length = 1;
-constexpr float narrow_below = 52;                                    // em
-constexpr float room_for_both = 10.5F, room_for_both_narrow = 14.5F;  // em: tools, ruler, two tracks, form
+constexpr float narrow_below = 52;                              // em
+constexpr float room_for_both = 12, room_for_both_narrow = 15;  // em of height: tools, ruler, a track, form
 constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1, 2, 4};
 constexpr std::array<std::string_view, 6> speed_names = {"0.1x", "0.25x", "0.5x", "1x", "2x", "4x"};
 constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
