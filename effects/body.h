@@ -33,6 +33,7 @@ class Body {
     /// As Effects::set_shape.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
     void set_overlay(Overlay overlay);
+    void set_color(glm::vec3 linear) { organ_gpu_.set_color(linear); }
     /// Takes over the blood of `former` at the vertices that are still there (Effects::set_topology).
     void inherit(const Body& former, std::span<const std::uint32_t> origin, double time);
 

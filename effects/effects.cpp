@@ -8,6 +8,7 @@
 #include "cautery/power_cpu.h"
 #include "cautery/recorder.h"
 #include "gl/shader_source.h"
+#include "gl/srgb.h"
 #include "gl/state_guard.h"
 #include "inputs.h"
 #include "lapfx/prepared_organ.h"
@@ -33,6 +34,7 @@ struct Effects::State {
     double time = 0.0;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
+    glm::vec3 organ_color{1.0f};  // linear
 
     glm::dvec3 down;
     std::unique_ptr<Body> body;
@@ -156,6 +158,7 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     body->set_strength(FactorCurve(s.curves.bleeding_strength));
     body->set(s.acting(), s.preset);
     body->set_overlay(s.overlay);
+    body->set_color(s.organ_color);
     body->inherit(*s.body, origin, s.time);
     s.body = std::move(body);
     s.fat.clear();
@@ -169,6 +172,12 @@ void Effects::reload_shaders(const std::filesystem::path& folder) {
     state_->smoke.collect(programs);
     gl::rebuild(programs);
     trial.keep();
+}
+
+void Effects::set_organ_color(const glm::dvec3& color) {
+    state_->organ_color =
+        color == glm::dvec3(1.0) ? glm::vec3(1.0f) : gl::to_linear(glm::vec3(color));  // white: exactly
+    state_->body->set_color(state_->organ_color);
 }
 
 void Effects::set_overlay(Overlay overlay) {

@@ -43,6 +43,7 @@ struct Preview::State {
         effects.set_curves(scene.curves);
         effects.set_contacts(scene.events);
         effects.set_overlay(options.overlay);
+        effects.set_organ_color(scene.organ.color);
     }
 
     Scene scene;
@@ -128,6 +129,7 @@ void Preview::set_scene(const Scene& scene) {
     if (scene.seed != s.scene.seed) s.effects.set_seed(static_cast<std::uint32_t>(scene.seed));
     s.effects.set_curves(scene.curves);
     s.effects.set_contacts(scene.events);
+    s.effects.set_organ_color(scene.organ.color);
     s.scene = scene;
 }
 

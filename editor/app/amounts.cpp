@@ -20,6 +20,7 @@ constexpr double never = std::numeric_limits<double>::infinity();
 std::string organ_key(const Scene& scene) {
     Scene key;
     key.organ = scene.organ;
+    key.organ.color = SceneOrgan().color;  // only looked at
     key.gravity = scene.gravity;
     return write_scene(key) + scene.folder.string();
 }

@@ -113,6 +113,7 @@ void Editor::build_file_dialog() {
 
 void Editor::forget_document(bool scene_too) {
     hold.cancel(*this);
+    eyedropper = {};
     clip = 0;
     keying_->shelf.cancel_work();
     keying_->shelf.forget_refused();
@@ -176,6 +177,19 @@ void Editor::tidy_gesture() {
     if (ui_->held() == 0 && ui_->focus() == 0) document.commit();
 }
 
+/// Places among the events mean others once there are more or fewer, unless whoever made them so has selected anew.
+void Editor::tidy_selection() {
+    const std::size_t count = document.scene().events.size();
+    if (std::exchange(events_before_, count) != count && selected == selected_before_) selected.clear();
+    std::erase_if(selected, [&](std::size_t i) { return i >= count; });
+    selected_before_ = selected;
+}
+
+/// The field that wanted a colour is not shown any more.
+void Editor::tidy_eyedropper() {
+    if (std::exchange(picked_before_, eyedropper.picked.has_value()) && eyedropper.picked) eyedropper = {};
+}
+
 void Editor::update(double now) {
     if (options_.exact) jobs.finish();
     jobs.take();
@@ -183,6 +197,8 @@ void Editor::update(double now) {
     now_ = now;
     hold.update(*this, ui_ != nullptr && ui_->held() != 0);
     tidy_gesture();
+    tidy_selection();
+    tidy_eyedropper();
     if (!preview.tool_on()) timeline.time = std::clamp(timeline.time, 0.0, duration());
     settings_->update(*this, now);
     if (!options_.exact) autosave_->update(now);

@@ -27,6 +27,7 @@
 #include "ui/shell/commands.h"
 #include "ui/shell/file_dialog.h"
 #include "ui/shell/toast.h"
+#include "ui/widgets/color_field.h"
 
 namespace lapfx::app {
 
@@ -87,6 +88,7 @@ class Editor {
     double play_speed = 1;              ///< of play.toggle
     std::vector<std::size_t> selected;  ///< of the scene's events, ascending
     std::size_t clip = 0;               ///< of the preset's clips, the one that panels show
+    ui::Eyedropper eyedropper;          ///< while wanted_by, pictures give a colour for a click (app/pick_color.h)
 
     // --- parts ------------------------------------------------------------------------------------------------------
     Jobs jobs;
@@ -161,6 +163,8 @@ class Editor {
     void follow();
     bool draw_pictures();
     void tidy_gesture();
+    void tidy_selection();
+    void tidy_eyedropper();
 
     EditorOptions options_;
     ui::Ui* ui_ = nullptr;
@@ -182,6 +186,10 @@ class Editor {
     std::map<std::string, std::string> file_folders_;  ///< that something was chosen in last, by the title that asked
     double now_ = -1;
     bool closing_ = false, closed_ = false;
+    // As they were at the last update().
+    std::size_t events_before_ = 0;
+    std::vector<std::size_t> selected_before_;
+    bool picked_before_ = false;
 };
 
 }  // namespace lapfx::app

@@ -19,7 +19,7 @@ struct Standard {
 
 DockLayout tune() {
     return dock_split(Axis::x, 0.70F,
-                      dock_split(Axis::y, 0.76F, dock_tabs({"View", "Reference"}),
+                      dock_split(Axis::y, 0.73F, dock_tabs({"View", "Reference"}),
                                  dock_tabs({"Timeline", "Amounts", "Curves", "Presets"})),
                       dock_tabs({"Preset", "Clips", "Scene", "Keying", "Snapshots", "History"}));
 }
@@ -35,7 +35,7 @@ DockLayout key() {
 DockLayout compare() {
     return dock_split(
         Axis::x, 0.72F,
-        dock_split(Axis::y, 0.70F, dock_tabs({"Reference", "View", "Keying"}),
+        dock_split(Axis::y, 0.67F, dock_tabs({"Reference", "View", "Keying"}),
                    dock_split(Axis::x, 0.5F, dock_tabs({"Timeline", "Curves", "Presets"}), dock_tabs({"Amounts"}))),
         dock_split(Axis::y, 0.66F, dock_tabs({"Preset", "Clips", "Scene"}), dock_tabs({"Snapshots", "History"})));
 }

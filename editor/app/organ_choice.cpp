@@ -153,8 +153,11 @@ void OrganChoice::load() {
         if (replaces()) {
             scene.name = file_.stem().string();
             scene.events.clear();
+            scene.organ = {};
         }
-        scene.organ = {.file = path_for(file_, scene.folder), .scale = scale_, .rotation = rotation_};
+        scene.organ.file = path_for(file_, scene.folder);
+        scene.organ.scale = scale_;
+        scene.organ.rotation = rotation_;
         seen.exposure = scene.camera.exposure;
         seen.vignette = scene.camera.vignette;
         scene.camera = seen;

@@ -23,6 +23,7 @@ bool same_camera(const SceneCamera& a, const SceneCamera& b) {
 std::string key_of(const Scene& scene) {
     Scene key;
     key.organ = scene.organ;
+    key.organ.color = SceneOrgan().color;  // live
     key.tool.file = scene.tool.file;
     key.tool.scale = scene.tool.scale;
     return write_scene(key) + scene.folder.string();

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "app/editor.h"
+#include "app/pick_color.h"
+#include "app/settings.h"
 
 namespace lapfx::app {
 
@@ -15,13 +17,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* sample = "samples/reference/operation.mp4";
-
-glm::vec4 pixel_of(const Image& image, glm::ivec2 at) {
-    if (at.x < 0 || at.y < 0 || at.x >= image.width || at.y >= image.height) return glm::vec4(0);
-    const auto row = static_cast<std::size_t>(at.y) * static_cast<std::size_t>(image.width);
-    const std::uint8_t* p = image.pixels.data() + 4 * (row + static_cast<std::size_t>(at.x));
-    return {p[0], p[1], p[2], p[3]};
-}
 
 bool is_image_name(const fs::path& file) {
     static const std::set<std::string> extensions{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
@@ -58,14 +53,16 @@ class Reference::ReferencePixels : public ui::PickSource {
     const Image& image_;
 };
 
-/// Read back when somebody asks, once for each picture.
+/// Read back when somebody asks, once for each picture; as if it had the pixels of the reference.
 class Reference::PreviewPixels : public ui::PickSource {
   public:
     explicit PreviewPixels(const Target& target) : target_(target) {}
+    glm::ivec2 size{1};
     void forget() { known_ = false; }
     glm::vec4 pixel(glm::ivec2 at) const override {
         if (!std::exchange(known_, true)) image_ = target_.read();
-        return pixel_of(image_, at);
+        const glm::dvec2 scale = glm::dvec2(image_.width, image_.height) / glm::dvec2(size);
+        return pixel_of(image_, glm::ivec2((glm::dvec2(at) + 0.5) * scale));
     }
 
   private:
@@ -189,24 +186,47 @@ void Reference::follow() {
 
 ui::Picture Reference::picture() const {
     if (feed_.frame() < 0 || image_ == 0) return {};
-    return {.image = image_, .size = {feed_.image().width, feed_.image().height}, .pixels = pixels_.get()};
+    pixels_->size = shown_size();
+    return {.image = image_, .size = shown_size(), .pixels = pixels_.get()};
+}
+
+/// In the aspect that the scene gives it: no pixel is lost.
+glm::ivec2 Reference::shown_size() const {
+    const glm::dvec2 stored = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
+    const double aspect = editor_.document.scene().reference.aspect;
+    if (!(aspect > 0)) return glm::ivec2(stored);
+    return glm::max(glm::ivec2(glm::round(glm::max(stored, {stored.y * aspect, stored.x / aspect}))), glm::ivec2(1));
 }
 
 glm::ivec2 Reference::compared_size() const {
-    const glm::dvec2 size = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
-    const glm::dvec2 room = glm::dvec2(largest_compared) / size;
+    const glm::dvec2 size(shown_size()), room = glm::dvec2(largest_compared) / size;
     return glm::max(glm::ivec2(glm::round(size * std::min({1.0, room.x, room.y}))), glm::ivec2(1));
+}
+
+glm::ivec2 Reference::drawn_size() const {
+    const glm::ivec2 counted = compared_size();
+    if (zoom_ <= 0 || zoom_ >= ui::grid_zoom || way == CompareWay::difference) return counted;
+    const glm::dvec2 room = glm::dvec2(largest_compared) / glm::dvec2(counted);
+    const double scale = std::min({editor_.settings().half_resolution ? zoom_ / 2 : zoom_, room.x, room.y});
+    return glm::max(glm::ivec2(glm::round(glm::dvec2(counted) * scale)), glm::ivec2(1));
+}
+
+bool Reference::show_at(double zoom) {
+    const glm::ivec2 before = drawn_size();
+    zoom_ = zoom;
+    return drawn_size() != before;
 }
 
 ui::Picture Reference::compared_preview() {
     // It may be made only after this frame, before it is drawn.
     compares_ = true;
-    if (copy_.target.size() != compared_size()) {
-        copy_.target.resize(compared_size());
+    if (copy_.target.size() != drawn_size()) {
+        copy_.target.resize(drawn_size());
         copy_.revision = 0;
     }
     if (!editor_.preview.ready() && !editor_.preview.organ_faults().empty())
         return {.image = 0, .size = compared_size()};
+    preview_pixels_->size = compared_size();
     return {.image = copy_.target.texture(),
             .size = compared_size(),
             .pixels = copy_.revision == 0 ? nullptr : preview_pixels_.get()};

@@ -26,8 +26,8 @@ enum class CompareWay : std::uint8_t { reference, beside, wipe, difference, onio
 
 class Reference {
   public:
-    static constexpr glm::ivec2 largest_compared{1280,
-                                                 1024};  ///< px that the preview is drawn at for comparing, at most
+    /// px that the preview is drawn at for comparing, at most.
+    static constexpr glm::ivec2 largest_compared{1280, 1024};
 
     explicit Reference(Editor& editor);
     ~Reference();
@@ -64,9 +64,13 @@ class Reference {
     ui::Picture picture() const;
     bool good() const { return feed_.good(); }  ///< the file could give it
     /// Both of one size, for compare_view: the scene through its camera at the timeline's time, drawn after this frame; the
-    /// reference, counted in the same pixels.
+    /// reference, counted in the same pixels. Those are the video's, in its aspect.
     ui::Picture compared_preview();
     ui::Picture compared_reference() const;
+    /// As large as compare_view shows them (CompareResult::zoom): the preview is drawn with as many pixels, but pixel for pixel with
+    /// the video where both are subtracted or single pixels are looked at. Gives whether that is another size than before.
+    bool show_at(double zoom);
+    glm::ivec2 drawn_size() const;  ///< px that the preview is drawn at
     CompareWay way = CompareWay::beside;
     ui::CompareState compare;  ///< its view is that of the reference alone, too
 
@@ -84,6 +88,7 @@ class Reference {
 
     void follow_scene();
     void show_newest();
+    glm::ivec2 shown_size() const;
     glm::ivec2 compared_size() const;
 
     Editor& editor_;
@@ -93,6 +98,7 @@ class Reference {
     std::optional<int> held_;
     ui::ImageHandle image_ = 0;  ///< of the editor's images
     bool compares_ = false;
+    double zoom_ = 0;  ///< px of the screen for one of compared_size(); 0: not known yet
     PreviewCopy copy_;
     std::unique_ptr<ReferencePixels> pixels_, compared_pixels_;
     std::unique_ptr<PreviewPixels> preview_pixels_;

@@ -139,8 +139,8 @@ void band_strip(ui::Ui& ui, app::Editor& editor) {
     if (counted && all_zero(counted->contrast) && all_zero(counted->hue)) {
         ui::label(ui,
                   "This organ is of one colour: vessels and fat cannot be told apart on it, and every cut bleeds "
-                  "alike. An organ "
-                  "with a texture or vertex colours tells more.",
+                  "alike. An organ with a texture or vertex colours tells more; how this one looks is set by the "
+                  "Scene panel's Organ colour.",
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
         return;
     }

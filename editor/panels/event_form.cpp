@@ -28,19 +28,38 @@ class EventForm {
           first_(editor.document.scene().events[stay.events.front()]),
           last_(editor.document.scene().events[stay.events.back()]) {}
 
-    /// In pairs that belong together, side by side where there is room.
+    /// In pairs that belong together, side by side; in a narrow panel two and two.
     void build(bool narrow) {
-        const ui::Box all(ui_, narrow ? ui::Axis::y : ui::Axis::x,
-                          {.width = ui::grow(),
-                           .gap = narrow ? 0.25F : 0.8F,
-                           .cross = narrow ? ui::Place::stretch : ui::Place::start});
-        pair(1, [&] { action(), power(); });
-        pair(1, [&] { start(), strength(); });
-        pair(1, [&] { length(), pieces(); });
-        pair(1.7F, [&] { place(), to(); });
+        // Of its own name: the scene has a duration, too.
+        ui::Node& all = ui_.open(ui::Role::group, "Event", ui::Axis::y);
+        all.size[0] = ui::grow();
+        all.gap = ui_.em(0.25F);
+        if (narrow) {
+            {
+                const ui::Row row(ui_, row_options);
+                whens();
+            }
+            const ui::Row row(ui_, row_options);
+            wheres();
+        } else {
+            const ui::Row row(ui_, row_options);
+            whens();
+            wheres();
+        }
+        ui_.close();
     }
 
   private:
+    static constexpr ui::BoxOptions row_options{.width = ui::grow(), .gap = 0.8F, .cross = ui::Place::start};
+
+    void whens() {
+        pair(1, [&] { action(), power(); });
+        pair(1, [&] { start(), strength(); });
+    }
+    void wheres() {
+        pair(1, [&] { length(), pieces(); });
+        pair(1.7F, [&] { place(), to(); });
+    }
     template <typename F>
     void pair(float weight, F&& rows) {
         const ui::Column column(ui_, {.width = ui::grow(weight), .gap = 0.25F});

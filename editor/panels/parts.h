@@ -18,6 +18,11 @@ struct Room : ui::Row {
         : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::Place::center}) {}
 };
 
+/// While a colour is wanted from a picture: what to do, over those that give one; of the panel's node that it lies in.
+void pick_hint(ui::Ui& ui, app::Editor& editor);
+/// Esc leaves that; with no such picture in sight the view is shown. Once a frame.
+void follow_eyedropper(ui::Ui& ui, app::Editor& editor);
+
 void menu_bar(ui::Ui& ui, app::Editor& editor);
 void status_bar(ui::Ui& ui, app::Editor& editor);
 /// Three lines for those who see it for the first time; until they are closed.

@@ -2,13 +2,17 @@
 #include "app/reference.h"
 
 #include <array>
+#include <cmath>
+#include <cstdio>
 
 #include "app/layouts.h"
 #include "app/open.h"
+#include "app/pick_color.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/canvas/image_view.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
 
 namespace lapfx::panels {
@@ -108,6 +112,35 @@ void warn_of_faults(ui::Ui& ui, app::Editor& editor) {
     ways_out(ui, editor);
 }
 
+struct Aspect {
+    std::string_view name;
+    double ratio;
+};
+constexpr std::array<Aspect, 3> aspects = {{{"As stored", 0}, {"4:3", 4.0 / 3}, {"16:9", 16.0 / 9}}};
+
+/// Videos are often stored squeezed, and do not say so. What the scene has beside the usual ones is there, too.
+void aspect_choice(ui::Ui& ui, app::Editor& editor) {
+    const double now = editor.document.scene().reference.aspect;
+    std::array<std::string_view, aspects.size() + 1> names;
+    int chosen = -1;
+    for (std::size_t i = 0; i < aspects.size(); ++i) {
+        names[i] = aspects[i].name;
+        if (std::abs(aspects[i].ratio - now) < 1e-3) chosen = static_cast<int>(i);
+    }
+    char own[32];
+    std::snprintf(own, sizeof own, "%.4g:1", now);
+    names.back() = own;
+    const std::size_t count = chosen < 0 ? names.size() : aspects.size();
+    if (chosen < 0) chosen = static_cast<int>(aspects.size());
+    const ui::Edit edit = ui::combo(ui, "Aspect", chosen, std::span(names).first(count),
+                                    {.tip = "Width over height that the reference is shown with: for a video that is "
+                                            "stored squeezed, as 4:3 in 256 x 256",
+                                     .width = ui::px(ui.em(7))});
+    if (static_cast<std::size_t>(chosen) >= aspects.size()) return;
+    const double ratio = std::round(aspects[static_cast<std::size_t>(chosen)].ratio * 1e4) / 1e4;
+    editor.document.take(edit, "Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = ratio; });
+}
+
 void way_of_comparing(ui::Ui& ui, app::Editor& editor) {
     Reference& reference = editor.reference();
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
@@ -136,6 +169,7 @@ void way_of_comparing(ui::Ui& ui, app::Editor& editor) {
     if (reference.way != CompareWay::reference)
         ui::toggle(ui, "Swap", reference.compare.swapped,
                    {.tip = "Reference first, preview second: X in the picture. F held shows the second alone"});
+    aspect_choice(ui, editor);
     ui::spacer(ui);
     const std::string name = reference.file().filename().string();
     ui::label(ui, name, {.tone = ui::Tone::dim});
@@ -212,7 +246,17 @@ void time_row(ui::Ui& ui, app::Editor& editor) {
     place_in_time(ui, editor.reference());
 }
 
-void comparison(ui::Ui& ui, Reference& reference) {
+/// Of the picture that is seen there; of the reference where both are mixed.
+void take_color(app::Editor& editor, const ui::CompareResult& result, const ui::Picture& preview,
+                const ui::Picture& video) {
+    const app::CompareWay way = editor.reference().way;
+    const bool mixed = way == CompareWay::onion || way == CompareWay::difference;
+    const ui::Picture& picture = mixed || result.under == 1 ? video : preview;
+    editor.eyedropper.picked = app::color_around(*picture.pixels, picture.size, result.pick);
+}
+
+void comparison(ui::Ui& ui, app::Editor& editor) {
+    Reference& reference = editor.reference();
     constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
                                   ui::CompareKind::difference, ui::CompareKind::onion};
     reference.compare.kind = kinds[static_cast<std::size_t>(reference.way)];
@@ -221,21 +265,37 @@ void comparison(ui::Ui& ui, Reference& reference) {
         if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat)
             choose_next_way(reference);
     });
-    ui::compare_view(ui, "Comparison", reference.compared_preview(), reference.compared_reference(), reference.compare,
-                     {.first_label = "Preview",
-                      .second_label = "Reference",
-                      .tip = "Wheel: zoom. F held: the second alone. X: swap. M: next way of comparing"});
+    const bool picks = editor.eyedropper.wanted_by != 0;
+    const ui::Picture preview = reference.compared_preview(), video = reference.compared_reference();
+    const ui::CompareResult result =
+        ui::compare_view(ui, "Comparison", preview, video, reference.compare,
+                         {.first_label = "Preview",
+                          .second_label = "Reference",
+                          .eyedropper = picks,
+                          .sample_box = picks ? app::picked_side : 1,
+                          .tip = "Wheel: zoom. F held: the second alone. X: swap. M: next way of comparing"});
+    if (result.picked) take_color(editor, result, preview, video);
+    if (reference.show_at(result.zoom) || result.picked) ui.build_again();
 }
 
-void pictures(ui::Ui& ui, Reference& reference) {
+void pictures(ui::Ui& ui, app::Editor& editor) {
+    Reference& reference = editor.reference();
     if (reference.picture().image == 0) {
         const Notice notice(ui);
         ui::label(ui, "Decoding...", {.tone = ui::Tone::dim});
         return;
     }
-    if (reference.way != CompareWay::reference) return comparison(ui, reference);
-    ui::image_view(ui, "Video", reference.picture(), reference.compare.view,
-                   {.tip = "Wheel: zoom. 0: all of it. 1: pixel by pixel. M: next way of comparing"});
+    if (reference.way != CompareWay::reference) return comparison(ui, editor);
+    const bool picks = editor.eyedropper.wanted_by != 0;
+    const ui::Picture video = reference.picture();
+    const ui::ImageViewResult result =
+        ui::image_view(ui, "Video", video, reference.compare.view,
+                       {.eyedropper = picks,
+                        .sample_box = picks ? app::picked_side : 1,
+                        .tip = "Wheel: zoom. 0: all of it. 1: pixel by pixel. M: next way of comparing"});
+    if (!result.picked) return;
+    editor.eyedropper.picked = app::color_around(*video.pixels, video.size, result.pick);
+    ui.build_again();
 }
 
 }  // namespace
@@ -255,7 +315,8 @@ void reference_panel(ui::Ui& ui, app::Editor& editor) {
     way_of_comparing(ui, editor);
     time_row(ui, editor);
     warn_of_faults(ui, editor);
-    pictures(ui, reference);
+    pictures(ui, editor);
+    pick_hint(ui, editor);
 }
 
 void add_reference_commands(app::Editor& editor) {

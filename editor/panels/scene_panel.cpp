@@ -87,6 +87,7 @@ class ScenePanel {
         ui::label(ui_, editor_.document.scene().organ.file, {.tone = ui::Tone::dim});
         row(t, "scale", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 1000});
         row(t, "rotation", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 180, .minimum = -180});
+        row(t, "color", owner, options);
     }
 
     void tool() {

@@ -21,7 +21,8 @@ using ui::Mods;
 
 constexpr double frame_rate = 25;  // 1/s, of steps and of timecode
 constexpr double new_event_length = 1;
-constexpr float narrow_below = 52;  // em
+constexpr float narrow_below = 52;                              // em
+constexpr float room_for_both = 12, room_for_both_narrow = 15;  // em of height: tools, ruler, a track, form
 constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1, 2, 4};
 constexpr std::array<std::string_view, 6> speed_names = {"0.1x", "0.25x", "0.5x", "1x", "2x", "4x"};
 constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
@@ -213,13 +214,20 @@ class TimelinePanel {
     }
 
     void build() {
+        // The form keeps its place below the tracks, which scroll above it; where there is no room for both all of it scrolls.
+        const float height = ui_.rect_before(ui_.parent().id).h;
+        ui_.follow_size(ui_.parent());
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});
         const float width = ui_.rect_before(ui_.id_of("Events")).w;
         narrow_ = width > 0 && width < ui_.em(narrow_below);
         tool_bar();
-        const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
-        timeline();
-        event_form(ui_, editor_, memory_.stays, narrow_);
+        const bool below = height >= ui_.em(narrow_ ? room_for_both_narrow : room_for_both);
+        {
+            const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
+            timeline();
+            if (!below) event_form(ui_, editor_, memory_.stays, narrow_);
+        }
+        if (below) event_form(ui_, editor_, memory_.stays, narrow_);
     }
 
   private:

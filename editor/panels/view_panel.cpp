@@ -6,9 +6,11 @@
 
 #include "app/events.h"
 #include "app/orbit.h"
+#include "app/pick_color.h"
 #include "app/settings.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
 #include "ui/canvas/viewport.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
@@ -103,12 +105,17 @@ class ViewPanel {
             ui_.build_again();
         }
         look_under(view);
-        work(view);
-        keys(view);
-        mark(view);
+        if (editor_.eyedropper.wanted_by != 0) {
+            pick_color(view);
+        } else {
+            work(view);
+            keys(view);
+            mark(view);
+        }
         readout(view);
         loading();
         faults();
+        pick_hint(ui_, editor_);
         ui_.close();
     }
 
@@ -186,6 +193,25 @@ class ViewPanel {
              .hit = preview->pick(glm::dvec2(view.pointer), view.size),
              .tissue = {}};
         if (u.hit) u.tissue = preview->tissue(u.hit->position);
+    }
+
+    /// Of what is shown, for who wants a colour.
+    void pick_color(const ui::ViewportResult& view) {
+        memory_.drag = Drag::none;
+        if (view.hovered) ui_.set_cursor(ui::Cursor::crosshair);
+        bool enter = false;
+        for (const ui::ViewportKey& key : view.keys) {
+            enter |= key.key == Key::enter;
+            if (key.key != Key::enter && key.key != Key::escape) ui_.press_shortcut(key.key, key.mods);
+        }
+        const bool left = view.clicked && view.button == ui::Button::left;
+        const glm::ivec2 drawn = editor_.preview.size();
+        if ((!left && !enter) || editor_.preview.picture() == 0 || view.size.x < 1 || view.size.y < 1) return;
+        const glm::dvec2 at = left ? glm::dvec2(view.pointer) : glm::dvec2(view.size) / 2.0;
+        const Image image = editor_.preview.read();
+        editor_.eyedropper.picked = app::color_around(app::ImagePixels(image), drawn,
+                                                      glm::ivec2(at * glm::dvec2(drawn) / glm::dvec2(view.size)));
+        ui_.build_again();
     }
 
     Drag drag_for(const ui::ViewportResult& view) const {

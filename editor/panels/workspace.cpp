@@ -37,6 +37,7 @@ std::vector<std::string> dropped_files(std::string_view paths) {
 void workspace(ui::Ui& ui, app::Editor& editor) {
     editor.set_ui(ui);
     bring_dropped(ui, editor);
+    follow_eyedropper(ui, editor);
     ui.set_theme(editor.settings().light ? ui::light_theme() : ui::dark_theme());
     ui.set_reduced_motion(editor.settings().reduced_motion);
     {

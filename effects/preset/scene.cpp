@@ -35,6 +35,9 @@ constexpr Parameter organ_rows[] = {
     number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help),
     vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
                                   "About the x, then the y, then the z axis."),
+    color<&SceneOrgan::color>("color", "Colour",
+                              "Multiplies the organ's own colours; white leaves them as they are. For an organ "
+                              "without a texture it is the colour of its tissue. Where it bleeds stays the same."),
 };
 
 constexpr Parameter tool_rows[] = {
@@ -145,7 +148,17 @@ constexpr Parameter reference_rows[] = {
     path<&SceneReference::file>("file", "File", "The surgery video or image sequence to match; empty for none."),
     number<&SceneReference::offset>("offset", "Offset", {-86'400, 86'400, 0.05, "s"},
                                     "Time in the reference when the scene starts."),
+    number<&SceneReference::aspect>("aspect", "Aspect", {0, 10, 0.01},
+                                    "Width over height of its picture when shown, for videos that are stored "
+                                    "squeezed; 0 is as stored."),
 };
+
+constexpr double least_aspect = 0.1;
+constexpr Rule reference_rules[] = {{"aspect", [](const void* owner) -> std::string {
+                                         const double aspect = static_cast<const SceneReference*>(owner)->aspect;
+                                         if (aspect == 0 || aspect >= least_aspect) return "";
+                                         return number_text(aspect) + " is neither 0 nor from 0.1 to 10";
+                                     }}};
 
 constexpr Parameter scene_rows[] = {
     text<&Scene::name>("name", "Name", 100, "What the scene is called in lists."),
@@ -170,7 +183,8 @@ constexpr Table scene_tables[] = {
     table<&Scene::light>("light", "Light", "The endoscope's lamp, at the camera.", {light_rows}),
     list<&Scene::events, most_events>("events", "Events", "What the tool does, in any order.", {event_rows}),
     table<&Scene::curves>("curves", "Curves", "Factors over the scene's time.", {{}, curve_tables}),
-    table<&Scene::reference>("reference", "Reference", "The surgery video to match.", {reference_rows}),
+    table<&Scene::reference>("reference", "Reference", "The surgery video to match.",
+                             {reference_rows, {}, reference_rules}),
 };
 
 }  // namespace

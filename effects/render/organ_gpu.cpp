@@ -160,7 +160,7 @@ void OrganGpu::draw_part(const gl::Program& program, const Part& part) const noe
     glBindTextureUnit(0, material.base_color);
     glBindTextureUnit(1, material.normal_map);
     glBindTextureUnit(2, material.density);
-    program.set("u_base_factor", material.factor);
+    program.set("u_base_factor", material.factor * glm::vec4(color_, 1.0f));
     program.set("u_roughness", material.roughness);
     program.set("u_normal_scale", material.normal_scale);
     const auto offset = static_cast<std::size_t>(part.first_index) * sizeof(std::uint32_t);

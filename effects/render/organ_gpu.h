@@ -31,6 +31,8 @@ class OrganGpu {
     /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
     void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
+    /// Multiplies the colours of all materials; linear.
+    void set_color(glm::vec3 color) { color_ = color; }
     std::size_t memory() const;  ///< bytes on the GPU
     /// Every program of it, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
@@ -60,6 +62,7 @@ class OrganGpu {
     std::vector<gl::Texture> densities_;  // per image, made when an overlay first needs them
     gl::Buffer vertex_density_;
     Overlay overlay_ = Overlay::none;
+    glm::vec3 color_{1.0f};
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
     std::vector<Part> parts_;

@@ -5,6 +5,7 @@
 
 #include "app/layouts.h"
 #include "app/open.h"
+#include "app/settings.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 
@@ -174,15 +175,17 @@ TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
     const ui::Picture beside = reference().compared_preview();
     ASSERT_EQ(beside.size, glm::ivec2(640, 512));
     ASSERT_NE(beside.pixels, nullptr);
+    const glm::ivec2 drawn = reference().drawn_size();
     layout("Tune");
-    editor().preview.resize(beside.size);
+    editor().preview.resize(drawn);
     app::Shot shot = editor().shot();
     editor().preview.draw(shot);
     const Image view = editor().preview.read();
-    ASSERT_EQ(glm::ivec2(view.width, view.height), beside.size);
+    ASSERT_EQ(glm::ivec2(view.width, view.height), drawn);
     for (const glm::ivec2 at :
          {glm::ivec2(320, 256), glm::ivec2(200, 300), glm::ivec2(400, 180), glm::ivec2(330, 240)}) {
-        const std::uint8_t* p = view.pixels.data() + 4 * (at.y * view.width + at.x);
+        const glm::ivec2 there((glm::dvec2(at) + 0.5) * glm::dvec2(drawn) / glm::dvec2(beside.size));
+        const std::uint8_t* p = view.pixels.data() + 4 * (there.y * view.width + there.x);
         EXPECT_EQ(beside.pixels->pixel(at), glm::vec4(p[0], p[1], p[2], p[3])) << at.x << ", " << at.y;
     }
 }
@@ -221,6 +224,66 @@ TEST_F(ReferencePanel, LargeReferencesAreComparedAtASizeThatCanBeDrawn) {
     EXPECT_EQ(reference().compared_reference().size, glm::ivec2(1280, 640));
     const ui::Picture whole = reference().picture(), counted = reference().compared_reference();
     EXPECT_EQ(counted.pixels->pixel({1279, 639}), whole.pixels->pixel({1599, 799}));
+}
+
+TEST_F(ReferencePanel, ThePreviewIsAsSharpAsThePanelWhateverTheVideoIs) {
+    drop(write_clip(folder() / "small.avi", 30, {160, 80}, 10));
+    editor().seek(6);
+    ui().click(in("Compare/Difference")).frame().frame();
+    EXPECT_EQ(reference().drawn_size(), glm::ivec2(160, 80)) << "what is subtracted is of one resolution";
+    const auto mean_difference = [&](const std::vector<glm::vec4>& before) {
+        const ui::Picture now = reference().compared_preview();
+        double sum = 0;
+        for (int i = 0; i < 160 * 80; ++i)
+            sum += glm::distance(glm::vec3(before[static_cast<std::size_t>(i)]),
+                                 glm::vec3(now.pixels->pixel({i % 160, i / 160})));
+        return sum / (160 * 80);
+    };
+    std::vector<glm::vec4> exact, mirrored;
+    for (int i = 0; i < 160 * 80; ++i) {
+        exact.push_back(reference().compared_preview().pixels->pixel({i % 160, i / 160}));
+        mirrored.push_back(reference().compared_preview().pixels->pixel({159 - i % 160, i / 160}));
+    }
+    ui().click(in("Compare/Wipe")).frame().frame();
+    const glm::ivec2 drawn = reference().drawn_size();
+    const ui::Rect area = ui().rect(in("Comparison"));
+    EXPECT_NEAR(std::max(static_cast<float>(drawn.x) / area.w, static_cast<float>(drawn.y) / area.h), 1.0F, 0.01F);
+    EXPECT_NEAR(static_cast<double>(drawn.x) / drawn.y, 2.0, 0.01);
+    EXPECT_EQ(reference().compared_preview().size, glm::ivec2(160, 80)) << "counted in the video's pixels";
+    ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
+    EXPECT_LT(mean_difference(exact), 0.5 * mean_difference(mirrored)) << "the same place of the organ";
+    ui().click(in("Compare/Beside")).frame().frame();
+    EXPECT_LT(reference().drawn_size().x, drawn.x) << "two share the room";
+    const glm::ivec2 beside = reference().drawn_size();
+    editor().settings().half_resolution = true;
+    ui().frame().frame();
+    EXPECT_NEAR(reference().drawn_size().x, beside.x / 2.0, 1.0);
+    EXPECT_NE(reference().compared_preview().pixels, nullptr) << "drawn at that size";
+}
+
+TEST_F(ReferencePanel, ASqueezedVideoIsShownInItsAspect) {
+    drop(write_clip(folder() / "square.avi", 5, {48, 48}, 10));
+    EXPECT_EQ(reference().picture().size, glm::ivec2(48, 48));
+    ui().click(in("Aspect")).frame();
+    ui().click("**/4:3").frame();
+    EXPECT_NEAR(editor().document.scene().reference.aspect, 4.0 / 3, 1e-4);
+    EXPECT_EQ(editor().document.steps().back().name, "Reference aspect");
+    EXPECT_EQ(reference().picture().size, glm::ivec2(64, 48));
+    const ui::Picture shown = reference().picture();
+    EXPECT_EQ(shown.pixels->pixel({63, 47}).a, 255) << "the last pixel is inside";
+    ui().click(in("Compare/Wipe")).frame().frame();
+    EXPECT_EQ(reference().compared_reference().size, glm::ivec2(64, 48));
+    EXPECT_NEAR(static_cast<double>(reference().drawn_size().x) / reference().drawn_size().y, 4.0 / 3, 0.01)
+        << "and the camera sees as much more to the sides";
+    editor().document.change("Aspect", [](document::Content& c) { c.scene.reference.aspect = 0.5; });
+    ui().frame();
+    EXPECT_EQ(ui().text(in("Aspect")), "0.5:1");
+    EXPECT_EQ(reference().picture().size, glm::ivec2(48, 96)) << "no pixel is lost";
+    editor().document.undo();
+    editor().document.undo();
+    ui().frame();
+    EXPECT_EQ(ui().text(in("Aspect")), "As stored");
+    EXPECT_EQ(reference().picture().size, glm::ivec2(48, 48));
 }
 
 TEST_F(ReferencePanel, EverythingHasANameForTheKeyboard) {

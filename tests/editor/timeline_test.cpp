@@ -1,6 +1,7 @@
 // The timeline and the scene panel: events moved, stretched and typed; rows of the scene; an organ with its unit.
 #include <fstream>
 
+#include "app/layouts.h"
 #include "app/organ_choice.h"
 #include "editor/support/editor_test.h"
 
@@ -146,6 +147,65 @@ TEST_F(TimelinePanelTest, ABrokenOrganIsToldInTheDialogAndNothingChanges) {
     ui().click("**/Cancel");
     EXPECT_FALSE(editor().document.can_undo());
     EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
+}
+
+/// Of every kind of tool one event.
+void of_every_kind(document::Content& c) {
+    c.scene.events.clear();
+    for (int action = 0; action < 6; ++action)
+        c.scene.events.push_back({.action = static_cast<ToolAction>(action), .time = 1.0 + action, .duration = 0.5});
+}
+
+TEST_F(TimelinePanelTest, TheFormStaysInSightWhateverTracksThereAre) {
+    editor().document.change("Events", of_every_kind);
+    for (const char* name : {"Tune", "Stage", "Compare"}) {
+        layout(name);
+        editor().selected = {0};
+        ui().frame().frame();
+        const ui::Rect panel = ui().rect("Workspace/Timeline");
+        for (const char* row : {"**/Event/Action", "**/Event/Power", "**/Event/Position"}) {
+            const ui::Rect place = ui().rect(row);
+            EXPECT_GE(place.y, panel.y) << name << ": " << row;
+            EXPECT_LE(place.bottom(), panel.bottom() + 0.5F) << name << ": " << row;
+        }
+        const ui::Rect tracks = ui().rect("Workspace/Timeline/Events");
+        EXPECT_GE(tracks.h, ui().ui().em(3.5F)) << name << ": and a track or two above it";
+        EXPECT_LE(tracks.bottom(), ui().rect("**/Event/Action").y) << name;
+        EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{}) << name;
+    }
+}
+
+TEST_F(TimelinePanelTest, ASelectionThatIsStaleDoesNoHarm) {
+    editor().document.change("Events", of_every_kind);
+    ui().frame();
+    editor().selected = {4, 5};
+    ui().frame();
+    ASSERT_EQ(editor().selected, (std::vector<std::size_t>{4, 5}));
+    ASSERT_TRUE(editor().layouts().choose("Tune"));
+    editor().layouts().shown.show("Amounts");  // no timeline in sight
+    ui().frame().frame();
+    ASSERT_FALSE(ui().exists("Workspace/Timeline"));
+    editor().document.undo();
+    ui().frame();
+    EXPECT_EQ(events().size(), 2U);
+    EXPECT_TRUE(editor().selected.empty()) << "they were places among other events";
+    EXPECT_FALSE(editor().commands.run("event.duplicate"));
+    EXPECT_EQ(events().size(), 2U);
+    editor().document.redo();
+    ui().frame();
+    editor().selected = {1};
+    ui().frame();
+    editor().document.change("Fewer", [](document::Content& c) { c.scene.events.erase(c.scene.events.begin()); });
+    ui().frame();
+    EXPECT_TRUE(editor().selected.empty()) << "or another event would be doubled or deleted";
+    ui().click("**/Timeline").frame();
+    ui().frame();
+    editor().selected = {9};
+    ui().frame();
+    EXPECT_TRUE(editor().selected.empty()) << "out of range";
+    editor().commands.run("event.add");
+    ui().frame();
+    EXPECT_EQ(editor().selected, std::vector<std::size_t>{5}) << "what was made is selected";
 }
 
 }  // namespace

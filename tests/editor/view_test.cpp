@@ -1,4 +1,7 @@
 // The view panel: looking around, working with tools, overlays with what makes them.
+#include <opencv2/imgcodecs.hpp>
+
+#include "app/exports.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {
@@ -185,6 +188,81 @@ TEST_F(ViewPanelTest, AnOrganThatIsGoneIsToldInPlaceWithTheWayOut) {
     ui().frame().frame();
     EXPECT_FALSE(ui().exists("**/Organ fault"));
     EXPECT_EQ(editor().document.scene().organ.file, "lagb.glb");
+}
+
+TEST_F(ViewPanelTest, HalfResolutionIsAQuarterOfThePixelsStretchedSmoothly) {
+    const Image whole = picture(6);
+    const ui::Rect place = ui().rect(preview);
+    ASSERT_EQ(glm::vec2(whole.width, whole.height), glm::vec2(place.w, place.h)) << "pixel for pixel";
+    const auto exported = [&](const char* name) {
+        const std::filesystem::path file = folder() / name;
+        editor().commands.run("export.picture");
+        ui().frame().frame();
+        editor().exports().form.file() = file.string();
+        editor().exports().form.size = 5;
+        ui().frame();
+        ui().click("New export/Export");
+        for (int i = 0; i < 1000 && editor().exports().running(); ++i) ui().frame();
+        ui().frame().frame();
+        return cv::imread(file.string());
+    };
+    const cv::Mat before = exported("whole.png");
+    editor().commands.run("view.half_resolution");
+    const Image half = picture(6);
+    EXPECT_EQ(half.width, (whole.width + 1) / 2);
+    EXPECT_EQ(half.height, (whole.height + 1) / 2);
+    const ui::Rect now = ui().rect(preview);
+    EXPECT_EQ(glm::vec2(now.w, now.h), glm::vec2(place.w, place.h));
+    // The list has it over the whole place, linearly filtered.
+    const ui::DrawList& list = *ui().output().list;
+    int found = 0;
+    for (const ui::Batch& batch : list.batches)
+        for (std::uint32_t n = batch.first; n < batch.first + batch.count; ++n) {
+            const ui::Instance& i = list.instances[n];
+            if (batch.images[0] != editor().preview.picture() || i.kind != ui::InstanceKind::image) continue;
+            EXPECT_EQ(glm::vec4(i.x, i.y, i.w, i.h), glm::vec4(now.x, now.y, now.w, now.h));
+            EXPECT_EQ(i.border, 0) << "not by nearest pixels";
+            ++found;
+        }
+    EXPECT_EQ(found, 1);
+    // The same picture: the mean of four pixels is about the one that stands for them.
+    double sum = 0, mirrored = 0;
+    for (int y = 0; y < whole.height / 2; ++y)
+        for (int x = 0; x < whole.width / 2; ++x) {
+            const auto at = [&](const Image& image, int u, int v) {
+                const std::uint8_t* p = image.pixels.data() + 4 * (v * image.width + u);
+                return glm::dvec3(p[0], p[1], p[2]);
+            };
+            const glm::dvec3 mean = (at(whole, 2 * x, 2 * y) + at(whole, 2 * x + 1, 2 * y) +
+                                     at(whole, 2 * x, 2 * y + 1) + at(whole, 2 * x + 1, 2 * y + 1)) /
+                                    4.0;
+            sum += glm::distance(mean, at(half, x, y));
+            mirrored += glm::distance(mean, at(half, half.width - 1 - x, y));
+        }
+    EXPECT_LT(sum, 0.3 * mirrored);
+    const cv::Mat after = exported("half.png");
+    ASSERT_FALSE(before.empty());
+    ASSERT_EQ(before.size(), after.size());
+    EXPECT_EQ(cv::norm(before, after, cv::NORM_INF), 0) << "what is exported does not change";
+}
+
+TEST_F(ViewPanelTest, TheOrganIsColouredLive) {
+    layout("Stage");
+    const Image white = picture(0);
+    const auto share = [](const Image& image) {
+        double red = 1, green = 1;
+        for (std::size_t i = 0; i < image.pixels.size(); i += 4) red += image.pixels[i], green += image.pixels[i + 1];
+        return red / green;
+    };
+    const std::uint64_t organ = editor().preview.organ_version();
+    ui().click("**/Organ/Colour/Colour").frame();
+    ui().click("**/Hex", {.clicks = 2}).key('A', ui::Mods::command).type("#c03030").key(ui::Key::enter).frame();
+    EXPECT_NEAR(editor().document.scene().organ.color.x, 0xc0 / 255.0, 1e-9);
+    EXPECT_EQ(editor().document.steps().back().name, "Organ: Colour");
+    EXPECT_GT(share(picture(0)), 1.5 * share(white));
+    EXPECT_EQ(editor().preview.organ_version(), organ) << "nothing is loaded for it";
+    editor().document.undo();
+    EXPECT_EQ(differing(white, picture(0), 0), 0U);
 }
 
 }  // namespace

@@ -40,9 +40,9 @@ inline double zoom_of(float notches) {
     return std::pow(0.85, static_cast<double>(notches));
 }
 
-/// What is drawn on the canvas, which is dark in both themes: 0 is not seen, 1 is as strong as can be.
-inline Color on_canvas(const Theme& theme, float strength) {
-    return mix(theme.canvas, theme.text_on_accent, strength);
+/// What is drawn in a well: 0 is not seen, 1 is as strong as can be.
+inline Color on_well(const Theme& theme, float strength) {
+    return mix(theme.well, theme.well_ink, strength);
 }
 inline constexpr float grid_ink = 0.14F, quiet_ink = 0.4F, label_ink = 0.65F, point_ink = 0.9F;
 

@@ -317,15 +317,19 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
     if (beside) split(area, size, 2 * std::max(1.0F, std::round(ui.scale())), halves);
     const int half = beside && halves[1].contains(ui.pointer()) ? 1 : 0;
     const ViewState view_before = state.view;
-    const bool line_taken =
-        !result.flicker && edit_line(ui, id, view_of(state.view, area, size), r, state, result.edit);
-    steer(ui, node, state.view, halves[half], size, !line_taken);
+    const bool line_taken = !result.flicker && !options.eyedropper &&
+                            edit_line(ui, id, view_of(state.view, area, size), r, state, result.edit);
+    steer(ui, node, state.view, halves[half], size, !line_taken && !options.eyedropper);
     const View views[2] = {view_of(state.view, halves[0], size), view_of(state.view, halves[1], size)};
     Pick& pick = ui.memory<Pick>(id);
     move_pick(ui, node, r, pick, std::span(views, beside ? 2 : 1), state.view);
     result.view_changed = state.view != view_before;
-    if (r.held && !line_taken) ui.set_cursor(Cursor::move);
-    node.number = ui.number(views[0].zoom, 0, most_zoom);
+    if (options.eyedropper && r.hovered)
+        ui.set_cursor(Cursor::crosshair);
+    else if (r.held && !line_taken)
+        ui.set_cursor(Cursor::move);
+    result.zoom = views[0].zoom;
+    node.number = ui.number(result.zoom, 0, most_zoom);
 
     Readout readout;
     if (pick.on && shown[0].pixels != nullptr && shown[1].pixels != nullptr && shown[1].size == shown[0].size) {
@@ -337,6 +341,8 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
             state.kind == CompareKind::wipe &&
             WipeLine(views[0], state.angle).position_at(views[0].to_screen(glm::dvec2(pick.at) + 0.5)) > state.position;
         const int under = result.flicker || half == 1 || beyond ? 1 : 0;
+        result.under = state.swapped ? 1 - under : under;
+        result.picked = options.eyedropper && eyedropper_clicked(ui, id);
         const Readout text = readout_of(ui, labels, result, options, shown[under]);
         node.text = ui.join({place_text(ui, pick.at), "   ", text.lines[0], "   ", text.lines[1]});
         if (options.readout) readout = text;

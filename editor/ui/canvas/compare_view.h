@@ -23,7 +23,8 @@ struct CompareOptions {
     bool nearest = false;
     bool grid = true;
     bool readout = true;
-    bool magnifier = false;  ///< in it: of the picture that is seen there
+    bool magnifier = false;   ///< in it: of the picture that is seen there
+    bool eyedropper = false;  ///< a left click, or Enter, takes a colour instead of panning or moving the line
     int sample_box = 1;
     int decimals = 1;
     std::string_view tip = {};
@@ -32,11 +33,14 @@ struct CompareOptions {
 
 struct CompareResult {
     bool view_changed = false;
+    double zoom = 1;       ///< px of the screen for one of the pictures
     bool flicker = false;  ///< F is held: only the second is shown
     bool has_pick = false;
     glm::ivec2 pick{0};
-    glm::vec4 first{0}, second{0};  ///< at the pick, means of the sample box
-    Edit edit;                      ///< of position, angle, mix, gain or swapped
+    glm::vec4 first{0}, second{0};  ///< at the pick, means of the sample box; as they are shown
+    int under = 0;        ///< 0 or 1: which of the arguments is seen at the pick; where they are mixed, the first shown
+    bool picked = false;  ///< the eyedropper was used there
+    Edit edit;            ///< of position, angle, mix, gain or swapped
 };
 
 /// As image_view, and: F held shows the second picture alone, X swaps them, page keys change gain or mix. The line of the wipe is

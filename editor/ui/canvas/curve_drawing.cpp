@@ -37,7 +37,7 @@ void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
     for (int i = 0; i < x.count; ++i) {
         const double value = x.first + x.step * i;
         const float at = whole(f.x.px_of(value));
-        p.fill({at, f.graph.y, p.hairline(), f.graph.h}, on_canvas(t, grid_ink));
+        p.fill({at, f.graph.y, p.hairline(), f.graph.h}, on_well(t, grid_ink));
         const Rect place{at - p.em(2), f.x_labels.y, p.em(4), f.x_labels.h};
         p.text(place, format_number(buffer, value, x.decimals), p.number_style(), t.text_dim, Align::center);
     }
@@ -45,7 +45,7 @@ void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
     for (int i = 0; i < y.count; ++i) {
         const double value = y.first + y.step * i;
         const float at = whole(f.y.px_of(value));
-        p.fill({f.graph.x, at, f.graph.w, p.hairline()}, on_canvas(t, grid_ink));
+        p.fill({f.graph.x, at, f.graph.w, p.hairline()}, on_well(t, grid_ink));
         const Rect place{f.y_labels.x, at - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
         p.text(place, format_number(buffer, value, y.decimals), p.number_style(), t.text_dim, Align::end);
     }
@@ -56,9 +56,9 @@ void draw_axes(Painter& p, const Frame& f, const CurveEditorOptions& o) {
     };
     const ShortText x_name = named(o.x_name, o.x_unit), y_name = named(o.y_name, o.y_unit);
     p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_bottom(p.em(1.4F)), x_name.view(), p.text_style(),
-           on_canvas(t, label_ink), Align::end);
+           on_well(t, label_ink), Align::end);
     p.text(f.graph.inset(p.em(0.4F), p.em(0.2F)).cut_top(p.em(1.4F)), y_name.view(), p.text_style(),
-           on_canvas(t, label_ink));
+           on_well(t, label_ink));
 }
 
 }  // namespace
@@ -68,19 +68,19 @@ void draw_ground(Painter& p, const Node& node, const Look& look) {
     const CurveEditorOptions& o = look.options;
     const Frame f = frame_of(p, node.rect(), o);
     p.ground(node.rect(), t.panel);
-    p.ground(f.graph, t.canvas);
+    p.ground(f.graph, t.well);
     draw_axes(p, f, o);
     p.frame(f.graph, t.border, p.hairline());
     p.push_clip(f.graph.inset(-p.em(0.2F)));
     const bool disabled = has(node.is, Is::disabled);
-    if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), on_canvas(t, quiet_ink));
-    draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? on_canvas(t, quiet_ink) : t.series[0]);
+    if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), on_well(t, quiet_ink));
+    draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? on_well(t, quiet_ink) : t.series[0]);
     if (look.slopes_of < look.curve->size()) {
         const glm::vec2 at = place_of(f, look.curve->point(look.slopes_of));
         for (int side = 0; side < 2; ++side) {
             const std::size_t i = look.slopes_of;
             const double slope = side == 0 ? look.curve->slope_in(i) : look.curve->slope_out(i);
-            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), on_canvas(t, label_ink));
+            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), on_well(t, label_ink));
         }
     }
     if (!std::isnan(o.live)) {
@@ -120,22 +120,22 @@ void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
     const bool disabled = has(node.is, Is::disabled), selected = has(node.is, Is::selected);
     const bool hovered = (has(node.is, Is::hovered) || has(node.is, Is::held)) && !disabled;
     const float size = p.em(hovered ? 0.8F : 0.65F);
-    const Color color = disabled ? on_canvas(t, quiet_ink) : selected ? t.accent : on_canvas(t, point_ink);
+    const Color color = disabled ? on_well(t, quiet_ink) : selected ? t.accent : on_well(t, point_ink);
     const bool round = handle == CurveHandle::automatic || handle == CurveHandle::free;
     if (round) {
-        p.line(at, at, size + 2 * p.hairline(), t.canvas);
+        p.line(at, at, size + 2 * p.hairline(), t.well);
         p.line(at, at, size, color);
         return;
     }
     const Rect square{whole(at.x - size / 2), whole(at.y - size / 2), size, size};
-    p.fill(square.inset(-p.hairline()), t.canvas);
+    p.fill(square.inset(-p.hairline()), t.well);
     p.fill(square, color);
 }
 
 void draw_slope_handle(Painter& p, const Node& node, const bool&) {
     const glm::vec2 at = node.rect().center();
     const bool hovered = has(node.is, Is::hovered) || has(node.is, Is::held);
-    p.line(at, at, p.em(0.5F), on_canvas(p.theme(), hovered ? point_ink : label_ink));
+    p.line(at, at, p.em(0.5F), on_well(p.theme(), hovered ? point_ink : label_ink));
 }
 
 }  // namespace lapfx::ui::curve_drawing

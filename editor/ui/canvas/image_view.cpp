@@ -58,15 +58,6 @@ Readout readout_of(Ui& ui, const Picture& picture, const ImageViewOptions& optio
     return readout;
 }
 
-bool eyedropper_clicked(Ui& ui, Id id) {
-    bool clicked = false;
-    ui.events_of(id, [&](const Event& event) {
-        clicked |= event.kind == EventKind::press && event.button == Button::left && !ui.key_down(Key::space);
-        clicked |= event.kind == EventKind::key && event.key == Key::enter;
-    });
-    return clicked;
-}
-
 // --- the rectangle of interest ---
 
 struct Corner {

@@ -117,6 +117,15 @@ void move_pick(Ui& ui, const Node& node, const Response& response, Pick& pick, s
     if (pick.by_keys && !response.focused) pick = {};
 }
 
+bool eyedropper_clicked(Ui& ui, Id id) {
+    bool clicked = false;
+    ui.events_of(id, [&](const Event& event) {
+        clicked |= event.kind == EventKind::press && event.button == Button::left && !ui.key_down(Key::space);
+        clicked |= event.kind == EventKind::key && event.key == Key::enter;
+    });
+    return clicked;
+}
+
 std::string_view pixel_text(Ui& ui, const glm::vec4& value, int decimals) {
     return ui.join({"R ", number_text(ui, value.r, decimals), "  G ", number_text(ui, value.g, decimals), "  B ",
                     number_text(ui, value.b, decimals), "  A ", number_text(ui, value.a, decimals)});

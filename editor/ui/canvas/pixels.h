@@ -33,6 +33,9 @@ struct Pick {
 void move_pick(Ui& ui, const Node& node, const Response& response, Pick& pick, std::span<const View> views,
                ViewState& state);
 
+/// Whether the node was clicked, or Enter pressed, to take the colour of the pick.
+bool eyedropper_clicked(Ui& ui, Id id);
+
 /// "R 12  G 8.5  B 0  A 255" in the frame's arena; whole numbers without decimals, else `decimals`.
 std::string_view pixel_text(Ui& ui, const glm::vec4& value, int decimals = 1);
 /// "412, 310".

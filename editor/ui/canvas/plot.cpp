@@ -244,7 +244,7 @@ void draw_x_ticks(Painter& p, const Frame& f, const Look& look) {
     for (int i = 0; i < marks.count; ++i) {
         const double value = marks.first + marks.step * i;
         const float x = whole(f.x.px_of(value));
-        p.fill({x, f.plot.y, p.hairline(), f.plot.h}, on_canvas(t, grid_ink));
+        p.fill({x, f.plot.y, p.hairline(), f.plot.h}, on_well(t, grid_ink));
         const std::string_view text = tick_text(buffer, value, marks.decimals);
         const float width = p.fonts().run(text, style).width;
         const Rect place{whole(x - width / 2), labels.y, std::ceil(width), labels.h};
@@ -255,7 +255,7 @@ void draw_x_ticks(Painter& p, const Frame& f, const Look& look) {
 void draw_y_tick(Painter& p, const Frame& f, double place, std::string_view text) {
     const float y = whole(f.y.px_of(place));
     if (y < f.plot.y || y > f.plot.bottom()) return;
-    p.fill({f.plot.x, y, f.plot.w, p.hairline()}, on_canvas(p.theme(), grid_ink));
+    p.fill({f.plot.x, y, f.plot.w, p.hairline()}, on_well(p.theme(), grid_ink));
     if (text.empty()) return;
     Rect label{f.y_labels.x, y - p.em(0.7F), f.y_labels.w - p.em(0.4F), p.em(1.4F)};
     p.text(label, text, p.number_style(), p.theme().text_dim, Align::end);
@@ -389,7 +389,7 @@ void draw_residual(Painter& p, Frame f, const Look& look) {
     const PlotData& data = *look.options.residual;
     const Extremes e = data.extremes(data.index_from(look.state.x.low), data.index_from(look.state.x.high));
     const double most = e.any ? std::max({std::abs(e.low), std::abs(e.high), 1e-300}) : 1;
-    p.ground(f.residual, t.canvas);
+    p.ground(f.residual, t.well);
     f.plot = f.residual;
     PlotState state = look.state;
     state.log_y = false;
@@ -424,8 +424,8 @@ void draw_cursor(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
     const auto i = static_cast<std::size_t>(look.cursor_series);
     const glm::vec2 at{f.x.px_of(look.cursor_x), f.y.px_of(look.cursor_y)};
-    p.fill({whole(at.x), f.plot.y, p.hairline(), f.plot.h}, on_canvas(t, quiet_ink));
-    p.line(at, at, p.em(0.6F), t.canvas);
+    p.fill({whole(at.x), f.plot.y, p.hairline(), f.plot.h}, on_well(t, quiet_ink));
+    p.line(at, at, p.em(0.6F), t.well);
     p.line(at, at, p.em(0.42F), color_of(t, look.series[i], i));
     draw_note(p, f, at, look.cursor);
 }
@@ -434,7 +434,7 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
     const Frame f = frame_of(p, node.rect(), look.state, look.options.residual != nullptr);
     p.ground(node.rect(), t.panel);
-    p.ground(f.plot, t.canvas);
+    p.ground(f.plot, t.well);
     ShortText name;
     name.add(look.options.y_name);
     if (!look.options.y_unit.empty()) name.add(" (").add(look.options.y_unit).add(")");

@@ -45,7 +45,7 @@ bool hidden(const PlotState& state, std::size_t i) {
 }
 
 Color color_of(const Theme& theme, const PlotSeries& series, std::size_t i) {
-    if (series.reference) return on_canvas(theme, 0.55F);
+    if (series.reference) return on_well(theme, 0.55F);
     return theme.series[(series.color >= 0 ? static_cast<std::size_t>(series.color) : i) % 8];
 }
 

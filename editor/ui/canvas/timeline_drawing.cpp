@@ -86,14 +86,14 @@ void draw_thumbnails(Painter& p, const Frame& f, const Look& look) {
 
 void draw_lanes(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
-    p.ground(f.lanes, t.canvas);
+    p.ground(f.lanes, t.well);
     for (std::size_t i = 0; i < look.tracks.size(); ++i) {
         const float y = f.lanes.y + f.lane * static_cast<float>(i);
         const Rect name{f.corner.x + p.em(0.6F), y, f.corner.w - p.em(1), f.lane};
         p.text(name, look.tracks[i].name, p.text_style(), t.text);
         const float line = y + f.lane - p.hairline();
         p.fill({f.corner.x, line, f.corner.w, p.hairline()}, t.grid);
-        p.fill({f.lanes.x, line, f.lanes.w, p.hairline()}, on_canvas(t, grid_ink));
+        p.fill({f.lanes.x, line, f.lanes.w, p.hairline()}, on_well(t, grid_ink));
     }
 }
 
@@ -121,7 +121,8 @@ void draw_front(Painter& p, const Node& node, const void* arg) {
     p.push_clip(body);
     const auto shade = [&](double low, double high, float alpha) {
         const float left = std::max(body.x, f.x.px_of(low)), right = std::min(body.right(), f.x.px_of(high));
-        if (right > left) p.fill({left, body.y, right - left, body.h}, with_alpha(t.shadow, alpha));
+        const float strength = 2 * alpha * static_cast<float>(t.shadow.a) / 255;  // as themes throw shadows
+        if (right > left) p.fill({left, body.y, right - left, body.h}, with_alpha(t.shadow, strength));
     };
     const Span& view = look.state.view;
     shade(view.low, 0, 0.7F);
@@ -147,15 +148,15 @@ void draw_item(Painter& p, const Node& node, const ItemLook& look) {
     if (look.mark) {
         const glm::vec2 at = rect.center();
         p.fill({whole(at.x), rect.y, p.hairline(), rect.h}, look.color);
-        p.line(at, at, p.em(selected || hovered ? 0.85F : 0.7F), selected ? on_canvas(t, point_ink) : look.color);
+        p.line(at, at, p.em(selected || hovered ? 0.85F : 0.7F), selected ? on_well(t, point_ink) : look.color);
         return;
     }
     rect = rect.inset(0, p.em(0.12F));
-    p.fill(rect, mix(t.canvas, look.color, selected ? 0.6F : hovered ? 0.48F : 0.38F), p.em(t.radius));
-    p.frame(rect, selected ? on_canvas(t, 1) : look.color, p.hairline() * (selected ? 2.0F : 1.0F), p.em(t.radius));
+    p.fill(rect, mix(t.well, look.color, selected ? 0.6F : hovered ? 0.48F : 0.38F), p.em(t.radius));
+    p.frame(rect, selected ? on_well(t, 1) : look.color, p.hairline() * (selected ? 2.0F : 1.0F), p.em(t.radius));
     // What is seen of it, so that the name of a long clip stays in sight.
     const Rect seen = intersect(rect, node.clip).inset(p.em(0.5F), 0);
-    if (seen.w > p.em(1)) p.text(seen, node.shown, p.text_style(), on_canvas(t, 1));
+    if (seen.w > p.em(1)) p.text(seen, node.shown, p.text_style(), on_well(t, 1));
 }
 
 void draw_range_end(Painter& p, const Node& node, const bool& in) {

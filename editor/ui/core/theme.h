@@ -20,7 +20,9 @@ struct Theme {
     Color accent_hover;
     Color accent_ground;  ///< a selected row: quiet, text stays readable
     Color header;         ///< section and table headers
-    Color canvas;         ///< behind pictures and plots
+    Color canvas;         ///< behind pictures and scopes: dark in every theme
+    Color well;           ///< behind plots, curves and timelines
+    Color well_ink;       ///< lines and text there, whole or mixed with it
     // lines
     Color border;
     Color grid;

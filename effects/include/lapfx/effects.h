@@ -122,6 +122,10 @@ class Effects {
     /// Throws Error (runtime) with file and line, and changes nothing.
     void reload_shaders(const std::filesystem::path& folder);
 
+    /// Multiplies the organ's own colours where draw_organ() shows tissue; sRGB, white at first. For a mesh without colours. What the
+    /// density of vessels and fat is found in stays as it was loaded.
+    void set_organ_color(const glm::dvec3& color);
+
     /// Draws false colour over the tissue from the next frame on; Overlay::none at first. Uploads what it needs.
     void set_overlay(Overlay overlay);
 

@@ -22,6 +22,7 @@ struct SceneOrgan {
     std::string file;
     double scale = 0.0;        ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z
+    glm::dvec3 color{1.0};     ///< sRGB; multiplies the organ's own colours in linear light
 };
 
 /// The instrument that is drawn at the tip while an event runs; no file = none is drawn.
@@ -51,6 +52,7 @@ struct SceneLight {
 struct SceneReference {
     std::string file;
     double offset = 0.0;  ///< s; reference time = scene time + offset
+    double aspect = 0.0;  ///< width over height when shown; 0 = as stored
 };
 
 struct Scene {

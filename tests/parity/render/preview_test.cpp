@@ -68,6 +68,30 @@ TEST_F(PreviewTest, BloodRunsDownhillOnThePicture) {
     EXPECT_GT(below, 2 * above);
 }
 
+TEST_F(PreviewTest, TheOrganHasTheScenesColour) {
+    preset.smoke.clips.clear();
+    scene.light.color = glm::dvec3(1.0);
+    scene.light.intensity = 0.4;  // dim: channels are not pressed together by the display curve
+    const auto middle = [&](const Image& image) {
+        const std::size_t i = 4 * static_cast<std::size_t>(size.y / 4 * size.x + size.x / 4);
+        return glm::ivec3(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);
+    };
+    Preview p = preview();
+    const Image white = p.image(2.5, size);
+    scene.organ.color = {0.8, 0.25, 0.2};
+    p.set_scene(scene);
+    const Image red = p.image(2.5, size);
+    EXPECT_NEAR(middle(white).r, middle(white).g, 15) << "a mesh without colours";
+    EXPECT_GT(middle(red).r, 2 * middle(red).g);
+    EXPECT_LT(middle(red).g, middle(white).g - 40);
+    EXPECT_TRUE(preview().image(2.5, size).pixels == red.pixels) << "as if it had been so from the start";
+    const Amounts amounts = p.amounts();
+    scene.organ.color = glm::dvec3(1.0);
+    p.set_scene(scene);
+    EXPECT_TRUE(p.image(2.5, size).pixels == white.pixels) << "white leaves it as it is";
+    EXPECT_EQ(p.amounts().blood_area, amounts.blood_area) << "where it bleeds stays the same";
+}
+
 TEST_F(PreviewTest, SmokeAndCharAreSeen) {
     Preview p = preview();
     const Image during = p.image(3.0, size);

@@ -23,12 +23,14 @@ struct Compared {
     CompareOptions options{.width = px(400), .height = px(300)};
     CompareResult last;
     int began = 0, changed = 0, committed = 0, cancelled = 0;
+    int picks = 0, under = -1;  // by the eyedropper, and which it was
     bool disabled = false;
     Harness ui{[this](Ui& u) {
         u.push_disabled(disabled);
         last = compare_view(u, "Takes", {.image = 7, .size = {200, 100}, .pixels = &one},
                             {.image = 8, .size = {200, 100}, .pixels = &two}, state, options);
         u.pop_disabled();
+        if (last.picked) ++picks, under = last.under;
         began += last.edit.began, changed += last.edit.changed;
         committed += last.edit.committed, cancelled += last.edit.cancelled;
     }};
@@ -166,6 +168,36 @@ TEST(CompareView, TheMagnifierShowsWhatIsSeenThere) {
     c.ui.move({300, 80});
     EXPECT_EQ(magnified(), 8U);
     EXPECT_EQ(c.last.pick, glm::ivec2(150, 15));
+}
+
+TEST(CompareView, TheEyedropperTakesWhatIsSeenThereAndMovesNothing) {
+    Compared c;
+    c.options.eyedropper = true;
+    const auto click = [&](glm::vec2 at) {
+        c.ui.move(at);
+        c.ui.send({.kind = EventKind::press, .at = at});
+        c.ui.send({.kind = EventKind::release, .at = at});
+    };
+    c.ui.frame();
+    EXPECT_EQ(c.last.zoom, 2.0);
+    click({100, 150});
+    EXPECT_EQ(c.picks, 1);
+    EXPECT_EQ(c.under, 0);
+    EXPECT_EQ(c.last.pick, glm::ivec2(50, 50));
+    click({300, 150});
+    EXPECT_EQ(c.picks, 2);
+    EXPECT_EQ(c.under, 1);
+    c.state.swapped = true;
+    click({300, 150});
+    EXPECT_EQ(c.under, 0) << "of the arguments, however they are shown";
+    c.ui.press("Takes", {0.5F, 0.4F}).drag_by({40, 0}).release();
+    EXPECT_EQ(c.state.position, 0.5);
+    EXPECT_TRUE(c.state.view.fitted);
+    EXPECT_EQ(c.changed, 0);
+    EXPECT_EQ(c.picks, 4);
+    c.options.eyedropper = false;
+    click({100, 150});
+    EXPECT_EQ(c.picks, 4);
 }
 
 TEST(CompareView, TheLineMovesByKeysTheWayTheArrowsPoint) {

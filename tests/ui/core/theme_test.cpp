@@ -31,5 +31,12 @@ TEST_P(EveryTheme, TextCanBeReadOnEveryGroundItStandsOn) {
     for (const Color ground : {t.panel, t.raised, t.field}) EXPECT_GE(contrast(t.focus, ground), 3.0);
 }
 
+TEST_P(EveryTheme, WellsAreAsDarkOrLightAsThePanelsAndLinesAreSeenInThem) {
+    const Theme& t = *GetParam();
+    EXPECT_LT(contrast(t.well, t.panel), 1.5);
+    EXPECT_GE(contrast(t.well_ink, t.well), 7.0);
+    for (const Color line : t.series) EXPECT_GE(contrast(line, t.well), 3.0) << int(line.r) << ", " << int(line.g);
+}
+
 }  // namespace
 }  // namespace lapfx::ui

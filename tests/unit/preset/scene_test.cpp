@@ -60,6 +60,8 @@ TEST(Scene, NamesFaults) {
         {R"(, "camera": {"up": [0, 0, 0]})", "/camera/up: zero or along the view"},
         {R"(, "camera": {"eye": [0, 99999, 0]})",
          "/camera/eye: y = 99999 is above the maximum 10000 mm (allowed: -10000 to 10000 mm)"},
+        {R"(, "reference": {"aspect": 0.05})", "/reference/aspect: 0.05 is neither 0 nor from 0.1 to 10"},
+        {R"(, "reference": {"aspect": 11})", "/reference/aspect: 11 is above the maximum 10 (allowed: 0 to 10)"},
         {R"(, "gravity": [0, 0, 0])", "/gravity: zero: it has no direction"},
         {R"(, "seed": -1)", "/seed: -1 is below the minimum 0 (allowed: 0 to 2147483647)"},
         {R"(, "seed": 2147483648)", "/seed: 2147483648 is not a whole number from 0 to 2147483647"},

@@ -1,0 +1,28 @@
+// A colour that a picker wants is taken from the pictures of the view and of the reference panel.
+#include "app/layouts.h"
+#include "panels/parts.h"
+#include "ui/widgets/basic.h"
+
+namespace lapfx::panels {
+
+void pick_hint(ui::Ui& ui, app::Editor& editor) {
+    if (editor.eyedropper.wanted_by == 0) return;
+    const ui::Panel panel(ui, "Pick a colour", {.width = ui::fit(), .height = ui::fit(), .padding = 0.5F});
+    ui.parent().placed = true;
+    ui.parent().placement =
+        ui.arena().make(ui::Placement{.fraction = {0.5F, 1}, .offset = {0, -ui.em(0.8F)}, .pivot = {0.5F, 1}});
+    const ui::Row row(ui, {.cross = ui::Place::center});
+    ui::label(ui, "Click the colour that you want, here or in another picture");
+    if (ui::button(ui, "Leave", {.tip = "Without a colour (Esc)", .quiet = true})) editor.eyedropper = {};
+}
+
+void follow_eyedropper(ui::Ui& ui, app::Editor& editor) {
+    if (editor.eyedropper.wanted_by == 0) return;
+    if (ui.key_down(ui::Key::escape)) {
+        editor.eyedropper = {};
+        return;
+    }
+    if (!editor.layouts().seen("View") && !editor.layouts().seen("Reference")) editor.layouts().shown.show("View");
+}
+
+}  // namespace lapfx::panels
