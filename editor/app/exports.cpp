@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/editor.h"
+#include "app/files.h"
+#include "app/settings.h"
 #include "output/files.h"
 
 namespace lapfx::app {
@@ -110,15 +112,25 @@ void Exports::propose(ExportKind kind) {
     const std::string proposed_for = file.string() + "\n" + document.preset().name;
     if (proposed_for == proposed_for_) return;
     proposed_for_ = proposed_for;
-    fs::path folder = file.empty() ? document.scene_file().parent_path() : file.parent_path();
+    form.files = {proposed(ExportKind::preset, "_tuned.json"), proposed(ExportKind::bundle, "_bundle"),
+                  proposed(ExportKind::picture, ".png"), proposed(ExportKind::sequence, "_%04d.png"),
+                  proposed(ExportKind::video, ".mp4")};
+    form.amounts_file = proposed(ExportKind::video, ".csv");
+}
+
+std::string Exports::title(ExportKind kind) {
+    if (kind == ExportKind::bundle) return "Folder that the bundle is made in";
+    return "Export " + std::string(export_names[static_cast<std::size_t>(kind)]);
+}
+
+std::string Exports::proposed(ExportKind kind, std::string_view ending) const {
+    const document::Document& document = editor_.document;
+    const fs::path& file = document.preset_file().empty() ? document.scene_file() : document.preset_file();
     std::error_code error;
-    folder = fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder, error), error);
-    if (!is_writable_folder(folder))
-        folder = (editor_.options().files ? *editor_.options().files : ui::system_files()).home();
-    const std::string base =
-        (folder / (file.empty() ? file_name(document.preset().name) : file.stem().string())).string();
-    form.files = {base + "_tuned.json", base + "_bundle", base + ".png", base + "_%04d.png", base + ".mp4"};
-    form.amounts_file = base + ".csv";
+    const fs::path beside = file.empty() ? fs::path() : fs::weakly_canonical(document::folder_of(file), error);
+    const std::string name =
+        document.preset_file().empty() ? file_name(document.preset().name) : document.preset_file().stem().string();
+    return (editor_.own_folder(title(kind), beside) / (name + std::string(ending))).string();
 }
 
 output::RenderOptions Exports::render_options() const {
@@ -221,7 +233,8 @@ std::string_view Exports::fault_at(std::string_view place) {
 
 void Exports::start() {
     checked_version_ = 0;  // files may have come and gone
-    if (running_ || !faults().empty()) return;
+    if (!faults().empty() || waits()) return;
+    if (form.what() == ExportKind::preset) return export_preset();
     running_ = std::make_unique<Running>(Running{.form = form,
                                                  .scene = editor_.document.scene(),
                                                  .preset = editor_.document.preset(),
@@ -231,12 +244,24 @@ void Exports::start() {
                                                  .began = now_});
 }
 
+/// Small, and so nothing waits for it, nor it for anything.
+void Exports::export_preset() {
+    editor_.jobs.start(
+        "Exporting " + std::string(ui::name_of_path(form.file())),
+        [this, made = form, preset = editor_.document.preset(),
+         folders = editor_.options().clip_folders](Job&) -> Jobs::Apply {
+            output::export_preset(preset, made.file(), folders);
+            return [this, made] { tell_made(made, "Exported " + std::string(ui::name_of_path(made.file()))); };
+        },
+        [this](const std::vector<Fault>& faults) {
+            checked_version_ = 0;
+            editor_.tell(faults);
+        });
+}
+
 /// Outside of the UI's build: it reads files.
 void Exports::begin() {
     switch (running_->form.what()) {
-        case ExportKind::preset:
-            output::export_preset(running_->preset, running_->form.file(), editor_.options().clip_folders);
-            return end("");
         case ExportKind::bundle:
             return begin_bundle();
         default:
@@ -340,16 +365,31 @@ void Exports::step() {
 }
 
 void Exports::end(const std::string& what) {
-    std::error_code error;
-    const std::string path = fs::absolute(running_->form.file(), error).string();
+    const ExportForm form_was = running_->form;
     std::string text = "Exported " + std::string(name());
     if (!what.empty()) text += " (" + what + ")";
     running_.reset();
+    tell_made(form_was, text);
+}
+
+/// A bundle is a document: it can be opened as it will be elsewhere. Of the others one wants to know where they are.
+void Exports::tell_made(const ExportForm& made, const std::string& text) {
     checked_version_ = 0;
-    editor_.toasts.add(
-        {.kind = ui::ToastKind::good, .text = text + ", checked", .action = "Copy path", .act = [this, path] {
-             if (ui::Clipboard* clipboard = editor_.ui().clipboard()) clipboard->set(path);
-         }});
+    std::error_code error;
+    const fs::path path = fs::absolute(made.file(), error);
+    editor_.settings().note_folder(title(made.what()), path.parent_path().string());
+    ui::Toast toast{.kind = ui::ToastKind::good, .text = text + ", checked"};
+    if (made.what() == ExportKind::bundle) {
+        toast.action = "Open the bundle";
+        const std::string name = path.filename().string() + (made.with_scene ? ".scene.json" : ".json");
+        toast.act = [this, file = (path / name).string()] { editor_.open({file}); };
+    } else {
+        toast.action = "Copy path";
+        toast.act = [this, path = path.string()] {
+            if (ui::Clipboard* clipboard = editor_.ui().clipboard()) clipboard->set(path);
+        };
+    }
+    editor_.toasts.add(std::move(toast));
 }
 
 void Exports::fail(const std::vector<Fault>& faults) {

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/hot_reload.h"
+#include "app/layouts.h"
 #include "app/meter.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -18,9 +19,12 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
     return ui.copy(text);
 }
 
-/// What runs beside the UI; the oldest, and how many more.
+/// What runs beside the UI and is shown nowhere else; the oldest, and how many more.
 void jobs(ui::Ui& ui, app::Editor& editor) {
-    const auto running = editor.jobs.running();
+    auto running = editor.jobs.running();
+    const auto loading = editor.preview.loading();
+    if (loading && editor.layouts().seen("View"))
+        std::erase_if(running, [&](const auto& job) { return job.get() == loading->job; });
     if (running.empty()) return;
     app::Job& job = *running.front();
     const std::string_view more =
