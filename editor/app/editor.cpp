@@ -135,6 +135,7 @@ void Editor::forget_document(bool scene_too) {
     keying_->forget_suggestion();
     snapshots_->forget_before();
     if (!scene_too) return;
+    reference_->give_up_choosing();
     selected.clear();
     looking.camera = document.scene().camera;
     timeline.has_range = false;

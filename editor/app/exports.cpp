@@ -81,15 +81,22 @@ struct Exports::Running {
     Scene scene;
     Preset preset;
     output::RenderOptions options;
+    output::Loaded loaded;
+    std::shared_ptr<Job> loading;               ///< what the view does not have
     std::unique_ptr<output::RenderJob> render;  ///< of a bundle: its thumbnail
     std::shared_ptr<Job> copying;               ///< of a bundle
     double began = 0;
+
+    void stop_jobs() const {
+        for (const auto& job : {loading, copying})
+            if (job) job->cancel();
+    }
 };
 
 Exports::Exports(Editor& editor) : editor_(editor) {}
 
 Exports::~Exports() {
-    if (running_ && running_->copying) running_->copying->cancel();
+    if (running_) running_->stop_jobs();
 }
 
 glm::ivec2 ExportForm::px() const {
@@ -239,6 +246,8 @@ void Exports::start() {
                                                  .scene = editor_.document.scene(),
                                                  .preset = editor_.document.preset(),
                                                  .options = render_options(),
+                                                 .loaded = {},
+                                                 .loading = nullptr,
                                                  .render = nullptr,
                                                  .copying = nullptr,
                                                  .began = now_});
@@ -259,29 +268,41 @@ void Exports::export_preset() {
         });
 }
 
-/// Outside of the UI's build: it reads files.
-void Exports::begin() {
-    switch (running_->form.what()) {
-        case ExportKind::bundle:
-            return begin_bundle();
-        default:
-            running_->render =
-                std::make_unique<output::RenderJob>(running_->scene, running_->preset, running_->options, loaded());
+/// What the view has is taken from there, the rest is read beside the UI.
+void Exports::load() {
+    Running& running = *running_;
+    const std::vector<fs::path>& folders = editor_.options().clip_folders;
+    const output::Loaded loaded{.organ = editor_.preview.organ_of(running.scene),
+                                .clips = editor_.preview.clip_cache()};
+    running.loaded.clips = loaded.clips;
+    if (loaded.organ && loaded.clips->knows(running.preset, folders)) {
+        running.loaded.organ = loaded.organ;
+        return begin();
     }
+    running.loading = editor_.jobs.start(
+        "Loading for " + std::string(name()),
+        [this, scene = running.scene, preset = running.preset, loaded, folders](Job& job) -> Jobs::Apply {
+            const auto goes_on = [&](double share) {
+                job.set_progress(share);
+                return !job.cancelled();
+            };
+            const auto organ = loaded.organ ? loaded.organ : prepare_organ(scene, preset.vessels, goes_on);
+            if (!organ || !loaded.clips->look_through(preset, folders, goes_on)) return {};
+            return [this, organ] {
+                running_->loading.reset();
+                running_->loaded.organ = organ;
+            };
+        },
+        [this](const std::vector<Fault>& faults) { fail(faults); });
 }
 
-/// Its thumbnail first, as the view shows it now, but at the scene's camera.
-void Exports::begin_bundle() {
-    running_->render = std::make_unique<output::RenderJob>(
-        running_->scene, running_->preset,
-        output::RenderOptions{
-            .size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders},
-        loaded());
-}
-
-/// What the view has of it.
-output::Loaded Exports::loaded() const {
-    return {.organ = editor_.preview.organ_of(running_->scene), .clips = editor_.preview.clip_cache()};
+/// Outside of the UI's build. Of a bundle its thumbnail first, as the view shows it now, but at the scene's camera.
+void Exports::begin() {
+    output::RenderOptions options = running_->options;
+    if (running_->form.what() == ExportKind::bundle)
+        options = {.size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders};
+    running_->render =
+        std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
 }
 
 void Exports::begin_copying() {
@@ -305,7 +326,7 @@ void Exports::begin_copying() {
 
 void Exports::cancel() {
     if (!running_) return;
-    if (running_->copying) running_->copying->cancel();
+    running_->stop_jobs();
     editor_.toasts.add({.text = "Export of " + std::string(name()) + " given up: nothing was written"});
     running_.reset();
 }
@@ -340,9 +361,13 @@ std::string Exports::progress_text() const {
 
 void Exports::update(double now) {
     now_ = now;
-    if (running_ && running_->copying && running_->copying->cancelled()) cancel();  // by whoever lists jobs
-    if (!running_ || running_->copying) return;
+    if (!running_) return;
+    if (const auto& job = running_->loading ? running_->loading : running_->copying) {
+        if (job->cancelled()) cancel();  // by whoever lists jobs
+        return;
+    }
     try {
+        if (!running_->loaded.organ) return load();
         if (!running_->render) return begin();
         const auto start = std::chrono::steady_clock::now();
         do {

@@ -109,9 +109,8 @@ class Exports {
     output::RenderOptions render_options() const;
     void look_at_form();
     void check_preset_file(std::vector<Fault>& faults) const;
+    void load();
     void begin();
-    void begin_bundle();
-    output::Loaded loaded() const;
     void begin_copying();
     void step();
     std::string proposed(ExportKind kind, std::string_view ending) const;
