@@ -6,6 +6,7 @@
 #include "ui/shell/progress.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::panels {
@@ -186,8 +187,7 @@ std::string_view summary(ui::Ui& ui, const Exports& exports) {
 void form_rows(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
-    ui::segmented(ui, "What", form.kind, app::export_names);
-    ui::space(ui, 0.3F);
+    const ui::ScrollArea area(ui, "Form", {.gap = ui.theme().gap});
     file_rows(ui, editor);
     if (form.what() == ExportKind::bundle)
         ui::checkbox(ui, "With scene and organ", form.with_scene,
@@ -257,11 +257,11 @@ std::string_view why_not(ui::Ui& ui, Exports& exports) {
 void export_dialog(ui::Ui& ui, app::Editor& editor) {
     ask_replace(ui, editor);
     Exports& exports = editor.exports();
-    ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 34});
+    ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 36});
     if (!dialog) return;
     running_rows(ui, exports);
+    ui::segmented(ui, "What", exports.form.kind, app::export_names);
     form_rows(ui, editor);
-    ui::spacer(ui);
     const bool sound = exports.faults().empty() && !exports.waits();
     if (exports.form.renders() &&
         ui::button(

@@ -58,16 +58,16 @@ TEST_F(ExportTest, ProposesWhatIsShownBesideThePreset) {
     ASSERT_TRUE(ui().exists("New export/What"));
     EXPECT_THAT(form().file(), HasSubstr("gastric_banding_tuned.json"));
     ui().click("New export/What/Picture").frame();
-    EXPECT_THAT(ui().text("New export/File"), HasSubstr("gastric_banding.png"));
-    EXPECT_NEAR(ui().value("New export/Time"), 4.5, 1e-9);
+    EXPECT_THAT(ui().text("New export/Form/File"), HasSubstr("gastric_banding.png"));
+    EXPECT_NEAR(ui().value("New export/Form/Time"), 4.5, 1e-9);
     ui().click("New export/What/Video").frame();
-    EXPECT_EQ(ui().value("New export/To"), 12);
+    EXPECT_EQ(ui().value("New export/Form/To"), 12);
     EXPECT_EQ(editor().exports().frames(), 300);
     ui().key(ui::Key::escape).frame();
     editor().timeline.has_range = true;
     editor().timeline.range = {.low = 2, .high = 3};
     open_dialog("export.video");
-    EXPECT_EQ(ui().value("New export/From"), 2);
+    EXPECT_EQ(ui().value("New export/Form/From"), 2);
     EXPECT_EQ(editor().exports().frames(), 25);
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
 }
@@ -184,7 +184,7 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
     form().kind = static_cast<int>(app::ExportKind::preset);
     set_file(path("out/alone.json"));
     EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("lies outside of"));
-    ui().click("New export/Make a bundle instead").frame();
+    ui().click("New export/Form/Make a bundle instead").frame();
     set_file(path("out/together"));
     export_it();
     EXPECT_THAT(news(), HasSubstr("Exported together ("));
