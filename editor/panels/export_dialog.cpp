@@ -216,18 +216,13 @@ void copy_command(ui::Ui& ui, app::Editor& editor) {
     }
 }
 
-bool progress_row(ui::Ui& ui, Exports& exports, std::string_view label, const ui::Size& width) {
-    return ui::progress(ui, label, exports.progress(),
-                        {.seconds_left = exports.seconds_left(),
-                         .cancellable = true,
-                         .text = ui.copy(exports.progress_text()),
-                         .width = width});
-}
-
 /// What runs, and what can be done meanwhile.
 void running_rows(ui::Ui& ui, Exports& exports) {
     if (!exports.running()) return;
-    if (progress_row(ui, exports, ui.join({"Exporting ", exports.name()}), ui::grow())) exports.cancel();
+    if (ui::progress(
+            ui, ui.join({"Exporting ", exports.name()}), exports.progress(),
+            {.seconds_left = exports.seconds_left(), .cancellable = true, .text = ui.copy(exports.progress_text())}))
+        exports.cancel();
     ui::label(ui, "The editor goes on meanwhile. A preset can be exported at once, the rest when this is done.",
               {.tone = ui::Tone::dim, .wrap = true});
     ui::separator(ui);
@@ -268,8 +263,9 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
             ui, "Copy lapfx render command",
             {.icon = ui::Icon::copy, .tip = "The command line that makes the same, for a script", .quiet = true}))
         copy_command(ui, editor);
+    const std::string_view leave = exports.running() ? "Close" : "Cancel";  // what runs goes on
     const auto pressed =
-        dialog.buttons({{.label = "Cancel", .cancel = true},
+        dialog.buttons({{.label = leave, .cancel = true},
                         {.label = "Export", .standard = true, .enabled = sound, .tip = why_not(ui, exports)}});
     if (pressed != 1U) return;
     if (exports.replaces())
@@ -278,9 +274,13 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
         exports.start();
 }
 
+/// In short: the dialog tells all of it.
 void export_status(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
-    if (exports.running() && progress_row(ui, exports, exports.name(), ui::px(ui.em(26)))) exports.cancel();
+    if (exports.running() &&
+        ui::progress(ui, exports.name(), exports.progress(),
+                     {.seconds_left = exports.seconds_left(), .cancellable = true, .width = ui::px(ui.em(20))}))
+        exports.cancel();
 }
 
 void add_export_commands(app::Editor& editor) {

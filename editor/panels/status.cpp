@@ -29,7 +29,7 @@ void jobs(ui::Ui& ui, app::Editor& editor) {
     app::Job& job = *running.front();
     const std::string_view more =
         running.size() > 1 ? formatted(ui, "and %.0f more", static_cast<double>(running.size() - 1)) : "";
-    if (ui::progress(ui, job.name(), job.progress(), {.cancellable = true, .text = more, .width = ui::px(ui.em(30))}))
+    if (ui::progress(ui, job.name(), job.progress(), {.cancellable = true, .text = more, .width = ui::px(ui.em(20))}))
         job.cancel();
 }
 

@@ -358,6 +358,21 @@ TEST_F(EditorDocument, SnapshotsAreComparedAndOneValueTaken) {
     EXPECT_FALSE(editor().snapshots().at(0).has_value());
 }
 
+TEST_F(EditorDocument, WhatTheViewLoadsIsToldThereAlone) {
+    start({1280, 800}, false);
+    open_sample();
+    int seen = 0;
+    for (int i = 0; i < 2000 && editor().preview.loading(); ++i) {
+        ui().frame();
+        if (!editor().preview.loading()) break;
+        ++seen;
+        EXPECT_TRUE(ui().exists("Workspace/View/Loading/Loading lagb.glb")) << ui().dump();
+        EXPECT_FALSE(ui().exists("Status bar/Loading lagb.glb"));
+        ::usleep(5000);
+    }
+    EXPECT_GT(seen, 0);
+}
+
 TEST_F(EditorDocument, SettingsOutliveTheEditor) {
     editor().settings().light = true;
     editor().settings().favourites = {"bleeding.speed"};
@@ -421,6 +436,8 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
     EXPECT_EQ(editor().autosave().offers()[0].unsaved, "preset");
     EXPECT_THAT(ui().dump(), HasSubstr("own.json"));
+    EXPECT_GE(ui().rect("**/Unsaved work/Kept").w, ui().ui().text_width("2026-12-28 20:38") + ui().ui().em(1.5F))
+        << "the whole time is read";
     say("Keep for later");
     EXPECT_TRUE(editor().autosave().offers().empty());
     editor().autosave().find();

@@ -132,13 +132,15 @@ TEST_F(ExportTest, TheEditorLivesOnAndTheExportCanBeGivenUp) {
     ASSERT_TRUE(editor().exports().running());
     EXPECT_TRUE(editor().wants_frame());
     EXPECT_FALSE(ui().exists("New export/What")) << "the dialog has closed";
+    EXPECT_THAT(ui().text("Status bar/out.mp4"), testing::AllOf(HasSubstr("%"), testing::Not(HasSubstr("frames"))));
     const double before = editor().exports().progress();
     EXPECT_GT(before, 0);
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
     ui().frame();
     EXPECT_GT(editor().exports().progress(), before);
     open_dialog("export.open");
-    EXPECT_TRUE(ui().exists("New export/Exporting out.mp4"));
+    EXPECT_THAT(ui().text("New export/Exporting out.mp4"), HasSubstr(" of 300 frames"));
+    EXPECT_TRUE(ui().exists("New export/Close")) << "which is not to give it up";
     EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
     EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not yet: out.mp4 is being exported"));
     ui().click("New export/What/Preset").frame();

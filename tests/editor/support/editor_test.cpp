@@ -26,7 +26,7 @@ void EditorTest::TearDown() {
     GpuTest::TearDown();
 }
 
-void EditorTest::start(glm::ivec2 size) {
+void EditorTest::start(glm::ivec2 size, bool exact) {
     editor_.reset();
     ui_.reset();
     const fs::path data = LAPFX_SOURCE_DIR;
@@ -36,7 +36,7 @@ void EditorTest::start(glm::ivec2 size) {
                                                                                     .state = folder_ / "state",
                                                                                     .cache = folder_ / "cache",
                                                                                     .documents = folder_},
-                                                                        .exact = true,
+                                                                        .exact = exact,
                                                                         .renderer = "test",
                                                                         .software = true,
                                                                         .files = nullptr});
