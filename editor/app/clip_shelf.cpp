@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/editor.h"
+#include "app/settings.h"
 
 namespace lapfx::app {
 
@@ -296,6 +297,7 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
 
 void ClipShelf::take_found(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
     if (files.empty()) return;
+    for (auto file = files.rbegin(); file != files.rend(); ++file) editor_.settings().note_recent(*file);
     document::Document& document = editor_.document;
     // Where no other clip depends on it, the folder is that of the new ones: they are seen at once.
     const fs::path folder = fs::path(files[0]).parent_path();

@@ -1,5 +1,7 @@
 #include "app/editor.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -70,6 +72,7 @@ void Editor::open(const std::vector<std::string>& files) {
     try {
         open_files(opened, files);
     } catch (const Error& error) {
+        settings_->forget_missing(files);
         return tell(error);
     }
     files_->put(std::move(opened), files);
@@ -90,18 +93,30 @@ void Editor::bring(const std::vector<std::string>& files) {
 
 void Editor::open_organ(const std::filesystem::path& file) {
     organ_choice_->open(file);
-    settings_->note_recent(file.string());
 }
 
 void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then) {
     // Each kind of file has its own place: organs lie elsewhere than presets.
-    std::string& folder = file_folders_[request.title];
-    if (request.folder.empty()) request.folder = folder;
-    file_asked_ = [&folder, then = std::move(then)](const std::vector<std::string>& chosen) {
-        if (!chosen.empty()) folder = std::filesystem::path(chosen.front()).parent_path().string();
+    if (request.folder.empty())
+        request.folder = request.task == ui::FileTask::save ? own_folder(request.title).string()
+                                                            : settings_->last_folder(request.title);
+    file_asked_ = [this, title = request.title, folder = request.task == ui::FileTask::folder,
+                   then = std::move(then)](const std::vector<std::string>& chosen) {
+        if (!chosen.empty()) settings_->note_folder(title, folder ? chosen.front() : ui::parent_of(chosen.front()));
         then(chosen);
     };
     file_dialog.open(*ui_, std::move(request));
+}
+
+std::filesystem::path Editor::own_folder(const std::string& title, const std::filesystem::path& beside) const {
+    for (const std::filesystem::path& folder :
+         {std::filesystem::path(settings_->last_folder(title)), beside, options_.folders.documents}) {
+        std::error_code error;
+        if (!folder.empty() && std::filesystem::is_directory(folder, error) &&
+            ::access(folder.c_str(), W_OK | X_OK) == 0 && !files_->shipped(folder))
+            return folder;
+    }
+    return (options_.files != nullptr ? *options_.files : ui::system_files()).home();
 }
 
 void Editor::build_file_dialog() {
@@ -121,6 +136,7 @@ void Editor::forget_document(bool scene_too) {
     keying_->forget_suggestion();
     snapshots_->forget_before();
     if (!scene_too) return;
+    reference_->give_up_choosing();
     selected.clear();
     looking.camera = document.scene().camera;
     timeline.has_range = false;

@@ -11,7 +11,6 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -126,6 +125,9 @@ class Editor {
     /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked). While the
     /// UI is built: ui() must be there.
     void ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then);
+    /// Where something is written unless the person says otherwise: where it was last (`title` of the dialog), in `beside`, among
+    /// the user's documents; never among the files that came with the program.
+    std::filesystem::path own_folder(const std::string& title, const std::filesystem::path& beside = {}) const;
     /// Once a frame, by the workspace.
     void build_file_dialog();
     /// A toast for each fault, and a line in the log of faults.
@@ -183,7 +185,6 @@ class Editor {
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;
     std::function<void(const std::vector<std::string>&)> file_asked_;
-    std::map<std::string, std::string> file_folders_;  ///< that something was chosen in last, by the title that asked
     double now_ = -1;
     bool closing_ = false, closed_ = false;
     // As they were at the last update().

@@ -7,6 +7,8 @@
 #include <cmath>
 
 #include "app/editor.h"
+#include "app/files.h"
+#include "app/settings.h"
 #include "output/files.h"
 
 namespace lapfx::app {
@@ -79,15 +81,22 @@ struct Exports::Running {
     Scene scene;
     Preset preset;
     output::RenderOptions options;
+    output::Loaded loaded;
+    std::shared_ptr<Job> loading;               ///< what the view does not have
     std::unique_ptr<output::RenderJob> render;  ///< of a bundle: its thumbnail
     std::shared_ptr<Job> copying;               ///< of a bundle
     double began = 0;
+
+    void stop_jobs() const {
+        for (const auto& job : {loading, copying})
+            if (job) job->cancel();
+    }
 };
 
 Exports::Exports(Editor& editor) : editor_(editor) {}
 
 Exports::~Exports() {
-    if (running_ && running_->copying) running_->copying->cancel();
+    if (running_) running_->stop_jobs();
 }
 
 glm::ivec2 ExportForm::px() const {
@@ -110,15 +119,25 @@ void Exports::propose(ExportKind kind) {
     const std::string proposed_for = file.string() + "\n" + document.preset().name;
     if (proposed_for == proposed_for_) return;
     proposed_for_ = proposed_for;
-    fs::path folder = file.empty() ? document.scene_file().parent_path() : file.parent_path();
+    form.files = {proposed(ExportKind::preset, "_tuned.json"), proposed(ExportKind::bundle, "_bundle"),
+                  proposed(ExportKind::picture, ".png"), proposed(ExportKind::sequence, "_%04d.png"),
+                  proposed(ExportKind::video, ".mp4")};
+    form.amounts_file = proposed(ExportKind::video, ".csv");
+}
+
+std::string Exports::title(ExportKind kind) {
+    if (kind == ExportKind::bundle) return "Folder that the bundle is made in";
+    return "Export " + std::string(export_names[static_cast<std::size_t>(kind)]);
+}
+
+std::string Exports::proposed(ExportKind kind, std::string_view ending) const {
+    const document::Document& document = editor_.document;
+    const fs::path& file = document.preset_file().empty() ? document.scene_file() : document.preset_file();
     std::error_code error;
-    folder = fs::weakly_canonical(fs::absolute(folder.empty() ? fs::path(".") : folder, error), error);
-    if (!is_writable_folder(folder))
-        folder = (editor_.options().files ? *editor_.options().files : ui::system_files()).home();
-    const std::string base =
-        (folder / (file.empty() ? file_name(document.preset().name) : file.stem().string())).string();
-    form.files = {base + "_tuned.json", base + "_bundle", base + ".png", base + "_%04d.png", base + ".mp4"};
-    form.amounts_file = base + ".csv";
+    const fs::path beside = file.empty() ? fs::path() : fs::weakly_canonical(document::folder_of(file), error);
+    const std::string name =
+        document.preset_file().empty() ? file_name(document.preset().name) : document.preset_file().stem().string();
+    return (editor_.own_folder(title(kind), beside) / (name + std::string(ending))).string();
 }
 
 output::RenderOptions Exports::render_options() const {
@@ -221,42 +240,69 @@ std::string_view Exports::fault_at(std::string_view place) {
 
 void Exports::start() {
     checked_version_ = 0;  // files may have come and gone
-    if (running_ || !faults().empty()) return;
+    if (!faults().empty() || waits()) return;
+    if (form.what() == ExportKind::preset) return export_preset();
     running_ = std::make_unique<Running>(Running{.form = form,
                                                  .scene = editor_.document.scene(),
                                                  .preset = editor_.document.preset(),
                                                  .options = render_options(),
+                                                 .loaded = {},
+                                                 .loading = nullptr,
                                                  .render = nullptr,
                                                  .copying = nullptr,
                                                  .began = now_});
 }
 
-/// Outside of the UI's build: it reads files.
-void Exports::begin() {
-    switch (running_->form.what()) {
-        case ExportKind::preset:
-            output::export_preset(running_->preset, running_->form.file(), editor_.options().clip_folders);
-            return end("");
-        case ExportKind::bundle:
-            return begin_bundle();
-        default:
-            running_->render =
-                std::make_unique<output::RenderJob>(running_->scene, running_->preset, running_->options, loaded());
+/// Small, and so nothing waits for it, nor it for anything.
+void Exports::export_preset() {
+    editor_.jobs.start(
+        "Exporting " + std::string(ui::name_of_path(form.file())),
+        [this, made = form, preset = editor_.document.preset(),
+         folders = editor_.options().clip_folders](Job&) -> Jobs::Apply {
+            output::export_preset(preset, made.file(), folders);
+            return [this, made] { tell_made(made, "Exported " + std::string(ui::name_of_path(made.file()))); };
+        },
+        [this](const std::vector<Fault>& faults) {
+            checked_version_ = 0;
+            editor_.tell(faults);
+        });
+}
+
+/// What the view has is taken from there, the rest is read beside the UI.
+void Exports::load() {
+    Running& running = *running_;
+    const std::vector<fs::path>& folders = editor_.options().clip_folders;
+    const output::Loaded loaded{.organ = editor_.preview.organ_of(running.scene),
+                                .clips = editor_.preview.clip_cache()};
+    running.loaded.clips = loaded.clips;
+    if (loaded.organ && loaded.clips->knows(running.preset, folders)) {
+        running.loaded.organ = loaded.organ;
+        return begin();
     }
+    running.loading = editor_.jobs.start(
+        "Loading for " + std::string(name()),
+        [this, scene = running.scene, preset = running.preset, loaded, folders](Job& job) -> Jobs::Apply {
+            const auto goes_on = [&](double share) {
+                job.set_progress(share);
+                return !job.cancelled();
+            };
+            const auto organ = loaded.organ ? loaded.organ : prepare_organ(scene, preset.vessels, goes_on);
+            if (!organ || !loaded.clips->look_through(preset, folders, goes_on)) return {};
+            return [this, organ] {
+                running_->loading.reset();
+                running_->loaded.organ = organ;
+            };
+        },
+        [this](const std::vector<Fault>& faults) { fail(faults); });
 }
 
-/// Its thumbnail first, as the view shows it now, but at the scene's camera.
-void Exports::begin_bundle() {
-    running_->render = std::make_unique<output::RenderJob>(
-        running_->scene, running_->preset,
-        output::RenderOptions{
-            .size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders},
-        loaded());
-}
-
-/// What the view has of it.
-output::Loaded Exports::loaded() const {
-    return {.organ = editor_.preview.organ_of(running_->scene), .clips = editor_.preview.clip_cache()};
+/// Outside of the UI's build. Of a bundle its thumbnail first, as the view shows it now, but at the scene's camera.
+void Exports::begin() {
+    output::RenderOptions options = running_->options;
+    if (running_->form.what() == ExportKind::bundle)
+        options = {.size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders};
+    running_->render =
+        std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
 }
 
 void Exports::begin_copying() {
@@ -280,7 +326,7 @@ void Exports::begin_copying() {
 
 void Exports::cancel() {
     if (!running_) return;
-    if (running_->copying) running_->copying->cancel();
+    running_->stop_jobs();
     editor_.toasts.add({.text = "Export of " + std::string(name()) + " given up: nothing was written"});
     running_.reset();
 }
@@ -315,9 +361,13 @@ std::string Exports::progress_text() const {
 
 void Exports::update(double now) {
     now_ = now;
-    if (running_ && running_->copying && running_->copying->cancelled()) cancel();  // by whoever lists jobs
-    if (!running_ || running_->copying) return;
+    if (!running_) return;
+    if (const auto& job = running_->loading ? running_->loading : running_->copying) {
+        if (job->cancelled()) cancel();  // by whoever lists jobs
+        return;
+    }
     try {
+        if (!running_->loaded.organ) return load();
         if (!running_->render) return begin();
         const auto start = std::chrono::steady_clock::now();
         do {
@@ -340,16 +390,31 @@ void Exports::step() {
 }
 
 void Exports::end(const std::string& what) {
-    std::error_code error;
-    const std::string path = fs::absolute(running_->form.file(), error).string();
+    const ExportForm form_was = running_->form;
     std::string text = "Exported " + std::string(name());
     if (!what.empty()) text += " (" + what + ")";
     running_.reset();
+    tell_made(form_was, text);
+}
+
+/// A bundle is a document: it can be opened as it will be elsewhere. Of the others one wants to know where they are.
+void Exports::tell_made(const ExportForm& made, const std::string& text) {
     checked_version_ = 0;
-    editor_.toasts.add(
-        {.kind = ui::ToastKind::good, .text = text + ", checked", .action = "Copy path", .act = [this, path] {
-             if (ui::Clipboard* clipboard = editor_.ui().clipboard()) clipboard->set(path);
-         }});
+    std::error_code error;
+    const fs::path path = fs::absolute(made.file(), error);
+    editor_.settings().note_folder(title(made.what()), path.parent_path().string());
+    ui::Toast toast{.kind = ui::ToastKind::good, .text = text + ", checked"};
+    if (made.what() == ExportKind::bundle) {
+        toast.action = "Open the bundle";
+        const std::string name = path.filename().string() + (made.with_scene ? ".scene.json" : ".json");
+        toast.act = [this, file = (path / name).string()] { editor_.open({file}); };
+    } else {
+        toast.action = "Copy path";
+        toast.act = [this, path = path.string()] {
+            if (ui::Clipboard* clipboard = editor_.ui().clipboard()) clipboard->set(path);
+        };
+    }
+    editor_.toasts.add(std::move(toast));
 }
 
 void Exports::fail(const std::vector<Fault>& faults) {

@@ -74,7 +74,10 @@ class Exports {
 
     ExportForm form;
 
-    /// Fills in what the person has not said yet: names beside the preset, the time that is shown, the range of play.
+    /// Of the dialog that asks for a file of that kind.
+    static std::string title(ExportKind kind);
+    /// Fills in what the person has not said yet: names where such files were written last, beside the person's own preset or among
+    /// their documents; the time that is shown, the range of play.
     void propose(ExportKind kind);
     /// What is wrong with the form as it is. Places are the options of `lapfx render`: "-o", "--size".
     const std::vector<Fault>& faults();
@@ -83,8 +86,11 @@ class Exports {
     bool replaces() const { return replaces_; }
     int frames() const;
 
-    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts.
+    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is written beside
+    /// whatever is running; of the rest there is one at a time.
     void start();
+    /// The form has to wait for what is running.
+    bool waits() const { return running() && form.what() != ExportKind::preset; }
     bool running() const { return static_cast<bool>(running_); }
     void cancel();
     double progress() const;            ///< 0..1
@@ -103,12 +109,14 @@ class Exports {
     output::RenderOptions render_options() const;
     void look_at_form();
     void check_preset_file(std::vector<Fault>& faults) const;
+    void load();
     void begin();
-    void begin_bundle();
-    output::Loaded loaded() const;
     void begin_copying();
     void step();
+    std::string proposed(ExportKind kind, std::string_view ending) const;
+    void export_preset();
     void end(const std::string& what);
+    void tell_made(const ExportForm& made, const std::string& text);
     void fail(const std::vector<Fault>& faults);
 
     Editor& editor_;

@@ -65,7 +65,6 @@ const fs::path& Files::file(Kind kind) const {
     return kind == Kind::scene ? editor_.document.scene_file() : editor_.document.preset_file();
 }
 
-/// What came with the program is not written over by Save.
 bool Files::shipped(const fs::path& file) const {
     const fs::path& data = editor_.options().data_folder;
     return !data.empty() && (inside(file, data / "presets") || inside(file, data / "samples"));
@@ -103,8 +102,23 @@ std::vector<std::string> Files::unsaved_words() const {
     return words;
 }
 
+/// What saving will do with files that came with the program; empty: there are none among them.
+std::string Files::shipped_words(bool scene_too) const {
+    const document::Document& d = editor_.document;
+    const bool preset = d.preset_unsaved() && shipped(d.preset_file());
+    const bool scene = scene_too && d.scene_unsaved() && shipped(d.scene_file());
+    if (!preset && !scene) return {};
+    const std::string names = preset && scene ? in_marks(d.preset_file()) + " and " + in_marks(d.scene_file())
+                              : preset        ? in_marks(d.preset_file())
+                                              : in_marks(d.scene_file());
+    return ' ' + names + " came with lapfx and " + (preset && scene ? "stay as they are" : "stays as it is") +
+           ": saving asks for a name of your own.";
+}
+
 void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too) {
-    const bool both = scene_too && editor_.document.scene_unsaved() && editor_.document.preset_unsaved();
+    const document::Document& d = editor_.document;
+    const bool scene = scene_too && d.scene_unsaved(), both = scene && d.preset_unsaved();
+    const bool names = (scene && needs_name(Kind::scene)) || (d.preset_unsaved() && needs_name(Kind::preset));
     const auto save_first = [this, then, scene_too] {
         if (scene_too)
             save_all(then);
@@ -112,11 +126,12 @@ void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene
             save_preset(then);
     };
     ask({.title = std::move(title),
-         .text = "These changes are not saved:",
+         .text = "These changes are not saved." + shipped_words(scene_too),
          .lines = unsaved_words(),
          .answers = {
-             {.label = both ? "Save all" : "Save",
-              .tip = "Saves them, then goes on. When that fails, everything stays as it is.",
+             {.label = std::string(both ? "Save all" : "Save") + (names ? " as..." : ""),
+              .tip = names ? "Asks for names and saves, then goes on. When that fails, everything stays as it is."
+                           : "Saves them, then goes on. When that fails, everything stays as it is.",
               .act = save_first,
               .standard = true},
              {.label = "Discard", .tip = "Goes on without them. They are lost.", .act = then},
@@ -204,7 +219,7 @@ void Files::save_all(Then then) {
 
 void Files::save(Kind kind, Then then) {
     const fs::path to = file(kind);
-    if (to.empty() || shipped(to)) return save_as(kind, std::move(then));
+    if (needs_name(kind)) return save_as(kind, std::move(then));
     const document::OnDisk& known =
         kind == Kind::scene ? editor_.document.scene_on_disk() : editor_.document.preset_on_disk();
     const document::OnDisk now = document::OnDisk::of(to);
@@ -234,7 +249,7 @@ void Files::save_as(Kind kind, Then then) {
     editor_.ask_file(
         {.task = ui::FileTask::save,
          .title = scene ? "Save scene as" : "Save preset as",
-         .folder = ours ? document::folder_of(now).string() : "",
+         .folder = ours ? document::folder_of(now).string() : "",  // else the user's own
          .name = std::move(name),
          .filters = {{scene ? "Scenes" : "Presets", {".json"}}}},
         [this, kind, then](const std::vector<std::string>& chosen) { save_to(kind, chosen.front(), then); });
@@ -392,7 +407,6 @@ void Files::ask_use(const std::vector<std::string>& videos) {
     const auto reference = [this, video = videos.front()] {
         editor_.layouts().shown.show("Reference");
         editor_.reference().choose(video);
-        editor_.settings().note_recent(video);
     };
     ask({.title = one ? "What is " + in_marks(videos.front()) + '?' : "What are these videos?",
          .text = "Smoke before a plain background becomes a clip of the preset. A surgery video becomes the reference "

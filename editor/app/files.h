@@ -67,13 +67,16 @@ class Files {
     const Question* question() const { return question_ ? &*question_ : nullptr; }
     void answer(std::size_t index);
 
+    /// What came with the program: Save does not write over it, nor is anything proposed there.
+    bool shipped(const std::filesystem::path& file) const;
+
     /// "my_bleed.json* - lagb.scene.json - lapfx"; an asterisk: not saved.
     const std::string& title();
 
   private:
     enum class Kind { scene, preset };
     const std::filesystem::path& file(Kind kind) const;
-    bool shipped(const std::filesystem::path& file) const;
+    bool needs_name(Kind kind) const { return file(kind).empty() || shipped(file(kind)); }
     void ask(Question question);
     void ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too = true);
     void ask_failed(Kind kind, const std::filesystem::path& file, const std::vector<Fault>& faults, Then then);
@@ -94,6 +97,7 @@ class Files {
     bool lock(Kind kind, const std::filesystem::path& file);
     std::string holder(const std::filesystem::path& file) const;
     std::vector<std::string> unsaved_words() const;
+    std::string shipped_words(bool scene_too) const;
 
     Editor& editor_;
     std::optional<Question> question_;

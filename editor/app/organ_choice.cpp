@@ -7,6 +7,7 @@
 #include "app/editor.h"
 #include "app/orbit.h"
 #include "app/paths.h"
+#include "app/settings.h"
 
 namespace lapfx::app {
 
@@ -164,6 +165,7 @@ void OrganChoice::load() {
         scene.tool.port = port_for(seen);
         scene.light.focus_distance = std::clamp(glm::distance(seen.eye, seen.target), 1.0, 2000.0);
     });
+    editor_.settings().note_recent(file_.string());
     editor_.selected.clear();
     editor_.looking.camera = seen;
     give_up();

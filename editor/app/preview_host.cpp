@@ -250,7 +250,9 @@ void PreviewHost::follow_scene() {
 std::optional<Loading> PreviewHost::loading() const {
     const std::shared_ptr<Job>& job = organ_job_ ? organ_job_ : clips_job_;
     if (!job) return std::nullopt;
-    return Loading{.name = organ_job_ ? name_of(wanted_.scene.organ.file) : "clips", .progress = job->progress()};
+    return Loading{.name = organ_job_ ? name_of(wanted_.scene.organ.file) : "clips",
+                   .progress = job->progress(),
+                   .job = job.get()};
 }
 
 void PreviewHost::cancel_loading() {

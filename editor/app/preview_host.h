@@ -56,6 +56,7 @@ std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
 struct Loading {
     std::string name;      ///< "stomach.glb"
     double progress = -1;  ///< 0..1; negative: nobody knows
+    const Job* job = nullptr;
 };
 
 class PreviewHost {

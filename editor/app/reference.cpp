@@ -103,10 +103,35 @@ Reference::~Reference() {
     if (image_ != 0) editor_.images.remove(image_);
 }
 
+void Reference::give_up_choosing() {
+    if (choosing_) choosing_->cancel();
+    choosing_.reset();
+    refused_.clear();
+}
+
 void Reference::choose(const fs::path& file) {
-    const std::string name = named_in(editor_.document.scene().folder, whole_sequence(file));
+    give_up_choosing();
+    const fs::path whole = chosen_ = whole_sequence(file);
+    choosing_ = editor_.jobs.start(
+        "Opening " + whole.filename().string(),
+        [this, file, whole](Job&) -> Jobs::Apply {
+            auto reader = std::make_shared<VideoReader>(whole);
+            return [this, file, whole, reader] {
+                choosing_.reset();
+                put(whole, reader);
+                editor_.settings().note_recent(file.string());
+            };
+        },
+        [this](const std::vector<Fault>& faults) {
+            choosing_.reset();
+            refused_ = faults;
+        });
+}
+
+void Reference::put(const fs::path& file, std::shared_ptr<VideoReader> reader) {
+    const std::string name = named_in(editor_.document.scene().folder, file);
     editor_.document.change("Reference video", [&](document::Content& c) { c.scene.reference = {.file = name}; });
-    follow_scene();
+    follow_scene(std::move(reader));
 }
 
 void Reference::choose_sample() {
@@ -114,6 +139,7 @@ void Reference::choose_sample() {
 }
 
 void Reference::remove() {
+    give_up_choosing();
     editor_.document.change("Remove reference", [](document::Content& c) { c.scene.reference = {}; });
     follow_scene();
 }
@@ -148,15 +174,16 @@ std::optional<ui::Span> Reference::span() const {
     return ui::Span{begin, begin + video()->info().duration};
 }
 
-void Reference::follow_scene() {
+void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
     if (std::exchange(followed_, editor_.document.version()) == editor_.document.version()) return;
     const Scene& scene = editor_.document.scene();
     const fs::path file = scene.reference.file.empty() ? fs::path() : scene.folder / scene.reference.file;
     if (file == file_) return;
     file_ = file;
+    refused_.clear();
     held_.reset();
     compare.view = {};
-    feed_.open(file_);
+    feed_.open(file_, std::move(reader));
 }
 
 void Reference::show_newest() {
@@ -170,6 +197,7 @@ void Reference::show_newest() {
 }
 
 void Reference::update(double) {
+    if (choosing_ && choosing_->cancelled()) choosing_.reset();  // by whoever lists jobs
     follow_scene();
     if (feed_.take()) show_newest();
     compares_ = false;

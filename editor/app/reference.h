@@ -21,6 +21,7 @@
 namespace lapfx::app {
 
 class Editor;
+class Job;
 
 enum class CompareWay : std::uint8_t { reference, beside, wipe, difference, onion };
 
@@ -33,13 +34,20 @@ class Reference {
     ~Reference();
 
     // --- which ------------------------------------------------------------------------------------------------------
-    /// An undo step: the scene's reference, from its first frame on. One of numbered images stands for all of them.
+    /// Opened beside the UI and then, by an undo step, the scene's reference, from its first frame on. What cannot be opened is in
+    /// refused(), and the one that is there stays. One of numbered images stands for all of them.
     void choose(const std::filesystem::path& file);
+    /// Of the last choose(), until another reference comes.
+    const std::vector<Fault>& refused() const { return refused_; }
+    void forget_refused() { refused_.clear(); }
+    /// Another document has been opened: what is being opened is not for that one.
+    void give_up_choosing();
     void choose_sample();
     void remove();
     bool named() const { return !file_.empty(); }                ///< the scene names one
     const std::filesystem::path& file() const { return file_; }  ///< where it is
-    bool opening() const { return feed_.opening(); }
+    bool opening() const { return feed_.opening() || choosing_; }
+    const std::filesystem::path& opens() const { return choosing_ ? chosen_ : file_; }  ///< while opening()
     const VideoReader* video() const { return feed_.video().get(); }  ///< null: none that can be shown
     const std::vector<Fault>& faults() const { return feed_.faults(); }
 
@@ -86,7 +94,8 @@ class Reference {
     class ReferencePixels;
     class PreviewPixels;
 
-    void follow_scene();
+    void put(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader);
+    void follow_scene(std::shared_ptr<VideoReader> reader = nullptr);
     void show_newest();
     glm::ivec2 shown_size() const;
     glm::ivec2 compared_size() const;
@@ -94,6 +103,9 @@ class Reference {
     Editor& editor_;
     VideoFeed feed_;
     std::filesystem::path file_;
+    std::shared_ptr<Job> choosing_;  ///< opens `chosen_`
+    std::filesystem::path chosen_;
+    std::vector<Fault> refused_;
     std::uint64_t followed_ = 0;  ///< version of the document
     std::optional<int> held_;
     ui::ImageHandle image_ = 0;  ///< of the editor's images

@@ -46,6 +46,13 @@ class Reader {
         for (const Json& item : *j)
             if (expect(item.is_string(), key, "a list of strings") && value.size() < most) value.push_back(item);
     }
+    void texts(const char* key, std::map<std::string, std::string>& value, std::size_t most) {
+        const Json* j = find(key);
+        if (j == nullptr || !expect(j->is_object(), key, "an object of strings")) return;
+        value.clear();
+        for (const auto& [name, item] : j->items())
+            if (expect(item.is_string(), key, "an object of strings") && value.size() < most) value[name] = item;
+    }
     void object(const char* key, std::string& value) {
         if (const Json* j = find(key); j != nullptr && expect(j->is_object(), key, "an object")) value = j->dump();
     }
@@ -83,6 +90,19 @@ void Settings::note_recent(const std::string& file) {
     if (recent.size() > most_recent) recent.resize(most_recent);
 }
 
+void Settings::forget_missing(const std::vector<std::string>& files) {
+    for (const std::string& file : files) {
+        std::error_code error;
+        const std::string name = fs::absolute(file, error).lexically_normal().string();
+        if (!fs::exists(name, error)) std::erase(recent, name);
+    }
+}
+
+std::string Settings::last_folder(const std::string& title) const {
+    const auto found = last_folders_.find(title);
+    return found == last_folders_.end() ? std::string() : found->second;
+}
+
 void Settings::read() {
     if (folders_.config.empty()) return;
     const fs::path file = folders_.config / "settings.json";
@@ -116,6 +136,7 @@ void Settings::apply(const std::string& text) {
     reader.list("recent", recent, most_recent);
     reader.list("favourites", favourites, most_listed);
     reader.list("file_folders", file_folders_, most_recent);
+    reader.texts("last_folders", last_folders_, most_listed);
     reader.list("preset_folders", preset_folders, most_listed);
     reader.list("preset_stars", preset_stars, most_listed);
     reader.text("layout", layout_name_);
@@ -160,6 +181,7 @@ Settings::State Settings::state(Editor& e) const {
             .file_folders = e.file_dialog.recent(),
             .preset_folders = preset_folders,
             .preset_stars = preset_stars,
+            .last_folders = last_folders_,
             .layout_name = e.layouts().name(),
             .shown = e.layouts().shown,
             .commands = e.commands.version(),
@@ -179,6 +201,7 @@ std::string Settings::text(Editor& e) const {
     json["recent"] = recent;
     json["favourites"] = favourites;
     json["file_folders"] = e.file_dialog.recent();
+    json["last_folders"] = last_folders_;
     json["preset_folders"] = preset_folders;
     json["preset_stars"] = preset_stars;
     json["layout"] = e.layouts().name();
@@ -195,7 +218,7 @@ void Settings::update(Editor& editor, double now) {
     const bool same = written_.light == light && written_.reduced_motion == reduced_motion &&
                       written_.half_resolution == half_resolution && written_.hint_seen == hint_seen &&
                       written_.scale == scale && written_.recent == recent && written_.favourites == favourites &&
-                      written_.file_folders == editor.file_dialog.recent() &&
+                      written_.file_folders == editor.file_dialog.recent() && written_.last_folders == last_folders_ &&
                       written_.preset_folders == preset_folders && written_.preset_stars == preset_stars &&
                       written_.layout_name == editor.layouts().name() && written_.shown == editor.layouts().shown &&
                       written_.commands == editor.commands.version() &&

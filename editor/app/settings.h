@@ -7,7 +7,9 @@
 
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/folders.h"
@@ -33,7 +35,13 @@ class Settings {
     std::vector<std::string> preset_folders;  ///< that the preset browser looks into besides its own
     std::vector<std::string> preset_stars;    ///< files of presets
 
+    /// Of a file that was opened or saved: the newest.
     void note_recent(const std::string& file);
+    /// Those of them that are not there any more leave the recent ones.
+    void forget_missing(const std::vector<std::string>& files);
+    /// Where files of a kind were chosen last, by the title of the dialog; empty: nowhere yet.
+    std::string last_folder(const std::string& title) const;
+    void note_folder(const std::string& title, std::string_view folder) { last_folders_[title] = folder; }
     const document::Folders& folders() const { return folders_; }
 
     /// Applies what belongs to other parts of the editor, and tells what was wrong. Before it nothing is written.
@@ -51,6 +59,7 @@ class Settings {
         bool light = false, reduced_motion = false, half_resolution = false, hint_seen = false;
         float scale = 0;
         std::vector<std::string> recent, favourites, file_folders, preset_folders, preset_stars;
+        std::map<std::string, std::string> last_folders;
         std::string layout_name;
         ui::DockLayout shown;
         std::uint32_t commands = 0, own_layouts = 0;  ///< versions
@@ -62,6 +71,7 @@ class Settings {
     std::string text(Editor& editor) const;
 
     document::Folders folders_;
+    std::map<std::string, std::string> last_folders_;
     std::string read_;  ///< the file's text: what is unknown in it is kept
     std::string layouts_text_, keys_text_, layout_name_;
     std::vector<std::string> file_folders_, faults_;

@@ -17,13 +17,18 @@ std::int64_t now_utc() {
 
 void Snapshots::keep(std::size_t slot) {
     editor_.document.commit();
-    all_[slot] = {.preset = editor_.document.preset(), .time = now_utc()};
+    all_[slot] = {.preset = editor_.document.preset(), .time = now_utc(), .file = editor_.document.preset_file()};
     ++version_;
 }
 
 void Snapshots::clear(std::size_t slot) {
     all_[slot].reset();
     ++version_;
+}
+
+std::string Snapshots::other_file(std::size_t slot) const {
+    const auto& snapshot = all_[slot];
+    return snapshot && snapshot->file != editor_.document.preset_file() ? snapshot->file.filename().string() : "";
 }
 
 Preset Snapshots::preset(std::size_t slot) const {
@@ -72,7 +77,8 @@ bool Snapshots::shown(std::size_t slot) const {
 std::vector<document::KeptSnapshot> Snapshots::kept() const {
     std::vector<document::KeptSnapshot> kept;
     for (std::size_t i = 0; i < count; ++i)
-        if (all_[i]) kept.push_back({.slot = i, .time = all_[i]->time, .preset = all_[i]->preset});
+        if (all_[i])
+            kept.push_back({.slot = i, .time = all_[i]->time, .preset = all_[i]->preset, .file = all_[i]->file});
     return kept;
 }
 
@@ -80,7 +86,8 @@ void Snapshots::restore(const std::vector<document::KeptSnapshot>& kept) {
     all_ = {};
     before_.reset();
     for (const document::KeptSnapshot& snapshot : kept)
-        if (snapshot.slot < count) all_[snapshot.slot] = {.preset = snapshot.preset, .time = snapshot.time};
+        if (snapshot.slot < count)
+            all_[snapshot.slot] = {.preset = snapshot.preset, .time = snapshot.time, .file = snapshot.file};
     ++version_;
 }
 

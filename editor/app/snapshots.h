@@ -6,6 +6,7 @@
 
 #include <array>
 #include <cstdint>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -26,7 +27,8 @@ class Snapshots {
 
     struct Snapshot {
         Preset preset;
-        std::int64_t time = 0;  ///< when it was kept, s since 1970, UTC
+        std::int64_t time = 0;       ///< when it was kept, s since 1970, UTC
+        std::filesystem::path file;  ///< of the preset that was open then; empty: it had none
     };
     const std::optional<Snapshot>& at(std::size_t slot) const { return all_[slot]; }
     void keep(std::size_t slot);
@@ -35,6 +37,9 @@ class Snapshots {
     void show(std::size_t slot);
     /// The preset, as the document would have it: its clips are found from the document's folder.
     Preset preset(std::size_t slot) const;
+    /// They stay when another preset is opened, to be compared with that one. The name of the file that this one was kept of, if
+    /// it is another one than the document's now; empty: it is not, or it had none.
+    std::string other_file(std::size_t slot) const;
     /// Whether the document's preset is just this one.
     bool shown(std::size_t slot) const;
 

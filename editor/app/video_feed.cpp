@@ -34,18 +34,20 @@ void VideoFeed::set_wake(std::function<void()> wake) {
     wake_ = std::move(wake);
 }
 
-void VideoFeed::open(const fs::path& file) {
+void VideoFeed::open(const fs::path& file, std::shared_ptr<VideoReader> reader) {
     shown_ = {.opening = wished_last_.opening + 1, .settled = file.empty(), .video = nullptr, .faults = {}};
     image_ = {};
-    wished_last_ = {.opening = shown_.opening, .file = file, .frame = -1};
+    wished_last_ = {.opening = shown_.opening, .file = file, .frame = -1, .reader = nullptr};
+    Wish wish = wished_last_;
+    wish.reader = std::move(reader);
     if (exact_) {
-        serve(wished_last_);
+        serve(std::move(wish));
         take();
         return;
     }
     {
         const std::lock_guard lock(mutex_);
-        wish_ = wished_last_;
+        wish_ = std::move(wish);
         give_up_ = true;
     }
     wished_.notify_one();
@@ -84,28 +86,30 @@ void VideoFeed::run() {
                          [&] { return stopping_ || wish_.opening != served.opening || wish_.frame != served.frame; });
         if (stopping_) return;
         const bool idle = wish_.opening == served.opening && wish_.frame == served.frame;
+        Wish wish = wish_;
+        wish_.reader.reset();  // it is used once
         served = wish_;
         give_up_ = false;
         lock.unlock();
-        serve(served);
+        serve(std::move(wish));
         if (idle) look_after_file();
         lock.lock();
     }
 }
 
-void VideoFeed::serve(const Wish& wish) {
+void VideoFeed::serve(Wish wish) {
     if (wish.opening != made_.opening) open_now(wish);
     if (reader_ != nullptr && wish.frame >= 0 && wish.frame < reader_->info().frames && wish.frame != made_.frame)
         read_frame(wish.frame);
 }
 
-void VideoFeed::open_now(const Wish& wish) {
+void VideoFeed::open_now(Wish& wish) {
     made_ = {.opening = wish.opening, .settled = true, .video = nullptr, .faults = {}};
     file_ = wish.file;
     reader_.reset();
     opened_ = seen_ = stamp_of(file_);
     if (!file_.empty()) try {
-            reader_ = std::make_shared<VideoReader>(file_, &give_up_);
+            reader_ = wish.reader ? std::move(wish.reader) : std::make_shared<VideoReader>(file_, &give_up_);
             made_.video = reader_;
         } catch (const Error& error) {
             made_.faults = error.faults();

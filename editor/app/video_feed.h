@@ -35,8 +35,8 @@ class VideoFeed {
 
     /// Any thread calls it, when there is something to take().
     void set_wake(std::function<void()> wake);
-    /// Another video; empty: none. What was shown is gone.
-    void open(const std::filesystem::path& file);
+    /// Another video; empty: none. What was shown is gone. `reader`: of this file, opened already by somebody who needs it no more.
+    void open(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader = nullptr);
     void want(int frame);
     /// What has come since. Gives whether there was anything.
     bool take();
@@ -61,6 +61,7 @@ class VideoFeed {
         std::uint64_t opening = 0;
         std::filesystem::path file;
         int frame = -1;
+        std::shared_ptr<VideoReader> reader;
     };
     struct Shown {
         std::uint64_t opening = 0;
@@ -73,8 +74,8 @@ class VideoFeed {
 
     static std::optional<Stamp> stamp_of(const std::filesystem::path& file);
     void run();
-    void serve(const Wish& wish);
-    void open_now(const Wish& wish);
+    void serve(Wish wish);
+    void open_now(Wish& wish);
     void look_after_file();
     void read_frame(int frame);
     void publish(bool with_image);

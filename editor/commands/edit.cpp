@@ -105,6 +105,7 @@ void show_window(const Options& o) {
         return window.reload_shaders(vertex, fragment, fault);
     });
     app::Settings& settings = editor->settings();
+    for (const std::string& file : o.files) settings.note_recent(file);
     if (o.scale <= 0) window.set_scale(settings.scale);
     float scale = settings.scale;
     editor->files().note_opened();

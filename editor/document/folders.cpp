@@ -1,6 +1,8 @@
 #include "document/folders.h"
 
 #include <cstdlib>
+#include <fstream>
+#include <string>
 
 namespace lapfx::document {
 
@@ -17,12 +19,36 @@ fs::path folder_in(const char* variable, const char* below_home) {
     return {};
 }
 
+/// What xdg-user-dirs has written: XDG_DOCUMENTS_DIR="$HOME/Documents", or an absolute path. Empty: nothing of it.
+fs::path documents_in(const fs::path& user_dirs, const fs::path& home) {
+    constexpr std::string_view key = "XDG_DOCUMENTS_DIR=\"", in_home = "$HOME/";
+    std::ifstream file(user_dirs);
+    for (std::string line; std::getline(file, line);) {
+        if (!line.starts_with(key)) continue;
+        const std::string value = line.substr(key.size(), line.find('"', key.size()) - key.size());
+        return value.starts_with(in_home) ? home / value.substr(in_home.size()) : fs::path(value);
+    }
+    return {};
+}
+
+fs::path documents_of_user(const fs::path& config) {
+    const char* home = std::getenv("HOME");
+    if (home == nullptr || !fs::path(home).is_absolute()) return {};
+    std::error_code error;
+    for (const fs::path& folder :
+         {documents_in(config.parent_path() / "user-dirs.dirs", home), home / fs::path("Documents")})
+        if (folder.is_absolute() && fs::is_directory(folder, error)) return folder;
+    return fs::is_directory(home, error) ? home : "";
+}
+
 }  // namespace
 
 Folders Folders::of_user() {
-    return {.config = folder_in("XDG_CONFIG_HOME", ".config"),
+    const fs::path config = folder_in("XDG_CONFIG_HOME", ".config");
+    return {.config = config,
             .state = folder_in("XDG_STATE_HOME", ".local/state"),
-            .cache = folder_in("XDG_CACHE_HOME", ".cache")};
+            .cache = folder_in("XDG_CACHE_HOME", ".cache"),
+            .documents = documents_of_user(config)};
 }
 
 }  // namespace lapfx::document

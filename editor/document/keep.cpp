@@ -168,6 +168,7 @@ std::string write_kept(const Kept& kept) {
     for (const KeptSnapshot& snapshot : kept.snapshots)
         json["snapshots"].push_back({{"slot", snapshot.slot},
                                      {"time", snapshot.time},
+                                     {"file", path_json(snapshot.file)},
                                      {"folder", path_json(snapshot.preset.folder)},
                                      {"content", parsed(write_preset(snapshot.preset))}});
     return json.dump(1) + '\n';
@@ -197,7 +198,8 @@ Kept read_kept(const fs::path& file, std::vector<std::string>& told) {
         if (slot < 0 || slot >= static_cast<std::int64_t>(snapshot_slots)) continue;
         kept.snapshots.push_back({.slot = static_cast<std::size_t>(slot),
                                   .time = number_at<std::int64_t>(snapshot, "time"),
-                                  .preset = read_document<Preset>(preset_table(), snapshot, "snapshot", told)});
+                                  .preset = read_document<Preset>(preset_table(), snapshot, "snapshot", told),
+                                  .file = text_at(snapshot, "file")});
     }
     return kept;
 }

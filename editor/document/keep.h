@@ -23,6 +23,7 @@ struct KeptSnapshot {
     std::size_t slot = 0;
     std::int64_t time = 0;  ///< s since 1970, UTC
     Preset preset;
+    std::filesystem::path file{};  ///< of the preset that it is a state of; empty: it had none
 };
 
 struct Kept {

@@ -20,6 +20,16 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : ".";
 }
 
+/// OpenCV's writer does not tell why it failed: a full disk does, when something is written there.
+void require_room(const fs::path& path) {
+    const FolderBeside folder(path);
+    try {
+        write_file(folder.path() / path.filename(), std::string(std::size_t{64} << 10U, '\0'));
+    } catch (const Error& error) {
+        throw cannot_write(path, error.faults().front().reason);
+    }
+}
+
 }  // namespace
 
 void to_bgr(const Image& image, cv::Mat& bgr) {
@@ -75,6 +85,7 @@ VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs
         if (writer_.open(beside_.string(), cv::CAP_FFMPEG, codec, fps, size)) return;
     std::error_code error;
     fs::remove(beside_, error);
+    require_room(path);
     throw cannot_write(path, "no video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                                  " pixels can be encoded here (the sides must be even)");
 }

@@ -6,6 +6,7 @@
 #include "ui/shell/progress.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::panels {
@@ -33,7 +34,7 @@ void fault_line(ui::Ui& ui, Exports& exports, std::string_view place) {
 ui::FileRequest request_for(const ExportForm& form) {
     const std::string_view path = form.file();
     ui::FileRequest request{.task = ui::FileTask::save,
-                            .title = "Export " + std::string(app::export_names[static_cast<std::size_t>(form.kind)]),
+                            .title = Exports::title(form.what()),
                             .folder = std::string(ui::parent_of(path)),
                             .name = std::string(ui::name_of_path(path))};
     switch (form.what()) {
@@ -41,7 +42,6 @@ ui::FileRequest request_for(const ExportForm& form) {
             request.filters = {{"Presets", {".json"}}};
             break;
         case ExportKind::bundle:
-            request.title = "Folder that the bundle is made in";
             request.task = ui::FileTask::folder;
             break;
         case ExportKind::video:
@@ -187,8 +187,7 @@ std::string_view summary(ui::Ui& ui, const Exports& exports) {
 void form_rows(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
-    ui::segmented(ui, "What", form.kind, app::export_names);
-    ui::space(ui, 0.3F);
+    const ui::ScrollArea area(ui, "Form", {.gap = ui.theme().gap});
     file_rows(ui, editor);
     if (form.what() == ExportKind::bundle)
         ui::checkbox(ui, "With scene and organ", form.with_scene,
@@ -217,20 +216,16 @@ void copy_command(ui::Ui& ui, app::Editor& editor) {
     }
 }
 
-bool progress_row(ui::Ui& ui, Exports& exports, std::string_view label, const ui::Size& width) {
-    return ui::progress(ui, label, exports.progress(),
-                        {.seconds_left = exports.seconds_left(),
-                         .cancellable = true,
-                         .text = ui.copy(exports.progress_text()),
-                         .width = width});
-}
-
-void running_dialog(ui::Ui& ui, app::Editor& editor, ui::Dialog& dialog) {
-    Exports& exports = editor.exports();
-    if (progress_row(ui, exports, ui.join({"Exporting ", exports.name()}), ui::grow())) exports.cancel();
-    ui::label(ui, "The editor goes on meanwhile. Nothing appears before it is whole.",
+/// What runs, and what can be done meanwhile.
+void running_rows(ui::Ui& ui, Exports& exports) {
+    if (!exports.running()) return;
+    if (ui::progress(
+            ui, ui.join({"Exporting ", exports.name()}), exports.progress(),
+            {.seconds_left = exports.seconds_left(), .cancellable = true, .text = ui.copy(exports.progress_text())}))
+        exports.cancel();
+    ui::label(ui, "The editor goes on meanwhile. A preset can be exported at once, the rest when this is done.",
               {.tone = ui::Tone::dim, .wrap = true});
-    dialog.buttons({{.label = "Close", .standard = true, .cancel = true, .tip = "The export goes on"}});
+    ui::separator(ui);
 }
 
 void ask_replace(ui::Ui& ui, app::Editor& editor) {
@@ -246,27 +241,32 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
     if (answer == 0U) ui::open_dialog(ui, dialog_name);
 }
 
+std::string_view why_not(ui::Ui& ui, Exports& exports) {
+    if (!exports.faults().empty()) return ui.join({"Not yet: ", exports.faults().front().reason});
+    if (exports.waits()) return ui.join({"Not yet: ", exports.name(), " is being exported"});
+    return "Write it, and load it back to see that it is sound";
+}
+
 }  // namespace
 
 void export_dialog(ui::Ui& ui, app::Editor& editor) {
     ask_replace(ui, editor);
     Exports& exports = editor.exports();
-    ui::Dialog dialog(ui, dialog_name, exports.running() ? "Export under way" : "New export", {.width = 38});
+    ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 36});
     if (!dialog) return;
-    if (exports.running()) return running_dialog(ui, editor, dialog);
+    running_rows(ui, exports);
+    ui::segmented(ui, "What", exports.form.kind, app::export_names);
     form_rows(ui, editor);
-    const bool sound = exports.faults().empty();
+    const bool sound = exports.faults().empty() && !exports.waits();
     if (exports.form.renders() &&
         ui::button(
             ui, "Copy lapfx render command",
             {.icon = ui::Icon::copy, .tip = "The command line that makes the same, for a script", .quiet = true}))
         copy_command(ui, editor);
-    const auto pressed = dialog.buttons({{.label = "Cancel", .cancel = true},
-                                         {.label = "Export",
-                                          .standard = true,
-                                          .enabled = sound,
-                                          .tip = sound ? "Write it, and load it back to see that it is sound"
-                                                       : ui.join({"Not yet: ", exports.faults().front().reason})}});
+    const std::string_view leave = exports.running() ? "Close" : "Cancel";  // what runs goes on
+    const auto pressed =
+        dialog.buttons({{.label = leave, .cancel = true},
+                        {.label = "Export", .standard = true, .enabled = sound, .tip = why_not(ui, exports)}});
     if (pressed != 1U) return;
     if (exports.replaces())
         ui::open_dialog(ui, replace_name);
@@ -274,9 +274,13 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
         exports.start();
 }
 
+/// In short: the dialog tells all of it.
 void export_status(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
-    if (exports.running() && progress_row(ui, exports, exports.name(), ui::px(ui.em(26)))) exports.cancel();
+    if (exports.running() &&
+        ui::progress(ui, exports.name(), exports.progress(),
+                     {.seconds_left = exports.seconds_left(), .cancellable = true, .width = ui::px(ui.em(20))}))
+        exports.cancel();
 }
 
 void add_export_commands(app::Editor& editor) {

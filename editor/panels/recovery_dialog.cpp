@@ -32,8 +32,8 @@ ui::TableCell cell_of(RecoveryState& state, const app::Autosave::Offer& offer, s
 
 /// Gives the row that is selected; the newest if none is.
 std::size_t offers_table(ui::Ui& ui, app::Autosave& autosave, RecoveryState& state, bool& opened) {
-    constexpr std::array columns = {ui::TableColumn{"Kept", 10, ui::Align::start, false},
-                                    ui::TableColumn{"Scene, preset", 20, ui::Align::start, false},
+    constexpr std::array columns = {ui::TableColumn{"Kept", 12, ui::Align::start, false},
+                                    ui::TableColumn{"Scene, preset", 19, ui::Align::start, false},
                                     ui::TableColumn{"Not saved", 10, ui::Align::start, false}};
     const auto& offers = autosave.offers();
     if (state.table.selection.current >= offers.size()) state.table.selection.only(0);

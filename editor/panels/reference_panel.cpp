@@ -95,18 +95,30 @@ void ways_out(ui::Ui& ui, app::Editor& editor) {
         editor.reference().remove();
 }
 
-void tell_faults(ui::Ui& ui, app::Editor& editor) {
+void tell_faults(ui::Ui& ui, app::Editor& editor, const std::vector<Fault>& faults) {
     const Notice notice(ui);
     ui::label(ui, "This reference cannot be shown", {.size = 1.25F, .weight = ui::Weight::bold});
-    for (const Fault& fault : editor.reference().faults())
+    for (const Fault& fault : faults)
         ui::label(ui, fault.text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     ui::space(ui, 0.4F);
     ways_out(ui, editor);
 }
 
+/// Another one was chosen and cannot be opened: the one that is there stays.
+void warn_of_refused(ui::Ui& ui, app::Editor& editor) {
+    Reference& reference = editor.reference();
+    if (reference.refused().empty()) return;
+    ui::label(ui, reference.refused().front().text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
+    const ui::Row buttons(ui);
+    if (ui::button(ui, "Choose another file...", {.icon = ui::Icon::folder, .tip = "Another video as the reference"}))
+        ask_for_video(editor);
+    if (ui::button(ui, "Keep this reference", {.tip = "The one that is shown stays", .quiet = true}))
+        reference.forget_refused();
+}
+
 /// The last frame is still there.
 void warn_of_faults(ui::Ui& ui, app::Editor& editor) {
-    if (editor.reference().faults().empty()) return;
+    if (editor.reference().faults().empty() || !editor.reference().refused().empty()) return;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     ui::label(ui, editor.reference().faults().front().text(), {.tone = ui::Tone::warning, .width = ui::grow()});
     ways_out(ui, editor);
@@ -304,16 +316,19 @@ void reference_panel(ui::Ui& ui, app::Editor& editor) {
     accept_drops(ui, editor);
     Reference& reference = editor.reference();
     reference.follow();
-    if (!reference.named()) return invite(ui, editor);
     if (reference.video() == nullptr) {
-        if (!reference.opening()) return tell_faults(ui, editor);
-        const Notice notice(ui);
-        ui::label(ui, ui.join({"Opening ", reference.file().filename().string(), "..."}), {.tone = ui::Tone::dim});
-        return;
+        if (reference.opening()) {
+            const Notice notice(ui);
+            return ui::label(ui, ui.join({"Opening ", reference.opens().filename().string(), "..."}),
+                             {.tone = ui::Tone::dim});
+        }
+        if (!reference.refused().empty()) return tell_faults(ui, editor, reference.refused());
+        return reference.named() ? tell_faults(ui, editor, reference.faults()) : invite(ui, editor);
     }
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
     way_of_comparing(ui, editor);
     time_row(ui, editor);
+    warn_of_refused(ui, editor);
     warn_of_faults(ui, editor);
     pictures(ui, editor);
     pick_hint(ui, editor);

@@ -54,6 +54,16 @@ void compare(app::Editor& editor, SnapshotsState& s) {
         s.differences = document::differences(preset_of(editor, s.left), preset_of(editor, s.right));
 }
 
+/// Of another file: which one, before its values come into this preset.
+void name_of(ui::Ui& ui, const Snapshots& snapshots, std::size_t slot) {
+    const auto& snapshot = snapshots.at(slot);
+    if (!snapshot) return ui::label(ui, "empty", {.tone = ui::Tone::dim, .width = ui::grow()});
+    const std::string name = snapshot->preset.name.empty() ? "unnamed" : snapshot->preset.name;
+    const std::string other = snapshots.other_file(slot);
+    ui::label(ui, other.empty() ? name : name + ", of " + other,
+              {.tone = other.empty() ? ui::Tone::normal : ui::Tone::warning, .width = ui::grow()});
+}
+
 void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_t slot, float room) {
     Snapshots& snapshots = editor.snapshots();
     const auto& snapshot = snapshots.at(slot);
@@ -77,12 +87,7 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
         ui.pop_disabled();
         if (show) snapshots.show(slot);
         if (snapshot) ui::date_text(snapshot->time, state.text);
-        if (named)
-            ui::label(ui,
-                      !snapshot                       ? "empty"
-                      : snapshot->preset.name.empty() ? "unnamed"
-                                                      : snapshot->preset.name,
-                      {.tone = snapshot ? ui::Tone::normal : ui::Tone::dim, .width = ui::grow()});
+        if (named) name_of(ui, snapshots, slot);
         if (snapshot && timed)
             ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
         if (slot_button(ui::Icon::plus, ui.join({"Keep ", letter}),

@@ -2,6 +2,7 @@
 #include <cstdio>
 
 #include "app/hot_reload.h"
+#include "app/layouts.h"
 #include "app/meter.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -18,14 +19,17 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
     return ui.copy(text);
 }
 
-/// What runs beside the UI; the oldest, and how many more.
+/// What runs beside the UI and is shown nowhere else; the oldest, and how many more.
 void jobs(ui::Ui& ui, app::Editor& editor) {
-    const auto running = editor.jobs.running();
+    auto running = editor.jobs.running();
+    const auto loading = editor.preview.loading();
+    if (loading && editor.layouts().seen("View"))
+        std::erase_if(running, [&](const auto& job) { return job.get() == loading->job; });
     if (running.empty()) return;
     app::Job& job = *running.front();
     const std::string_view more =
         running.size() > 1 ? formatted(ui, "and %.0f more", static_cast<double>(running.size() - 1)) : "";
-    if (ui::progress(ui, job.name(), job.progress(), {.cancellable = true, .text = more, .width = ui::px(ui.em(30))}))
+    if (ui::progress(ui, job.name(), job.progress(), {.cancellable = true, .text = more, .width = ui::px(ui.em(20))}))
         job.cancel();
 }
 

@@ -6,7 +6,9 @@
 
 #include "app/autosave.h"
 #include "app/files.h"
+#include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "app/reference.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"
@@ -85,9 +87,99 @@ TEST_F(EditorDocument, ShippedFilesAreNotWrittenOver) {
     set_speed(7.5);
     ui().key('S', Mods::command).frame();
     EXPECT_TRUE(ui().exists("Save preset as"));
+    EXPECT_EQ(editor().file_dialog.folder(), folder()) << "the user's documents";
     ui().key(Key::escape).frame();
     EXPECT_EQ(read_file(file, 1 << 20), before);
     EXPECT_TRUE(editor().document.preset_unsaved());
+    editor().document.change("Length", [](document::Content& c) { c.scene.duration = 9; });
+    ui().frame().key('S', Mods::command | Mods::alt).frame();
+    EXPECT_TRUE(ui().exists("Save scene as"));
+    EXPECT_EQ(editor().file_dialog.folder(), folder());
+}
+
+TEST_F(EditorDocument, WhatSavingWillDoWithShippedFilesIsSaidBefore) {
+    set_speed(7.5);
+    editor().ask_to_close();
+    ASSERT_TRUE(asked("Save changes before closing?"));
+    EXPECT_THAT(editor().files().question()->text, HasSubstr("\"gastric_banding.json\" came with lapfx and stays as "
+                                                             "it is: saving asks for a name"));
+    say("Save as...");
+    EXPECT_TRUE(ui().exists("Save preset as"));
+    ui().key(Key::escape).frame();
+    EXPECT_FALSE(editor().closed());
+    editor().document.change("Length", [](document::Content& c) { c.scene.duration = 9; });
+    editor().ask_to_close();
+    ASSERT_TRUE(asked("Save changes before closing?"));
+    EXPECT_THAT(editor().files().question()->text,
+                HasSubstr("and \"lagb.scene.json\" came with lapfx and stay as they"));
+    EXPECT_TRUE(ui().exists("**/Save all as..."));
+    say("Cancel");
+    EXPECT_FALSE(editor().closed());
+}
+
+TEST_F(EditorDocument, SavingBeginsInTheFolderOfTheLastTime) {
+    fs::create_directory(folder() / "mine");
+    set_speed(7.5);
+    ui().key('S', Mods::command).frame();
+    ui().key('A', Mods::command).type((folder() / "mine" / "a.json").string()).key(Key::enter).frame();
+    ASSERT_TRUE(fs::exists(folder() / "mine" / "a.json"));
+    ui().frame().frame(2).frame(2);
+    start();
+    open_sample();
+    set_speed(8);
+    ui().key('S', Mods::command).frame();
+    EXPECT_EQ(editor().file_dialog.folder(), folder() / "mine") << "also of the last session";
+    ui().key(Key::escape).frame();
+    fs::remove_all(folder() / "mine");
+    ui().key('S', Mods::command).frame();
+    EXPECT_EQ(editor().file_dialog.folder(), folder()) << "it is gone";
+}
+
+TEST_F(EditorDocument, RecentFilesAreThoseThatWereOpened) {
+    const auto& recent = editor().settings().recent;
+    const fs::path own = own_preset(), broken = folder() / "broken.json", organ = folder() / "organ.obj";
+    std::ofstream(broken) << "{";
+    std::ofstream(organ) << "no organ";
+    for (const fs::path& file : {broken, folder() / "none.json", organ}) {
+        open({file.string()});
+        EXPECT_THAT(recent, testing::ElementsAre(own.string())) << file;
+        ui().key(Key::escape).frame();
+    }
+    const fs::path clip = fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips" / "wisps_thin.mp4";
+    const fs::path video = fs::path(LAPFX_SOURCE_DIR) / "samples" / "reference" / "operation.mp4";
+    editor().keying().shelf.add({broken.string(), clip.string()});
+    ui().frame().frame();
+    EXPECT_THAT(recent, testing::ElementsAre(clip.string(), own.string()));
+    editor().reference().choose(broken);
+    ui().frame().frame();
+    EXPECT_THAT(recent, testing::ElementsAre(clip.string(), own.string()));
+    editor().reference().choose(video);
+    ui().frame().frame();
+    EXPECT_THAT(recent, testing::ElementsAre(video.string(), clip.string(), own.string()));
+    fs::remove(own);
+    open({own.string()});
+    EXPECT_THAT(recent, testing::ElementsAre(video.string(), clip.string())) << "what is gone leaves the list";
+}
+
+TEST_F(EditorDocument, SnapshotsTellWhenTheyAreOfAnotherFile) {
+    layout("Tune");
+    editor().layouts().shown.show("Snapshots");
+    own_preset();
+    ui().frame().click("**/Keep A").frame();
+    EXPECT_EQ(editor().snapshots().other_file(0), "");
+    EXPECT_THAT(ui().dump(), testing::Not(HasSubstr("own, of own.json")));
+    own_preset("second.json");
+    ui().frame();
+    EXPECT_EQ(editor().snapshots().other_file(0), "own.json");
+    EXPECT_THAT(ui().dump(), HasSubstr("own, of own.json"));
+    set_speed(7.5);
+    editor().autosave().update(1000);
+    editor().autosave().update(1000 + app::Autosave::wait);
+    start();
+    editor().autosave().find();
+    ASSERT_EQ(editor().autosave().offers().size(), 1U);
+    editor().autosave().recover(0);
+    EXPECT_EQ(editor().snapshots().other_file(0), "own.json") << "also after a crash";
 }
 
 TEST_F(EditorDocument, AFolderThatIsGoneIsTold) {
@@ -266,6 +358,21 @@ TEST_F(EditorDocument, SnapshotsAreComparedAndOneValueTaken) {
     EXPECT_FALSE(editor().snapshots().at(0).has_value());
 }
 
+TEST_F(EditorDocument, WhatTheViewLoadsIsToldThereAlone) {
+    start({1280, 800}, false);
+    open_sample();
+    int seen = 0;
+    for (int i = 0; i < 2000 && editor().preview.loading(); ++i) {
+        ui().frame();
+        if (!editor().preview.loading()) break;
+        ++seen;
+        EXPECT_TRUE(ui().exists("Workspace/View/Loading/Loading lagb.glb")) << ui().dump();
+        EXPECT_FALSE(ui().exists("Status bar/Loading lagb.glb"));
+        ::usleep(5000);
+    }
+    EXPECT_GT(seen, 0);
+}
+
 TEST_F(EditorDocument, SettingsOutliveTheEditor) {
     editor().settings().light = true;
     editor().settings().favourites = {"bleeding.speed"};
@@ -329,6 +436,8 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
     EXPECT_EQ(editor().autosave().offers()[0].unsaved, "preset");
     EXPECT_THAT(ui().dump(), HasSubstr("own.json"));
+    EXPECT_GE(ui().rect("**/Unsaved work/Kept").w, ui().ui().text_width("2026-12-28 20:38") + ui().ui().em(1.5F))
+        << "the whole time is read";
     say("Keep for later");
     EXPECT_TRUE(editor().autosave().offers().empty());
     editor().autosave().find();

@@ -6,6 +6,7 @@
 #include <opencv2/videoio.hpp>
 
 #include "app/exports.h"
+#include "app/files.h"
 #include "editor/support/editor_test.h"
 #include "ui/core/tree.h"
 
@@ -57,16 +58,16 @@ TEST_F(ExportTest, ProposesWhatIsShownBesideThePreset) {
     ASSERT_TRUE(ui().exists("New export/What"));
     EXPECT_THAT(form().file(), HasSubstr("gastric_banding_tuned.json"));
     ui().click("New export/What/Picture").frame();
-    EXPECT_THAT(ui().text("New export/File"), HasSubstr("gastric_banding.png"));
-    EXPECT_NEAR(ui().value("New export/Time"), 4.5, 1e-9);
+    EXPECT_THAT(ui().text("New export/Form/File"), HasSubstr("gastric_banding.png"));
+    EXPECT_NEAR(ui().value("New export/Form/Time"), 4.5, 1e-9);
     ui().click("New export/What/Video").frame();
-    EXPECT_EQ(ui().value("New export/To"), 12);
+    EXPECT_EQ(ui().value("New export/Form/To"), 12);
     EXPECT_EQ(editor().exports().frames(), 300);
     ui().key(ui::Key::escape).frame();
     editor().timeline.has_range = true;
     editor().timeline.range = {.low = 2, .high = 3};
     open_dialog("export.video");
-    EXPECT_EQ(ui().value("New export/From"), 2);
+    EXPECT_EQ(ui().value("New export/Form/From"), 2);
     EXPECT_EQ(editor().exports().frames(), 25);
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
 }
@@ -130,18 +131,28 @@ TEST_F(ExportTest, TheEditorLivesOnAndTheExportCanBeGivenUp) {
     for (int i = 0; i < 3; ++i) ui().frame();
     ASSERT_TRUE(editor().exports().running());
     EXPECT_TRUE(editor().wants_frame());
-    EXPECT_FALSE(ui().exists("New export/What"));
+    EXPECT_FALSE(ui().exists("New export/What")) << "the dialog has closed";
+    EXPECT_THAT(ui().text("Status bar/out.mp4"), testing::AllOf(HasSubstr("%"), testing::Not(HasSubstr("frames"))));
     const double before = editor().exports().progress();
     EXPECT_GT(before, 0);
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
     ui().frame();
     EXPECT_GT(editor().exports().progress(), before);
     open_dialog("export.open");
-    EXPECT_TRUE(ui().exists("Export under way/Exporting out.mp4"));
+    EXPECT_THAT(ui().text("New export/Exporting out.mp4"), HasSubstr(" of 300 frames"));
+    EXPECT_TRUE(ui().exists("New export/Close")) << "which is not to give it up";
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not yet: out.mp4 is being exported"));
+    ui().click("New export/What/Preset").frame();
+    set_file(path("meanwhile.json"));
+    ui().click("New export/Export").frame().frame();
+    EXPECT_EQ(load_preset(folder() / "meanwhile.json").bleeding.speed, 9) << "it waits for nothing";
+    EXPECT_THAT(news(), HasSubstr("Exported meanwhile.json, checked"));
+    EXPECT_TRUE(editor().exports().running());
     editor().exports().cancel();
     ui().frame().frame();
     EXPECT_FALSE(editor().exports().running());
-    EXPECT_THAT(names(), IsEmpty());
+    EXPECT_THAT(names(), testing::ElementsAre("meanwhile.json"));
     EXPECT_THAT(news(), HasSubstr("given up: nothing was written"));
 }
 
@@ -175,7 +186,7 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
     form().kind = static_cast<int>(app::ExportKind::preset);
     set_file(path("out/alone.json"));
     EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("lies outside of"));
-    ui().click("New export/Make a bundle instead").frame();
+    ui().click("New export/Form/Make a bundle instead").frame();
     set_file(path("out/together"));
     export_it();
     EXPECT_THAT(news(), HasSubstr("Exported together ("));
@@ -209,6 +220,60 @@ TEST_F(ExportTest, TheCommandMakesTheSameAndSaysWhenItCannot) {
     ui().frame().click("New export/Copy lapfx render command").frame();
     EXPECT_EQ(ui().clipboard().text, "");
     EXPECT_THAT(news(), HasSubstr("the preset is not saved"));
+}
+
+TEST_F(ExportTest, NothingIsProposedBesideWhatCameWithTheProgram) {
+    open_dialog("export.open");
+    for (const std::string& file : form().files) EXPECT_EQ(fs::path(file).parent_path(), folder()) << "documents";
+    ui().key(ui::Key::escape).frame();
+    fs::create_directory(folder() / "own");
+    fs::create_directory(folder() / "films");
+    editor().document.save_preset(folder() / "own" / "a.json");
+    open_dialog("export.open");
+    EXPECT_EQ(form().files[0], path("own/a_tuned.json")) << "beside the user's own";
+    EXPECT_EQ(form().files[4], path("own/a.mp4"));
+    ui().click("New export/What/Picture").frame();
+    set_file(path("films/out.png"));
+    form().size = 5;
+    ui().frame();
+    export_it();
+    editor().document.save_preset(folder() / "own" / "b.json");
+    open_dialog("export.open");
+    EXPECT_EQ(form().files[2], path("films/b.png")) << "where the last picture went";
+    EXPECT_EQ(form().files[4], path("own/b.mp4"));
+}
+
+TEST_F(ExportTest, ABundleIsOpenedFromItsNotice) {
+    open_dialog("export.bundle");
+    set_file(path("together"));
+    export_it();
+    EXPECT_EQ(editor().document.scene_file(), fs::path(LAPFX_SOURCE_DIR) / "samples" / "lagb.scene.json");
+    ui().click("**/Open the bundle").frame();
+    EXPECT_EQ(editor().document.scene_file(), folder() / "together" / "together.scene.json");
+    EXPECT_EQ(editor().document.preset_file(), folder() / "together" / "together.json");
+    open_dialog("export.bundle");
+    set_file(path("alone"));
+    form().with_scene = false;
+    ui().frame();
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
+    export_it();
+    ui().click("**/Open the bundle").frame();
+    ASSERT_NE(editor().files().question(), nullptr);
+    EXPECT_THAT(editor().files().question()->title, HasSubstr("Save changes before opening \"alone.json\"?"));
+}
+
+TEST_F(ExportTest, TheDialogKeepsItsSize) {
+    open_dialog("export.open");
+    const ui::Rect before = ui().rect("New export");
+    form().size = static_cast<int>(app::export_sizes.size()) - 1;
+    form().amounts = true;
+    for (const std::string_view kind : app::export_names) {
+        ui().click("New export/What/" + std::string(kind)).frame();
+        const ui::Rect now = ui().rect("New export"), buttons = ui().rect("New export/Export");
+        EXPECT_EQ(now.h, before.h) << kind;
+        EXPECT_EQ(now.y, before.y) << kind;
+        EXPECT_LT(buttons.y + buttons.h, now.y + now.h) << kind;
+    }
 }
 
 TEST_F(ExportTest, ThePresetAsJson) {

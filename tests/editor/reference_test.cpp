@@ -86,14 +86,47 @@ TEST_F(ReferencePanel, AVideoDroppedOnItIsTheReference) {
 TEST_F(ReferencePanel, WhatIsNoVideoIsToldInPlaceWithTheWayOut) {
     const fs::path file = folder() / "notes.mp4";
     std::ofstream(file) << "words, not a video";
+    const std::size_t steps = editor().document.done();
+    const std::string told = "notes.mp4: is not a video that can be decoded";
     drop(file);
-    EXPECT_EQ(reference().video(), nullptr);
-    EXPECT_NE(ui().dump().find("notes.mp4: is not a video that can be decoded"), std::string::npos) << ui().dump();
+    EXPECT_NE(ui().dump().find(told), std::string::npos) << ui().dump();
+    EXPECT_EQ(named(), "reference/operation.mp4") << "the good one stays";
+    EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
+    EXPECT_EQ(editor().document.done(), steps);
+    EXPECT_TRUE(ui().exists(in("Video")));
     ui().click(in("Choose another file...")).frame();
     EXPECT_NE(ui().dump().find("Open reference video"), std::string::npos);
     ui().key(ui::Key::escape).frame();
+    ui().click(in("Keep this reference")).frame();
+    EXPECT_EQ(ui().dump().find(told), std::string::npos);
+    reference().remove();
+    drop(file);
+    EXPECT_NE(ui().dump().find(told), std::string::npos) << ui().dump();
+    EXPECT_TRUE(ui().exists(in("Choose another file...")));
+    EXPECT_EQ(named(), "");
+    ui().click(in("Remove")).frame();
+    EXPECT_TRUE(ui().exists(in("Sample reference"))) << "back to the beginning";
+}
+
+/// The scene names it, so there is nothing else to be shown.
+TEST_F(ReferencePanel, AScenesReferenceThatIsNoVideoIsToldWithTheWayOut) {
+    std::ofstream(folder() / "notes.mp4") << "words, not a video";
+    editor().document.change("Reference video", [&](document::Content& c) {
+        c.scene.reference = {.file = (folder() / "notes.mp4").string()};
+    });
+    ui().frame().frame();
+    EXPECT_EQ(reference().video(), nullptr);
+    EXPECT_NE(ui().dump().find("notes.mp4: is not a video that can be decoded"), std::string::npos) << ui().dump();
     ui().click(in("Remove")).frame();
     EXPECT_EQ(named(), "");
+}
+
+TEST_F(ReferencePanel, WhatIsBeingOpenedIsNotForAnotherDocument) {
+    reference().choose(video());
+    editor().forget_document();
+    ui().frame().frame();
+    EXPECT_EQ(named(), "reference/operation.mp4");
+    EXPECT_FALSE(reference().opening());
 }
 
 TEST_F(ReferencePanel, AFileThatVanishesKeepsItsLastFrame) {

@@ -26,19 +26,20 @@ void EditorTest::TearDown() {
     GpuTest::TearDown();
 }
 
-void EditorTest::start(glm::ivec2 size) {
+void EditorTest::start(glm::ivec2 size, bool exact) {
     editor_.reset();
     ui_.reset();
     const fs::path data = LAPFX_SOURCE_DIR;
-    editor_ = std::make_unique<app::Editor>(
-        images_, app::EditorOptions{
-                     .data_folder = data,
-                     .clip_folders = {data / "samples" / "clips"},
-                     .folders = {.config = folder_ / "config", .state = folder_ / "state", .cache = folder_ / "cache"},
-                     .exact = true,
-                     .renderer = "test",
-                     .software = true,
-                     .files = nullptr});
+    editor_ = std::make_unique<app::Editor>(images_, app::EditorOptions{.data_folder = data,
+                                                                        .clip_folders = {data / "samples" / "clips"},
+                                                                        .folders = {.config = folder_ / "config",
+                                                                                    .state = folder_ / "state",
+                                                                                    .cache = folder_ / "cache",
+                                                                                    .documents = folder_},
+                                                                        .exact = exact,
+                                                                        .renderer = "test",
+                                                                        .software = true,
+                                                                        .files = nullptr});
     panels::add_commands(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);

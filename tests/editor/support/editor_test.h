@@ -26,7 +26,7 @@ class EditorTest : public GpuTest {
     void TearDown() override;
 
     /// A new one, as if the program had been started again: with the same folders of the user.
-    void start(glm::ivec2 size = {1440, 900});
+    void start(glm::ivec2 size = {1440, 900}, bool exact = true);
     void open_sample();  ///< samples/lagb.scene.json, standing at 0 s
     void open(const std::vector<std::string>& files);
     void layout(std::string_view name);

@@ -1,0 +1,211 @@
+// A disk that is full, or read only, when something is saved or exported: what
+// was there stays, what was not saved is still not saved, and it is told with
+// file and reason.
+#include <gmock/gmock.h>
+#include <sys/mount.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <fstream>
+
+#include "app/exports.h"
+#include "app/files.h"
+#include "editor/support/editor_test.h"
+#include "lapfx/file.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AnyOf;
+using testing::HasSubstr;
+using ui::Mods;
+
+const auto no_room = AnyOf(HasSubstr("No space left on device"), HasSubstr("File too large"));
+
+/// A small file system, where this user may make one; else, filled, a limit on
+/// the size of files, which fails writes as well.
+class SmallDisk {
+  public:
+    explicit SmallDisk(fs::path folder) : folder_(std::move(folder)) {
+        fs::create_directory(folder_);
+        mounted_ = ::mount("none", folder_.c_str(), "tmpfs", 0, "size=256k") == 0;
+    }
+    ~SmallDisk() {
+        if (limited_) ::setrlimit(RLIMIT_FSIZE, &before_);
+        if (mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
+    }
+    SmallDisk(const SmallDisk&) = delete;
+    SmallDisk& operator=(const SmallDisk&) = delete;
+
+    const fs::path& folder() const { return folder_; }
+    void fill(std::size_t leave = 0) {
+        if (mounted_) {
+            const std::string page(4096, 'x');
+            std::ofstream filler(folder_ / "filler", std::ios::binary);
+            while (filler.write(page.data(), static_cast<std::streamsize>(page.size())).flush()) {
+            }
+            filler.close();
+            fs::resize_file(folder_ / "filler", fs::file_size(folder_ / "filler") - leave);
+            return;
+        }
+        ::signal(SIGXFSZ, SIG_IGN);
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit tight{.rlim_cur = 256 + leave, .rlim_max = before_.rlim_max};
+        limited_ = ::setrlimit(RLIMIT_FSIZE, &tight) == 0;
+    }
+    /// False: this user may not do that.
+    bool make_read_only() {
+        return mounted_ && ::mount("none", folder_.c_str(), "tmpfs", MS_REMOUNT | MS_RDONLY, "size=256k") == 0;
+    }
+    std::vector<std::string> names() const {
+        std::vector<std::string> all;
+        for (const auto& entry : fs::directory_iterator(folder_))
+            if (entry.path().filename() != "filler") all.push_back(entry.path().filename().string());
+        return all;
+    }
+
+  private:
+    fs::path folder_;
+    bool mounted_ = false, limited_ = false;
+    rlimit before_{};
+};
+
+class FullDisk : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        disk_ = std::make_unique<SmallDisk>(folder() / "disk");
+    }
+    void TearDown() override {
+        disk_.reset();
+        EditorTest::TearDown();
+    }
+    SmallDisk& disk() { return *disk_; }
+    void change() {
+        editor().document.change("Change", [](document::Content& c) {
+            c.preset.bleeding.speed = 7.5;
+            c.scene.duration = 9;
+        });
+        ui().frame();
+    }
+    /// A preset and a scene of the person's own, on that disk.
+    void save_both() {
+        editor().document.save_preset(disk().folder() / "own.json");
+        editor().document.save_scene(disk().folder() / "own.scene.json");
+        for (const char* name : {"own.json", "own.scene.json"})
+            before_[name] = read_file(disk().folder() / name, 1 << 20);
+    }
+    void expect_as_before() {
+        for (const auto& [name, text] : before_) EXPECT_EQ(read_file(disk().folder() / name, 1 << 20), text) << name;
+        EXPECT_THAT(disk().names(), testing::UnorderedElementsAre("own.json", "own.scene.json")) << "and no parts";
+        EXPECT_TRUE(editor().document.preset_unsaved());
+        EXPECT_TRUE(editor().document.scene_unsaved());
+        EXPECT_EQ(editor().document.preset().bleeding.speed, 7.5);
+    }
+    void expect_told(const std::string& file, const testing::Matcher<std::string>& reason) {
+        ui().frame();
+        ASSERT_NE(editor().files().question(), nullptr);
+        EXPECT_EQ(editor().files().question()->title, '"' + file + "\" was not saved");
+        ASSERT_EQ(editor().files().question()->lines.size(), 1U);
+        EXPECT_THAT(editor().files().question()->lines[0], testing::AllOf(HasSubstr(file + ": "), reason));
+        ui().key(ui::Key::escape).frame();
+    }
+    void export_to(app::ExportKind kind, const fs::path& file) {
+        app::Exports& exports = editor().exports();
+        exports.propose(kind);
+        exports.form.file() = file.string();
+        exports.form.size = 5;
+        exports.form.to = 0.4;
+        ASSERT_TRUE(exports.faults().empty()) << exports.faults().front().text();
+        exports.start();
+        for (int i = 0; i < 200 && (i < 3 || exports.running()); ++i) ui().frame();
+        ASSERT_FALSE(exports.running());
+        ui().frame();
+    }
+
+  private:
+    std::unique_ptr<SmallDisk> disk_;
+    std::map<std::string, std::string> before_;
+};
+
+TEST_F(FullDisk, PresetAndSceneStayUnsavedAndTheirFilesWhole) {
+    save_both();
+    change();
+    disk().fill();
+    ui().key('S', Mods::command).frame();
+    expect_told("own.json", no_room);
+    ui().key('S', Mods::command | Mods::alt).frame();
+    expect_told("own.scene.json", no_room);
+    expect_as_before();
+}
+
+TEST_F(FullDisk, OneThatIsReadOnlyIsToldAsThat) {
+    save_both();
+    change();
+    if (!disk().make_read_only()) GTEST_SKIP() << "this user may not mount a disk";
+    ui().key('S', Mods::command).frame();
+    expect_told("own.json", HasSubstr("Read-only file system"));
+    ui().key('S', Mods::command | Mods::alt).frame();
+    expect_told("own.scene.json", HasSubstr("Read-only file system"));
+    expect_as_before();
+    app::Exports& exports = editor().exports();
+    exports.propose(app::ExportKind::picture);
+    exports.form.file() = (disk().folder() / "out.png").string();
+    EXPECT_EQ(exports.fault_at("-o"), disk().folder().string() + " cannot be written to");
+}
+
+/// What stands for a folder without rights, for root has all of them.
+TEST_F(FullDisk, AFolderThatHasBecomeAFileIsTold) {
+    const fs::path sub = folder() / "sub";
+    fs::create_directory(sub);
+    editor().document.save_preset(sub / "own.json");
+    change();
+    fs::remove_all(sub);
+    std::ofstream(sub) << "a file";
+    ui().key('S', Mods::command).frame();
+    expect_told("own.json", HasSubstr("Not a directory"));
+    EXPECT_TRUE(editor().document.preset_unsaved());
+}
+
+TEST_F(FullDisk, APresetExportedLeavesTheOldOne) {
+    const fs::path file = disk().folder() / "old.json";
+    std::ofstream(file) << "old";
+    disk().fill();
+    export_to(app::ExportKind::preset, file);
+    EXPECT_EQ(read_file(file, 100), "old");
+    EXPECT_THAT(disk().names(), testing::ElementsAre("old.json"));
+    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("old.json: "), no_room));
+}
+
+TEST_F(FullDisk, APictureLeavesTheOldOne) {
+    const fs::path file = disk().folder() / "out.png";
+    std::ofstream(file) << "old";
+    disk().fill(16384);
+    export_to(app::ExportKind::picture, file);
+    EXPECT_EQ(read_file(file, 100), "old");
+    EXPECT_THAT(disk().names(), testing::ElementsAre("out.png"));
+    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("out.png: "), no_room));
+}
+
+TEST_F(FullDisk, AVideoLeavesTheOldOneAndSaysWhy) {
+    const fs::path file = disk().folder() / "out.mp4";
+    std::ofstream(file) << "old";
+    disk().fill(8192);
+    export_to(app::ExportKind::video, file);
+    EXPECT_EQ(read_file(file, 100), "old");
+    EXPECT_THAT(disk().names(), testing::ElementsAre("out.mp4"));
+    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("out.mp4: "), HasSubstr("is the disk full?")));
+}
+
+TEST_F(FullDisk, AVideoWithNoRoomAtAllSaysWhyToo) {
+    disk().fill();
+    export_to(app::ExportKind::video, disk().folder() / "out.mp4");
+    EXPECT_THAT(disk().names(), testing::IsEmpty());
+    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("out.mp4: writing failed: "), no_room));
+}
+
+}  // namespace
+}  // namespace lapfx::test
