@@ -131,7 +131,8 @@ TEST_F(InspectCommand, SuggestedKeyingIsReadyForAPreset) {
     const Result result = run("--keying smoke.avi");
     ASSERT_EQ(result.code, 0) << result.err;
     ASSERT_TRUE(result.out.starts_with("smoke.avi: video\n  size                128x96\n"));
-    EXPECT_NE(result.out.find("\n  keying              the background is green (0, 17"), std::string::npos) << result.out;
+    EXPECT_NE(result.out.find("\n  keying              the background is green (0, 17"), std::string::npos)
+        << result.out;
     EXPECT_NE(result.out.find("\n  confidence          "), std::string::npos);
     const std::string clip = result.out.substr(std::min(result.out.find("\"polarity\""), result.out.size()));
     const Preset preset = parse_preset(R"({"format": "lapfx.preset", "version": 1, "name": "x", "smoke": {"clips": [
