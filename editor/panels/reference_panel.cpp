@@ -263,7 +263,7 @@ void take_color(app::Editor& editor, const ui::CompareResult& result, const ui::
                 const ui::Picture& video) {
     const app::CompareWay way = editor.reference().way;
     const bool mixed = way == CompareWay::onion || way == CompareWay::difference;
-    const ui::Picture& picture = mixed || result.under == 1 ? video : preview;
+    const ui::Picture& picture = (mixed && !result.flicker) || result.under == 1 ? video : preview;
     editor.eyedropper.picked = app::color_around(*picture.pixels, picture.size, result.pick);
 }
 

@@ -340,14 +340,15 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
         const bool beyond =
             state.kind == CompareKind::wipe &&
             WipeLine(views[0], state.angle).position_at(views[0].to_screen(glm::dvec2(pick.at) + 0.5)) > state.position;
-        const int under = result.flicker || half == 1 || beyond ? 1 : 0;
+        const bool second_half = half == 1 && !pick.by_keys;  // by keys: the place in both
+        const int under = result.flicker || second_half || beyond ? 1 : 0;
         result.under = state.swapped ? 1 - under : under;
         result.picked = options.eyedropper && eyedropper_clicked(ui, id);
         const Readout text = readout_of(ui, labels, result, options, shown[under]);
         node.text = ui.join({place_text(ui, pick.at), "   ", text.lines[0], "   ", text.lines[1]});
         if (options.readout) readout = text;
     }
-    if (state.kind == CompareKind::wipe && !result.flicker)
+    if (state.kind == CompareKind::wipe && !result.flicker && !options.eyedropper)
         result.edit |= edit_wipe(ui, view_of(state.view, area, size), state);
     const std::string_view title = ui.join({labels[0], " - ", labels[1], "   x ", gain_text(ui, state.gain)});
     Node& whole = ui.parent();

@@ -195,9 +195,23 @@ TEST(CompareView, TheEyedropperTakesWhatIsSeenThereAndMovesNothing) {
     EXPECT_TRUE(c.state.view.fitted);
     EXPECT_EQ(c.changed, 0);
     EXPECT_EQ(c.picks, 4);
+    click(c.ui.rect("Takes").center());
+    EXPECT_EQ(c.picks, 5) << "on the line's handle, which rests meanwhile";
+    EXPECT_FALSE(c.ui.exists("Takes/Wipe"));
     c.options.eyedropper = false;
     click({100, 150});
-    EXPECT_EQ(c.picks, 4);
+    EXPECT_EQ(c.picks, 5);
+}
+
+TEST(CompareView, TheEyedropperByKeysTakesTheFirstWhereverThePointerRests) {
+    Compared c;
+    c.state.kind = CompareKind::side_by_side;
+    c.options.eyedropper = true;
+    c.ui.focus("Takes").move({200, 225});  // one above the other
+    EXPECT_EQ(c.last.under, 1);
+    c.ui.key(Key::right).key(Key::enter);
+    EXPECT_EQ(c.picks, 1);
+    EXPECT_EQ(c.under, 0);
 }
 
 TEST(CompareView, TheLineMovesByKeysTheWayTheArrowsPoint) {
