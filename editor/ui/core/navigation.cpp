@@ -85,6 +85,13 @@ bool only_activates(Sense sense) {
     return has(sense, Sense::activate) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
 
+/// What would open a number's entry. Without a ring one works by pointer, and a digit is a shortcut: nobody thinks of the value that
+/// was dragged last, and it must not change unseen.
+bool begins_entry(Sense sense, Key key) {
+    return has(sense, Sense::digits) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key) &&
+           printable(key);
+}
+
 bool moves_by_arrows(Role role) {
     switch (role) {
         case Role::tab_list:
@@ -136,10 +143,11 @@ void Ui::route_key(const Event& event) {
         key_ran_shortcut_ = true;
         return;
     }
-    if (node != nullptr && takes(node->sense, event.key, event.mods)) {
+    const bool unseen = node != nullptr && !ringed_ && begins_entry(node->sense, event.key);
+    if (node != nullptr && !unseen && takes(node->sense, event.key, event.mods)) {
         const bool pressed = has(node->sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space);
         if (pressed && event.repeat && !has(node->sense, Sense::editing)) return;  // a button held down is one click
-        ringed_ = true;
+        ringed_ |= !has(node->sense, Sense::editing);  // an entry that was opened by pointer leaves none
         return send(focus_, event);
     }
     key_ran_shortcut_ = press_shortcut(event.key, event.mods);

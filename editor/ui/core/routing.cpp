@@ -247,7 +247,7 @@ void Ui::route_text(const Event& event) {
     const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' ||
                         c == '=' || (letter && !key_ran_shortcut_);
     if (has(node->sense, Sense::typing) || has(node->sense, Sense::editing) ||
-        (has(node->sense, Sense::digits) && number))
+        (has(node->sense, Sense::digits) && number && ringed_))
         send(focus_, event);
 }
 

@@ -109,6 +109,19 @@ TEST(ParamWheel, WithTheFocusItEditsOnlyWhenNothingWasScrolledJustBefore) {
     EXPECT_EQ(speed, 13);
 }
 
+TEST_F(Param, ADigitIsItsOnlyWithTheRingOfTheKeyboard) {
+    ui.drag("Speed", {10, 0});
+    const double dragged = speed;
+    ui.type("7").key(Key::enter).key(Key::escape);
+    EXPECT_EQ(speed, dragged) << "who has dragged it last and presses a tool's key means the tool";
+    ui.click("Speed", {.clicks = 2}).key('A', Mods::command).type("80").key(Key::enter);
+    EXPECT_EQ(speed, 80);
+    ui.type("7").key(Key::enter).key(Key::escape);
+    EXPECT_EQ(speed, 80) << "nor after an entry that was opened by pointer";
+    ui.focus("Speed").type("9").key(Key::enter);
+    EXPECT_EQ(speed, 9);
+}
+
 TEST_F(Param, CopyAndPasteKeepEveryDigit) {
     speed = 1.0 / 3;
     ui.focus("Speed").key('C', Mods::command);
