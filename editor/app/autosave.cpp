@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <cmath>
+#include <optional>
 
 #include "app/editor.h"
 #include "app/files.h"
@@ -165,17 +166,36 @@ void Autosave::find() {
     }
 }
 
+namespace {
+
+/// What lies in a file, if that is still what the work began with.
+template <typename Read>
+auto in_file(const std::filesystem::path& file, const document::OnDisk& known, Read read)
+    -> std::optional<decltype(read(file))> {
+    if (file.empty() || document::OnDisk::of(file) != known) return {};
+    try {
+        return read(file);
+    } catch (const Error&) {
+        return {};
+    }
+}
+
+}  // namespace
+
 void Autosave::recover(std::size_t index) {
     Offer offer = std::move(offers_[index]);
     offers_.clear();
     document::Kept& k = offer.kept;
-    editor_.document.recover({.content = std::move(k.content),
-                              .scene_file = k.scene_file,
-                              .preset_file = k.preset_file,
-                              .scene_disk = k.scene_disk,
-                              .preset_disk = k.preset_disk,
-                              .scene_unsaved = k.scene_unsaved,
-                              .preset_unsaved = k.preset_unsaved});
+    editor_.document.recover(
+        {.content = std::move(k.content),
+         .scene_in_file = in_file(k.scene_file, k.scene_disk, load_scene),
+         .preset_in_file = in_file(k.preset_file, k.preset_disk, [](const auto& f) { return load_preset(f); }),
+         .scene_file = k.scene_file,
+         .preset_file = k.preset_file,
+         .scene_disk = k.scene_disk,
+         .preset_disk = k.preset_disk,
+         .scene_unsaved = k.scene_unsaved,
+         .preset_unsaved = k.preset_unsaved});
     editor_.snapshots().restore(k.snapshots);
     editor_.forget_document();
     for (const std::string& note : offer.notes)

@@ -91,14 +91,18 @@ void Document::open_preset(Preset preset, fs::path preset_file) {
 }
 
 void Document::recover(Recovered r) {
-    content_ = std::move(r.content);
+    if (!r.scene_unsaved) r.scene_in_file = r.content.scene;
+    if (!r.preset_unsaved) r.preset_in_file = r.content.preset;
     scene_file_ = std::move(r.scene_file);
     preset_file_ = std::move(r.preset_file);
     scene_disk_ = r.scene_disk;
     preset_disk_ = r.preset_disk;
-    saved_scene_ = r.scene_unsaved ? std::string() : write_scene(content_.scene);
-    saved_preset_ = r.preset_unsaved ? std::string() : write_preset(content_.preset);
+    saved_scene_ = r.scene_in_file ? write_scene(*r.scene_in_file) : std::string();
+    saved_preset_ = r.preset_in_file ? write_preset(*r.preset_in_file) : std::string();
+    content_ = {.scene = r.scene_in_file.value_or(r.content.scene),
+                .preset = r.preset_in_file.value_or(r.content.preset)};
     forget_steps();
+    change("Recovered work", [&](Content& c) { c = std::move(r.content); });
 }
 
 void Document::forget_steps() {

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,9 +68,12 @@ class Document {
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
     /// Another preset on the same scene; whether that one is saved stays what it is.
     void open_preset(Preset preset, std::filesystem::path preset_file = {});
-    /// What was kept of an editor that ended before all was saved: what was not still is not.
+    /// What was kept of an editor that ended before all was saved: what was not still is not. It is one undo step after what lies in
+    /// the files, as far as that is known, so that it is seen what would be lost.
     struct Recovered {
         Content content;
+        std::optional<Scene> scene_in_file;  ///< none: there is no file, or it cannot be read, or it was changed since
+        std::optional<Preset> preset_in_file;  ///< the same
         std::filesystem::path scene_file, preset_file;
         OnDisk scene_disk, preset_disk;  ///< what lay there when it was opened or saved last
         bool scene_unsaved = false, preset_unsaved = false;

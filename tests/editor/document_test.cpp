@@ -448,6 +448,14 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     EXPECT_TRUE(editor().document.preset_unsaved());
     EXPECT_FALSE(editor().document.scene_unsaved());
     EXPECT_TRUE(editor().snapshots().at(0).has_value());
+    ASSERT_FALSE(editor().document.steps().empty());
+    EXPECT_EQ(editor().document.steps().back().name, "Recovered work") << "told when it would be lost";
+    const double in_file = load_preset(folder() / "own.json").bleeding.speed;
+    editor().document.undo();
+    EXPECT_EQ(speed(), in_file) << "one step from what was saved";
+    EXPECT_FALSE(editor().document.unsaved());
+    editor().document.redo();
+    EXPECT_EQ(speed(), 7.5);
     start();  // a crash again: it was never saved
     editor().autosave().find();
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
