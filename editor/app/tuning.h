@@ -75,7 +75,7 @@ class Tuning {
     bool changed_only = false;
     bool wants_search = false;       ///< the field is to have the keyboard
     std::size_t current = no_entry;  ///< the row that has or had the keyboard
-    std::size_t wanted = no_entry;   ///< the row that is to come into sight and get it, by the panel's next build
+    std::size_t wanted = no_entry;   ///< the row that is to have it, in sight, from the next build of the panel
     void want(std::size_t entry);    ///< nothing that the panel is narrowed to hides it
 
   private:
