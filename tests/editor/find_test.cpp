@@ -85,6 +85,7 @@ TEST_F(FindTest, TheReferencesAspectIsARow) {
     EXPECT_TRUE(ui().focused().ends_with("Reference/Aspect")) << ui().focused();
     ui().type("1.78").key(Key::enter).frame();
     EXPECT_EQ(editor().document.scene().reference.aspect, 1.78);
+    ASSERT_EQ(editor().document.done(), 1U);
     EXPECT_EQ(editor().document.steps().back().name, "Reference: Aspect");
 }
 

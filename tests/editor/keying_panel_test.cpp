@@ -171,7 +171,10 @@ TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
     open_clip(green_clip());
     document::Document& document = editor().document;
     const std::size_t number = editor().clip;
-    document.change("Own keying", [&](document::Content& c) { c.preset.smoke.clips[number].own_keying = true; });
+    document.change("Own keying", [&](document::Content& c) {
+        c.preset.smoke.clips[number].own_keying = true;
+        c.preset.smoke.clips[number].keying.spill = 0.25;
+    });
     document.change("Add clip", [&](document::Content& c) {
         c.preset.smoke.clips.push_back(c.preset.smoke.clips[number]);
         c.preset.smoke.clips.back().own_keying = false;
@@ -188,6 +191,7 @@ TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
     const std::string told = ui().dump();
     EXPECT_NE(told.find("Keying for green.avi, "), std::string::npos) << "but told";
     EXPECT_NE(told.find("For this clip alone: "), std::string::npos) << "of the clip that it is for";
+    EXPECT_NE(told.find("Spill 0.25 to 1"), std::string::npos) << "with its values";
 }
 
 TEST_F(KeyingPanel, ASuggestionThatEndsAsTheSelectedClipGoesIsForItsOwn) {
