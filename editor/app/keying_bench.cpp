@@ -6,6 +6,7 @@
 
 #include "app/editor.h"
 #include "app/parameters.h"
+#include "app/pick_color.h"
 
 namespace lapfx::app {
 
@@ -44,14 +45,24 @@ Image checker(glm::ivec2 size) {
     return image;
 }
 
-/// "Luma low 16 to 31".
+/// Of numbers: as many decimals as steps of the row have, and `more`.
+std::string rounded_text(const Parameter& row, const Value& value, int more) {
+    const double* const number = std::get_if<double>(&value);
+    if (number == nullptr) return text_of(row, value);
+    const double decimals = row.step > 0 ? std::max(0.0, std::ceil(-std::log10(row.step) - 1e-9)) : 2;
+    const double parts = std::pow(10.0, decimals + more);
+    return text_of(row, std::round(parts * *number) / parts);
+}
+
+/// "Luma low 16 to 31"; what differs by less than a step is told apart all the same.
 std::string change_text(const Parameter& row, const void* before, const void* after) {
-    const auto text = [&](const void* owner) {
-        const Value value = row.get(owner);
-        const double* const number = std::get_if<double>(&value);
-        return text_of(row, number != nullptr ? Value(std::round(10 * *number) / 10) : value);
-    };
-    return std::string(row.name) + ' ' + text(before) + " to " + text(after);
+    constexpr int most_more = 6;
+    std::string from, to;
+    for (int more = 0; from == to && more <= most_more; ++more) {
+        from = rounded_text(row, row.get(before), more);
+        to = rounded_text(row, row.get(after), more);
+    }
+    return std::string(row.name) + ' ' + from + " to " + to;
 }
 
 std::string differing_rows(const Table& table, const void* before, const void* after) {
@@ -150,9 +161,7 @@ class BenchWork {
 };
 
 glm::vec4 BenchPixels::pixel(glm::ivec2 at) const {
-    const std::size_t i =
-        4 * (static_cast<std::size_t>(at.y) * static_cast<std::size_t>(image.width) + static_cast<std::size_t>(at.x));
-    return {image.pixels[i], image.pixels[i + 1], image.pixels[i + 2], image.pixels[i + 3]};
+    return pixel_of(image, at);
 }
 
 KeyingBench::KeyingBench(Editor& editor)
@@ -172,9 +181,12 @@ const SmokeClip* KeyingBench::clip() const {
     return editor_.clip < clips.size() ? &clips[editor_.clip] : nullptr;
 }
 
+const KeyingParameters& KeyingBench::keying_of(const SmokeParameters& smoke, std::size_t clip) {
+    return clip < smoke.clips.size() && smoke.clips[clip].own_keying ? smoke.clips[clip].keying : smoke.keying;
+}
+
 const KeyingParameters& KeyingBench::keying() const {
-    const SmokeClip* one = clip();
-    return one != nullptr && one->own_keying ? one->keying : editor_.document.preset().smoke.keying;
+    return keying_of(editor_.document.preset().smoke, editor_.clip);
 }
 
 KeyingParameters& KeyingBench::keying_of(document::Content& content, std::size_t clip) {
@@ -241,7 +253,8 @@ void KeyingBench::update(double now) {
     if (suggesting_ && suggesting_->cancelled()) suggesting_.reset();
     const auto& clips = editor_.document.preset().smoke.clips;
     if (!clips.empty() && editor_.clip >= clips.size()) editor_.clip = clips.size() - 1;
-    if (const SmokeClip* one = clip(); suggestion_ && (one == nullptr || one->file != suggested_for_))
+    if (const SmokeClip* one = clip();
+        suggestion_ && (one == nullptr || editor_.clip != suggested_clip_ || one->file != suggested_for_))
         forget_suggestion();
     shown_ = std::exchange(wanted_, false);
     if (!shown_ || job_) return;
@@ -343,13 +356,13 @@ std::size_t KeyingBench::sharing() const {
 }
 
 void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t number) {
-    suggestion_changes_.clear();
-    if (found.alpha) {
-        suggestion_changes_ = "Nothing changed";
-        return;
-    }
-    const KeyingParameters before = keying();
-    const SmokeClip clip_before = *clip();
+    suggestion_version_ = editor_.document.version();
+    suggestion_undoes_ = false;
+    suggestion_changes_ = "Nothing changed: this clip brings its own opacity";
+    if (found.alpha) return;
+    const SmokeParameters& now = editor_.document.preset().smoke;
+    const KeyingParameters before = keying_of(now, number);
+    const SmokeClip clip_before = now.clips[number];
     editor_.document.change("Suggest keying", [&](document::Content& c) {
         KeyingParameters& k = keying_of(c, number);
         const KeyingParameters& s = found.keying;
@@ -360,16 +373,34 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
         c.preset.smoke.clips[number].polarity = found.polarity;
     });
     const Table& smoke = *preset_table().find("smoke");
-    std::string changes = differing_rows(*smoke.find("keying"), &before, &keying());
-    if (clip()->polarity != clip_before.polarity)
+    const SmokeClip& clip = now.clips[number];
+    std::string changes = differing_rows(*smoke.find("keying"), &before, &keying_of(now, number));
+    if (clip.polarity != clip_before.polarity)
         changes += (changes.empty() ? "" : ", ") +
-                   change_text(*smoke.find("clips")->find_row("polarity"), &clip_before, clip());
-    const std::size_t many = sharing(), all = editor_.document.preset().smoke.clips.size();
-    const std::string whose = clip()->own_keying ? "For this clip alone: "
-                              : many == all      ? "For all clips (" + std::to_string(all) + "): "
-                                                 : "For " + std::to_string(many) + " of " + std::to_string(all) +
+                   change_text(*smoke.find("clips")->find_row("polarity"), &clip_before, &clip);
+    const std::size_t many = sharing(), all = now.clips.size();
+    const std::string whose = clip.own_keying ? "For this clip alone: "
+                              : many == all   ? "For all clips (" + std::to_string(all) + "): "
+                                              : "For " + std::to_string(many) + " of " + std::to_string(all) +
                                                   " clips, which share their keying: ";
+    suggestion_version_ = editor_.document.version();
+    suggestion_undoes_ = !changes.empty();
     suggestion_changes_ = changes.empty() ? "Nothing changed: it was so already" : whose + changes;
+}
+
+/// Nobody looks at that clip any more: what the panel would say is said by a notice.
+void KeyingBench::tell_suggestion(const KeyingSuggestion& found, const std::string& file) {
+    const bool unsure = found.confidence < sure_from;
+    editor_.toasts.add({.kind = unsure ? ui::ToastKind::warning : ui::ToastKind::info,
+                        .text = "Keying for " + fs::path(file).filename().string() + ", " + (unsure ? "only " : "") +
+                                std::to_string(std::lround(100 * found.confidence)) + " % sure. " +
+                                suggestion_changes_});
+    forget_suggestion();
+}
+
+std::string_view KeyingBench::suggestion_changes() const {
+    return suggestion_version_ == editor_.document.version() ? std::string_view(suggestion_changes_)
+                                                             : std::string_view();
 }
 
 void KeyingBench::suggest() {
@@ -386,7 +417,10 @@ void KeyingBench::suggest() {
         if (number >= clips.size() || clips[number].file != file) return;
         suggestion_ = found;
         suggested_for_ = file;
+        suggested_clip_ = number;
         put_suggestion(found, number);
+        // One that is gone gives way to the last: update() does it after this.
+        if (std::min(editor_.clip, clips.size() - 1) != number) tell_suggestion(found, file);
     };
     suggesting_ = editor_.jobs.start(
         "Suggesting keying for " + facts.path.filename().string(),

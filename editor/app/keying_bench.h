@@ -87,6 +87,7 @@ class KeyingBench {
     const SmokeClip* clip() const;  ///< null: none is selected
     /// What holds for the clip: its own keying, or the preset's.
     const KeyingParameters& keying() const;
+    static const KeyingParameters& keying_of(const SmokeParameters& smoke, std::size_t clip);
     static KeyingParameters& keying_of(document::Content& content, std::size_t clip);
 
     /// Thresholds out of the clip, by a job; one undo step, with polarity. They go where keying() comes from: into the clip's own
@@ -96,8 +97,11 @@ class KeyingBench {
     void cancel_suggesting();
     /// Of the clip that is selected, as long as nobody has selected another one.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
-    /// What it changed, and for whom: "For this clip alone: Luma low 16 to 31".
-    const std::string& suggestion_changes() const { return suggestion_changes_; }
+    static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
+    /// What it changed, and for whom: "For this clip alone: Luma low 16 to 31". Empty once the document has changed again.
+    std::string_view suggestion_changes() const;
+    /// The document as it is now came of it: undo takes it back.
+    bool suggestion_undoes() const { return suggestion_undoes_ && !suggestion_changes().empty(); }
     /// How many clips have no keying of their own.
     std::size_t sharing() const;
     const std::vector<Fault>& suggestion_faults() const { return suggestion_faults_; }
@@ -114,6 +118,8 @@ class KeyingBench {
     void start(const Request& request);
     void take(Result& result);
     void show_pictures(Result& result);
+    void put_suggestion(const KeyingSuggestion& found, std::size_t number);
+    void tell_suggestion(const KeyingSuggestion& found, const std::string& file);
 
     Editor& editor_;
     bool wanted_ = false, shown_ = false;
@@ -135,8 +141,11 @@ class KeyingBench {
     std::shared_ptr<Job> suggesting_;
     std::optional<KeyingSuggestion> suggestion_;
     std::vector<Fault> suggestion_faults_;
-    std::string suggestion_changes_, suggested_for_;
-    void put_suggestion(const KeyingSuggestion& found, std::size_t number);
+    std::string suggestion_changes_;
+    std::uint64_t suggestion_version_ = 0;  ///< of the document, that the changes led to
+    bool suggestion_undoes_ = false;
+    std::string suggested_for_;  ///< the clip's file
+    std::size_t suggested_clip_ = 0;
 };
 
 }  // namespace lapfx::app

@@ -109,6 +109,7 @@ constexpr std::pair<std::string_view, std::string_view> all[] = {
     {"scene.organ", "mesh model surface tissue"},
     {"scene.organ.scale", "size unit mm metres meters"},
     {"scene.organ.rotation", "orientation turn angle up axis"},
+    {"scene.organ.color", "color tint hue tissue surface plain"},
     {"scene.tool", "instrument hook mesh model"},
     {"scene.tool.scale", "size unit mm metres meters"},
     {"scene.tool.port", "trocar entry shaft"},
@@ -126,6 +127,7 @@ constexpr std::pair<std::string_view, std::string_view> all[] = {
     {"scene.light.color", "color temperature tint white"},
     {"scene.reference", "surgery video match compare"},
     {"scene.reference.offset", "sync synchronise align time shift delay"},
+    {"scene.reference.aspect", "ratio squeezed stretched anamorphic widescreen 4:3 16:9 pixel shape"},
 };
 
 }  // namespace

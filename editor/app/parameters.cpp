@@ -53,10 +53,7 @@ bool counts(const Parameter& row) {
 
 std::string tip_of(const ParameterEntry& entry) {
     static const Preset defaults;
-    const bool tuned = !entry.key.starts_with(entry.row->key);  // name, description and tags are no matter of the paper
-    const bool in_paper = entry.row->help.find("paper") != std::string_view::npos;
-    return tip_text(*entry.row, entry.owner(defaults)) + '\n' + entry.key +
-           (tuned && !in_paper ? "; the paper has no term for it" : "");
+    return tip_text(*entry.row, entry.owner(defaults)) + '\n' + entry.key;
 }
 
 }  // namespace

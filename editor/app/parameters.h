@@ -27,7 +27,7 @@ struct ParameterEntry {
     std::string key{};                ///< "smoke.keying.luma_low"
     std::string pointer{};            ///< "/smoke/keying/luma_low", as faults name it
     std::string title{};              ///< "Keying: Luma low", where the group is not seen
-    std::string tip{};                ///< tip_text(), the key, whether the paper has a term for it
+    std::string tip{};                ///< tip_text() and the key
     std::string words{};              ///< what search looks into
     std::size_t high = no_entry;      ///< this is the lower of two bounds; the upper one
     std::size_t low = no_entry;       ///< this is the upper one; the lower

@@ -60,8 +60,8 @@ class Tuning {
     /// held before. Gives how many values changed.
     int randomise(const ParameterGroup* group);
     static constexpr double standard_strength = 0.1;
-    double strength =
-        standard_strength;   ///< how far a value goes at most, of its range; 1: anywhere in it, choices too
+    /// How far a value goes at most, of its range; 1: anywhere in it, choices too.
+    double strength = standard_strength;
     std::uint64_t seed = 1;  ///< of the next randomise(); it counts on
 
     std::string copy(const ParameterGroup* group) const;
@@ -75,11 +75,8 @@ class Tuning {
     bool changed_only = false;
     bool wants_search = false;       ///< the field is to have the keyboard
     std::size_t current = no_entry;  ///< the row that has or had the keyboard
-    /// A row that is to come into sight and have the keyboard, by the next build of its panel: a parameter of the preset, or one of
-    /// the scene's.
-    std::size_t wanted = no_entry;
-    const Parameter* wanted_in_scene = nullptr;
-    void want(std::size_t entry);  ///< nothing that the panel is narrowed to hides it
+    std::size_t wanted = no_entry;   ///< the row that is to have it, in sight, from the next build of the panel
+    void want(std::size_t entry);    ///< nothing that the panel is narrowed to hides it
 
   private:
     struct State {

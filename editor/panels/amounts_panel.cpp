@@ -113,17 +113,26 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
         editor.amounts().again();
 }
 
+/// It has its line whether the plots are new or not: they stay where they are.
+void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
+    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::Place::center});
+    const bool old = amounts.stale() && amounts.busy();
+    ui::label(ui, old ? "Of the scene as it was: the new amounts are being worked out." : "Of the scene as it is",
+              {.tone = old ? ui::Tone::warning : ui::Tone::dim, .width = ui::grow()});
+}
+
 void all_plots(ui::Ui& ui, app::Editor& editor, ui::Id id) {
+    constexpr float gap = 0.4F;
     const app::AmountsOverTime& amounts = editor.amounts();
-    if (amounts.stale() && amounts.busy())
-        ui::label(ui, "Of the scene as it was: the new amounts are being worked out.", {.tone = ui::Tone::warning});
+    const float line = std::ceil(ui.em(1.5F)), part = std::ceil(ui.em(gap));
+    how_new(ui, amounts, line);
     auto& plots = ui.memory<AmountPlots>(id);
     take_series(plots, amounts);
-    const ui::Rect before = ui.rect_before(id);
+    ui::Rect before = ui.rect_before(id);
+    before.cut_top(line + part);
     const std::size_t columns = columns_for(ui, before), lines = plots.all.size() / columns;
-    constexpr float gap = 0.4F;
     const auto parted = static_cast<float>(lines);
-    const float height = std::floor((before.h - (parted - 1) * std::ceil(ui.em(gap))) / parted);
+    const float height = std::floor((before.h - (parted - 1) * part) / parted);
     const ui::ScrollArea area(ui, "All plots", {.gap = gap});
     for (std::size_t first = 0; first < plots.all.size(); first += columns) {
         const ui::Row row(ui,

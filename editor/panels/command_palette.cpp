@@ -56,7 +56,7 @@ void command_palette(ui::Ui& ui, app::Editor& editor) {
         if (of_preset)
             editor.tuning().want(item);
         else
-            editor.tuning().wanted_in_scene = &rows.scene_row(item);
+            wanted_row(ui) = &rows.scene_row(item);
         ui.build_again();
     });
 }

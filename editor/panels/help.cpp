@@ -52,9 +52,8 @@ constexpr ui::SheetPart pointer_parts[] = {
 
 constexpr std::string_view version = LAPFX_VERSION;
 constexpr std::string_view paper =
-    "T. Halic, G. Sankaranarayanan, S. De: GPU-based Efficient Realistic Techniques for Bleeding and Smoke Generation "
-    "in "
-    "Surgical Simulators. Int J Med Robot 6(4), 431-443, 2010. doi:10.1002/rcs.353";
+    "T. Halic, G. Sankaranarayanan, S. De: GPU-based Efficient Realistic Techniques for Bleeding and Smoke "
+    "Generation in Surgical Simulators. Int J Med Robot 6(4), 431-443, 2010. doi:10.1002/rcs.353";
 
 struct Library {
     std::string_view name, use, licence;

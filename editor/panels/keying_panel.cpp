@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "lapfx/keying.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -116,9 +117,8 @@ std::string_view whole(ui::Ui& ui, float value) {
 
 /// Of a pixel of each view, what its thresholds go by.
 std::string_view source_text(ui::Ui& ui, const glm::vec4& v) {
-    const float luma = glm::dot(glm::vec3(v), glm::vec3(0.299F, 0.587F, 0.114F));  // BT.601, as keying has it
-    return ui.join(
-        {"Luma ", whole(ui, luma), "  red ", whole(ui, v.r), "  green ", whole(ui, v.g), "  blue ", whole(ui, v.b)});
+    return ui.join({"Luma ", whole(ui, luma(glm::vec3(v))), "  red ", whole(ui, v.r), "  green ", whole(ui, v.g),
+                    "  blue ", whole(ui, v.b)});
 }
 std::string_view matte_text(ui::Ui& ui, const glm::vec4& v) {
     return ui.join({"Opacity ", whole(ui, v.r / 2.55F), " %"});
@@ -239,7 +239,7 @@ void chroma_scope(ui::Ui& ui, app::Editor& editor) {
                     ? "Colours of this frame. Inside of the inner circle is background, outside of the "
                       "outer one is whole smoke"
                     : "Colours of this frame. They are not used while Chroma high is 0: smoke is told by "
-                      "its brightness alone"});
+                      "its luma alone"});
     editor.document.take(result.low, "Chroma low", [&](Content& c) {
         KeyingBench::keying_of(c, number).chroma_low = std::clamp(circles.chroma_low, 0.0, 180.0);
     });
@@ -297,6 +297,18 @@ void pick_color(ui::Ui& ui, app::Editor& editor) {
     if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
 }
 
+/// What changed, as long as it is so.
+void suggested_changes(ui::Ui& ui, app::Editor& editor, bool unsure) {
+    const KeyingBench& bench = bench_of(editor);
+    const std::string_view changes = bench.suggestion_changes();
+    if (changes.empty()) return;
+    const std::string_view undo = chord_of(editor, "edit.undo");
+    ui::label(ui,
+              bench.suggestion_undoes() ? ui.join({changes, ". ", undo.empty() ? "Undo" : undo, " takes it back."})
+                                        : ui.join({changes, "."}),
+              {.tone = unsure ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
+}
+
 void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     if (bench.suggesting()) {
@@ -307,13 +319,12 @@ void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
         ui::label(ui, ui.copy(fault.text()), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     if (!bench.suggestion()) return;
     const KeyingSuggestion& found = *bench.suggestion();
-    const bool unsure = found.confidence < 0.5;
+    const bool unsure = found.confidence < KeyingBench::sure_from;
     const std::string percent = std::to_string(std::lround(100 * found.confidence));
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.2F});
-        ui::label(ui, ui.join({bench.suggestion_changes(), ". Ctrl+Z takes it back."}),
-                  {.tone = unsure ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
+        suggested_changes(ui, editor, unsure);
         ui::label(ui,
                   ui.join({unsure ? "Only " : "", percent, " % sure", unsure ? ", look before you trust it" : "", ": ",
                            found.reason}),

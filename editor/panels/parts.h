@@ -18,6 +18,11 @@ struct Room : ui::Row {
         : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::Place::center}) {}
 };
 
+/// The keys of a command as they are bound now: "Ctrl+Z"; empty: it has none.
+inline std::string_view chord_of(const app::Editor& editor, std::string_view command) {
+    return editor.commands.chord_text(editor.commands.index_of(command));
+}
+
 /// While a colour is wanted from a picture: what to do, over those that give one; of the panel's node that it lies in.
 void pick_hint(ui::Ui& ui, app::Editor& editor);
 /// Esc leaves that; with no such picture in sight the view is shown. Once a frame.

@@ -5,6 +5,7 @@
 #include "app/layouts.h"
 #include "app/tuning.h"
 #include "panels/panels.h"
+#include "panels/parts.h"
 #include "panels/preset_rows.h"
 #include "panels/randomise.h"
 #include "ui/shell/menu.h"
@@ -26,6 +27,7 @@ using ui::Icon;
 using ui::key_of;
 using ui::Mods;
 
+constexpr std::string_view found_by = "By name, key, what it does or an everyday word, such as fog";
 constexpr std::string_view all_menu = "preset menu", group_menu = "group menu";
 
 const ParameterGroup* group_of(const Tuning& tuning) {
@@ -67,7 +69,7 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui
                       {.icon = Icon::dice, .tip = "All that is not locked, in one undo step"}))
         randomise(editor, group);
     if (ui::menu_item(ui, "Strength and seed...", {.tip = "How far randomising goes from the values as they are"}))
-        open_randomise_box(ui, box_at);
+        open_randomise_box(ui, group, box_at);
     ui::menu_separator(ui);
     bool locked = true;
     for (const ParameterGroup& one : app::parameters().groups())
@@ -86,14 +88,18 @@ void tool_row(ui::Ui& ui, app::Editor& editor) {
         tuning.wants_search = false;
         ui.set_focus(ui.id_of("Search"), true);
     }
+    const std::string_view find_keys = chord_of(editor, "preset.find");
     ui::search_field(ui, "Search", tuning.search,
-                     {.placeholder = "Find a parameter", .tip = "By name, key or what it does (Ctrl+F)"});
+                     {.placeholder = "Find a parameter",
+                      .tip = find_keys.empty() ? found_by : ui.join({found_by, " (", find_keys, ")"})});
     ui::toggle(ui, "Changed only", tuning.changed_only,
                {.icon = Icon::dot, .tip = "Only what differs from the file", .quiet = true});
     const ui::Id dice = ui.id_of("Randomise");
+    constexpr std::string_view asks = "Randomise what is not locked: asks how far";
+    const std::string_view keys = chord_of(editor, "preset.randomise");
     if (ui::icon_button(ui, Icon::dice, "Randomise",
-                        {.tip = "Randomise what is not locked: asks how far. Ctrl+R does it at once", .quiet = true}))
-        open_randomise_box(ui, dice);
+                        {.tip = keys.empty() ? asks : ui.join({asks, ". ", keys, " does it at once"}), .quiet = true}))
+        open_randomise_box(ui, nullptr, dice);
     randomise_box(ui, editor);
     const ui::Id id = ui.id_of("More");
     if (ui::icon_button(ui, Icon::menu, "More", {.tip = "Copy, paste, reset, randomise, lock", .quiet = true}))
@@ -248,7 +254,7 @@ void add_preset_commands(app::Editor& editor) {
                                  editor.layouts().shown.show("Preset");
                                  tuning.wants_search = true;
                              },
-                         .tip = "By name, key or what it does"});
+                         .tip = std::string(found_by)});
     editor.commands.add({.id = "preset.changed_only",
                          .title = "Show changed parameters only",
                          .group = "Preset",

@@ -1,5 +1,7 @@
 #include "panels/randomise.h"
 
+#include <algorithm>
+
 #include "app/editor.h"
 #include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
@@ -14,6 +16,11 @@ constexpr std::string_view box_name = "randomise";
 constexpr float box_width = 22;  // em
 constexpr double most_seed = 1e9;
 
+/// What the box was opened for.
+const app::ParameterGroup*& asked_for(ui::Ui& ui) {
+    return ui.memory<const app::ParameterGroup*>(ui::hash_bytes(0, "randomise group"));
+}
+
 }  // namespace
 
 void randomise(app::Editor& editor, const app::ParameterGroup* group) {
@@ -21,7 +28,8 @@ void randomise(app::Editor& editor, const app::ParameterGroup* group) {
         editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: all of it is locked"});
 }
 
-void open_randomise_box(ui::Ui& ui, ui::Id anchor) {
+void open_randomise_box(ui::Ui& ui, const app::ParameterGroup* group, ui::Id anchor) {
+    asked_for(ui) = group;
     ui.open_overlay(box_name, ui::OverlayKind::popup, {.side = ui::Placement::Side::below, .anchor = anchor});
 }
 
@@ -37,9 +45,8 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
     strength.hard_minimum = 1, strength.hard_maximum = 100;
     strength.standard = 100 * app::Tuning::standard_strength;
     strength.tip =
-        "How far each value may go from what it is now, of its range (the one set in its menu, else the whole). At 100 "
-        "% "
-        "choices and switches change, too";
+        "How far each value may go from what it is now, of its range (the one set in its menu, else the whole). "
+        "At 100 % choices and switches change, too";
     ui::param(ui, "Strength", tuning.strength, strength);
     auto seed = static_cast<double>(tuning.seed);
     const ui::ParamOptions seeds{
@@ -53,7 +60,11 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
     if (ui::param(ui, "Seed", seed, seeds).changed) tuning.seed = static_cast<std::uint64_t>(seed);
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
     ui::label(ui, "What is not locked", {.tone = ui::Tone::dim, .width = ui::grow()});
-    if (ui::button(ui, "Randomise all", {.icon = ui::Icon::dice, .primary = true})) randomise(editor, nullptr);
+    const app::ParameterGroup* const group = asked_for(ui);
+    const std::string_view whose = group == nullptr ? std::string_view("all") : group->name;
+    if (ui::button(ui, ui.join({"Randomise ", whose}),
+                   {.icon = ui::Icon::dice, .tip = "In one undo step; the box stays for another try", .primary = true}))
+        randomise(editor, group);
     ui.close_overlay_node();
 }
 

@@ -1,8 +1,10 @@
 // Randomising the preset: at once, or by a small box with how far it goes and the seed.
 //
-//     randomise(editor, nullptr);            // all that is not locked, one undo step
-//     open_randomise_box(ui, id_of_button);  // asks for strength and seed first
-//     randomise_box(ui, editor);             // once a build
+//     randomise(editor, nullptr);                     // all that is not locked, one undo step
+//     open_randomise_box(ui, nullptr, id_of_button);  // asks for strength and seed first
+//     randomise_box(ui, editor);                      // once a build
+//
+// Groups are those of app::parameters(); null stands for all.
 #pragma once
 
 #include "app/tuning.h"
@@ -10,10 +12,10 @@
 
 namespace lapfx::panels {
 
-/// Null: all groups. Tells when there was nothing to change.
+/// Tells when there was nothing to change.
 void randomise(app::Editor& editor, const app::ParameterGroup* group);
 
-void open_randomise_box(ui::Ui& ui, ui::Id anchor);
+void open_randomise_box(ui::Ui& ui, const app::ParameterGroup* group, ui::Id anchor);
 void randomise_box(ui::Ui& ui, app::Editor& editor);
 
 }  // namespace lapfx::panels

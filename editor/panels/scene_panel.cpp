@@ -2,7 +2,6 @@
 #include <algorithm>
 
 #include "app/orbit.h"
-#include "app/tuning.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
@@ -50,7 +49,7 @@ class ScenePanel {
 
   private:
     ui::SectionOptions options(std::string_view key) {
-        const Parameter* const wanted = editor_.tuning().wanted_in_scene;
+        const Parameter* const wanted = wanted_row(ui_);
         const auto& rows = table(key).rows;
         const bool here = std::any_of(rows.begin(), rows.end(), [&](const Parameter& row) { return &row == wanted; });
         return {.unfold = here, .tip = table(key).help};
@@ -130,6 +129,7 @@ class ScenePanel {
         ui::label(ui_, file.empty() ? std::string_view("No reference yet.") : file, {.tone = ui::Tone::dim});
         row(t, "offset", owner,
             {.prefix = "Reference", .standard = &standard_scene().reference, .maximum = 60, .minimum = -60});
+        row(t, "aspect", owner, {.prefix = "Reference", .standard = &standard_scene().reference, .maximum = 4});
     }
 
     ui::Ui& ui_;
@@ -141,7 +141,7 @@ class ScenePanel {
 
 void scene_panel(ui::Ui& ui, app::Editor& editor) {
     ScenePanel(ui, editor).build();
-    const Parameter*& wanted = editor.tuning().wanted_in_scene;
+    const Parameter*& wanted = wanted_row(ui);
     if (wanted == nullptr) return;
     editor.toasts.add({.text = std::string(wanted->name) + " has no row yet: load an organ or a tool first"});
     wanted = nullptr;

@@ -22,7 +22,15 @@ constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", 
 // em: of the panel's width, below which rows leave things out; of its height, below which it scrolls.
 constexpr float whole_row = 24, named_row = 17, worded_row = 14, whole_height = 24, least_table = 9;
 
+/// Of the four slots, for these versions; a name has the file it is of where that is another one than the document's.
+struct SlotNames {
+    std::uint64_t snapshots = 0, document = 0;
+    std::array<std::string, Snapshots::count> name;
+    std::array<bool, Snapshots::count> other{};
+};
+
 struct SnapshotsState {
+    SlotNames names;
     int left = 0, right = now;
     ui::TableState table;
     std::vector<document::Difference> differences;
@@ -54,14 +62,26 @@ void compare(app::Editor& editor, SnapshotsState& s) {
         s.differences = document::differences(preset_of(editor, s.left), preset_of(editor, s.right));
 }
 
+void follow_names(app::Editor& editor, SlotNames& names) {
+    const Snapshots& snapshots = editor.snapshots();
+    if (names.snapshots == snapshots.version() && names.document == editor.document.version()) return;
+    names.snapshots = snapshots.version();
+    names.document = editor.document.version();
+    for (std::size_t slot = 0; slot < Snapshots::count; ++slot) {
+        if (!snapshots.at(slot)) continue;
+        const std::string& name = snapshots.at(slot)->preset.name;
+        const std::string other = snapshots.other_file(slot);
+        names.other[slot] = !other.empty();
+        names.name[slot] = name.empty() ? "unnamed" : name;
+        if (!other.empty()) names.name[slot] += ", of " + other;
+    }
+}
+
 /// Of another file: which one, before its values come into this preset.
-void name_of(ui::Ui& ui, const Snapshots& snapshots, std::size_t slot) {
-    const auto& snapshot = snapshots.at(slot);
-    if (!snapshot) return ui::label(ui, "empty", {.tone = ui::Tone::dim, .width = ui::grow()});
-    const std::string name = snapshot->preset.name.empty() ? "unnamed" : snapshot->preset.name;
-    const std::string other = snapshots.other_file(slot);
-    ui::label(ui, other.empty() ? name : name + ", of " + other,
-              {.tone = other.empty() ? ui::Tone::normal : ui::Tone::warning, .width = ui::grow()});
+void name_of(ui::Ui& ui, const SlotNames& names, const Snapshots& snapshots, std::size_t slot) {
+    if (!snapshots.at(slot)) return ui::label(ui, "empty", {.tone = ui::Tone::dim, .width = ui::grow()});
+    ui::label(ui, names.name[slot],
+              {.tone = names.other[slot] ? ui::Tone::warning : ui::Tone::normal, .width = ui::grow()});
 }
 
 void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_t slot, float room) {
@@ -87,7 +107,7 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
         ui.pop_disabled();
         if (show) snapshots.show(slot);
         if (snapshot) ui::date_text(snapshot->time, state.text);
-        if (named) name_of(ui, snapshots, slot);
+        if (named) name_of(ui, state.names, snapshots, slot);
         if (snapshot && timed)
             ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
         if (slot_button(ui::Icon::plus, ui.join({"Keep ", letter}),
@@ -178,6 +198,7 @@ void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, float room, 
 
 void slots_and_comparison(ui::Ui& ui, app::Editor& editor, float room, ui::Size table_height) {
     SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
+    follow_names(editor, state.names);
     {
         const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
         for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot, room);

@@ -7,7 +7,6 @@
 
 #include "app/parameters.h"
 #include "app/paths.h"
-#include "app/tuning.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"
@@ -280,11 +279,15 @@ ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const 
     if (b.now() == nullptr) return {};
     const std::ptrdiff_t before = &ui.last() - &ui.parent();
     const ui::Edit edit = any_row(b);
-    if (editor.tuning().wanted_in_scene == &row) {
-        editor.tuning().wanted_in_scene = nullptr;
+    if (wanted_row(ui) == &row) {
+        wanted_row(ui) = nullptr;
         go_to_row(ui, before);
     }
     return edit;
+}
+
+const Parameter*& wanted_row(ui::Ui& ui) {
+    return ui.memory<const Parameter*>(ui::hash_bytes(0, "wanted row"));
 }
 
 void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth) {

@@ -44,6 +44,9 @@ ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const 
 /// "Help. A number from 0 to 255 code values"; good for ever.
 std::string_view tip_of(const Parameter& row);
 
+/// The parameter whose row is to come into sight and have the keyboard, by the next build of its panel; null: none.
+const Parameter*& wanted_row(ui::Ui& ui);
+
 /// What has been built since node `before` (counted from ui.parent()) comes into sight, and the `nth` of it that takes the keyboard
 /// has it.
 void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth = 0);

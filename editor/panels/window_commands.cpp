@@ -82,7 +82,7 @@ void add_window_commands(app::Editor& editor) {
                          .group = "Window",
                          .chord = {key_of('P'), Mods::command},
                          .run = [&editor] { ui::open_palette(editor.ui()); },
-                         .tip = "Finds any command by its name and runs it"});
+                         .tip = "Finds commands and parameters by their names or everyday words, and goes to them"});
     editor.commands.add({.id = "help.keys",
                          .title = "Keys and mouse",
                          .group = "Help",

@@ -61,14 +61,19 @@ constexpr Parameter rows[] = {
     number<&V::vessel_low>("vessel_low", "Vessel low", contrast,
                            "How much redder than the tissue around it a texel is before it counts as vessel at all: "
                            "the lower end of the paper's band pass. 0.1 is a tenth more absorption of green."),
-    number<&V::vessel_high>("vessel_high", "Vessel high", contrast,
-                            "How much redder than the tissue around it a texel is when it is wholly vessel."),
+    number<&V::vessel_high>(
+        "vessel_high", "Vessel high", contrast,
+        "How much redder than the tissue around it a texel is when it is wholly vessel: the upper end "
+        "of the paper's band pass."),
     number<&V::vessel_width>("vessel_width", "Vessel width", {0.1, 20, 0.05, "mm", Scale::logarithmic},
                              "Width of the vessels that are looked for; twice of it is what counts as around them. "
                              "Texture that is much finer or coarser is not taken for vessels."),
     number<&V::fat_low>("fat_low", "Fat low", hue,
-                        "Hue (CIELAB: 0 red, 90 yellow) up to which tissue is not fat: the lower end of its band."),
-    number<&V::fat_high>("fat_high", "Fat high", hue, "Hue from which tissue is wholly fat."),
+                        "Hue (CIELAB: 0 red, 90 yellow) up to which tissue is not fat: the lower end of a "
+                        "band like the paper's for vessels, here for the fat layer of its future work."),
+    number<&V::fat_high>("fat_high", "Fat high", hue,
+                         "Hue from which tissue is wholly fat: the upper end of the band for the fat layer of the "
+                         "paper's future work."),
     number<&V::smoothing>("smoothing", "Smoothing", {0, 20, 0.05, "mm"},
                           "Standard deviation of the paper's Gaussian filter, which smooths the pixelated result."),
     number<&V::region>("region", "Region", {0.1, 20, 0.1, "mm", Scale::logarithmic},
@@ -80,7 +85,7 @@ constexpr Parameter rows[] = {
                                  "Density at which a wound bleeds with the preset's own speed."),
     number<&V::vessel_strength>("vessel_strength", "Vessel strength", share,
                                 "How much the density of vessels decides how strongly a cut bleeds: 0 not at all, 1 in "
-                                "proportion to it."),
+                                "proportion to it, as in the paper, where denser vessels bleed more."),
 };
 
 constexpr Rule rules[] = {

@@ -72,9 +72,10 @@ constexpr Parameter rows[] = {
     number<&C::diffusivity>(
         "diffusivity", "Diffusivity", {0, 2, 0.01, "mm²/s"},
         "How fast heat spreads through the tissue: its conductivity over its heat capacity. Only for "
-        "the model bioheat."),
+        "the model bioheat, the bio-heat equation that the paper names."),
     number<&C::perfusion>("perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
-                          "How fast flowing blood carries heat away. Only for the model bioheat."),
+                          "How fast flowing blood carries heat away. Only for the model bioheat, the bio-heat equation "
+                          "that the paper names."),
 };
 
 constexpr Rule rules[] = {

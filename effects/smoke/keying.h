@@ -4,6 +4,7 @@
 
 #include <glm/glm.hpp>
 
+#include "lapfx/keying.h"
 #include "lapfx/preset.h"
 
 namespace lapfx::smoke {
@@ -17,10 +18,7 @@ struct Keying {
     float dark;
 };
 
-/// BT.601 luma, full range.
-inline float luma(glm::vec3 code) {
-    return glm::dot(code, glm::vec3(0.299f, 0.587f, 0.114f));
-}
+using lapfx::luma;
 
 /// BT.601 Cb and Cr around 0.
 inline glm::vec2 chroma(glm::vec3 code) {

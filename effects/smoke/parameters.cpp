@@ -43,8 +43,9 @@ constexpr Parameter keying_rows[] = {
                          "Luma up to which a pixel is background: the lower of the paper's luminance thresholds."),
     number<&K::luma_high>("luma_high", "Luma high", luma,
                           "Luma from which a pixel is fully smoke: the upper of the paper's luminance thresholds."),
-    color<&K::key_color>("key_color", "Key colour",
-                         "Colour of the background, from which chroma distance is measured."),
+    color<&K::key_color>(
+        "key_color", "Key colour",
+        "Colour of the background that the paper's filter removes: chroma distance is measured from it."),
     number<&K::chroma_low>(
         "chroma_low", "Chroma low", chroma,
         "Distance from the key colour in Cb and Cr up to which a pixel is still background. With both "

@@ -363,7 +363,7 @@ class Suggester {
         const double reach = smoke_.amount.count() > 0 ? smoke_.amount.quantile(0.995) : 0.0;
         doubt(reach < faint, 0.4, "what is before the background hardly differs from it");
         doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8,
-              "thick smoke is not seen, so its brightness is assumed");
+              "thick smoke is not seen, so its luma is assumed");
         doubt(s_.marks > 0.0, 0.9, "a mark that never moves covers " + percent(s_.marks) + " and is keyed as smoke");
         found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
     }
@@ -378,9 +378,10 @@ class Suggester {
     std::string description() const {
         char text[200];
         const glm::ivec3 c(glm::round(s_.background));
-        if (!s_.plain) return "smoke is told by its brightness";
-        std::snprintf(text, sizeof text, "the background is %s (%d, %d, %d), even within %.0f; smoke is told by its %s",
-                      name_of_background(), c.r, c.g, c.b, noise_, coloured_ ? "colour" : "brightness");
+        if (!s_.plain) return "smoke is told by its luma (its brightness)";
+        std::snprintf(text, sizeof text,
+                      "the background is %s (%d, %d, %d), even within %.0f code values; smoke is told by its %s",
+                      name_of_background(), c.r, c.g, c.b, noise_, coloured_ ? "colour" : "luma (its brightness)");
         return text;
     }
 

@@ -3,7 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <chrono>
 #include <cmath>
+#include <thread>
 
 #include "editor/support/editor_test.h"
 #include "ui/canvas/plot_data.h"
@@ -87,6 +89,32 @@ TEST_F(AmountsPanel, AFaultIsToldInPlace) {
     editor().document.undo();
     ui().frame().settle();
     EXPECT_NE(editor().amounts().scene(), nullptr);
+}
+
+TEST_F(AmountsPanel, PlotsStayWhereTheyAreWhileNewOnesAreWorkedOut) {
+    start({1440, 900}, false);
+    open_sample();
+    layout("Compare");
+    const auto until = [&](const auto& met) {
+        for (int i = 0; i < 4000 && !met(); ++i) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(5));
+            ui().frame();
+        }
+        return met();
+    };
+    const app::AmountsOverTime& amounts = editor().amounts();
+    ASSERT_TRUE(until([&] { return amounts.scene() != nullptr && !amounts.stale() && !editor().jobs.busy(); }));
+    ui().frame().frame();
+    const auto rects = [&] { return std::pair(ui().rect("**/All plots/Blood area"), ui().rect("**/All plots/Haze")); };
+    const auto before = rects();
+    EXPECT_THAT(ui().dump(), HasSubstr("Of the scene as it is"));
+    EXPECT_LE(before.second.bottom(), ui().rect("**/All plots").bottom()) << "no bar is needed";
+    editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{0.0, 2.0}}; });
+    ASSERT_TRUE(until([&] { return amounts.stale() && amounts.busy(); }));
+    ui().frame();
+    ASSERT_TRUE(amounts.stale() && amounts.busy()) << "they take longer than a frame";
+    EXPECT_THAT(ui().dump(), HasSubstr("Of the scene as it was"));
+    EXPECT_EQ(rects(), before);
 }
 
 TEST_F(AmountsPanel, NothingIsWorkedOutWhileNobodyLooks) {

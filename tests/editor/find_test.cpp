@@ -2,6 +2,7 @@
 #include "app/layouts.h"
 #include "app/tuning.h"
 #include "editor/support/editor_test.h"
+#include "panels/table_rows.h"
 
 namespace lapfx::test {
 namespace {
@@ -54,11 +55,45 @@ TEST_F(FindTest, ThePaletteGoesToARowOfTheScene) {
     EXPECT_TRUE(ui().focused().ends_with("Camera/Exposure")) << "its section is unfolded: " << ui().focused();
 }
 
+void titles(const Table& table, const std::string& name, std::vector<std::string>& into) {
+    for (const Parameter& row : table.rows) into.push_back(name + ": " + std::string(row.name));
+    for (const Table& child : table.tables) titles(child, std::string(child.name), into);
+}
+
+TEST_F(FindTest, WhatThePaletteListsOfTheSceneHasItsRow) {
+    std::vector<std::string> all;
+    titles(scene_table(), "Scene", all);
+    int found = 0;
+    for (const std::string& title : all) {
+        ui().key('P', Mods::command).frame().type(title);
+        const std::string item = "**/Commands/" + title;
+        if (!ui().exists(item)) {
+            ui().key(Key::escape).frame();
+            continue;
+        }
+        ++found;
+        ui().click(item).frame().frame().settle();
+        EXPECT_EQ(ui().dump().find("has no row yet"), std::string::npos) << title;
+        EXPECT_NE(ui().focused().find("/Scene rows/"), std::string::npos) << title << ": " << ui().focused();
+        EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr) << title;
+    }
+    EXPECT_EQ(found, 22) << "rows of the scene, but files that commands load, and what is no row: events and curves";
+}
+
+TEST_F(FindTest, TheReferencesAspectIsARow) {
+    find("squeezed video");
+    EXPECT_TRUE(ui().focused().ends_with("Reference/Aspect")) << ui().focused();
+    ui().type("1.78").key(Key::enter).frame();
+    EXPECT_EQ(editor().document.scene().reference.aspect, 1.78);
+    ASSERT_EQ(editor().document.done(), 1U);
+    EXPECT_EQ(editor().document.steps().back().name, "Reference: Aspect");
+}
+
 TEST_F(FindTest, ARowThatIsNotThereIsTold) {
     editor().document.change("No tool", [](document::Content& c) { c.scene.tool.file.clear(); });
     find("trocar");
     EXPECT_NE(ui().dump().find("Port has no row yet"), std::string::npos);
-    EXPECT_EQ(editor().tuning().wanted_in_scene, nullptr);
+    EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr);
 }
 
 TEST_F(FindTest, ThePanelsSearchKnowsEverydayWords) {

@@ -141,6 +141,7 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     const std::string told = ui().dump();
     EXPECT_NE(told.find("% sure"), std::string::npos) << "told in place";
     EXPECT_NE(told.find("the background is green ("), std::string::npos);
+    EXPECT_NE(told.find(" code values; smoke is told by its colour"), std::string::npos) << "with its unit";
     EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
     EXPECT_EQ(told.find("code values, keyed by"), std::string::npos);
     EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For all clips (")) << "the shared keying";
@@ -164,6 +165,73 @@ TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
     EXPECT_EQ(editor().keying().suggestion_changes(), "Nothing changed: it was so already");
     EXPECT_EQ(steps(), 2U);
+}
+
+TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
+    open_clip(green_clip());
+    document::Document& document = editor().document;
+    const std::size_t number = editor().clip;
+    document.change("Own keying", [&](document::Content& c) {
+        c.preset.smoke.clips[number].own_keying = true;
+        c.preset.smoke.clips[number].keying.spill = 0.25;
+    });
+    document.change("Add clip", [&](document::Content& c) {
+        c.preset.smoke.clips.push_back(c.preset.smoke.clips[number]);
+        c.preset.smoke.clips.back().own_keying = false;
+    });
+    const KeyingParameters shared = keying();
+    ui().frame();
+    editor().keying().suggest();
+    editor().clip = document.preset().smoke.clips.size() - 1;
+    ui().frame().frame();
+    EXPECT_EQ(document.steps().back().name, "Suggest keying");
+    EXPECT_GT(document.preset().smoke.clips[number].keying.chroma_high, 20.0);
+    EXPECT_EQ(keying().chroma_high, shared.chroma_high);
+    EXPECT_FALSE(editor().keying().suggestion()) << "it is not of the clip that is seen";
+    const std::string told = ui().dump();
+    EXPECT_NE(told.find("Keying for green.avi, "), std::string::npos) << "but told";
+    EXPECT_NE(told.find("For this clip alone: "), std::string::npos) << "of the clip that it is for";
+    EXPECT_NE(told.find("Spill 0.25 to 1"), std::string::npos) << "with its values";
+}
+
+TEST_F(KeyingPanel, ASuggestionThatEndsAsTheSelectedClipGoesIsForItsOwn) {
+    open_clip(green_clip());
+    document::Document& document = editor().document;
+    document.change("One clip", [&](document::Content& c) {
+        auto& clips = c.preset.smoke.clips;
+        clips = {clips[editor().clip]};
+    });
+    editor().clip = 0;
+    ui().frame().frame();
+    editor().keying().suggest();
+    document.change("Add clip",
+                    [&](document::Content& c) { c.preset.smoke.clips.push_back(c.preset.smoke.clips.front()); });
+    editor().clip = 1;
+    document.undo();
+    ui().frame().frame();
+    EXPECT_EQ(editor().clip, 0U);
+    EXPECT_GT(keying().chroma_high, 20.0);
+    EXPECT_TRUE(editor().keying().suggestion()) << "its clip is seen again: told in place";
+    EXPECT_EQ(ui().dump().find("Keying for green.avi"), std::string::npos);
+}
+
+TEST_F(KeyingPanel, WhatASuggestionChangedIsSaidAsLongAsItIsSo) {
+    open_clip(green_clip());
+    editor().document.change("Spill", [](document::Content& c) { c.preset.smoke.keying.spill = 0.25; });
+    ui::CommandTable& commands = editor().commands;
+    commands.bind(commands.index_of("edit.undo"), {ui::key_of('U'), ui::Mods::command});
+    ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
+    EXPECT_NE(ui().dump().find("Ctrl+U takes it back."), std::string::npos);
+    EXPECT_NE(ui().dump().find("Spill 0.25 to 1"), std::string::npos) << editor().keying().suggestion_changes();
+    editor().document.undo();
+    ui().frame().frame();
+    EXPECT_EQ(ui().dump().find("Spill 0.25 to 1"), std::string::npos) << "it is taken back";
+    EXPECT_EQ(ui().dump().find("Ctrl+U takes it back"), std::string::npos);
+    EXPECT_NE(ui().dump().find("% sure"), std::string::npos) << "the clip is as it was";
+    editor().document.redo();
+    ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
+    EXPECT_NE(ui().dump().find("Nothing changed: it was so already."), std::string::npos);
+    EXPECT_EQ(ui().dump().find("Ctrl+U takes it back"), std::string::npos) << "undo would take back something else";
 }
 
 TEST_F(KeyingPanel, ThePixelSaysWhatThresholdsGoBy) {

@@ -289,6 +289,30 @@ TEST_F(PresetPanel, TheDiceAsksHowFar) {
     EXPECT_TRUE(ui().exists("**/Randomise box/Strength"));
 }
 
+TEST_F(PresetPanel, OfAGroupTheDiceAsksForThatGroup) {
+    ui().click("**/Parameters/Bleeding/More");
+    ui().click("**/Bleeding menu/Strength and seed...").frame();
+    EXPECT_FALSE(ui().exists("**/Randomise box/Randomise all"));
+    const Preset was = preset();
+    ui().click("**/Randomise box/Randomise Bleeding").frame();
+    EXPECT_EQ(editor().document.done(), 1U);
+    EXPECT_NE(preset().bleeding.speed, was.bleeding.speed);
+    EXPECT_EQ(preset().cautery.heat_rate, was.cautery.heat_rate);
+    EXPECT_EQ(preset().smoke.plume.size, was.smoke.plume.size);
+    ui().key(Key::escape);
+    ui().click("**/Preset/Randomise").frame();
+    EXPECT_TRUE(ui().exists("**/Randomise box/Randomise all")) << "the dice above is for all";
+}
+
+TEST_F(PresetPanel, TipsHaveTheKeysAsTheyAreBound) {
+    ui::CommandTable& commands = editor().commands;
+    commands.bind(commands.index_of("preset.find"), {ui::key_of('J'), Mods::command});
+    commands.bind(commands.index_of("preset.randomise"), {});
+    ui().frame();
+    EXPECT_TRUE(ui().tip("**/Preset/Search").ends_with(" (Ctrl+J)")) << ui().tip("**/Preset/Search");
+    EXPECT_EQ(ui().tip("**/Preset/Randomise"), "Randomise what is not locked: asks how far");
+}
+
 TEST_F(PresetPanel, TheClipsAreOnePressAway) {
     ui().click("**/Parameters/3 clips: edit in Clips");
     EXPECT_TRUE(ui().exists("Workspace/Clips"));

@@ -24,6 +24,11 @@
 
 namespace lapfx {
 
+/// BT.601 luma, full range: the brightness of R'G'B' code values that luma thresholds are compared with.
+inline float luma(glm::vec3 code) {
+    return glm::dot(code, glm::vec3(0.299f, 0.587f, 0.114f));
+}
+
 /// A frame as keying sees it, pixel after pixel. Memory is kept for the next frame.
 struct KeyingFrame {
     glm::ivec2 size{0};

@@ -22,7 +22,7 @@ struct KeyingSuggestion {
     double confidence = 0.0;        ///< 0..1; below 0.5 a person should look first
     double background_noise = 0.0;  ///< code values by which the background strays, 99 % of it
     double background_share = 0.0;  ///< of the clip's area over time, 0..1
-    bool whole_smoke_seen = false;  ///< smoke that hides all is in the clip; otherwise its brightness is assumed
+    bool whole_smoke_seen = false;  ///< smoke that hides all is in the clip; otherwise its luma is assumed
     std::string reason;             ///< what was found, one line for people
 };
 
