@@ -212,8 +212,7 @@ TEST_F(ExportTest, APresetAlone) {
 TEST_F(ExportTest, APresetWaitsForNoJob) {
     start({1440, 900}, false);
     const HeldJobs held(editor().jobs);
-    editor().document.save_scene(path("own.scene.json"));
-    editor().document.save_preset(path("own.json"));
+    open_sample();
     open_dialog("export.open");
     form().kind = static_cast<int>(app::ExportKind::preset);
     set_file(path("p.json"));
@@ -271,7 +270,7 @@ class LoadingExport : public ExportTest {
         ExportTest::SetUp();
         if (IsSkipped()) return;
         start({1440, 900}, false);
-        held_.emplace(editor().jobs);
+        held_ = std::make_unique<HeldJobs>(editor().jobs);
         open_sample();
         editor().timeline.speed = 0;
         open_dialog("export.picture");
@@ -297,17 +296,20 @@ class LoadingExport : public ExportTest {
     }
 
   private:
-    std::optional<HeldJobs> held_;
+    std::unique_ptr<HeldJobs> held_;
 };
 
 TEST_F(LoadingExport, IsToldOnceAndGoesOnWhenAllIsThere) {
     layout("Compare");  // without the view
+    HeldJobs::keep_only(editor().jobs, "Loading ");
+    ui().frame();
     EXPECT_TRUE(editor().exports().loading());
     EXPECT_EQ(ui().text("Status bar/out.png"), "loading");
     EXPECT_LT(editor().exports().progress(), 0) << "nobody knows yet";
     EXPECT_LT(editor().exports().seconds_left(), 0);
     EXPECT_FALSE(ui().exists("Status bar/Loading for out.png"));
-    EXPECT_TRUE(ui().exists("Status bar/Loading lagb.glb")) << "which is the view's";
+    ASSERT_TRUE(ui().exists("Status bar/Loading lagb.glb")) << "which is the view's";
+    EXPECT_EQ(ui().text("Status bar/Loading lagb.glb"), "") << "and no more";
     let_go();
     EXPECT_FALSE(editor().exports().running());
     EXPECT_THAT(news(), HasSubstr("Exported out.png, checked"));

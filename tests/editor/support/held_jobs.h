@@ -1,13 +1,14 @@
 // Keeps the threads of the editor's jobs busy, so that jobs that are started meanwhile wait, for as long as a test likes. It is not
 // listed among them. Only for an editor that does not wait for jobs itself: start(size, false).
 //
-//     std::optional<HeldJobs> held(std::in_place, editor().jobs);
+//     HeldJobs held(editor().jobs);
 //     open_sample();  // its organ is on its way
-//     held.reset();   // and comes
+//     held.let_go();  // and comes
 #pragma once
 
 #include <latch>
 #include <memory>
+#include <string_view>
 #include <vector>
 
 #include "app/jobs.h"
@@ -31,7 +32,16 @@ class HeldJobs {
         begun->wait();
         for (const auto& job : holders) job->cancel();  // what is cancelled is not listed
     }
-    ~HeldJobs() { gate_->count_down(); }
+    ~HeldJobs() { let_go(); }
+    void let_go() {
+        if (gate_) gate_->count_down();
+        gate_.reset();
+    }
+    /// Of those that wait all but these are given up.
+    static void keep_only(app::Jobs& jobs, std::string_view begins) {
+        for (const auto& job : jobs.running())
+            if (!job->name().starts_with(begins)) job->cancel();
+    }
     HeldJobs(const HeldJobs&) = delete;
     HeldJobs& operator=(const HeldJobs&) = delete;
 
