@@ -60,7 +60,7 @@ class SmallDisk {
     const fs::path& folder() const { return folder_; }
     void fill(std::size_t leave = 0) {
         if (!mounted_) {
-            limit_ = 256 + leave;
+            limit_ = leave;
             return;
         }
         const std::string page(4096, 'x');
