@@ -136,12 +136,12 @@ ClipFacts& ClipShelf::find(const std::string& file) {
 void ClipShelf::look(const std::string& key, const std::string& file) {
     const fs::path folder = editor_.document.preset().folder;
     const auto found = std::make_shared<Found>();
-    const auto work = [=, folders = editor_.options().clip_folders, this](Job&) -> Jobs::Apply {
+    const auto work = [=, folders = editor_.options().clip_folders, this](Job& job) -> Jobs::Apply {
         found->path = find_clip(file, folder, folders);
-        KeyingReader reader(found->path);
+        KeyingReader reader(found->path, &job.stop());
         found->report = reader.report();
         KeyingFrame frame;
-        reader.read(found->report.frames * 2 / 5, frame);  // smoke is there by then, as a rule
+        reader.read(found->report.frames * 2 / 5, frame, &job.stop());  // smoke is there by then, as a rule
         found->thumbnail = shrunk(source_picture(frame), thumbnail_size);
         return [=, this] {
             ClipFacts& facts = known_[key];
@@ -271,19 +271,21 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
     refused_.clear();
     const auto faults = std::make_shared<std::vector<Fault>>();
     const auto work = [=, this](Job& job) -> Jobs::Apply {
-        std::vector<std::string> good;
+        std::vector<std::string> good, bad;
         for (std::size_t i = 0; i < files.size() && !job.cancelled(); ++i) {
             if (files.size() > 1) job.set_progress(static_cast<double>(i) / static_cast<double>(files.size()));
             try {
-                KeyingReader opened(files[i]);
+                KeyingReader opened(files[i], &job.stop());
                 good.push_back(fs::absolute(files[i]).lexically_normal().string());
             } catch (const Error& error) {
                 faults->insert(faults->end(), error.faults().begin(), error.faults().end());
+                bad.push_back(files[i]);
             }
         }
         return [=, this] {
             work_.reset();
             refused_ = *faults;
+            editor_.settings().forget_missing(bad);
             take_found(good, replace);
         };
     };

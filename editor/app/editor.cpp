@@ -1,7 +1,5 @@
 #include "app/editor.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <tuple>
@@ -110,12 +108,8 @@ void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vec
 
 std::filesystem::path Editor::own_folder(const std::string& title, const std::filesystem::path& beside) const {
     for (const std::filesystem::path& folder :
-         {std::filesystem::path(settings_->last_folder(title)), beside, options_.folders.documents}) {
-        std::error_code error;
-        if (!folder.empty() && std::filesystem::is_directory(folder, error) &&
-            ::access(folder.c_str(), W_OK | X_OK) == 0 && !files_->shipped(folder))
-            return folder;
-    }
+         {std::filesystem::path(settings_->last_folder(title)), beside, options_.folders.documents})
+        if (document::is_writable_folder(folder) && !files_->shipped(folder)) return folder;
     return (options_.files != nullptr ? *options_.files : ui::system_files()).home();
 }
 

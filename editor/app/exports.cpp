@@ -1,7 +1,5 @@
 #include "app/exports.h"
 
-#include <unistd.h>
-
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -36,11 +34,6 @@ std::string file_name(const std::string& text) {
     }
     while (!name.empty() && name.back() == '_') name.pop_back();
     return name.empty() ? "preset" : name;
-}
-
-bool is_writable_folder(const fs::path& folder) {
-    std::error_code error;
-    return fs::is_directory(folder, error) && ::access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
 /// For a shell.
@@ -204,7 +197,7 @@ void Exports::look_at_form() {
         const fs::path folder = fs::absolute(file, error).parent_path();
         if (!fs::is_directory(folder, error))
             faults_.push_back(fault("-o", "there is no folder " + folder.string()));
-        else if (!is_writable_folder(folder))
+        else if (!document::is_writable_folder(folder))
             faults_.push_back(fault("-o", folder.string() + " cannot be written to"));
     }
     if (!form.renders()) return check_preset_file(faults_);
@@ -217,7 +210,7 @@ void Exports::look_at_form() {
     for (Fault& found : check(render_options(), editor_.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
     std::error_code error;
-    if (form.amounts && !is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
+    if (form.amounts && !document::is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
         faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
     if (editor_.document.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
     for (const Fault& found : editor_.document.preset_faults()) faults_.push_back(fault("preset", found.text()));
@@ -253,19 +246,17 @@ void Exports::start() {
                                                  .began = now_});
 }
 
-/// Small, and so nothing waits for it, nor it for anything.
+/// Small, and so written at once, as by saving: it waits for nothing, and there is nothing to give up.
 void Exports::export_preset() {
-    editor_.jobs.start(
-        "Exporting " + std::string(ui::name_of_path(form.file())),
-        [this, made = form, preset = editor_.document.preset(),
-         folders = editor_.options().clip_folders](Job&) -> Jobs::Apply {
-            output::export_preset(preset, made.file(), folders);
-            return [this, made] { tell_made(made, "Exported " + std::string(ui::name_of_path(made.file()))); };
-        },
-        [this](const std::vector<Fault>& faults) {
-            checked_version_ = 0;
-            editor_.tell(faults);
-        });
+    checked_version_ = 0;
+    try {
+        output::export_preset(editor_.document.preset(), form.file(), editor_.options().clip_folders);
+        tell_made(form, "Exported " + std::string(ui::name_of_path(form.file())));
+    } catch (const Error& error) {
+        editor_.tell(error);
+    } catch (const std::exception& error) {
+        editor_.tell({{.file = form.file(), .place = "", .reason = error.what()}});
+    }
 }
 
 /// What the view has is taken from there, the rest is read beside the UI.
@@ -301,6 +292,7 @@ void Exports::begin() {
     output::RenderOptions options = running_->options;
     if (running_->form.what() == ExportKind::bundle)
         options = {.size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders};
+    running_->began = now_;  // loading told of itself
     running_->render =
         std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
 }
@@ -339,14 +331,23 @@ std::string_view Exports::name() const {
 
 double Exports::progress() const {
     if (!running_) return 0;
+    if (const Job* beside = job()) return beside->progress();
     const bool bundle = running_->form.what() == ExportKind::bundle;
-    if (running_->render) return bundle ? 0 : running_->render->progress();
-    return running_->copying ? std::max(0.0, running_->copying->progress()) : 0;
+    return running_->render && !bundle ? running_->render->progress() : 0;
+}
+
+const Job* Exports::job() const {
+    if (!running_) return nullptr;
+    return running_->loading ? running_->loading.get() : running_->copying.get();
+}
+
+bool Exports::loading() const {
+    return running_ && running_->loading;
 }
 
 double Exports::seconds_left() const {
     const double share = progress();
-    return running_ && share > 0.02 ? (now_ - running_->began) * (1 - share) / share : -1;
+    return running_ && !loading() && share > 0.02 ? (now_ - running_->began) * (1 - share) / share : -1;
 }
 
 std::string Exports::progress_text() const {

@@ -86,14 +86,16 @@ class Exports {
     bool replaces() const { return replaces_; }
     int frames() const;
 
-    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is written beside
+    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is written at once,
     /// whatever is running; of the rest there is one at a time.
     void start();
     /// The form has to wait for what is running.
     bool waits() const { return running() && form.what() != ExportKind::preset; }
     bool running() const { return static_cast<bool>(running_); }
     void cancel();
-    double progress() const;            ///< 0..1
+    double progress() const;            ///< 0..1, while loading() of that; negative: nobody knows
+    bool loading() const;               ///< what the view does not have, before anything is drawn
+    const Job* job() const;             ///< that loads or copies for it now; null: none
     std::string progress_text() const;  ///< "12 of 300 frames"
     std::string_view name() const;      ///< of what is being written
     double seconds_left() const;        ///< s; negative: not known

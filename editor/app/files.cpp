@@ -4,10 +4,12 @@
 
 #include "app/autosave.h"
 #include "app/editor.h"
+#include "app/exports.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "app/reference.h"
 #include "app/settings.h"
+#include "app/snapshots.h"
 #include "document/words.h"
 
 namespace lapfx::app {
@@ -271,6 +273,7 @@ void Files::save_to(Kind kind, const fs::path& to, Then then) {
 }
 
 void Files::write(Kind kind, const fs::path& to, const Then& then) {
+    const fs::path before = file(kind);
     try {
         if (kind == Kind::scene)
             editor_.document.save_scene(to);
@@ -281,6 +284,7 @@ void Files::write(Kind kind, const fs::path& to, const Then& then) {
         return ask_failed(kind, to, error.faults(), then);
     }
     relock();
+    if (kind == Kind::preset) editor_.snapshots().move(before, to);
     editor_.settings().note_recent(to.string());
     editor_.toasts.add({.kind = ui::ToastKind::good, .text = "Saved " + to.filename().string()});
     if (then) then();
@@ -492,8 +496,20 @@ void Files::close() {
         editor_.settings().write(editor_);
         editor_.close();
     };
-    if (!editor_.document.unsaved()) return end();
-    ask_unsaved("Save changes before closing?", end, {});
+    const auto stop_export = [this, end] { editor_.exports().running() ? ask_running(end) : end(); };
+    if (!editor_.document.unsaved()) return stop_export();
+    ask_unsaved("Save changes before closing?", stop_export, {});
+}
+
+void Files::ask_running(Then then) {
+    const auto stop = [this, then = std::move(then)] {
+        editor_.exports().cancel();
+        then();
+    };
+    ask({.title = in_marks(editor_.exports().name()) + " is being exported",
+         .text = "Closing stops that. Nothing of it is written then, and what was there under its name stays.",
+         .answers = {{.label = "Stop it and close", .tip = "The export is given up.", .act = stop},
+                     {.label = "Keep on", .tip = "The editor stays open.", .standard = true, .cancel = true}}});
 }
 
 const std::string& Files::title() {

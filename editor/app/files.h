@@ -79,6 +79,7 @@ class Files {
     bool needs_name(Kind kind) const { return file(kind).empty() || shipped(file(kind)); }
     void ask(Question question);
     void ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too = true);
+    void ask_running(Then then);
     void ask_failed(Kind kind, const std::filesystem::path& file, const std::vector<Fault>& faults, Then then);
     void ask_outside(const std::filesystem::path& file, const std::vector<std::string>& clips, Then then);
     void ask_in_use(const std::vector<Kind>& used, const std::vector<std::filesystem::path>& files, Then go_on,

@@ -32,6 +32,7 @@ class Job {
     double progress() const { return progress_.load(std::memory_order_relaxed); }
     void set_progress(double share) { progress_.store(share, std::memory_order_relaxed); }
     bool cancelled() const { return cancelled_.load(std::memory_order_relaxed); }
+    const std::atomic<bool>& stop() const { return cancelled_; }  ///< cancelled(), for what reads long files
     void cancel() { cancelled_.store(true, std::memory_order_relaxed); }
 
   private:
@@ -66,6 +67,7 @@ class Jobs {
     bool busy() const;
     void set_wake(std::function<void()> wake);
     void wake();  ///< any thread: as if a job had ended
+    std::size_t threads() const { return threads_.size(); }
 
   private:
     struct Entry {

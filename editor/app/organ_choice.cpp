@@ -91,9 +91,10 @@ void OrganChoice::open(const std::filesystem::path& file) {
                 take(organ, report);
             };
         },
-        [this](const std::vector<Fault>& faults) {
+        [this, file](const std::vector<Fault>& faults) {
             job_.reset();
             faults_ = faults;
+            editor_.settings().forget_missing({file.string()});
         });
 }
 

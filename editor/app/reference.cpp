@@ -114,17 +114,18 @@ void Reference::choose(const fs::path& file) {
     const fs::path whole = chosen_ = whole_sequence(file);
     choosing_ = editor_.jobs.start(
         "Opening " + whole.filename().string(),
-        [this, file, whole](Job&) -> Jobs::Apply {
-            auto reader = std::make_shared<VideoReader>(whole);
+        [this, file, whole](Job& job) -> Jobs::Apply {
+            auto reader = std::make_shared<VideoReader>(whole, &job.stop());
             return [this, file, whole, reader] {
                 choosing_.reset();
                 put(whole, reader);
                 editor_.settings().note_recent(file.string());
             };
         },
-        [this](const std::vector<Fault>& faults) {
+        [this, file](const std::vector<Fault>& faults) {
             choosing_.reset();
             refused_ = faults;
+            editor_.settings().forget_missing({file.string()});
         });
 }
 

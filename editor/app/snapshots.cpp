@@ -31,6 +31,13 @@ std::string Snapshots::other_file(std::size_t slot) const {
     return snapshot && snapshot->file != editor_.document.preset_file() ? snapshot->file.filename().string() : "";
 }
 
+void Snapshots::move(const std::filesystem::path& from, const std::filesystem::path& to) {
+    if (from.empty() || from == to) return;  // without a file: of which document nobody knows
+    for (auto& snapshot : all_)
+        if (snapshot && snapshot->file == from) snapshot->file = to;
+    ++version_;
+}
+
 Preset Snapshots::preset(std::size_t slot) const {
     Preset preset = all_[slot]->preset;
     // A document without a file lies nowhere yet: then the snapshot brings its folder along.

@@ -40,6 +40,8 @@ class Snapshots {
     /// They stay when another preset is opened, to be compared with that one. The name of the file that this one was kept of, if
     /// it is another one than the document's now; empty: it is not, or it had none.
     std::string other_file(std::size_t slot) const;
+    /// The document's preset has been saved under another name: those kept of it are of that file now.
+    void move(const std::filesystem::path& from, const std::filesystem::path& to);
     /// Whether the document's preset is just this one.
     bool shown(std::size_t slot) const;
 

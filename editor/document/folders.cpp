@@ -1,5 +1,7 @@
 #include "document/folders.h"
 
+#include <unistd.h>
+
 #include <cstdlib>
 #include <fstream>
 #include <string>
@@ -49,6 +51,11 @@ Folders Folders::of_user() {
             .state = folder_in("XDG_STATE_HOME", ".local/state"),
             .cache = folder_in("XDG_CACHE_HOME", ".cache"),
             .documents = documents_of_user(config)};
+}
+
+bool is_writable_folder(const fs::path& folder) {
+    std::error_code error;
+    return fs::is_directory(folder, error) && ::access(folder.c_str(), W_OK | X_OK) == 0;
 }
 
 }  // namespace lapfx::document

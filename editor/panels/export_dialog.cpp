@@ -277,9 +277,11 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
 /// In short: the dialog tells all of it.
 void export_status(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
-    if (exports.running() &&
-        ui::progress(ui, exports.name(), exports.progress(),
-                     {.seconds_left = exports.seconds_left(), .cancellable = true, .width = ui::px(ui.em(20))}))
+    if (exports.running() && ui::progress(ui, exports.name(), exports.progress(),
+                                          {.seconds_left = exports.seconds_left(),
+                                           .cancellable = true,
+                                           .text = exports.loading() ? "loading" : "",
+                                           .width = ui::px(ui.em(20))}))
         exports.cancel();
 }
 

@@ -1,6 +1,7 @@
 // The bottom line: what is open, what is being done, what it costs.
 #include <cstdio>
 
+#include "app/exports.h"
 #include "app/hot_reload.h"
 #include "app/layouts.h"
 #include "app/meter.h"
@@ -22,6 +23,7 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
 /// What runs beside the UI and is shown nowhere else; the oldest, and how many more.
 void jobs(ui::Ui& ui, app::Editor& editor) {
     auto running = editor.jobs.running();
+    std::erase_if(running, [exports = editor.exports().job()](const auto& job) { return job.get() == exports; });
     const auto loading = editor.preview.loading();
     if (loading && editor.layouts().seen("View"))
         std::erase_if(running, [&](const auto& job) { return job.get() == loading->job; });

@@ -319,4 +319,13 @@ double Decoder::copy_seconds() const {
     return state_->converter->copy_seconds();
 }
 
+Decoder open_stoppable(const fs::path& path, Layout layout, int maximum_frames, const std::atomic<bool>* stop) {
+    const Progress progress = [stop](double) { return stop == nullptr || !stop->load(std::memory_order_relaxed); };
+    try {
+        return {path, layout, maximum_frames, organ::Stages(progress)};
+    } catch (const organ::Stopped&) {
+        throw Error(Failure::runtime, Fault{.file = path.string(), .place = "", .reason = "was not read to its end"});
+    }
+}
+
 }  // namespace lapfx::smoke

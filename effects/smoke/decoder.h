@@ -77,4 +77,8 @@ class Decoder {
     std::unique_ptr<State> state_;
 };
 
+/// Opens and looks through the file; `stop`, if given, ends that early: Error (runtime).
+Decoder open_stoppable(const std::filesystem::path& path, Layout layout, int maximum_frames,
+                       const std::atomic<bool>* stop);
+
 }  // namespace lapfx::smoke

@@ -219,8 +219,10 @@ struct KeyingReader::State {
     smoke::Picture picture;
 };
 
-KeyingReader::KeyingReader(const std::filesystem::path& clip)
-    : state_(std::make_unique<State>(smoke::Decoder(clip, smoke::Layout::planar), ClipReport{}, smoke::Picture{})) {
+KeyingReader::KeyingReader(const std::filesystem::path& clip, const std::atomic<bool>* stop)
+    : state_(
+          std::make_unique<State>(smoke::open_stoppable(clip, smoke::Layout::planar, smoke::Decoder::most_frames, stop),
+                                  ClipReport{}, smoke::Picture{})) {
     state_->report = smoke::report_of(state_->decoder.info());
 }
 KeyingReader::KeyingReader(KeyingReader&&) noexcept = default;
@@ -240,9 +242,9 @@ double KeyingReader::time_of(int frame) const {
     return times[static_cast<std::size_t>(std::clamp(frame, 0, static_cast<int>(times.size()) - 1))];
 }
 
-bool KeyingReader::read(int frame, KeyingFrame& into) noexcept {
+bool KeyingReader::read(int frame, KeyingFrame& into, const std::atomic<bool>* stop) noexcept {
     smoke::Decoder& decoder = state_->decoder;
-    const bool good = decoder.read(std::clamp(frame, 0, state_->report.frames - 1), state_->picture);
+    const bool good = decoder.read(std::clamp(frame, 0, state_->report.frames - 1), state_->picture, stop);
     const smoke::PictureFormat format = decoder.format();
     const glm::ivec2 size = format.size;
     try {

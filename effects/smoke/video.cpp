@@ -4,8 +4,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "lapfx/error.h"
-#include "organ/stages.h"
 #include "smoke/decoder.h"
 
 namespace lapfx {
@@ -26,20 +24,11 @@ std::uint8_t over_black(std::uint8_t value, std::uint8_t opacity) {
     return static_cast<std::uint8_t>((value * opacity + 127) / 255);
 }
 
-/// Throws Error; also (runtime) when it was to stop.
-smoke::Decoder open(const std::filesystem::path& path, const std::atomic<bool>* stop) {
-    const Progress progress = [stop](double) { return stop == nullptr || !stop->load(std::memory_order_relaxed); };
-    try {
-        return {path, smoke::Layout::rgb, maximum_frames, organ::Stages(progress)};
-    } catch (const organ::Stopped&) {
-        throw Error(Failure::runtime, Fault{.file = path.string(), .place = "", .reason = "was not read to its end"});
-    }
-}
-
 }  // namespace
 
 struct VideoReader::State {
-    State(const std::filesystem::path& path, const std::atomic<bool>* stop) : decoder(open(path, stop)) {
+    State(const std::filesystem::path& path, const std::atomic<bool>* stop)
+        : decoder(smoke::open_stoppable(path, smoke::Layout::rgb, maximum_frames, stop)) {
         const smoke::ClipInfo& clip = decoder.info();
         stored = with_square_pixels(clip.size, clip.pixel_aspect);
         if (stored != clip.size) decoder.scale_to(stored);

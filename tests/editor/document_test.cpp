@@ -12,6 +12,7 @@
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"
+#include "editor/support/held_jobs.h"
 #include "lapfx/file.h"
 
 namespace lapfx::test {
@@ -161,6 +162,32 @@ TEST_F(EditorDocument, RecentFilesAreThoseThatWereOpened) {
     EXPECT_THAT(recent, testing::ElementsAre(video.string(), clip.string())) << "what is gone leaves the list";
 }
 
+TEST_F(EditorDocument, WhatIsGoneLeavesTheRecentFilesWhateverItWas) {
+    const std::string gone = (folder() / "gone").string(), broken = (folder() / "broken").string();
+    auto& recent = editor().settings().recent;
+    for (const char* ending : {".json", ".obj", ".mp4"}) {
+        std::ofstream(broken + ending) << "neither";
+        recent.insert(recent.end(), {gone + ending, broken + ending});
+    }
+    open({gone + ".json"});
+    EXPECT_THAT(recent, testing::Not(testing::Contains(gone + ".json")));
+    for (const std::string& organ : {broken, gone}) {
+        open({organ + ".obj"});
+        ui().key(Key::escape).frame();
+    }
+    EXPECT_THAT(recent, testing::Not(testing::Contains(gone + ".obj")));
+    editor().reference().choose(broken + ".mp4");
+    ui().frame().frame();
+    editor().reference().choose(gone + ".mp4");
+    ui().frame().frame();
+    EXPECT_THAT(recent, testing::ElementsAre(broken + ".json", broken + ".obj", broken + ".mp4"));
+    recent.push_back(gone + ".mp4");
+    editor().keying().shelf.add({broken + ".mp4", gone + ".mp4"});
+    ui().frame().frame();
+    EXPECT_EQ(editor().keying().shelf.refused().size(), 2U);
+    EXPECT_THAT(recent, testing::ElementsAre(broken + ".json", broken + ".obj", broken + ".mp4"));
+}
+
 TEST_F(EditorDocument, SnapshotsTellWhenTheyAreOfAnotherFile) {
     layout("Tune");
     editor().layouts().shown.show("Snapshots");
@@ -180,6 +207,22 @@ TEST_F(EditorDocument, SnapshotsTellWhenTheyAreOfAnotherFile) {
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
     editor().autosave().recover(0);
     EXPECT_EQ(editor().snapshots().other_file(0), "own.json") << "also after a crash";
+}
+
+TEST_F(EditorDocument, SnapshotsGoAlongWhenTheirPresetGetsAnotherName) {
+    own_preset("other.json");
+    editor().snapshots().keep(1);
+    own_preset();
+    editor().snapshots().keep(0);
+    set_speed(7.5);
+    editor().files().save_preset_as();
+    ui().frame().frame();
+    ui().key('A', Mods::command).type((folder() / "mine.json").string()).key(Key::enter).frame();
+    ASSERT_EQ(editor().document.preset_file(), folder() / "mine.json") << ui().dump();
+    EXPECT_EQ(editor().snapshots().other_file(0), "") << "it is of the same work";
+    EXPECT_EQ(editor().snapshots().other_file(1), "other.json");
+    own_preset("third.json");
+    EXPECT_EQ(editor().snapshots().other_file(0), "mine.json");
 }
 
 TEST_F(EditorDocument, AFolderThatIsGoneIsTold) {
@@ -360,17 +403,23 @@ TEST_F(EditorDocument, SnapshotsAreComparedAndOneValueTaken) {
 
 TEST_F(EditorDocument, WhatTheViewLoadsIsToldThereAlone) {
     start({1280, 800}, false);
+    HeldJobs held(editor().jobs);
     open_sample();
-    int seen = 0;
-    for (int i = 0; i < 2000 && editor().preview.loading(); ++i) {
-        ui().frame();
-        if (!editor().preview.loading()) break;
-        ++seen;
-        EXPECT_TRUE(ui().exists("Workspace/View/Loading/Loading lagb.glb")) << ui().dump();
+    HeldJobs::keep_only(editor().jobs, "Loading lagb.glb");  // the status bar tells the oldest of several
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_TRUE(ui().frame().exists("Workspace/View/Loading/Loading lagb.glb")) << ui().dump();
         EXPECT_FALSE(ui().exists("Status bar/Loading lagb.glb"));
+    }
+    layout("Compare");  // which does not show the view
+    EXPECT_TRUE(ui().exists("Status bar/Loading lagb.glb")) << ui().dump();
+    layout("Tune");
+    held.let_go();
+    for (int i = 0; i < 6000 && editor().preview.loading(); ++i) {
+        ui().frame();
         ::usleep(5000);
     }
-    EXPECT_GT(seen, 0);
+    EXPECT_TRUE(editor().preview.ready());
+    EXPECT_FALSE(ui().frame().exists("Workspace/View/Loading"));
 }
 
 TEST_F(EditorDocument, SettingsOutliveTheEditor) {

@@ -1,5 +1,6 @@
 // The export dialog: what it proposes, what it refuses, what it makes.
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
@@ -8,6 +9,7 @@
 #include "app/exports.h"
 #include "app/files.h"
 #include "editor/support/editor_test.h"
+#include "editor/support/held_jobs.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::test {
@@ -205,6 +207,135 @@ TEST_F(ExportTest, APresetAlone) {
     EXPECT_EQ(load_preset(folder() / "p.json").bleeding.speed, 9.25);
     EXPECT_THAT(news(), HasSubstr("Exported p.json, checked"));
     EXPECT_TRUE(editor().document.preset_unsaved()) << "an export is no save";
+}
+
+TEST_F(ExportTest, APresetWaitsForNoJob) {
+    start({1440, 900}, false);
+    const HeldJobs held(editor().jobs);
+    open_sample();
+    open_dialog("export.open");
+    form().kind = static_cast<int>(app::ExportKind::preset);
+    set_file(path("p.json"));
+    EXPECT_FALSE(editor().exports().replaces());
+    ui().click("New export/Export");
+    EXPECT_TRUE(fs::exists(path("p.json")));
+    EXPECT_THAT(news(), HasSubstr("Exported p.json, checked"));
+    open_dialog("export.open");
+    ui().click("New export/Export").frame();
+    EXPECT_TRUE(ui().exists("Replace what is there?/Replace")) << "the second one is asked about";
+    ui().key(ui::Key::escape).frame().key(ui::Key::escape).frame();
+    editor().ask_to_close();
+    ui().frame();
+    EXPECT_TRUE(editor().closed());
+}
+
+TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
+    std::ofstream(path("out.mp4")) << "old";
+    open_dialog("export.video");
+    set_file(path("out.mp4"));
+    form().size = 5;
+    editor().exports().start();
+    ui().key(ui::Key::escape).frame().frame();
+    ASSERT_TRUE(editor().exports().running());
+    const auto title = [&] {
+        ui().frame();
+        return editor().files().question() != nullptr ? editor().files().question()->title : "";
+    };
+    editor().ask_to_close();
+    EXPECT_EQ(title(), "\"out.mp4\" is being exported");
+    const double before = editor().exports().progress();
+    ui().frame();
+    EXPECT_GT(editor().exports().progress(), before) << "it goes on meanwhile";
+    ui().click("**/Keep on").frame();
+    EXPECT_FALSE(editor().closed());
+    EXPECT_TRUE(editor().exports().running());
+    // What is not saved is asked first: saving may be cancelled, and then nothing is to be lost.
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
+    editor().ask_to_close();
+    EXPECT_EQ(title(), "Save changes before closing?");
+    ui().click("**/Discard").frame();
+    EXPECT_EQ(title(), "\"out.mp4\" is being exported");
+    EXPECT_TRUE(editor().exports().running());
+    ui().click("**/Stop it and close").frame();
+    EXPECT_TRUE(editor().closed());
+    EXPECT_FALSE(editor().exports().running());
+    EXPECT_THAT(names(), testing::Contains("out.mp4"));
+    EXPECT_EQ(fs::file_size(path("out.mp4")), 3U) << "the old one";
+}
+
+/// An export of what the view does not have, for its jobs wait until `held_` goes.
+class LoadingExport : public ExportTest {
+  protected:
+    void SetUp() override {
+        ExportTest::SetUp();
+        if (IsSkipped()) return;
+        start({1440, 900}, false);
+        held_ = std::make_unique<HeldJobs>(editor().jobs);
+        open_sample();
+        editor().timeline.speed = 0;
+        open_dialog("export.picture");
+        set_file(path("out.png"));
+        form().size = 5;
+        form().at = 6;
+        ui().frame().click("New export/Export").frame().frame();
+        ASSERT_TRUE(editor().exports().running());
+        ASSERT_EQ(editor().preview.organ_of(editor().document.scene()), nullptr);
+    }
+    void TearDown() override {
+        held_.reset();
+        ExportTest::TearDown();
+    }
+    void let_go() {
+        held_.reset();
+        const auto busy = [&] { return editor().exports().running() || editor().jobs.busy(); };
+        for (int i = 0; i < 6000 && busy(); ++i) {
+            ui().frame();
+            ::usleep(5000);
+        }
+        ui().frame().frame();
+    }
+
+  private:
+    std::unique_ptr<HeldJobs> held_;
+};
+
+TEST_F(LoadingExport, IsToldOnceAndGoesOnWhenAllIsThere) {
+    layout("Compare");  // without the view
+    HeldJobs::keep_only(editor().jobs, "Loading ");
+    ui().frame();
+    EXPECT_TRUE(editor().exports().loading());
+    EXPECT_EQ(ui().text("Status bar/out.png"), "loading");
+    EXPECT_LT(editor().exports().progress(), 0) << "nobody knows yet";
+    EXPECT_LT(editor().exports().seconds_left(), 0);
+    EXPECT_FALSE(ui().exists("Status bar/Loading for out.png"));
+    ASSERT_TRUE(ui().exists("Status bar/Loading lagb.glb")) << "which is the view's";
+    EXPECT_EQ(ui().text("Status bar/Loading lagb.glb"), "") << "and no more";
+    let_go();
+    EXPECT_FALSE(editor().exports().running());
+    EXPECT_THAT(news(), HasSubstr("Exported out.png, checked"));
+    const cv::Mat loaded = cv::imread(path("out.png"));
+    start();
+    open_sample();
+    open_dialog("export.picture");
+    set_file(path("there.png"));
+    form().size = 5;
+    form().at = 6;
+    ui().frame();
+    export_it();
+    const cv::Mat there = cv::imread(path("there.png"));
+    ASSERT_EQ(loaded.size(), cv::Size(640, 512));
+    ASSERT_EQ(there.size(), loaded.size());
+    EXPECT_EQ(cv::norm(loaded, there, cv::NORM_INF), 0) << "the same as of an organ that is there";
+}
+
+TEST_F(LoadingExport, CanBeGivenUp) {
+    ui().click("Status bar/Cancel out.png").frame();
+    EXPECT_FALSE(editor().exports().running());
+    EXPECT_THAT(news(), HasSubstr("Export of out.png given up: nothing was written"));
+    let_go();
+    EXPECT_TRUE(editor().preview.ready()) << "the view has its organ";
+    EXPECT_FALSE(fs::exists(path("out.png")));
+    EXPECT_FALSE(editor().exports().running());
 }
 
 TEST_F(ExportTest, TheCommandMakesTheSameAndSaysWhenItCannot) {

@@ -1,12 +1,13 @@
-// A disk that is full, or read only, when something is saved or exported: what
-// was there stays, what was not saved is still not saved, and it is told with
-// file and reason.
+// A disk that is full, or read only, when something is saved or exported: what was there stays, what was not saved is still not
+// saved, and it is told with file and reason.
 #include <gmock/gmock.h>
 #include <sys/mount.h>
 #include <sys/resource.h>
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
+#include <optional>
 
 #include "app/exports.h"
 #include "app/files.h"
@@ -23,8 +24,27 @@ using ui::Mods;
 
 const auto no_room = AnyOf(HasSubstr("No space left on device"), HasSubstr("File too large"));
 
-/// A small file system, where this user may make one; else, filled, a limit on
-/// the size of files, which fails writes as well.
+/// As long as it lives no file of this process grows beyond so many bytes, which fails writes as a full disk does.
+class FileLimit {
+  public:
+    explicit FileLimit(rlim_t bytes) : signal_(::signal(SIGXFSZ, SIG_IGN)) {
+        ::getrlimit(RLIMIT_FSIZE, &before_);
+        const rlimit tight{.rlim_cur = std::min(bytes, before_.rlim_max), .rlim_max = before_.rlim_max};
+        EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &tight), 0);
+    }
+    ~FileLimit() {
+        ::setrlimit(RLIMIT_FSIZE, &before_);
+        ::signal(SIGXFSZ, signal_);
+    }
+    FileLimit(const FileLimit&) = delete;
+    FileLimit& operator=(const FileLimit&) = delete;
+
+  private:
+    void (*signal_)(int);
+    rlimit before_{};
+};
+
+/// A small file system, where this user may make one; else, filled, a FileLimit while something is written.
 class SmallDisk {
   public:
     explicit SmallDisk(fs::path folder) : folder_(std::move(folder)) {
@@ -32,7 +52,6 @@ class SmallDisk {
         mounted_ = ::mount("none", folder_.c_str(), "tmpfs", 0, "size=256k") == 0;
     }
     ~SmallDisk() {
-        if (limited_) ::setrlimit(RLIMIT_FSIZE, &before_);
         if (mounted_) ::umount2(folder_.c_str(), MNT_DETACH);
     }
     SmallDisk(const SmallDisk&) = delete;
@@ -40,19 +59,23 @@ class SmallDisk {
 
     const fs::path& folder() const { return folder_; }
     void fill(std::size_t leave = 0) {
-        if (mounted_) {
-            const std::string page(4096, 'x');
-            std::ofstream filler(folder_ / "filler", std::ios::binary);
-            while (filler.write(page.data(), static_cast<std::streamsize>(page.size())).flush()) {
-            }
-            filler.close();
-            fs::resize_file(folder_ / "filler", fs::file_size(folder_ / "filler") - leave);
+        if (!mounted_) {
+            limit_ = leave;
             return;
         }
-        ::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &before_);
-        const rlimit tight{.rlim_cur = 256 + leave, .rlim_max = before_.rlim_max};
-        limited_ = ::setrlimit(RLIMIT_FSIZE, &tight) == 0;
+        const std::string page(4096, 'x');
+        std::ofstream filler(folder_ / "filler", std::ios::binary);
+        while (filler.write(page.data(), static_cast<std::streamsize>(page.size())).flush()) {
+        }
+        filler.close();
+        fs::resize_file(folder_ / "filler", fs::file_size(folder_ / "filler") - leave);
+    }
+    /// What writes to it: on a disk that is not filled like anything else.
+    template <typename Writing>
+    void write(Writing&& writing) const {
+        std::optional<FileLimit> limit;
+        if (limit_) limit.emplace(*limit_);
+        writing();
     }
     /// False: this user may not do that.
     bool make_read_only() {
@@ -67,8 +90,8 @@ class SmallDisk {
 
   private:
     fs::path folder_;
-    bool mounted_ = false, limited_ = false;
-    rlimit before_{};
+    bool mounted_ = false;
+    std::optional<rlim_t> limit_;  ///< bytes
 };
 
 class FullDisk : public EditorTest {
@@ -113,6 +136,9 @@ class FullDisk : public EditorTest {
         EXPECT_THAT(editor().files().question()->lines[0], testing::AllOf(HasSubstr(file + ": "), reason));
         ui().key(ui::Key::escape).frame();
     }
+    void press_save(ui::Mods mods) {
+        disk().write([&] { ui().key('S', mods).frame(); });
+    }
     void export_to(app::ExportKind kind, const fs::path& file) {
         app::Exports& exports = editor().exports();
         exports.propose(kind);
@@ -120,8 +146,10 @@ class FullDisk : public EditorTest {
         exports.form.size = 5;
         exports.form.to = 0.4;
         ASSERT_TRUE(exports.faults().empty()) << exports.faults().front().text();
-        exports.start();
-        for (int i = 0; i < 200 && (i < 3 || exports.running()); ++i) ui().frame();
+        disk().write([&] {
+            exports.start();
+            for (int i = 0; i < 200 && exports.running(); ++i) ui().frame();
+        });
         ASSERT_FALSE(exports.running());
         ui().frame();
     }
@@ -135,9 +163,9 @@ TEST_F(FullDisk, PresetAndSceneStayUnsavedAndTheirFilesWhole) {
     save_both();
     change();
     disk().fill();
-    ui().key('S', Mods::command).frame();
+    press_save(Mods::command);
     expect_told("own.json", no_room);
-    ui().key('S', Mods::command | Mods::alt).frame();
+    press_save(Mods::command | Mods::alt);
     expect_told("own.scene.json", no_room);
     expect_as_before();
 }
@@ -146,9 +174,9 @@ TEST_F(FullDisk, OneThatIsReadOnlyIsToldAsThat) {
     save_both();
     change();
     if (!disk().make_read_only()) GTEST_SKIP() << "this user may not mount a disk";
-    ui().key('S', Mods::command).frame();
+    press_save(Mods::command);
     expect_told("own.json", HasSubstr("Read-only file system"));
-    ui().key('S', Mods::command | Mods::alt).frame();
+    press_save(Mods::command | Mods::alt);
     expect_told("own.scene.json", HasSubstr("Read-only file system"));
     expect_as_before();
     app::Exports& exports = editor().exports();

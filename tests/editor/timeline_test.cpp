@@ -136,6 +136,23 @@ TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
     EXPECT_EQ(events().size(), 2U);
 }
 
+TEST_F(TimelinePanelTest, TheColourStaysWithItsOrgan) {
+    const glm::dvec3 colour(0.9, 0.5, 0.4);
+    editor().document.change("Colour", [&](document::Content& c) { c.scene.organ.color = colour; });
+    open({(editor().document.scene().folder / "lagb.glb").string()});
+    ui().frame().frame();
+    ui().click("**/Load");
+    EXPECT_EQ(last_step(), "Load organ");
+    EXPECT_EQ(editor().document.scene().organ.color, colour) << "the same organ once more";
+    EXPECT_EQ(events().size(), 2U);
+    open({box("box.obj", 250, 100, 150)});
+    ui().frame().frame();
+    ui().click("**/Load");
+    EXPECT_EQ(editor().document.scene().organ.color, glm::dvec3(1)) << "another one has its own";
+    editor().document.undo();
+    EXPECT_EQ(editor().document.scene().organ.color, colour);
+}
+
 TEST_F(TimelinePanelTest, ABrokenOrganIsToldInTheDialogAndNothingChanges) {
     const std::string file = (folder() / "broken.obj").string();
     std::ofstream(file) << "v 1 2\nf 1 2 9\n";

@@ -11,6 +11,7 @@
 // Pictures have rows from the top, RGBA. Code values 0..255. Any thread; a reader one at a time. No GL.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <filesystem>
 #include <glm/glm.hpp>
@@ -41,8 +42,9 @@ struct KeyingFrame {
 
 class KeyingReader {
   public:
-    /// Opens and looks through the file. Throws Error (bad_input) as report_clip() does.
-    explicit KeyingReader(const std::filesystem::path& clip);
+    /// Opens and looks through the file. Throws Error (bad_input) as report_clip() does. `stop`, if given, ends that early: Error
+    /// (runtime).
+    explicit KeyingReader(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
     KeyingReader(KeyingReader&&) noexcept;
     KeyingReader& operator=(KeyingReader&&) noexcept;
     ~KeyingReader();
@@ -51,8 +53,9 @@ class KeyingReader {
     int frame_at(double time) const;  ///< shown at `time`, s of the clip; clamped
     double time_of(int frame) const;  ///< s
     /// 0 .. report().frames - 1, clamped. False when the file cannot give it: then it is the last good one before it, or
-    /// black; without memory for it, a frame of no size.
-    bool read(int frame, KeyingFrame& into) noexcept;
+    /// black; without memory for it, a frame of no size. `stop`, if given, ends a long way to a frame early: false, and it is any
+    /// frame or black.
+    bool read(int frame, KeyingFrame& into, const std::atomic<bool>* stop = nullptr) noexcept;
 
   private:
     struct State;

@@ -45,9 +45,9 @@ class Preview {
 
     void set_preset(const Preset& preset);
     void set_parameters(const Preset& preset);  ///< as Effects::set_parameters
-    /// Live: colour of the organ, camera, light, gravity, seed, events, port of the tool. The next frame is that of a new Preview of this scene. Throws
-    /// Error (bad_input), and changes nothing, when its organ or tool are others: those need a new one; and when gravity is no
-    /// direction.
+    /// Live: colour of the organ, camera, light, gravity, seed, events, port of the tool. The next frame is that of a new Preview of
+    /// this scene. Throws Error (bad_input), and changes nothing, when its organ or tool are others: those need a new one; and when
+    /// gravity is no direction.
     void set_scene(const Scene& scene);
     /// Whether set_scene() takes it: organ and tool are the same.
     bool takes(const Scene& scene) const;

@@ -75,6 +75,24 @@ TEST_F(VideoFeedTest, AnotherFileTakesThePlaceOfTheOldOneAtOnce) {
     EXPECT_FALSE(feed.opening());
 }
 
+TEST_F(VideoFeedTest, AReaderThatIsOpenAlreadyIsUsedOnce) {
+    const fs::path file = video(), other = video("b.avi", 5);
+    auto reader = std::make_shared<VideoReader>(file);
+    const std::weak_ptr<VideoReader> watched = reader;
+    VideoFeed feed;
+    feed.open(file, std::move(reader));
+    ASSERT_TRUE(comes(feed, [&] { return feed.video() != nullptr; }));
+    EXPECT_EQ(feed.video(), watched.lock()) << "nothing was opened again";
+    feed.want(7);
+    ASSERT_TRUE(comes(feed, [&] { return feed.frame() == 7; }));
+    EXPECT_EQ(feed.image().pixels, frame_of(file, 7));
+    feed.open(other);
+    ASSERT_TRUE(comes(feed, [&] { return feed.video() != nullptr; }));
+    EXPECT_EQ(feed.video()->info().frames, 5);
+    feed.take();
+    EXPECT_TRUE(watched.expired()) << "nobody keeps it";
+}
+
 TEST_F(VideoFeedTest, AFileThatVanishesKeepsItsLastFrame) {
     const fs::path file = video();
     VideoFeed feed;

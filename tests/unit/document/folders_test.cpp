@@ -63,5 +63,12 @@ TEST_F(FoldersTest, WithoutAHomeThereAreNone) {
     EXPECT_EQ(documents(), fs::path());
 }
 
+TEST_F(FoldersTest, OnlyAFolderThatIsThereCanBeWrittenTo) {
+    EXPECT_TRUE(is_writable_folder(home.path()));
+    EXPECT_FALSE(is_writable_folder(home / "none"));
+    EXPECT_FALSE(is_writable_folder(home.write("file", "x")));
+    EXPECT_FALSE(is_writable_folder({}));
+}
+
 }  // namespace
 }  // namespace lapfx::document

@@ -8,6 +8,7 @@
 #include "lapfx/keying.h"
 #include "smoke/keying_cpu.h"
 #include "support/clips.h"
+#include "unit/preset/support.h"
 
 namespace lapfx {
 namespace {
@@ -192,6 +193,21 @@ TEST(KeyingReader, AFrameThatCannotBeReadIsTold) {
     EXPECT_EQ(frame.luma.size(), 640U * 480U);
     fs::remove(path);
     EXPECT_THROW(KeyingReader{path}, Error);
+}
+
+TEST(KeyingReader, AStopIsHeeded) {
+    const fs::path path = fs::temp_directory_path() / "lapfx_keying_stop.avi";
+    test::write_clip(path, 12);
+    std::atomic<bool> stop = true;
+    EXPECT_EQ(test::faults_of([&] { KeyingReader(path, &stop); }, Failure::runtime),
+              std::vector{path.string() + ": was not read to its end"});
+    KeyingReader reader(path);
+    KeyingFrame frame;
+    EXPECT_FALSE(reader.read(9, frame, &stop));
+    stop = false;
+    EXPECT_TRUE(reader.read(9, frame, &stop));
+    EXPECT_NEAR(frame.luma[0], test::level_of(9), 2.0);
+    fs::remove(path);
 }
 
 TEST(FindPublicClip, LooksInThePresetsFolderThenOnTheSearchPath) {
