@@ -230,6 +230,11 @@ void Browser::take_thumbnails() {
     }
 }
 
+void Browser::show() {
+    shown_ = true;
+    if (!seen_) editor_.ui().wake("presets are looked for");  // from the next update() on
+}
+
 void Browser::update(double) {
     if (scanning_ && scanning_->cancelled()) scanning_.reset();  // by whoever lists jobs; "Look again" reads anew
     take_thumbnails();
@@ -341,7 +346,7 @@ void Browser::remove_folder(const fs::path& folder) {
 }
 
 bool Browser::busy() const {
-    return scanning_ != nullptr || (maker_ != nullptr && maker_->busy());
+    return !seen_ || stale_ || scanning_ != nullptr || (maker_ != nullptr && maker_->busy());
 }
 
 }  // namespace lapfx::app

@@ -45,7 +45,7 @@ class Browser {
     ~Browser();
     /// Once before each frame. `now`: s.
     void update(double now);
-    void show() { shown_ = true; }
+    void show();
     void reload() { stale_ = true; }
 
     const std::vector<PresetFile>& files() const { return files_; }

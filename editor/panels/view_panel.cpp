@@ -25,7 +25,9 @@ using ui::Key;
 using ui::Mods;
 
 constexpr float field_width = 8.6F;  // em, of a number beside the tools
+constexpr float choice_width = 8;    // em
 constexpr float wide_enough = 66;    // em, for all tools side by side
+constexpr float bar_enough = 27;     // em, for what is chosen from lists side by side
 constexpr double work_by_key = 0.5;  // s
 constexpr double key_turn = 5.0 * std::numbers::pi / 180;
 constexpr double zoom_notch = 1.15;
@@ -93,7 +95,12 @@ class ViewPanel {
         const bool cutting = editor_.tool.action && app::is_cutting(*editor_.tool.action);
         const float fields = (hot ? field_width : 0) + (cutting ? field_width : 0) +
                              (editor_.looking.endoscope ? 0 : 1.4F * field_width);
-        tool_bar(width == 0 || width >= ui_.em(wide_enough + fields));
+        if (width == 0 || width >= ui_.em(wide_enough + fields))
+            wide_bar();
+        else if (width >= ui_.em(bar_enough + fields))
+            narrow_bar();
+        else
+            bars();
         band_strip(ui_, editor_);
         ui::Node& stage = ui_.open(ui::Role::none, {}, ui::Axis::y);
         stage.size[0] = stage.size[1] = ui::grow();
@@ -121,23 +128,56 @@ class ViewPanel {
 
   private:
     // --- above the picture ---
-    void tool_bar(bool wide) {
+    void wide_bar() {
         const ui::Row bar(ui_, {.width = ui::grow(), .padding = 0.3F, .cross = ui::Place::center});
         int tool = tool_index(editor_.tool);
-        if (wide ? tools_in_a_row(tool)
-                 : ui::combo(ui_, "Tool", tool, tool_names,
-                             {.tip = "What the left button does on the organ", .width = ui::px(ui_.em(8))}))
-            take_tool(editor_, tool);
-        if (editor_.tool.action) strengths(*editor_.tool.action);
+        if (tools_in_a_row(tool)) take_tool(editor_, tool);
+        strengths(ui::px(ui_.em(choice_width)));
         ui::spacer(ui_);
+        overlay_choice(ui::px(ui_.em(choice_width)));
+        cameras();
+        ui::command_button(ui_, editor_.commands, "view.frame");
+    }
+    void narrow_bar() {
+        const ui::Row bar(ui_, {.width = ui::grow(), .padding = 0.3F, .cross = ui::Place::center});
+        tool_choice(ui::px(ui_.em(choice_width)));
+        strengths(ui::px(ui_.em(choice_width)));
+        ui::spacer(ui_);
+        overlay_choice(ui::px(ui_.em(choice_width)));
+        cameras();
+    }
+    /// Nothing of it may lie out of reach: one below the other.
+    void bars() {
+        const ui::Column all(ui_, {.width = ui::grow(), .padding = 0.3F});
+        {
+            const ui::Row choices(ui_, {.width = ui::grow()});
+            tool_choice(ui::grow());
+            overlay_choice(ui::grow());
+        }
+        if (editor_.tool.action && (app::is_hot(*editor_.tool.action) || app::is_cutting(*editor_.tool.action))) {
+            const ui::Row fields(ui_, {.width = ui::grow()});
+            strengths(ui::grow());
+        }
+        const ui::Row looks(ui_, {.width = ui::grow()});
+        cameras();
+    }
+
+    void tool_choice(ui::Size width) {
+        int tool = tool_index(editor_.tool);
+        if (ui::combo(ui_, "Tool", tool, tool_names, {.tip = "What the left button does on the organ", .width = width}))
+            take_tool(editor_, tool);
+    }
+
+    void overlay_choice(ui::Size width) {
         int overlay = static_cast<int>(editor_.looking.overlay);
-        if (ui::combo(
-                ui_, "Overlay", overlay, overlay_names,
-                {.tip = "False colour over the organ: what decides, but is not seen", .width = ui::px(ui_.em(8))}))
+        if (ui::combo(ui_, "Overlay", overlay, overlay_names,
+                      {.tip = "False colour over the organ: what decides, but is not seen", .width = width}))
             editor_.looking.overlay = static_cast<Overlay>(overlay);
+    }
+
+    void cameras() {
         ui::command_button(ui_, editor_.commands, "view.endoscope");
         if (!editor_.looking.endoscope) use_view_button();
-        if (wide) ui::command_button(ui_, editor_.commands, "view.frame");
     }
 
     void use_view_button() {
@@ -154,8 +194,9 @@ class ViewPanel {
         return ui::segmented(ui_, "Tool", tool, tool_names);
     }
 
-    void strengths(ToolAction action) {
-        const ui::Size width = ui::px(ui_.em(8));
+    void strengths(ui::Size width) {
+        if (!editor_.tool.action) return;
+        const ToolAction action = *editor_.tool.action;
         if (app::is_hot(action)) {
             ui::ParamOptions options = ui::percent();
             options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;

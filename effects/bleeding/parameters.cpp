@@ -43,9 +43,11 @@ constexpr Parameter rows[] = {
     number<&B::speed>("speed", "Speed", {0, 60, 0.1, "mm/s"},
                       "How fast the edge of the blood runs over the tissue from a wound of strength 1: the paper's "
                       "bleeding speed, the rate of change of the animation variable."),
-    number<&B::max_extent>("max_extent", "Max extent", {0, 200, 0.5, "mm"},
-                           "How far the blood may spread from its wound: the paper's upper threshold on the animation "
-                           "variable."),
+    number<&B::max_extent>(
+        "max_extent", "Max extent", {0, 200, 0.5, "mm"},
+        "How far the blood may spread from its wound over level, smooth tissue: the paper's upper "
+        "threshold on the animation variable. Gravity bias and crease bias let it run farther downhill "
+        "and along folds."),
     number<&B::threshold>("threshold", "Threshold", {0, 10, 0.05, "mm"},
                           "Bleed value at which blood begins to show: the paper's predefined threshold, to which noise "
                           "is added."),
