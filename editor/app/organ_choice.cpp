@@ -138,6 +138,11 @@ glm::dvec3 OrganChoice::size() const {
     return report.maximum - report.minimum;
 }
 
+bool OrganChoice::possible() const {
+    const double longest = longest_side(turned());
+    return organ_ && longest >= shortest_organ && longest <= longest_organ;
+}
+
 std::optional<double> OrganChoice::likely() const {
     return organ_ ? likely_scale(longest_side(report_), scale_) : std::nullopt;
 }

@@ -76,6 +76,8 @@ class OrganChoice {
     void set_rotation(const glm::dvec3& degrees) { rotation_ = degrees; }
     glm::dvec3 size() const;  ///< mm, as chosen
     std::optional<double> likely() const;
+    /// Whether an organ can be as large as this one is with scale().
+    bool possible() const;
 
     /// Another organ than the scene has: its events go.
     bool replaces() const;

@@ -45,11 +45,12 @@ class OrganDialog {
                                report.components, report.components == 1 ? "piece" : "pieces"));
         ui::separator(ui_);
         unit();
-        orientation();
         size();
         if (choice_.replaces() && !editor_.document.scene().events.empty())
             ui::label(ui_, "The events on the timeline belong to the former organ and go. Undo brings both back.",
                       {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+        ui::separator(ui_);
+        orientation();
         warnings();
     }
 
@@ -107,19 +108,23 @@ class OrganDialog {
         const glm::dvec3 size = choice_.size();
         const double longest = std::max({size.x, size.y, size.z});
         const auto likely = choice_.likely();
-        const bool possible = longest >= app::shortest_organ && longest <= app::longest_organ;
-        ui::separator(ui_);
-        ui::label(ui_, text_of(ui_, "%.4g x %.4g x %.4g mm (width, height, depth)", size.x, size.y, size.z),
-                  {.tone = possible ? ui::Tone::good : ui::Tone::warning, .number = true, .weight = ui::Weight::bold});
+        const bool possible = choice_.possible();
+        const auto length = [&](double mm) { return text_of(ui_, mm < 1000 ? "%.4g" : "%.0f", mm); };
+        ui::label(
+            ui_, ui_.join({length(size.x), " x ", length(size.y), " x ", length(size.z), " mm (width, height, depth)"}),
+            {.tone = possible ? ui::Tone::good : ui::Tone::warning, .number = true, .weight = ui::Weight::bold});
         if (possible) return;
         const ui::Row row(ui_, {.width = ui::grow(), .cross = ui::Place::center});
         if (!likely) {
-            ui::label(ui_, "No organ is so large or small: 5 to 1000 mm are possible. Set the length of a unit.",
-                      {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+            ui::label(
+                ui_,
+                text_of(ui_, "No organ is so large or small: %.0f to %.0f mm are possible. Set the length of a unit.",
+                        app::shortest_organ, app::longest_organ),
+                {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
             return;
         }
         const std::string_view unit = app::length_units[static_cast<std::size_t>(app::unit_of(*likely))].name;
-        ui::label(ui_, ui_.join({text_of(ui_, "%.3g mm: is the unit ", longest), unit, "?"}),
+        ui::label(ui_, ui_.join({length(longest), " mm: is the unit ", unit, "?"}),
                   {.tone = ui::Tone::warning, .width = ui::grow()});
         if (ui::button(
                 ui_, ui_.join({"Use ", unit}),
@@ -150,7 +155,7 @@ void organ_dialog(ui::Ui& ui, app::Editor& editor) {
     app::OrganChoice& choice = editor.organ_choice();
     if (choice.take_asked()) ui::open_dialog(ui, dialog_name);
     ui::Dialog dialog(ui, dialog_name, "Load organ",
-                      {.width = 34, .height = 26});  // of one size: its buttons stay where they are
+                      {.width = 34, .height = 30});  // of one size: its buttons stay where they are
     if (dialog.cancelled()) choice.give_up();
     if (!dialog) return;
     {
@@ -158,9 +163,10 @@ void organ_dialog(ui::Ui& ui, app::Editor& editor) {
         OrganDialog(ui, editor).content();
     }
     const bool again = !choice.faults().empty();
-    const auto answer = dialog.buttons({{.label = "Cancel", .cancel = true},
-                                        {.label = "Choose another...", .tip = "Another file"},
-                                        {.label = "Load", .standard = !again, .enabled = choice.ready()}});
+    const auto answer =
+        dialog.buttons({{.label = "Cancel", .cancel = true},
+                        {.label = "Choose another...", .tip = "Another file"},
+                        {.label = "Load", .standard = !again && choice.possible(), .enabled = choice.ready()}});
     if (answer == 0U || answer == 1U) choice.give_up();
     if (answer == 1U) editor.commands.run("file.load_organ");
     if (answer == 2U) choice.load();

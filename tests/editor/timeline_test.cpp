@@ -118,6 +118,8 @@ TEST_F(TimelinePanelTest, AnOrganInMetresIsPutRightInTheDialog) {
     ui().frame().frame();
     ASSERT_TRUE(editor().organ_choice().ready());
     EXPECT_NEAR(editor().organ_choice().size().x, 0.25, 1e-6);
+    ui().key(ui::Key::enter).frame();
+    EXPECT_TRUE(editor().organ_choice().ready()) << "a size that no organ has is not loaded by Enter";
     ui().click("**/Use m");
     EXPECT_NEAR(editor().organ_choice().size().x, 250, 1e-3);
     editor().organ_choice().set_rotation({-90, 0, 0});
