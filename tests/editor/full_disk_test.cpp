@@ -128,6 +128,17 @@ class FullDisk : public EditorTest {
         EXPECT_TRUE(editor().document.scene_unsaved());
         EXPECT_EQ(editor().document.preset().bleeding.speed, 7.5);
     }
+    /// An old file of that name, while so many bytes are free.
+    void expect_export_leaves(const std::string& name, app::ExportKind kind, std::size_t room,
+                              const testing::Matcher<std::string>& reason) {
+        const fs::path file = disk().folder() / name;
+        std::ofstream(file) << "old";
+        disk().fill(room);
+        export_to(kind, file);
+        EXPECT_EQ(read_file(file, 100), "old");
+        EXPECT_THAT(disk().names(), testing::ElementsAre(name));
+        EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr(name + ": "), reason));
+    }
     void expect_told(const std::string& file, const testing::Matcher<std::string>& reason) {
         ui().frame();
         ASSERT_NE(editor().files().question(), nullptr);
@@ -199,33 +210,15 @@ TEST_F(FullDisk, AFolderThatHasBecomeAFileIsTold) {
 }
 
 TEST_F(FullDisk, APresetExportedLeavesTheOldOne) {
-    const fs::path file = disk().folder() / "old.json";
-    std::ofstream(file) << "old";
-    disk().fill();
-    export_to(app::ExportKind::preset, file);
-    EXPECT_EQ(read_file(file, 100), "old");
-    EXPECT_THAT(disk().names(), testing::ElementsAre("old.json"));
-    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("old.json: "), no_room));
+    expect_export_leaves("old.json", app::ExportKind::preset, 0, no_room);
 }
 
 TEST_F(FullDisk, APictureLeavesTheOldOne) {
-    const fs::path file = disk().folder() / "out.png";
-    std::ofstream(file) << "old";
-    disk().fill(16384);
-    export_to(app::ExportKind::picture, file);
-    EXPECT_EQ(read_file(file, 100), "old");
-    EXPECT_THAT(disk().names(), testing::ElementsAre("out.png"));
-    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("out.png: "), no_room));
+    expect_export_leaves("out.png", app::ExportKind::picture, 16384, no_room);
 }
 
 TEST_F(FullDisk, AVideoLeavesTheOldOneAndSaysWhy) {
-    const fs::path file = disk().folder() / "out.mp4";
-    std::ofstream(file) << "old";
-    disk().fill(8192);
-    export_to(app::ExportKind::video, file);
-    EXPECT_EQ(read_file(file, 100), "old");
-    EXPECT_THAT(disk().names(), testing::ElementsAre("out.mp4"));
-    EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("out.mp4: "), HasSubstr("is the disk full?")));
+    expect_export_leaves("out.mp4", app::ExportKind::video, 8192, HasSubstr("is the disk full?"));
 }
 
 TEST_F(FullDisk, AVideoWithNoRoomAtAllSaysWhyToo) {
