@@ -81,7 +81,7 @@ Amounts AmountsModel::at(double time) noexcept {
     return {.blood_area = blood.area,
             .blood_volume = blood.volume,
             .wounds = static_cast<int>(s.bleed.wounds().size()) - waiting_wounds(s.bleed.wounds()),
-            .bleeding_wounds = s.bleed.growing(time),
+            .bleeding_wounds = s.bleed.bleeding_wounds(),
             .left_out_wounds = static_cast<int>(s.cautery.left_out()),
             .lost_samples = 0,
             .haze = s.haze.density(time)};

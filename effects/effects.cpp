@@ -219,7 +219,7 @@ Amounts Effects::amounts() const noexcept {
     return {.blood_area = blood.area,
             .blood_volume = blood.volume,
             .wounds = static_cast<int>(bleed.wounds().size()) - waiting_wounds(bleed.wounds()),
-            .bleeding_wounds = bleed.growing(state_->time),
+            .bleeding_wounds = bleed.bleeding_wounds(),
             .left_out_wounds = static_cast<int>(state_->body->left_out_wounds()),
             .lost_samples = state_->recorder.dropped() + state_->queue.missed(),
             .haze = state_->smoke.haze(state_->time)};

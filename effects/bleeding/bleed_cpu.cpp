@@ -154,9 +154,8 @@ double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexce
 /// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the extent
 /// has long been reached.
 bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
-    if (!clearing_.any() || flowed == b.flowed) return false;
-    return std::min(flowed, b.flowed) - flow(b.wound, parameters_, clearing_.latest(), strength_) <
-           parameters_.max_extent;
+    if (b.cleared == never_cleared || flowed == b.flowed) return false;
+    return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
 void BleedField::update(double time) noexcept {
@@ -168,14 +167,12 @@ void BleedField::update(double time) noexcept {
         only_grows = only_grows && clot == b.clot;
         changed = changed || clot != b.clot;
         b.clot = clot;
-        status_[i] = {b.wound, state_of(b.wound, parameters_, time, strength_),
-                      source_value(b.wound, parameters_, time, strength_)};
         const double flowed = flow(b.wound, parameters_, time, strength_), source = source_of(b, flowed);
         only_grows = only_grows && source >= b.source;
         changed = changed || source != b.source || refills(b, flowed);
     }
     if (age_kept(time)) changed = true, only_grows = false;
-    if (!changed) return;
+    if (!changed) return tell(time);
     stale_ = false;
     only_grows = only_grows && !clearing_.any();
     if (!only_grows) wipe();
@@ -188,6 +185,18 @@ void BleedField::update(double time) noexcept {
     }
     publish();
     if (bleeders_.empty() && kept_.empty()) forget();
+    tell(time);
+}
+
+/// What each wound is doing: of what has been written, for that is where its blood was cleared.
+void BleedField::tell(double time) noexcept {
+    for (std::size_t i = 0; i < bleeders_.size(); ++i) {
+        const Bleeder& b = bleeders_[i];
+        status_[i] = {.wound = b.wound,
+                      .state = state_of(b.wound, parameters_, time, strength_, b.cleared),
+                      .extent = source_value(b.wound, parameters_, time, strength_),
+                      .bleeds = bleeds(b.wound, parameters_, time, strength_, b.cleared)};
+    }
 }
 
 /// No blood is left: what it has touched need not be looked at again.
@@ -233,6 +242,7 @@ void BleedField::wipe() noexcept {
 }
 
 void BleedField::write(Bleeder& b) noexcept {
+    b.cleared = never_cleared;
     if (b.source <= 0.0) return;
     const auto source = static_cast<float>(b.source), noise = static_cast<float>(parameters_.noise_strength);
     const float steep = steepness(source, noise);
@@ -252,8 +262,9 @@ void BleedField::write(Bleeder& b) noexcept {
     }
 }
 
-/// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not.
-float BleedField::shown(const Bleeder& b, const Reached& at) const noexcept {
+/// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not. Notes
+/// when blood of the wound was taken away.
+float BleedField::shown(Bleeder& b, const Reached& at) const noexcept {
     const auto since = [&](double time) {
         const double source = source_of(b, b.flowed - flow(b.wound, parameters_, time, strength_));
         if (source <= 0.0) return dry_;
@@ -262,9 +273,12 @@ float BleedField::shown(const Bleeder& b, const Reached& at) const noexcept {
                    ? inside
                    : inside * steepness(static_cast<float>(source), static_cast<float>(parameters_.noise_strength));
     };
-    float value = since(Clearing::never);
-    clearing_.for_each(at.vertex,
-                       [&](const Clearing::Cap& cap) { value = std::max(std::min(value, cap.cap), since(cap.time)); });
+    const float whole = since(Clearing::never);
+    float value = whole;
+    clearing_.for_each(at.vertex, [&](const Clearing::Cap& cap) {
+        value = std::max(std::min(value, cap.cap), since(cap.time));
+        if (cap.cap < whole) b.cleared = std::max(b.cleared, cap.time);
+    });
     return value;
 }
 
@@ -319,10 +333,9 @@ BloodAmount BleedField::amount() const noexcept {
     return amount_;
 }
 
-int BleedField::growing(double time) const noexcept {
-    return static_cast<int>(std::count_if(bleeders_.begin(), bleeders_.end(), [&](const Bleeder& b) {
-        return grows(b.wound, parameters_, time, strength_);
-    }));
+int BleedField::bleeding_wounds() const noexcept {
+    return static_cast<int>(
+        std::count_if(status_.begin(), status_.end(), [](const WoundStatus& status) { return status.bleeds; }));
 }
 
 }  // namespace lapfx::bleeding

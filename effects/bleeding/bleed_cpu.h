@@ -60,7 +60,7 @@ class BleedField {
     ChangedVertices& changed() { return changed_; }                                ///< organ vertices; at first, all
 
     BloodAmount amount() const noexcept;
-    int growing(double time) const noexcept;  ///< wounds that still grow
+    int bleeding_wounds() const noexcept;  ///< that bleed (wound_cpu.h), as of the last update
     /// Every wound as it was at the last update, in the order in which they were set.
     std::span<const WoundStatus> wounds() const { return status_; }
 
@@ -68,8 +68,9 @@ class BleedField {
     struct Bleeder {
         Wound wound;
         Front front;
-        double source = 0.0;  // mm, as written
-        double flowed = 0.0;  // mm, the same without the bound
+        double source = 0.0;             // mm, as written
+        double flowed = 0.0;             // mm, the same without the bound
+        double cleared = never_cleared;  // s, the latest clearing that has taken blood of it, as written
         float clot = 0.0f;
     };
     struct Touched {
@@ -83,7 +84,8 @@ class BleedField {
     void wipe() noexcept;
     void forget() noexcept;
     void write(Bleeder& bleeder) noexcept;
-    float shown(const Bleeder& bleeder, const Reached& at) const noexcept;
+    float shown(Bleeder& bleeder, const Reached& at) const noexcept;
+    void tell(double time) noexcept;
     void put(std::uint32_t vertex, float value, float clot) noexcept;
     void touch(std::uint32_t vertex) noexcept;
     void publish() noexcept;

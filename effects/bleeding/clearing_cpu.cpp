@@ -86,7 +86,6 @@ bool Clearing::update(double time) noexcept {
     running_.clear();
     if (all_stale_) {
         over_.clear();
-        latest_ = never;
         for (Sweep& sweep : sweeps_) sweep.is_over = false;
     }
     stale_ = all_stale_ = false;
@@ -110,7 +109,6 @@ void Clearing::lay(const Sweep& sweep, double time, Layer& layer) {
         if (outside > rim) continue;
         const double until = std::min(time, p.leave);
         layer.insert(p.vertex, until, static_cast<float>(cap_slope * outside));
-        latest_ = std::max(latest_, until);
     }
 }
 

@@ -38,7 +38,6 @@ class Clearing {
     bool update(double time) noexcept;
 
     bool any() const { return !sweeps_.empty(); }
-    double latest() const { return latest_; }  ///< s, of all caps, as of the last update
     /// Calls visit(cap) for each cap of a place: of what is over in order of time, then of what still runs.
     template <class Visit>
     void for_each(std::uint32_t vertex, Visit visit) const {
@@ -78,7 +77,7 @@ class Clearing {
     std::vector<Sweep> sweeps_;
     // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that were.
     Layer over_, running_;
-    double updated_ = 0.0, latest_ = never;
+    double updated_ = 0.0;
     bool stale_ = false, all_stale_ = false;
 };
 

@@ -45,10 +45,13 @@ Line line_from(std::span<const CurvePoint> points, std::size_t i) {
     return {p.time, p.value, (points[i + 1].value - p.value) / (points[i + 1].time - p.time)};
 }
 
-/// Whether nothing bounds the wound yet.
-bool within_extent(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength) {
-    return time > wound.start && time < wound.stop + bleeding.coagulation_time && wound.stop > wound.start &&
-           bleeding.speed * wound.strength > 0.0 && source_value(wound, bleeding, time, strength) < bleeding.max_extent;
+/// Whether there is a flow, and a place within the extent that it has not reached since `cleared`.
+bool within_extent(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength,
+                   double cleared) {
+    if (!(time > wound.start && time < wound.stop + bleeding.coagulation_time && wound.stop >= wound.start))
+        return false;
+    if (!(bleeding.speed * wound.strength > 0.0)) return false;
+    return flow(wound, bleeding, time, strength) - flow(wound, bleeding, cleared, strength) < bleeding.max_extent;
 }
 
 }  // namespace
@@ -109,7 +112,7 @@ double Strength::dying(double stop, double elapsed, double duration) const noexc
 }
 
 double flow(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength) noexcept {
-    if (!(time > wound.start) || !(wound.stop > wound.start) || !std::isfinite(wound.start)) return 0.0;
+    if (!(time > wound.start) || !(wound.stop >= wound.start) || !std::isfinite(wound.start)) return 0.0;
     const double end = std::min(time, wound.stop), after = std::max(0.0, time - wound.stop);
     const double flowing =
         strength.even() ? pulsed_time(end - wound.start, bleeding) : strength.flowing(wound.start, end);
@@ -131,16 +134,17 @@ double clot_of(const Wound& wound, const BleedingParameters& bleeding, double ti
     return time >= end ? 1.0 : glm::smoothstep(0.0, 1.0, (time - wound.stop) / (end - wound.stop));
 }
 
-WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time,
-                    const Strength& strength) noexcept {
-    if (!(time > wound.start)) return WoundState::waiting;
-    if (time >= wound.stop + bleeding.coagulation_time || !(wound.stop > wound.start)) return WoundState::closed;
-    if (time >= wound.stop) return WoundState::clotting;
-    return within_extent(wound, bleeding, time, strength) ? WoundState::bleeding : WoundState::spent;
+bool bleeds(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength,
+            double cleared) noexcept {
+    return strength.at(time) > 0.0 && within_extent(wound, bleeding, time, strength, cleared);
 }
 
-bool grows(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength) noexcept {
-    return strength.at(time) > 0.0 && within_extent(wound, bleeding, time, strength);
+WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength,
+                    double cleared) noexcept {
+    if (!(time > wound.start)) return WoundState::waiting;
+    if (time >= wound.stop + bleeding.coagulation_time || !(wound.stop >= wound.start)) return WoundState::closed;
+    if (time >= wound.stop) return WoundState::clotting;
+    return within_extent(wound, bleeding, time, strength, cleared) ? WoundState::bleeding : WoundState::spent;
 }
 
 }  // namespace lapfx::bleeding

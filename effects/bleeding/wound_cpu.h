@@ -2,6 +2,7 @@
 // proportionally to the appropriate bleeding speed ... controlled by an upper threshold"). Pure; any thread.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "lapfx/preset.h"
@@ -42,7 +43,7 @@ class Strength {
 
 /// mm that blood would have travelled by `time` if nothing bounded it: grows with speed * strength from the wound's start,
 /// pulsing if arterial, times the scene's `strength`, which must be of this `bleeding`; once coagulation begins the growth dies down linearly within coagulation_time. Never shrinks with
-/// time. 0 for a wound that never bleeds, and for one whose numbers are not finite.
+/// time. 0 for a wound that never bleeds (one that is closed before it opens), and for one whose numbers are not finite.
 double flow(const Wound& wound, const BleedingParameters& bleeding, double time,
             const Strength& strength = {}) noexcept;
 
@@ -54,10 +55,17 @@ double source_value(const Wound& wound, const BleedingParameters& bleeding, doub
 /// 3 s after the flow has ended.
 double clot_of(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept;
 
-WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time,
-                    const Strength& strength = {}) noexcept;
+inline constexpr double never_cleared = -std::numeric_limits<double>::infinity();
 
-/// Whether the source value still rises at `time`.
-bool grows(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength = {}) noexcept;
+/// Whether the wound bleeds at `time`: blood flows from it and comes to where there was none. `cleared`: s, the latest time at
+/// which blood of this wound was taken away (suction, irrigation); it flows anew to there, up to max_extent again. A wound whose
+/// blood has come to max_extent everywhere does not bleed: the paper's upper threshold stands for the end of the bleeding. One
+/// that clots bleeds until its flow has ended. The one answer: states, amounts, and when values change follow from it.
+bool bleeds(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength = {},
+            double cleared = never_cleared) noexcept;
+
+/// As bleeds() for open wounds, but for a scene's factor of 0: such a wound waits, it is not spent.
+WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength = {},
+                    double cleared = never_cleared) noexcept;
 
 }  // namespace lapfx::bleeding

@@ -27,8 +27,10 @@ struct Amounts {
     double blood_area = 0.0;    ///< mm2 of organ surface whose bleed value is above the threshold
     double blood_volume = 0.0;  ///< mm3, a proxy: a layer from 0 at its edge to `thickness` at `deep_at` and beyond
     int wounds = 0;             ///< that have opened by now
-    int bleeding_wounds = 0;    ///< that still spread
-    int left_out_wounds = 0;    ///< that came when there were 4096 already
+    int bleeding_wounds =
+        0;  ///< whose blood still spreads, or fills again what was cleared (WoundStatus::bleeds). Blood that
+            ///< has come as far as max_extent lets it is not told as bleeding: blood_area stands then
+    int left_out_wounds = 0;         ///< that came when there were 4096 already
     std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
     double haze = 0.0;               ///< E, optical thickness at the focus distance
 };

@@ -17,9 +17,10 @@ struct Wound {
 
 /// What a wound is doing at a time.
 enum class WoundState {
-    waiting,   ///< not open yet
-    bleeding,  ///< its blood spreads, or stands while the bleeding strength is 0 (curves.h)
-    spent,     ///< open, its blood at the largest extent
+    waiting,  ///< not open yet
+    bleeding,  ///< open, its blood spreads, or fills again what suction or irrigation has cleared; or it stands while the
+               ///< bleeding strength is 0 (curves.h)
+    spent,     ///< open, its blood wherever max_extent lets it come: it spreads no more, and does not count as bleeding
     clotting,  ///< coagulated: the flow dies down
     closed,    ///< coagulated, its flow has ended
 };
@@ -29,6 +30,8 @@ struct WoundStatus {
     Wound wound;
     WoundState state = WoundState::waiting;
     double extent = 0.0;  ///< mm, how far its blood has travelled
+    bool bleeds =
+        false;  ///< its blood spreads or fills again just now, while it clots too: what bleeding_wounds counts
 };
 
 }  // namespace lapfx

@@ -67,9 +67,9 @@ TEST(Strength, ZeroPausesAndNothingEverGoesBack) {
     const Strength strength = strength_of(b);
     const Wound wound{.start = 0.5};
     EXPECT_DOUBLE_EQ(flow(wound, b, 3.0, strength), flow(wound, b, 4.0, strength));
-    EXPECT_FALSE(grows(wound, b, 3.5, strength));
+    EXPECT_FALSE(bleeds(wound, b, 3.5, strength));
     EXPECT_EQ(state_of(wound, b, 3.5, strength), WoundState::bleeding) << "open, and not yet at its largest";
-    EXPECT_TRUE(grows(wound, b, 2.0, strength));
+    EXPECT_TRUE(bleeds(wound, b, 2.0, strength));
     double before = 0.0;
     for (double t = 0.0; t < 9.0; t += 0.01) {
         const double now = flow(wound, b, t, strength);

@@ -31,9 +31,9 @@ TEST(Wound, NeverBeyondMaxExtent) {
     const BleedingParameters b = venous();
     EXPECT_DOUBLE_EQ(source_value(wound, b, 5.0), 16.0);
     EXPECT_DOUBLE_EQ(source_value(wound, b, 1e6), 16.0);
-    EXPECT_TRUE(grows(wound, b, 4.99));
-    EXPECT_FALSE(grows(wound, b, 5.01));
-    EXPECT_FALSE(grows(wound, b, 0.5));
+    EXPECT_TRUE(bleeds(wound, b, 4.99));
+    EXPECT_FALSE(bleeds(wound, b, 5.01));
+    EXPECT_FALSE(bleeds(wound, b, 0.5));
 }
 
 TEST(Wound, PulseKeepsTheMean) {
@@ -78,8 +78,8 @@ TEST(Wound, CoagulationDiesDownLinearly) {
     EXPECT_NEAR(speed_at(3.0), 0.0, 1e-6);
     EXPECT_DOUBLE_EQ(source_value(wound, b, 2.5), 4.0 + 4.0 * 0.75) << "half of the dying time counts";
     EXPECT_DOUBLE_EQ(source_value(wound, b, 100.0), 7.0);
-    EXPECT_TRUE(grows(wound, b, 2.4));
-    EXPECT_FALSE(grows(wound, b, 2.6));
+    EXPECT_TRUE(bleeds(wound, b, 2.4));
+    EXPECT_FALSE(bleeds(wound, b, 2.6));
 }
 
 TEST(Wound, WithoutCoagulationTimeItStopsAtOnce) {
@@ -88,22 +88,22 @@ TEST(Wound, WithoutCoagulationTimeItStopsAtOnce) {
     const Wound wound{.start = 0.0, .stop = 1.0};
     EXPECT_DOUBLE_EQ(source_value(wound, b, 1.0), 4.0);
     EXPECT_DOUBLE_EQ(source_value(wound, b, 9.0), 4.0);
-    EXPECT_FALSE(grows(wound, b, 1.1));
+    EXPECT_FALSE(bleeds(wound, b, 1.1));
 }
 
 TEST(Wound, ClosedBeforeItOpensNeverBleeds) {
     const Wound wound{.start = 2.0, .stop = 1.5};
     EXPECT_EQ(source_value(wound, venous(), 10.0), 0.0);
-    EXPECT_FALSE(grows(wound, venous(), 2.5));
+    EXPECT_FALSE(bleeds(wound, venous(), 2.5));
 }
 
 TEST(Wound, NoSpeedOrNoStrengthNeverBleeds) {
     BleedingParameters b = venous();
     EXPECT_EQ(source_value({.strength = 0.0}, b, 10.0), 0.0);
-    EXPECT_FALSE(grows({.strength = 0.0}, b, 1.0));
+    EXPECT_FALSE(bleeds({.strength = 0.0}, b, 1.0));
     b.speed = 0.0;
     EXPECT_EQ(source_value({}, b, 10.0), 0.0);
-    EXPECT_FALSE(grows({}, b, 1.0));
+    EXPECT_FALSE(bleeds({}, b, 1.0));
 }
 
 }  // namespace

@@ -1,0 +1,130 @@
+#include "lapfx/amounts.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <random>
+
+#include "lapfx/tool.h"
+#include "support/meshes.h"
+
+namespace lapfx {
+namespace {
+
+/// Discs on a plane: no noise, no bias; every cut bleeds alike.
+Preset plain() {
+    Preset preset;
+    BleedingParameters& b = preset.bleeding;
+    b.speed = 4.0;
+    b.max_extent = 16.0;
+    b.noise_strength = b.gravity_bias = b.crease_bias = b.rivulets = 0.0;
+    return preset;
+}
+
+ToolContact at(ToolAction action, double time, double duration, glm::dvec3 place = glm::dvec3(0.0)) {
+    return {.action = action, .time = time, .duration = duration, .position = place, .to = place};
+}
+
+class AmountsOnAPlane : public testing::Test {
+  protected:
+    static AmountsModel& model() {
+        static AmountsModel one(test::plane(80.0, 80), {.gravity = {0.0, -1.0, 0.0}});
+        return one;
+    }
+    static int bleeding(double time) { return model().at(time).bleeding_wounds; }
+    static double area(double time) { return model().at(time).blood_area; }
+};
+
+TEST_F(AmountsOnAPlane, AWoundThatFillsAClearedPlaceAgainIsBleeding) {
+    model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::irrigation, 6.0, 2.0)});
+    EXPECT_EQ(bleeding(3.9), 1);
+    EXPECT_EQ(bleeding(5.0), 0) << "at its largest extent";
+    EXPECT_EQ(bleeding(7.0), 1) << "it flows, and is rinsed away";
+    const double whole = area(5.0);
+    double before = area(8.0);
+    EXPECT_LT(before, 0.2 * whole);
+    for (const double time : {9.0, 10.0, 11.0, 11.9}) {
+        EXPECT_GT(area(time), before + 20.0) << time;
+        EXPECT_EQ(bleeding(time), 1) << time;
+        before = area(time);
+    }
+    EXPECT_EQ(bleeding(12.3), 0);
+    EXPECT_NEAR(area(12.3), whole, 0.01 * whole);
+    EXPECT_EQ(area(60.0), area(12.3));
+    EXPECT_EQ(bleeding(9.0), 1) << "in any order of times";
+    EXPECT_EQ(bleeding(5.0), 0);
+}
+
+TEST_F(AmountsOnAPlane, WhatIsClearedElsewhereReopensNothing) {
+    const glm::dvec3 aside{32.0, 0.0, 0.0};  // suction reaches 8 mm, the blood 16 mm
+    model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::suction, 6.0, 1.0, aside)});
+    for (const double time : {5.0, 6.5, 7.5, 9.0}) EXPECT_EQ(bleeding(time), 0) << time;
+}
+
+TEST_F(AmountsOnAPlane, OnlyTheWoundWhoseBloodWasTakenBleedsAgain) {
+    const glm::dvec3 a{-20.0, 0.0, 0.0}, b{20.0, 0.0, 0.0};
+    Preset preset = plain();
+    preset.bleeding.max_extent = 8.0;
+    model().set(preset, std::vector{at(ToolAction::cut, 0.0, 0.0, a), at(ToolAction::cut, 0.0, 0.0, b),
+                                    at(ToolAction::suction, 4.0, 1.0, b)});
+    EXPECT_EQ(bleeding(3.0), 0);
+    EXPECT_EQ(bleeding(5.5), 1);
+    EXPECT_EQ(bleeding(7.5), 0);
+}
+
+TEST_F(AmountsOnAPlane, AClosedWoundFillsNothingAgain) {
+    model().set(plain(), std::vector{at(ToolAction::cut, 0.0, 0.0), at(ToolAction::coagulate, 6.0, 1.0),
+                                     at(ToolAction::irrigation, 7.0, 1.0)});
+    EXPECT_EQ(bleeding(7.4), 1) << "clotting: what still flows comes to where it was rinsed away";
+    const double left = area(9.0);
+    EXPECT_EQ(bleeding(9.0), 0);
+    EXPECT_EQ(area(20.0), left);
+}
+
+/// Over logs of all that a tool does: where blood spreads there is a wound of which it is told.
+TEST_F(AmountsOnAPlane, BloodSpreadsOnlyWhileAWoundIsToldAsBleeding) {
+    std::mt19937 random(15);
+    const auto chance = [&](double from, double to) {
+        return from + (to - from) * static_cast<double>(random()) / static_cast<double>(std::mt19937::max());
+    };
+    constexpr ToolAction actions[] = {ToolAction::cut,       ToolAction::tear,    ToolAction::cauterise,
+                                      ToolAction::coagulate, ToolAction::suction, ToolAction::irrigation};
+    int spreading = 0, standing = 0;
+    for (int log = 0; log < 25; ++log) {
+        Preset preset = plain();
+        preset.bleeding.max_extent = chance(3.0, 14.0);
+        preset.bleeding.noise_strength = log % 3 == 0 ? 2.0 : 0.0;
+        preset.bleeding.pulse_rate = log % 4 == 1 ? 1.2 : 0.0;
+        preset.bleeding.pulse_strength = 0.6;
+        std::vector<ToolContact> contacts{at(ToolAction::cut, 0.0, 0.0)};
+        double time = 0.0;
+        for (int i = 0; i < 9; ++i) {
+            time += chance(0.2, 2.5);
+            ToolContact c = at(actions[random() % 6], time, chance(0.3, 2.5), {chance(-9, 9), 0.0, chance(-9, 9)});
+            if (random() % 2 == 0) c.to = {chance(-12, 12), 0.0, chance(-12, 12)};
+            contacts.push_back(c);
+        }
+        Curves curves;
+        if (log % 5 == 2) curves.bleeding_strength = {{3.0, 1.0}, {4.0, 0.0}, {6.0, 0.0}, {7.0, 1.5}};
+        model().set(preset, contacts, curves);
+        Amounts before = model().at(-0.05);
+        for (double now = 0.0; now < 30.0; now += 0.05) {
+            const Amounts after = model().at(now);
+            const bool told = before.bleeding_wounds > 0 || after.bleeding_wounds > 0;
+            if (after.blood_area > before.blood_area + 1e-9) {
+                EXPECT_TRUE(told) << "log " << log << ", " << now << " s: " << before.blood_area << " to "
+                                  << after.blood_area;
+                ++spreading;
+            } else if (!told) {
+                ++standing;
+            }
+            before = after;
+        }
+        EXPECT_EQ(before.bleeding_wounds > 0, model().at(60.0).blood_area > before.blood_area) << "log " << log;
+    }
+    EXPECT_GT(spreading, 1000);
+    EXPECT_GT(standing, 1000);
+}
+
+}  // namespace
+}  // namespace lapfx
