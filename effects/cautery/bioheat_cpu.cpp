@@ -226,9 +226,10 @@ void Bioheat::advance(const Track& track) {
     divide(track, from);
     if (step_ > furthest_) {
         std::stable_sort(opened_.begin(), opened_.end(),
-                         [](const Wound& a, const Wound& b) { return a.start < b.start; });
-        for (const Wound& wound : opened_) wounds_.add(wound, step_);
+                         [](const Division& a, const Division& b) { return a.wound.start < b.wound.start; });
+        // What is closed in a step stands for nothing that opens in it; what opens is closed in the next.
         close_wounds(track, from);
+        for (const Division& division : opened_) wounds_.add(division, step_);
         furthest_ = step_;
     }
     keep_snapshot();
@@ -292,9 +293,11 @@ void Bioheat::divide(const Track& track, double from) {
         }
         if (!place.wound || step_ <= furthest_) continue;
         const ToolContact& contact = track.stays()[pending.stay].contact;
-        opened_.push_back({.position = place.point.position,
-                           .start = std::max(crossing(before, after, wanted, from), place.arrival),
-                           .strength = wound_strength(contact, place.point.position, strength_at_)});
+        opened_.push_back({.wound = {.position = place.point.position,
+                                     .start = std::max(crossing(before, after, wanted, from), place.arrival),
+                                     .strength = wound_strength(contact, place.point.position, strength_at_)},
+                           .chain = chain,
+                           .by_heat = true});
     }
     pending_.resize(kept);
 }
@@ -305,9 +308,10 @@ void Bioheat::open_cold(const Stay& stay, const Track& track, double from, doubl
     auto place = std::partition_point(places.begin(), places.end(), [&](const Place& p) { return p.arrival < from; });
     for (; place != places.end() && place->arrival < to; ++place)
         if (place->wound)
-            opened_.push_back({.position = place->point.position,
-                               .start = place->arrival,
-                               .strength = wound_strength(stay.contact, place->point.position, strength_at_)});
+            opened_.push_back({.wound = {.position = place->point.position,
+                                         .start = place->arrival,
+                                         .strength = wound_strength(stay.contact, place->point.position, strength_at_)},
+                               .chain = stay.chain});
 }
 
 void Bioheat::close_wounds(const Track& track, double from) {
@@ -320,15 +324,14 @@ void Bioheat::close_wounds(const Track& track, double from) {
         wounds_.find(running.tip - reach, running.tip + reach, near_);
         for (const std::uint32_t w : near_) {
             const Wound wound = wounds_.wounds()[w];
-            // The heat that cuts tissue does not close that very cut.
-            if (wound.stop < never || (stay.contact.action == ToolAction::cauterise && wound.start >= stay.chain_start))
-                continue;
+            if (wound.stop < never) continue;
             const SurfacePoint place = surface_.closest_point(wound.position);
             const double after = heat_.rise_at(place, heat_.field().now);
             if (!(after >= wanted)) continue;
             const double before = heat_.rise_at(place, heat_.field().before);
             const double closed = std::max(crossing(before, after, wanted, from), stay.contact.time);
-            if (closed > wound.start) wounds_.close(w, closed, step_);
+            wounds_.close(w, std::max(closed, wound.start),
+                          {.chain = stay.chain, .divides = divides(stay.contact.action)}, step_);
         }
     }
 }

@@ -100,7 +100,7 @@ class Bioheat {
     std::int64_t can_undo_ = 0;     // so many steps
 
     WoundList wounds_;
-    std::vector<Wound> opened_;
+    std::vector<Division> opened_;
     std::vector<Running> running_;
     std::vector<std::uint32_t> near_, changed_;
     std::vector<char> is_touched_, is_changed_;  // per point

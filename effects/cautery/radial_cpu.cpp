@@ -40,6 +40,8 @@ void Radial::append(const Track& track, std::uint32_t number) {
                          .first_site = static_cast<std::uint32_t>(sites_.size()),
                          .chain_start = stay.chain_start});
     const auto first_wound = static_cast<std::uint32_t>(wounds_.wounds().size());
+    opened_.clear();
+    closings_.clear();
     if (!stay.contact.hot()) {
         open_cold(track, number);
     } else {
@@ -66,13 +68,18 @@ void Radial::append(const Track& track, std::uint32_t number) {
         std::sort(mine.begin(), mine.end());
         mine.erase(std::unique(mine.begin(), mine.end()), mine.end());
         open_hot(track, number);
-        close_wounds(track, number, 0);
+        find_closings(track, number, 0);
     }
+    record(track, number, number);
     // A wound that opens while an earlier contact still runs may be closed by that one.
     if (first_wound == wounds_.wounds().size()) return;
     const double start = wounds_.wounds()[first_wound].start;
-    for (std::uint32_t other = number; other-- > 0 && track.stays()[other].latest_end > start;)
-        close_wounds(track, other, first_wound);
+    opened_.clear();
+    for (std::uint32_t other = number; other-- > 0 && track.stays()[other].latest_end > start;) {
+        closings_.clear();
+        find_closings(track, other, first_wound);
+        record(track, number, other);
+    }
 }
 
 /// The station at a place: one that is there already, or a new one.
@@ -176,18 +183,15 @@ void Radial::settle(Station& station, std::size_t from) {
 void Radial::open_cold(const Track& track, std::uint32_t number) {
     const Stay& stay = track.stays()[number];
     if (!cold(stay.contact.action)) return;
-    opened_.clear();
     for (const Place& place : track.places_of(stay))
         if (place.wound)
             opened_.push_back({.position = place.point.position,
                                .start = place.arrival,
                                .strength = wound_strength(stay.contact, place.point.position, strength_at_)});
-    add_wounds(number);
 }
 
 void Radial::open_hot(const Track& track, std::uint32_t number) {
     const std::uint32_t chain = track.stays()[number].chain;
-    opened_.clear();
     for (const std::uint32_t s : contacts_[number].stations) {
         double opened = never;
         for (auto h = stations_[s].heatings.rbegin(); h != stations_[s].heatings.rend(); ++h) {
@@ -206,15 +210,31 @@ void Radial::open_hot(const Track& track, std::uint32_t number) {
         }
     }
     std::stable_sort(opened_.begin(), opened_.end(), [](const Wound& a, const Wound& b) { return a.start < b.start; });
-    add_wounds(number);
 }
 
-void Radial::add_wounds(std::uint32_t number) {
-    for (const Wound& wound : opened_) wounds_.add(wound, number);
+/// What contact `number` brings, in the order of time: where a place is closed and divided at once, it is closed before.
+/// `heater` is the contact that closes.
+void Radial::record(const Track& track, std::uint32_t number, std::uint32_t heater) {
+    std::stable_sort(closings_.begin(), closings_.end(),
+                     [](const Closing& a, const Closing& b) { return a.time < b.time; });
+    const Stay& stay = track.stays()[number];
+    const Stay& hot = track.stays()[heater];
+    const Heater closer{.chain = hot.chain, .divides = divides(hot.contact.action)};
+    auto closing = closings_.begin();
+    const auto close_until = [&](double time) {
+        for (; closing != closings_.end() && closing->time <= time; ++closing)
+            wounds_.close(closing->wound, closing->time, closer, number);
+    };
+    for (const Wound& wound : opened_) {
+        close_until(wound.start);
+        wounds_.add({.wound = wound, .chain = stay.chain, .by_heat = stay.contact.hot()}, number);
+    }
+    close_until(never);
 }
 
-/// When a heating closes a wound so far away: when the tip's place is warm enough and the heated region has come near.
-double Radial::closing_time(const Heating& h, double distance) const {
+/// When a heating closes a wound so far away: when the tip's place is warm enough and the heated region has come near. Where
+/// it has by the time that another tool cuts, that cut is closed at once.
+double Radial::closing_time(const Heating& h, const Wound& wound, double distance) const {
     const double warm =
         time_to(parameters_.coagulation_temperature - body_temperature, h.rise, h.rate, std::max(h.top, h.rise));
     const double growth = distance - wound_spacing - parameters_.tip_radius;
@@ -223,11 +243,12 @@ double Radial::closing_time(const Heating& h, double distance) const {
         const double root = growth / parameters_.heat_spread;
         wide = root * root - h.stayed;  // infinite without spread
     }
-    const double closed = h.start + std::max({warm, wide, 0.0});
+    const double closed = std::max(h.start + std::max({warm, wide, 0.0}), wound.start);
     return closed <= h.finish ? std::max(closed, h.visible) : never;
 }
 
-void Radial::close_wounds(const Track& track, std::uint32_t number, std::uint32_t first_wound) {
+/// When contact `number` closes which wounds, from `first_wound` on.
+void Radial::find_closings(const Track& track, std::uint32_t number, std::uint32_t first_wound) {
     const Stay& stay = track.stays()[number];
     if (!stay.contact.hot()) return;
     for (const std::uint32_t s : contacts_[number].stations) {
@@ -239,12 +260,9 @@ void Radial::close_wounds(const Track& track, std::uint32_t number, std::uint32_
             wounds_.find(place - reach, place + reach, near_wounds_);
             for (const std::uint32_t w : near_wounds_) {
                 const Wound& wound = wounds_.wounds()[w];
-                // The heat that cuts tissue does not close that very cut.
-                const bool own = stay.contact.action == ToolAction::cauterise && wound.start >= stay.chain_start;
-                if (w < first_wound || own || wound.stop <= h->start) continue;
-                const double closed = closing_time(*h, glm::distance(place, wound.position));
-                if (closed > wound.start && closed < never)
-                    wounds_.close(w, closed, static_cast<std::int64_t>(contacts_.size()) - 1);
+                if (w < first_wound || wound.stop <= h->start) continue;
+                const double closed = closing_time(*h, wound, glm::distance(place, wound.position));
+                if (closed < never) closings_.push_back({closed, w});
             }
         }
     }

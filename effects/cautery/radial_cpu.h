@@ -83,6 +83,10 @@ class Radial {
     struct State {
         double rise, stayed;
     };
+    struct Closing {
+        double time;
+        std::uint32_t wound;
+    };
 
     State state_at(const Heating& heating, double time) const;
     double radius(double stayed) const;
@@ -94,9 +98,9 @@ class Radial {
     void settle(Station& station, std::size_t from);
     void open_hot(const Track& track, std::uint32_t number);
     void open_cold(const Track& track, std::uint32_t number);
-    void add_wounds(std::uint32_t number);
-    void close_wounds(const Track& track, std::uint32_t number, std::uint32_t first_wound);
-    double closing_time(const Heating& heating, double distance) const;
+    void find_closings(const Track& track, std::uint32_t number, std::uint32_t first_wound);
+    void record(const Track& track, std::uint32_t number, std::uint32_t heater);
+    double closing_time(const Heating& heating, const Wound& wound, double distance) const;
 
     const StrengthAt& strength_at_;
     CauteryParameters parameters_;
@@ -107,6 +111,7 @@ class Radial {
     double widest_ = 0.0;  // mm, largest radius of any bell since all was new
     WoundList wounds_;
     std::vector<Wound> opened_;
+    std::vector<Closing> closings_;
     std::vector<std::uint32_t> found_, along_, near_wounds_;
 };
 

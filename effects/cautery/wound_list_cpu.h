@@ -1,5 +1,9 @@
 // Wounds as they open and close, with a way back: every event carries a key (the number of a contact, or of a time
 // step), keys only grow, and what happened from a key on can be undone. One thread at a time.
+//
+// What a division leaves does not depend on what was there before: a wound that is open, and at least as strong, stands for a
+// new one at its place, and then bleeds as long as the new one would have. For that, what happens at a place is told in the
+// order of time: a wound that heat has closed stands for nothing that comes later.
 #pragma once
 
 #include <cstdint>
@@ -10,6 +14,18 @@
 #include "lapfx/wound.h"
 
 namespace lapfx::cautery {
+
+/// A wound as a tool opens it. A chain is a run of contacts that continue each other (track_cpu.h).
+struct Division {
+    Wound wound;
+    std::uint32_t chain = 0;
+    bool by_heat = false;
+};
+/// What closes wounds: heat that divides does not close its own cut.
+struct Heater {
+    std::uint32_t chain = 0;
+    bool divides = false;
+};
 
 class WoundList {
   public:
@@ -23,11 +39,11 @@ class WoundList {
     /// Changes whenever the wounds do.
     std::uint64_t version() const { return version_; }
 
-    /// False when the wound is left out: no strength; closer than `closest` to one that is open at its start and at least
-    /// as strong; or too many.
-    bool add(const Wound& wound, std::int64_t key);
-    /// Closes a wound at `stop` unless it closes earlier.
-    void close(std::uint32_t wound, double stop, std::int64_t key);
+    /// False when there is no new wound: no strength; closer than `closest` to one that is open at its start and at least
+    /// as strong, which stands for it: if heat has divided, that one is now the heat's own; or too many.
+    bool add(const Division& division, std::int64_t key);
+    /// Closes a wound at `stop`. False if it closes earlier, or is the heater's own.
+    bool close(std::uint32_t wound, double stop, const Heater& heater, std::int64_t key);
     /// Undoes all from `key` on.
     void truncate(std::int64_t key);
 
@@ -42,9 +58,15 @@ class WoundList {
         std::uint32_t wound;
         double before;
     };
+    struct Taking {
+        std::int64_t key;
+        std::uint32_t wound, before;
+    };
     std::vector<Wound> wounds_;
-    std::vector<std::int64_t> added_;  // key per wound
+    std::vector<std::uint32_t> chains_;  // per wound: who divided there last, heat before cold
+    std::vector<std::int64_t> added_;    // key per wound
     std::vector<Closing> closings_;
+    std::vector<Taking> takings_;
     std::vector<std::int64_t> left_out_;
     Grid grid_{4.0};
     std::vector<std::uint32_t> near_;

@@ -1,0 +1,125 @@
+#include "cautery/wound_list_cpu.h"
+
+#include <gtest/gtest.h>
+
+#include "bleeding/wound_cpu.h"
+#include "unit/cautery/support.h"
+
+namespace lapfx::cautery {
+namespace {
+
+constexpr glm::dvec3 here{0.0}, beside{0.8, 0.0, 0.0};
+
+/// What wounds there may be before the tool comes at 2 s.
+struct Before {
+    const char* name;
+    std::vector<ToolContact> contacts;
+};
+std::vector<Before> all_before() {
+    return {{"whole tissue", {}},
+            {"a cut", {at(here, 0.0, 0.0, ToolAction::cut)}},
+            {"a tear", {at(here, 0.0, 0.0, ToolAction::tear)}},
+            {"a tear, then a cut", {at(here, 0.0, 0.0, ToolAction::tear), at(here, 0.5, 0.0, ToolAction::cut)}},
+            {"a cut beside it", {at(beside, 0.0, 0.0, ToolAction::cut)}},
+            {"a cut at the same time", {at(here, 2.0, 0.0, ToolAction::cut)}},
+            {"a cut a moment before", {at(here, 1.999, 0.0, ToolAction::cut)}},
+            {"a cut while it clots", {at(here, 0.0, 0.0, ToolAction::cut), at(here, 1.0, 0.4, ToolAction::coagulate)}},
+            {"a burn", {at(here, -9.0, 2.0)}}};
+}
+
+class Divisions : public testing::TestWithParam<HeatModel> {
+  protected:
+    std::vector<Wound> wounds(std::vector<ToolContact> contacts, std::initializer_list<ToolContact> then) {
+        contacts.insert(contacts.end(), then);
+        CauteryParameters parameters;
+        parameters.model = GetParam();
+        Cautery cautery(flat(), {});
+        cautery.set(contacts, parameters);
+        cautery.update(30.0);
+        return {cautery.wounds().begin(), cautery.wounds().end()};
+    }
+    /// Of those that never close.
+    static int open(const std::vector<Wound>& wounds) {
+        int count = 0;
+        for (const Wound& wound : wounds) count += wound.stop == never ? 1 : 0;
+        return count;
+    }
+};
+
+TEST_P(Divisions, ABurnOpensWhateverWasThere) {
+    const Wound fresh = wounds({}, {at(here, 2.0, 3.0)}).at(0);
+    for (const Before& before : all_before()) {
+        const std::vector<Wound> found = wounds(before.contacts, {at(here, 2.0, 3.0)});
+        ASSERT_EQ(open(found), 1) << before.name;
+        for (const Wound& wound : found) {
+            if (wound.stop != never) continue;
+            // What was warm before divides sooner.
+            EXPECT_GE(wound.start, 2.0) << before.name;
+            EXPECT_LE(wound.start, fresh.start + 1e-9) << before.name;
+            EXPECT_EQ(wound.strength, fresh.strength) << before.name;
+        }
+    }
+}
+
+TEST_P(Divisions, BloodOfABurnDoesNotDependOnTheWoundBeforeIt) {
+    BleedingParameters b;
+    b.max_extent = 100.0;
+    const auto extents = [&](ToolAction action) {
+        double most = 0.0;
+        for (const Wound& wound : wounds({at(here, 0.0, 0.0, action)}, {at(here, 2.0, 3.0)}))
+            most = std::max(most, bleeding::source_value(wound, b, 7.0));
+        return most;
+    };
+    EXPECT_NEAR(extents(ToolAction::cut), extents(ToolAction::tear), 1e-9);
+    EXPECT_NEAR(extents(ToolAction::cut), 4.0 * (7.0 - 2.0 - 143.0 / 220.0), 0.4);
+}
+
+TEST_P(Divisions, CoagulationClosesWhateverIsThere) {
+    for (const Before& before : all_before())
+        EXPECT_EQ(open(wounds(before.contacts, {at(here, 2.0, 3.0, ToolAction::coagulate)})), 0) << before.name;
+}
+
+TEST_P(Divisions, ACutOpensWhateverHasClosedBefore) {
+    for (const Before& before : all_before())
+        for (const ToolAction action : {ToolAction::cut, ToolAction::tear}) {
+            const std::vector<Wound> found =
+                wounds(before.contacts, {at(here, 2.0, 1.0, ToolAction::coagulate), at(here, 12.0, 0.0, action)});
+            ASSERT_EQ(open(found), 1) << before.name;
+            EXPECT_EQ(found.back().start, 12.0) << before.name;
+        }
+}
+
+TEST_P(Divisions, ACutIntoTissueThatAnotherToolHeatsIsSealedAsOneJustBefore) {
+    for (const double time : {1.9, 2.0, 2.05, 2.5, 3.5})
+        for (const ToolAction heat : {ToolAction::coagulate, ToolAction::cauterise}) {
+            const std::vector<Wound> found = wounds({at(here, time, 0.0, ToolAction::cut)}, {at(here, 2.0, 3.0, heat)});
+            for (const Wound& wound : found) {
+                if (wound.start != time) continue;
+                EXPECT_GE(wound.stop, std::max(time, 2.1)) << time;
+                EXPECT_LE(wound.stop, std::max(time, 2.15) + 0.02) << time;
+            }
+            EXPECT_EQ(open(found), heat == ToolAction::cauterise ? 1 : 0) << time;
+        }
+}
+
+INSTANTIATE_TEST_SUITE_P(Models, Divisions, testing::Values(HeatModel::radial, HeatModel::bioheat),
+                         [](const auto& model) {
+                             return std::string(model.param == HeatModel::radial ? "radial" : "bioheat");
+                         });
+
+TEST(WoundList, AnOpenWoundThatStandsForAHotDivisionIsTheHeatsOwn) {
+    WoundList list;
+    EXPECT_TRUE(list.add({.wound = {.start = 0.0}, .chain = 1}, 1));
+    EXPECT_FALSE(list.add({.wound = {.start = 1.0}, .chain = 2, .by_heat = true}, 2));
+    EXPECT_FALSE(list.close(0, 1.5, {.chain = 2, .divides = true}, 3));
+    EXPECT_EQ(list.wounds()[0].stop, never);
+    list.truncate(2);  // as if the heat had never divided here
+    EXPECT_TRUE(list.close(0, 1.5, {.chain = 2, .divides = true}, 2));
+    list.truncate(2);
+    EXPECT_FALSE(list.add({.wound = {.start = 1.0}, .chain = 2, .by_heat = true}, 2));
+    EXPECT_TRUE(list.close(0, 1.5, {.chain = 3, .divides = true}, 3)) << "but not another tool's";
+    EXPECT_TRUE(list.add({.wound = {.start = 1.6}, .chain = 4}, 4)) << "a closed wound stands for nothing";
+}
+
+}  // namespace
+}  // namespace lapfx::cautery
