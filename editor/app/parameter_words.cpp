@@ -39,6 +39,8 @@ constexpr std::pair<std::string_view, std::string_view> all[] = {
     {"vessels.vessel_low", "red band pass filter detect sensitivity"},
     {"vessels.vessel_high", "red band pass filter detect sensitivity"},
     {"vessels.vessel_width", "size thickness diameter"},
+    {"vessels.vessel_color", "blue vein pale hue tint color filter detect"},
+    {"vessels.vessel_tolerance", "blue vein pale band pass filter range distance detect"},
     {"vessels.fat_low", "yellow hue band pass filter detect"},
     {"vessels.fat_high", "yellow hue band pass filter detect"},
     {"vessels.smoothing", "blur gaussian soft"},

@@ -57,6 +57,11 @@ void print_tissue(const Organ& organ) {
                       " % fat by colour" +
                       (tissue.known < 0.9995 ? " of the " + text_of("%.1f", 100.0 * tissue.known) + " % that have one"
                                              : std::string()));
+    if (tissue.alike > 0.9995)
+        row("vessels", "none found: every cut bleeds alike");
+    else if (tissue.alike > 0.0005)
+        row("vessels", "none found on " + text_of("%.1f", 100.0 * tissue.alike) +
+                           " % of the surface: there every cut bleeds alike");
     if (tissue.texels_per_mm > 0.0) row("texels per mm", text_of("%.2f", tissue.texels_per_mm));
 }
 

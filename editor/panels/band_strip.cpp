@@ -150,6 +150,7 @@ void band_strip(ui::Ui& ui, app::Editor& editor) {
     if (vessels) {
         rows(ui, editor, {"vessel_low", "vessel_high"}, TissueHistogram::most_contrast);
         rows(ui, editor, {"vessel_width", "smoothing"}, 5);
+        rows(ui, editor, {"vessel_color", "vessel_tolerance"}, 40);
     } else {
         rows(ui, editor, {"fat_low", "fat_high"}, TissueHistogram::most_hue);
         rows(ui, editor, {"smoothing"}, 5);

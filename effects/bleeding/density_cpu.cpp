@@ -71,17 +71,17 @@ DensityMap::DensityMap(const Organ& organ, int image) {
 
 std::size_t DensityMap::memory() const {
     return source_->layout.used.size() + source_->redness.size() * sizeof(std::int16_t) +
-           source_->chroma.size() * sizeof(glm::u8vec2) + values_.size() * sizeof(Density);
+           source_->lab.size() * sizeof(glm::u8vec3) + values_.size() * sizeof(Density);
 }
 
 void DensityMap::Source::convert(const Image& image, const glm::vec3& factor) {
     const cv::Mat pixels(image.height, image.width, CV_8UC4, const_cast<std::uint8_t*>(image.pixels.data()));
-    cv::Mat rgb, lab;
+    cv::Mat rgb, converted;
     cv::cvtColor(pixels, rgb, cv::COLOR_RGBA2RGB);
     cv::LUT(rgb, multiplied(factor), rgb);
-    cv::cvtColor(rgb, lab, cv::COLOR_RGB2Lab);
+    cv::cvtColor(rgb, converted, cv::COLOR_RGB2Lab);
     redness.resize(image.pixels.size() / 4);
-    chroma.resize(redness.size());
+    lab.resize(redness.size());
     std::array<std::int16_t, 256> red, green;
     for (std::size_t i = 0; i < 256; ++i) {
         const double light = linear_of(static_cast<double>(i) / 255.0), one = 1.0 - least_light;  // whose log is 0
@@ -91,10 +91,10 @@ void DensityMap::Source::convert(const Image& image, const glm::vec3& factor) {
     const cv::Vec3b first = rgb.at<cv::Vec3b>(0, 0);
     std::size_t i = 0;
     for (int y = 0; y < size.y; ++y) {
-        const cv::Vec3b *colors = rgb.ptr<cv::Vec3b>(y), *found = lab.ptr<cv::Vec3b>(y);
+        const cv::Vec3b *colors = rgb.ptr<cv::Vec3b>(y), *found = converted.ptr<cv::Vec3b>(y);
         for (int x = 0; x < size.x; ++x, ++i) {
             redness[i] = static_cast<std::int16_t>(red[colors[x][0]] + green[colors[x][1]]);
-            chroma[i] = {found[x][1], found[x][2]};
+            lab[i] = {found[x][0], found[x][1], found[x][2]};
             tells |= colors[x] != first;
         }
     }
@@ -126,19 +126,26 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     cv::Mat& fat = red;
     const auto low = static_cast<float>(p.vessel_low);
     const auto scale = static_cast<float>(1.0 / std::max(p.vessel_high - p.vessel_low, 1e-6));
+    const ColorBand of_vessels(p.vessel_color, p.vessel_tolerance);
     cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
         for (int y = rows.start; y < rows.end; ++y) {
             float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
             const float *far = around.ptr<float>(y), *weight = weights.ptr<float>(y);
-            const glm::u8vec2* chroma =
-                &source_->chroma[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
+            const glm::u8vec3* lab = &source_->lab[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
             for (int x = 0; x < size.width; ++x) {
-                const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);
-                vessel[x] = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color] * weight[x];
+                const auto color = static_cast<std::size_t>(lab[x].y * 256 + lab[x].z);
+                float found = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
+                if (of_vessels.any())
+                    found = std::max(
+                        found,
+                        static_cast<float>(of_vessels({lab[x].x * (100.0 / 255), lab[x].y - 128.0, lab[x].z - 128.0})));
+                vessel[x] = found * weight[x];
                 fatness[x] = fatty[color] * weight[x];
             }
         }
     });
+    const double surface = cv::sum(weights)[0];
+    shows_vessels_ = surface > 0.0 && cv::sum(vessels)[0] >= least_vessels * surface;
     stages.reach(0.6);
     const TextureBlur smooth(weights, texels(p.smoothing), layout.repeats);
     cv::Mat planes[2];
@@ -164,11 +171,10 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
     static const auto blood = chroma_table([](double a, double b) { return bloodiness(a, b); });
     for (int y = 0; y < size.height; ++y) {
         const float *sharp = near.ptr<float>(y), *far = around.ptr<float>(y), *used = weights.ptr<float>(y);
-        const glm::u8vec2* chroma =
-            &source_->chroma[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
+        const glm::u8vec3* lab = &source_->lab[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.width)];
         for (int x = 0; x < size.width; ++x) {
             if (used[x] < 0.5f) continue;
-            const auto color = static_cast<std::size_t>(chroma[x].x * 256 + chroma[x].y);
+            const auto color = static_cast<std::size_t>(lab[x].y * 256 + lab[x].z);
             if (blood[color] > 0.5f) histogram.add_contrast(double(sharp[x]) - double(far[x]));
             if (colored[color] > least_chroma) histogram.add_hue(double(hues[color]));
         }

@@ -44,7 +44,27 @@ inline double fattiness(double a, double b, double low, double high) {
     return ramp(low, high, hue) * (1.0 - ramp(100.0, 115.0, hue)) * ramp(least_chroma, 14.0, std::hypot(a, b));
 }
 
-/// CIELAB a* and b* of linear sRGB (D65; IEC 61966-2-1, CIE 15).
-glm::dvec2 lab_chroma(const glm::dvec3& linear);
+/// CIELAB L*, a* and b* of linear sRGB (D65; IEC 61966-2-1, CIE 15).
+glm::dvec3 lab_of(const glm::dvec3& linear);
+/// The same of an sRGB colour, 0..1.
+glm::dvec3 lab_of_srgb(const glm::dvec3& srgb);
+
+/// How far a colour is that of a vessel, 0..1, from its difference to `wanted`: 1 up to half of `tolerance`, 0 from it on; a
+/// tolerance of 0 takes no colour. Lightness counts half, as in CMC(2:1), for shade changes it most.
+class ColorBand {
+  public:
+    ColorBand(const glm::dvec3& wanted_srgb, double tolerance)
+        : wanted_(lab_of_srgb(wanted_srgb)), tolerance_(tolerance) {}
+
+    bool any() const { return tolerance_ > 0.0; }
+    double operator()(const glm::dvec3& lab) const {
+        const glm::dvec3 off = (lab - wanted_) * glm::dvec3(0.5, 1.0, 1.0);
+        return any() ? 1.0 - ramp(0.5 * tolerance_, tolerance_, glm::length(off)) : 0.0;
+    }
+
+  private:
+    glm::dvec3 wanted_;
+    double tolerance_;
+};
 
 }  // namespace lapfx::bleeding

@@ -89,7 +89,7 @@ void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
     const std::size_t count = organ.positions.size();
     mesh.areas.assign(count, 0.0f);
     mesh.redness.assign(count, 0.0f);
-    mesh.chroma.assign(count, glm::vec2(0.0f));
+    mesh.lab.assign(count, glm::vec3(0.0f));
     glm::dvec3 low(1.0), high(0.0);
     for (const Part& part : organ.parts) {
         const Material& material = organ.materials[static_cast<std::size_t>(part.material)];
@@ -103,7 +103,7 @@ void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
                 const glm::dvec3 color = color_of(organ, material, vertex);
                 mesh.areas[vertex] += static_cast<float>(area / 3);
                 mesh.redness[vertex] = static_cast<float>(redness(color.r, color.g));
-                mesh.chroma[vertex] = glm::vec2(lab_chroma(color));
+                mesh.lab[vertex] = glm::vec3(lab_of(color));
                 low = glm::min(low, color);
                 high = glm::max(high, color);
             }
@@ -121,8 +121,9 @@ void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
 void TissueDensity::set(const VesselParameters& p) {
     const VesselParameters& old = parameters_;
     const bool same = p.vessel_low == old.vessel_low && p.vessel_high == old.vessel_high &&
-                      p.vessel_width == old.vessel_width && p.fat_low == old.fat_low && p.fat_high == old.fat_high &&
-                      p.smoothing == old.smoothing;
+                      p.vessel_width == old.vessel_width && p.vessel_color == old.vessel_color &&
+                      p.vessel_tolerance == old.vessel_tolerance && p.fat_low == old.fat_low &&
+                      p.fat_high == old.fat_high && p.smoothing == old.smoothing;
     parameters_ = p;
     if (same) return;
     make({});
@@ -143,7 +144,7 @@ std::size_t TissueDensity::memory() const {
     const Mesh& m = *mesh_;
     std::size_t bytes = m.source.size() * sizeof(int) + m.corners.size() * sizeof(glm::uvec3) +
                         m.points.size() * sizeof(glm::vec3) + (m.areas.size() + m.redness.size()) * sizeof(float) +
-                        (m.uvs.size() + m.chroma.size() + vertex_values_.size()) * sizeof(glm::vec2);
+                        m.lab.size() * sizeof(glm::vec3) + (m.uvs.size() + vertex_values_.size()) * sizeof(glm::vec2);
     for (const std::optional<DensityMap>& map : maps_)
         if (map) bytes += map->memory();
     return bytes;
@@ -160,13 +161,19 @@ void TissueDensity::set_vertices() {
     const PointBlur narrow(mesh.points, mesh.areas, std::max(p.smoothing, 1e-3));
     const std::vector<float> around =
         PointBlur(mesh.points, mesh.areas, std::max(around_share * p.vessel_width, 1e-3))(mesh.redness);
+    const ColorBand of_vessels(p.vessel_color, p.vessel_tolerance);
+    double area = 0.0, shown = 0.0;
     std::vector<float> vessels(mesh.points.size()), fat(mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
         const double contrast = double(mesh.redness[v]) - double(around[v]);
-        vessels[v] = static_cast<float>(ramp(p.vessel_low, p.vessel_high, contrast) *
-                                        bloodiness(mesh.chroma[v].x, mesh.chroma[v].y));
-        fat[v] = static_cast<float>(fattiness(mesh.chroma[v].x, mesh.chroma[v].y, p.fat_low, p.fat_high));
+        const glm::dvec3 lab(mesh.lab[v]);
+        const double found = ramp(p.vessel_low, p.vessel_high, contrast) * bloodiness(lab.y, lab.z);
+        vessels[v] = static_cast<float>(std::max(found, of_vessels(lab)));
+        fat[v] = static_cast<float>(fattiness(lab.y, lab.z, p.fat_low, p.fat_high));
+        area += double(mesh.areas[v]);
+        shown += double(mesh.areas[v]) * double(vessels[v]);
     }
+    vertices_show_vessels_ = shown >= least_vessels * area;
     vessels = narrow(vessels);
     fat = narrow(fat);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
@@ -179,21 +186,29 @@ const DensityMap* TissueDensity::map(int image) const {
     return found ? &*found : nullptr;
 }
 
+/// Whether what a triangle has its colours from shows vessels.
+bool TissueDensity::tells(int source) const noexcept {
+    if (source == unknown) return false;
+    return source == by_vertex ? vertices_show_vessels_ : maps_[static_cast<std::size_t>(source)]->shows_vessels();
+}
+
 TissueDensity::Place TissueDensity::at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept {
     const int source = mesh_->source[triangle];
     const glm::uvec3& corners = mesh_->corners[triangle];
-    if (source == unknown) return {glm::vec2(1.0f, 0.0f), false};
+    if (source == unknown) return {glm::vec2(1.0f, 0.0f), false, false};
     const auto mixed = [&](const std::vector<glm::vec2>& values) {
         return glm::dvec2(values[corners.x]) * weights.x + glm::dvec2(values[corners.y]) * weights.y +
                glm::dvec2(values[corners.z]) * weights.z;
     };
-    if (source == by_vertex) return {glm::vec2(mixed(vertex_values_)), true};
-    return {maps_[static_cast<std::size_t>(source)]->sample(glm::vec2(mixed(mesh_->uvs))), true};
+    const glm::vec2 density = source == by_vertex
+                                  ? glm::vec2(mixed(vertex_values_))
+                                  : maps_[static_cast<std::size_t>(source)]->sample(glm::vec2(mixed(mesh_->uvs)));
+    return {density, true, tells(source)};
 }
 
 TissueDensity::Place TissueDensity::mean(const glm::dvec3& position) const noexcept {
     static const std::array<glm::dvec2, disc_points> pattern = sunflower();
-    if (surface_.triangles.empty()) return {glm::vec2(1.0f, 0.0f), false};
+    if (surface_.triangles.empty()) return {glm::vec2(1.0f, 0.0f), false, false};
     const SurfacePoint middle = surface_.closest_point(position);
     const double radius = parameters_.region;
     glm::dvec3 a, b;
@@ -211,7 +226,9 @@ TissueDensity::Place TissueDensity::mean(const glm::dvec3& position) const noexc
         sum += glm::dvec2(here.density);
         ++count;
     }
-    return count == 0 ? at(middle.triangle, middle.weights) : Place{glm::vec2(sum / double(count)), true};
+    Place under = at(middle.triangle, middle.weights);
+    if (count > 0) under = {glm::vec2(sum / double(count)), true, under.tells};
+    return under;
 }
 
 TissueSample TissueDensity::sample(const glm::dvec3& position) const noexcept {
@@ -222,7 +239,7 @@ TissueSample TissueDensity::sample(const glm::dvec3& position) const noexcept {
 
 double TissueDensity::strength_of(const Place& place) const noexcept {
     const VesselParameters& p = parameters_;
-    if (!place.known || (p.vessel_threshold <= 0.0 && p.vessel_strength <= 0.0)) return 1.0;
+    if (!place.tells || (p.vessel_threshold <= 0.0 && p.vessel_strength <= 0.0)) return 1.0;
     const double density = double(place.density.x);
     if (density < p.vessel_threshold) return 0.0;
     return glm::clamp(1.0 + p.vessel_strength * (density / p.vessel_reference - 1.0), 0.0, strongest);
@@ -243,7 +260,7 @@ TissueHistogram TissueDensity::histogram(const VesselParameters& parameters) con
         PointBlur(mesh_->points, mesh_->areas, std::max(around_share * parameters.vessel_width, 1e-3))(mesh_->redness);
     for (std::size_t v = 0; v < mesh_->points.size(); ++v) {
         if (!(mesh_->areas[v] > 0.0f)) continue;
-        const double a = double(mesh_->chroma[v].x), b = double(mesh_->chroma[v].y);
+        const double a = double(mesh_->lab[v].y), b = double(mesh_->lab[v].z);
         if (bloodiness(a, b) > 0.5) histogram.add_contrast(double(mesh_->redness[v]) - double(around[v]));
         if (std::hypot(a, b) > least_chroma) histogram.add_hue(hue_of(a, b));
     }
@@ -252,7 +269,7 @@ TissueHistogram TissueDensity::histogram(const VesselParameters& parameters) con
 
 TissueReport TissueDensity::report() const {
     TissueReport report;
-    double area = 0.0, known = 0.0;
+    double area = 0.0, known = 0.0, told = 0.0;
     glm::dvec2 sum(0.0);
     for (const auto& triangle : surface_.triangles)
         area += 0.5 * glm::length(glm::cross(surface_.positions[triangle[1]] - surface_.positions[triangle[0]],
@@ -265,6 +282,7 @@ TissueReport TissueDensity::report() const {
                                          surface_.positions[triangle[2]] - surface_.positions[triangle[0]]));
         if (mesh_->source[t] == unknown) continue;
         known += piece;
+        if (tells(mesh_->source[t])) told += piece;
         // Large triangles are looked at in more places: 20000 over the organ. Roberts' R2 sequence, folded.
         const int places = 1 + static_cast<int>(20000.0 * piece / area);
         for (int i = 0; i < places; ++i) {
@@ -274,6 +292,7 @@ TissueReport TissueDensity::report() const {
         }
     }
     report.known = known / area;
+    report.alike = std::max(0.0, 1.0 - told / area);
     if (known > 0.0) {
         report.vessels = sum.x / known;
         report.fat = sum.y / known;

@@ -30,7 +30,8 @@ class TissueDensity {
     double vessels(const glm::dvec3& position) const noexcept { return sample(position).vessels; }
     double fat(const glm::dvec3& position) const noexcept { return sample(position).fat; }
     /// How strongly a cut here bleeds, times the preset's speed: 0 when the density of vessels is below
-    /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4.
+    /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4. 1 where nothing tells of
+    /// vessels: no colour, or a texture that shows none.
     double wound_strength(const glm::dvec3& position) const noexcept;
     TissueReport report() const;
     TissueHistogram histogram(const VesselParameters& parameters) const;  ///< whatever was set
@@ -50,6 +51,7 @@ class TissueDensity {
     struct Place {
         glm::vec2 density{0.0f};
         bool known = false;
+        bool tells = false;  // of vessels
     };
     /// What no parameter changes.
     struct Mesh {
@@ -58,12 +60,13 @@ class TissueDensity {
         std::vector<glm::vec2> uvs;
         std::vector<glm::vec3> points;      // per vertex, mm; empty when no triangle is by_vertex
         std::vector<float> areas, redness;  // per vertex; mm2
-        std::vector<glm::vec2> chroma;      // per vertex: a*, b*
+        std::vector<glm::vec3> lab;         // per vertex
     };
     void find_sources(const Organ& organ, Mesh& mesh) const;
     static void take_colors(const Organ& organ, Mesh& mesh);
     void make(const organ::Stages& stages);
     void set_vertices();
+    bool tells(int source) const noexcept;
     Place at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept;
     Place mean(const glm::dvec3& position) const noexcept;
     double strength_of(const Place& place) const noexcept;
@@ -73,6 +76,7 @@ class TissueDensity {
     std::vector<std::optional<DensityMap>> maps_;  // per image; none where it tells nothing
     std::shared_ptr<const Mesh> mesh_;
     std::vector<glm::vec2> vertex_values_;
+    bool vertices_show_vessels_ = false;
     int version_ = 0;
 };
 

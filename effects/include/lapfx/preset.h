@@ -45,19 +45,21 @@ struct BleedingParameters {
     double clot_darkening = 0.85;
 };
 
-/// Where the organ's texture shows vessels (paper: figure 9).
+/// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are any, the more the denser.
 /// Formulas: effects/bleeding/vessel_parameters.cpp.
 struct VesselParameters {
     double vessel_low = 0.2;
     double vessel_high = 0.4;
     double vessel_width = 1.25;
+    glm::dvec3 vessel_color{0.36, 0.42, 0.6};
+    double vessel_tolerance = 0.0;
     double fat_low = 56.0;
     double fat_high = 66.0;
     double smoothing = 0.4;
     double region = 2.0;
-    double vessel_threshold = 0.0;
+    double vessel_threshold = 0.01;
     double vessel_reference = 0.1;
-    double vessel_strength = 0.0;
+    double vessel_strength = 0.7;
 
     friend bool operator==(const VesselParameters&, const VesselParameters&) = default;
 };
@@ -73,7 +75,7 @@ struct CauteryParameters {
     double cut_temperature = 180.0;
     double coagulation_temperature = 60.0;
     double char_temperature = 150.0;
-    double heat_spread = 2.2;
+    double heat_spread = 0.2;
     double cooling_time = 4.0;
     double maximum_temperature = 400.0;
     double diffusivity = 0.13;

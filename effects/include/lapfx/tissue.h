@@ -16,14 +16,17 @@ class PreparedOrgan;
 struct TissueSample {
     double vessels = 0.0;  ///< 0..1, share of the region that is vessel; 1 where the organ has no colour
     double fat = 0.0;      ///< 0..1, share of the region that is fat; 0 where the organ has no colour
-    double bleeds = 0.0;   ///< 0..4, how strongly a cut here bleeds, times the preset's speed; 0: not at all
+    double bleeds =
+        0.0;  ///< 0..4, how strongly a cut here bleeds, times the preset's speed; 0: not at all. 1 on what has no
+              ///< colour and on textures that show no vessels
 };
 
 /// What `lapfx inspect` tells of the tissue.
 struct TissueReport {
-    double known = 0.0;          ///< share of the surface that has colour, 0..1; the shares below are of this
-    double vessels = 0.0;        ///< share that is vessel, 0..1
-    double fat = 0.0;            ///< share that is fat, 0..1
+    double known = 0.0;    ///< share of the surface that has colour, 0..1; the shares below are of this
+    double alike = 1.0;    ///< share of the surface where every cut bleeds alike, 0..1: no colour, or no vessels found
+    double vessels = 0.0;  ///< share that is vessel, 0..1
+    double fat = 0.0;      ///< share that is fat, 0..1
     double texels_per_mm = 0.0;  ///< of the finest texture that was looked at; 0: vertex colours, or none
 };
 

@@ -153,6 +153,7 @@ TEST_F(OverlayTest, FalseColoursRunFromBlueToRed) {
 TEST_F(OverlayTest, DensityDecidesWhetherACutBleedsAndHowStrongly) {
     const auto paint = [](double x, double) { return std::abs(x) < 1.0 ? artery : serosa; };
     preset.vessels.vessel_threshold = 0.1;
+    preset.vessels.vessel_strength = 0.0;
     preset.bleeding.speed = 4.0;
     Effects effects(textured_plane(side, painted(800, 800, side, paint), 40), preset);
     const auto cut = [](double x) {

@@ -80,7 +80,9 @@ TEST(TissueDensity, ThresholdAndStrengthDecideHowACutBleeds) {
     Known k(textured_plane(40.0, painted(800, 800, 40.0, striped)));
     VesselParameters p;
     const glm::dvec3 on{0.0, 0.0, 3.0}, off{5.0, 0.0, 3.0};
-    EXPECT_EQ(k.tissue.wound_strength(on), 1.0) << "by default every cut bleeds alike";
+    p.vessel_threshold = p.vessel_strength = 0.0;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.wound_strength(on), 1.0) << "without either every cut bleeds alike";
     EXPECT_EQ(k.tissue.wound_strength(off), 1.0);
 
     const double density = k.tissue.vessels(on);
@@ -105,6 +107,111 @@ TEST(TissueDensity, ThresholdAndStrengthDecideHowACutBleeds) {
     p.vessel_reference = 0.01;
     k.tissue.set(p);
     EXPECT_EQ(k.tissue.wound_strength(on), 4.0) << "the most";
+}
+
+/// The paper's figure 9, with nothing set.
+TEST(TissueDensity, ByDefaultACutOnAVesselBleedsMoreThanOneBesideIt) {
+    const auto faint = [](double x, double z) {  // a capillary of 0.3 mm at x = 5
+        return std::abs(x - 5.0) < 0.15 ? artery : striped(x, z);
+    };
+    for (const Organ& organ : {textured_plane(40.0, painted(800, 800, 40.0, faint)), painted_plane(40.0, 320, faint)}) {
+        const Known k(organ);
+        const double on = k.tissue.wound_strength({0.0, 0.0, 3.0}), small = k.tissue.wound_strength({5.0, 0.0, 3.0}),
+                     off = k.tissue.wound_strength({-15.0, 0.0, 3.0});
+        EXPECT_GT(on, 2.0);
+        EXPECT_GT(small, 0.3);
+        EXPECT_LT(small, 0.6 * on);
+        EXPECT_EQ(off, 0.0) << "no vessel, no blood";
+    }
+}
+
+TEST(TissueDensity, WhatShowsNoVesselsBleedsAlikeEverywhere) {
+    VesselParameters p;
+    p.vessel_threshold = 0.5;
+    p.vessel_strength = 1.0;
+    const Paint bare = [](double x, double) { return x > 0.0 ? fat_tissue : serosa; };
+    for (const Organ& organ : {textured_plane(40.0, painted(400, 400, 40.0, bare)), painted_plane(40.0, 80, bare)}) {
+        const Known k(organ, p);
+        for (const double x : {-10.0, 0.0, 10.0}) {
+            EXPECT_EQ(k.tissue.wound_strength({x, 0.0, 3.0}), 1.0) << x;
+            EXPECT_EQ(k.tissue.sample({x, 0.0, 3.0}).bleeds, 1.0) << x;
+        }
+        EXPECT_EQ(k.tissue.report().known, 1.0);
+        EXPECT_EQ(k.tissue.report().alike, 1.0);
+    }
+    const Known striped_one(textured_plane(40.0, painted(400, 400, 40.0, striped)), p);
+    EXPECT_EQ(striped_one.tissue.report().alike, 0.0);
+}
+
+/// Each part of an organ by what its own texture shows: a liver beside a stomach.
+TEST(TissueDensity, APartWithoutVesselsBleedsBesideOneThatHasThem) {
+    Organ organ = textured_plane(40.0, painted(800, 800, 40.0, striped), 40);
+    organ.images.push_back(painted(100, 100, 40.0, [](double x, double) { return x > 0.0 ? fat_tissue : serosa; }));
+    organ.materials.push_back(organ.materials[0]);
+    organ.materials[1].base_color_image = 1;
+    const auto half = static_cast<std::uint32_t>(organ.indices.size() / 6 * 3);
+    organ.parts = {Part{.name = "stomach", .first_index = 0, .index_count = half, .material = 0},
+                   Part{.name = "liver",
+                        .first_index = half,
+                        .index_count = static_cast<std::uint32_t>(organ.indices.size()) - half,
+                        .material = 1}};
+    const Known k(organ);
+    EXPECT_GT(k.tissue.wound_strength({0.0, 0.0, -10.0}), 2.0);
+    EXPECT_EQ(k.tissue.wound_strength({5.0, 0.0, -10.0}), 0.0);
+    EXPECT_EQ(k.tissue.wound_strength({0.0, 0.0, 10.0}), 1.0);
+    EXPECT_EQ(k.tissue.wound_strength({5.0, 0.0, 10.0}), 1.0);
+    EXPECT_NEAR(k.tissue.report().alike, 0.5, 0.01);
+}
+
+TEST(TissueDensity, AColourFindsBlueAndPaleVessels) {
+    struct Vein {
+        const char* name;
+        glm::dvec3 vein, tissue;
+        double by_contrast;  // at most: beside what is pale, tissue is redder than its surroundings
+    };
+    for (const Vein& v :
+         {Vein{"blue", {92, 107, 153}, serosa, 0.02}, Vein{"pale", {214, 180, 168}, {120, 48, 44}, 0.25},
+          Vein{"dark blue on fat", {84, 84, 120}, fat_tissue, 0.02}}) {
+        const Paint veined = [&](double x, double) {
+            return std::abs(x - 10.0 * std::round(x / 10.0)) < 0.6 ? v.vein : v.tissue;
+        };
+        for (const Organ& organ :
+             {textured_plane(40.0, painted(800, 800, 40.0, veined)), painted_plane(40.0, 160, veined)}) {
+            Known k(organ);
+            const glm::dvec3 on{0.0, 0.0, 3.0}, off{5.0, 0.0, 3.0};
+            EXPECT_LT(k.tissue.vessels(on), v.by_contrast) << v.name;
+            VesselParameters p;
+            p.vessel_low = 2.5;  // contrast finds nothing
+            p.vessel_high = 3.0;
+            p.vessel_color = v.vein / 255.0;
+            p.vessel_tolerance = 20.0;
+            const int version = k.tissue.version();
+            k.tissue.set(p);
+            EXPECT_EQ(k.tissue.version(), version + 1) << "the overlay shows it";
+            EXPECT_NEAR(k.tissue.vessels(on), 0.376, 0.06) << v.name;
+            EXPECT_LT(k.tissue.vessels(off), 0.002) << v.name;
+            EXPECT_GT(k.tissue.wound_strength(on), 2.0) << v.name;
+            EXPECT_EQ(k.tissue.wound_strength(off), 0.0) << v.name;
+            p.vessel_color = glm::dvec3(0.2, 0.9, 0.2);
+            k.tissue.set(p);
+            EXPECT_LT(k.tissue.vessels(on), 0.001) << "another colour";
+        }
+    }
+}
+
+TEST(TissueDensity, AColourAddsToContrastAndShadeTakesLittleFromIt) {
+    Known k(textured_plane(40.0, painted(800, 800, 40.0, [](double x, double z) {
+                               const double shade = 0.75 + 0.25 * std::cos(z / 3.0);
+                               return (std::abs(x - 10.0) < 0.6 ? glm::dvec3(92, 107, 153) : striped(x - 3.0, z)) *
+                                      std::pow(shade, 1 / 2.2);
+                           })));
+    const double red = k.tissue.vessels({3.0, 0.0, 9.4});
+    EXPECT_GT(red, 0.2);
+    VesselParameters p;
+    p.vessel_tolerance = 24.0;
+    k.tissue.set(p);
+    EXPECT_EQ(k.tissue.vessels({3.0, 0.0, 9.4}), red);
+    for (const double z : {0.0, 5.0, 9.4}) EXPECT_GT(k.tissue.vessels({10.0, 0.0, z}), 0.25) << z;
 }
 
 TEST(TissueDensity, MapsAreMadeAgainOnlyWhenTheyChange) {
@@ -137,6 +244,7 @@ TEST(TissueDensity, WithoutColourVesselsAreEven) {
         EXPECT_EQ(k.tissue.fat({1.0, 0.0, 2.0}), 0.0);
         EXPECT_EQ(k.tissue.wound_strength({1.0, 0.0, 2.0}), 1.0);
         EXPECT_EQ(k.tissue.report().known, 0.0);
+        EXPECT_EQ(k.tissue.report().alike, 1.0);
     }
     const Known nothing(Organ{}, p);
     EXPECT_EQ(nothing.tissue.vessels({1.0, 0.0, 2.0}), 1.0);

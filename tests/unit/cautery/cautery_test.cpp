@@ -246,6 +246,39 @@ TEST_F(CauteryTest, BeyondTheLimitLaterWoundsAreLeftOutAndCounted) {
     EXPECT_NEAR(cautery.wounds().back().start, 0.01 * 4095, 1e-9) << "the first ones stay";
 }
 
+/// mm around a burn in one place that were at least so hot when it ended, and when it began to cut.
+struct Burn {
+    double charred, cooked, cut;
+};
+Burn burn_of(HeatModel model, double duration) {
+    static const Surface fine(test::plane(20.0, 50));
+    CauteryParameters c;
+    c.model = model;
+    Cautery cautery(fine, {});
+    cautery.set(std::vector{at({0, 0, 0}, 0.0, duration)}, c);
+    cautery.update(duration);
+    const auto radius = [&](double temperature) {
+        double inside = 0.0, outside = 9.9;
+        for (int i = 0; i < 30; ++i) {
+            const double middle = 0.5 * (inside + outside);
+            (cautery.temperature({middle, 0.0, 0.0}, duration) > temperature ? inside : outside) = middle;
+        }
+        return inside;
+    };
+    return {radius(c.char_temperature), radius(c.coagulation_temperature), cautery.wounds()[0].start};
+}
+
+TEST(HeatModels, BurnAlikeByDefault) {
+    for (const double duration : {1.0, 2.0, 3.0, 4.0, 5.0}) {
+        const Burn radial = burn_of(HeatModel::radial, duration), bioheat = burn_of(HeatModel::bioheat, duration);
+        EXPECT_NEAR(radial.charred / bioheat.charred, 1.0, 0.2) << duration << " s: " << bioheat.charred << " mm";
+        EXPECT_NEAR(radial.cooked / bioheat.cooked, 1.0, 0.2) << duration << " s: " << bioheat.cooked << " mm";
+        EXPECT_NEAR(radial.cut / bioheat.cut, 1.0, 0.2) << duration << " s";
+        EXPECT_GT(bioheat.charred, 1.0);
+        EXPECT_LT(bioheat.cooked, 4.0);
+    }
+}
+
 TEST_F(CauteryTest, OffTheSurfaceTheTipTouchesNothing) {
     const auto marks = [&](double y) {
         cautery.set(std::vector{at({0, y, 0}, 0.0, 1.0), at({5, y, 0}, 2.0, 0.1, ToolAction::cut)}, parameters);
