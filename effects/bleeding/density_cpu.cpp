@@ -107,6 +107,21 @@ void DensityMap::Source::weigh(cv::Mat& weights, cv::Mat& red) const {
     cv::multiply(red, weights, red);
 }
 
+cv::Mat DensityMap::Source::colored(const cv::Mat& weights, const VesselParameters& p) const {
+    const ColorBand band(p.vessel_color, p.vessel_tolerance);
+    cv::Mat found(weights.size(), CV_32F);
+    cv::parallel_for_(cv::Range(0, size.y), [&](const cv::Range& rows) {
+        for (int y = rows.start; y < rows.end; ++y) {
+            const glm::u8vec3* color = &lab[static_cast<std::size_t>(y) * static_cast<std::size_t>(size.x)];
+            for (int x = 0; x < size.x; ++x)
+                found.at<float>(y, x) =
+                    weights.at<float>(y, x) *
+                    static_cast<float>(band({color[x].x * (100.0 / 255), color[x].y - 128.0, color[x].z - 128.0}));
+        }
+    });
+    return found;
+}
+
 void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     if (!tells()) return;
     const TextureLayout& layout = source_->layout;
@@ -126,7 +141,11 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     cv::Mat& fat = red;
     const auto low = static_cast<float>(p.vessel_low);
     const auto scale = static_cast<float>(1.0 / std::max(p.vessel_high - p.vessel_low, 1e-6));
-    const ColorBand of_vessels(p.vessel_color, p.vessel_tolerance);
+    cv::Mat colored, colored_around;
+    if (p.vessel_tolerance > 0.0) {
+        colored = source_->colored(weights, p);
+        colored_around = TextureBlur(weights, texels(around_share * p.vessel_width), layout.repeats)(colored);
+    }
     cv::parallel_for_(cv::Range(0, size.height), [&](const cv::Range& rows) {
         for (int y = rows.start; y < rows.end; ++y) {
             float *vessel = vessels.ptr<float>(y), *fatness = fat.ptr<float>(y);
@@ -135,10 +154,10 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
             for (int x = 0; x < size.width; ++x) {
                 const auto color = static_cast<std::size_t>(lab[x].y * 256 + lab[x].z);
                 float found = std::clamp((vessel[x] - far[x] - low) * scale, 0.0f, 1.0f) * blood[color];
-                if (of_vessels.any())
-                    found = std::max(
-                        found,
-                        static_cast<float>(of_vessels({lab[x].x * (100.0 / 255), lab[x].y - 128.0, lab[x].z - 128.0})));
+                if (!colored.empty())
+                    found =
+                        std::max(found, static_cast<float>(ColorBand::standing_out(
+                                            double(colored.at<float>(y, x)), double(colored_around.at<float>(y, x)))));
                 vessel[x] = found * weight[x];
                 fatness[x] = fatty[color] * weight[x];
             }

@@ -68,6 +68,8 @@ class DensityMap {
         void convert(const Image& image, const glm::vec3& factor);
         /// Where there is surface, 1 or 0, and the redness there, 0 elsewhere.
         void weigh(cv::Mat& weights, cv::Mat& red) const;
+        /// How far each texel has the colour that is looked for, times its weight.
+        cv::Mat colored(const cv::Mat& weights, const VesselParameters& parameters) const;
     };
 
     std::shared_ptr<const Source> source_;

@@ -56,6 +56,9 @@ class ColorBand {
     ColorBand(const glm::dvec3& wanted_srgb, double tolerance)
         : wanted_(lab_of_srgb(wanted_srgb)), tolerance_(tolerance) {}
 
+    /// Of the band's value at a place and its mean around it: vessels are narrow, a patch of that colour is none.
+    static double standing_out(double here, double around) { return ramp(0.25, 0.75, here - around); }
+
     bool any() const { return tolerance_ > 0.0; }
     double operator()(const glm::dvec3& lab) const {
         const glm::dvec3 off = (lab - wanted_) * glm::dvec3(0.5, 1.0, 1.0);

@@ -159,16 +159,22 @@ void TissueDensity::set_vertices() {
     if (mesh.points.empty()) return;
     const VesselParameters& p = parameters_;
     const PointBlur narrow(mesh.points, mesh.areas, std::max(p.smoothing, 1e-3));
-    const std::vector<float> around =
-        PointBlur(mesh.points, mesh.areas, std::max(around_share * p.vessel_width, 1e-3))(mesh.redness);
-    const ColorBand of_vessels(p.vessel_color, p.vessel_tolerance);
+    const PointBlur wide(mesh.points, mesh.areas, std::max(around_share * p.vessel_width, 1e-3));
+    const std::vector<float> around = wide(mesh.redness);
+    const ColorBand band(p.vessel_color, p.vessel_tolerance);
+    std::vector<float> colored(mesh.points.size(), 0.0f), colored_around = colored;
+    if (band.any()) {
+        for (std::size_t v = 0; v < colored.size(); ++v) colored[v] = static_cast<float>(band(glm::dvec3(mesh.lab[v])));
+        colored_around = wide(colored);
+    }
     double area = 0.0, shown = 0.0;
     std::vector<float> vessels(mesh.points.size()), fat(mesh.points.size());
     for (std::size_t v = 0; v < mesh.points.size(); ++v) {
         const double contrast = double(mesh.redness[v]) - double(around[v]);
         const glm::dvec3 lab(mesh.lab[v]);
-        const double found = ramp(p.vessel_low, p.vessel_high, contrast) * bloodiness(lab.y, lab.z);
-        vessels[v] = static_cast<float>(std::max(found, of_vessels(lab)));
+        const double redder = ramp(p.vessel_low, p.vessel_high, contrast) * bloodiness(lab.y, lab.z);
+        const double of_color = ColorBand::standing_out(double(colored[v]), double(colored_around[v]));
+        vessels[v] = static_cast<float>(std::max(redder, of_color));
         fat[v] = static_cast<float>(fattiness(lab.y, lab.z, p.fat_low, p.fat_high));
         area += double(mesh.areas[v]);
         shown += double(mesh.areas[v]) * double(vessels[v]);

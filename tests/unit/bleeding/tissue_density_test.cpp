@@ -199,6 +199,21 @@ TEST(TissueDensity, AColourFindsBlueAndPaleVessels) {
     }
 }
 
+TEST(TissueDensity, APatchOfTheColourIsNoVessel) {
+    const Paint patched = [](double x, double z) {
+        return glm::length(glm::dvec2(x + 10.0, z)) < 9.0 || std::abs(x - 10.0) < 0.6 ? glm::dvec3(92, 107, 153)
+                                                                                      : serosa;
+    };
+    VesselParameters p;
+    p.vessel_tolerance = 20.0;
+    for (const Organ& organ :
+         {textured_plane(40.0, painted(800, 800, 40.0, patched)), painted_plane(40.0, 160, patched)}) {
+        const Known k(organ, p);
+        EXPECT_GT(k.tissue.vessels({10.0, 0.0, 3.0}), 0.3);
+        EXPECT_LT(k.tissue.vessels({-10.0, 0.0, 0.0}), 0.01);
+    }
+}
+
 TEST(TissueDensity, AColourAddsToContrastAndShadeTakesLittleFromIt) {
     Known k(textured_plane(40.0, painted(800, 800, 40.0, [](double x, double z) {
                                const double shade = 0.75 + 0.25 * std::cos(z / 3.0);
