@@ -7,8 +7,10 @@
 #include "cautery/power_cpu.h"
 #include "foundation.h"
 #include "inputs.h"
+#include "organ/refine.h"
 #include "smoke/contact_fat_cpu.h"
 #include "smoke/haze_cpu.h"
+#include "smoke/touching_cpu.h"
 
 namespace lapfx {
 
@@ -24,6 +26,7 @@ struct AmountsModel::State {
     bleeding::BleedField bleed;
     cautery::Cautery cautery;
     cautery::PowerCurve power;
+    smoke::Touching touching;
     smoke::ContactFat fat;
     smoke::HazeCurve haze;
     std::vector<smoke::Emission> emissions;
@@ -37,15 +40,18 @@ struct AmountsModel::State {
         wounds_version = cautery.wounds_version();
     }
     void set_haze(std::span<const ToolContact> contacts, const FactorCurve& emission) {
+        const auto touches = [this](const glm::dvec3& place) { return cautery::touches(foundation->surface, place); };
         const auto fat_at = [this](const glm::dvec3& place) { return tissue.fat(place); };
-        smoke::list_haze(contacts, fat.update(contacts, fat_at), preset.smoke.plume, emissions, suctions);
+        const std::span<const ToolContact> burning = touching.update(contacts, touches);
+        smoke::list_haze(burning, fat.update(burning, fat_at), preset.smoke.plume, emissions, suctions);
         haze.set(emissions, suctions, preset.smoke.haze, emission);
     }
 };
 
 AmountsModel::AmountsModel(const Organ& organ, const AmountsOptions& options)
-    : state_(std::make_unique<State>(std::make_shared<const Foundation>(organ, VesselParameters{}),
-                                     direction_of(options.gravity))) {}
+    : state_(std::make_unique<State>(
+          std::make_shared<const Foundation>(organ::FineOrgan(organ).organ(), VesselParameters{}),
+          direction_of(options.gravity))) {}
 AmountsModel::AmountsModel(const std::shared_ptr<const PreparedOrgan>& organ, const AmountsOptions& options)
     : state_(std::make_unique<State>(organ->state().foundation, direction_of(options.gravity))) {}
 AmountsModel::AmountsModel(AmountsModel&&) noexcept = default;
@@ -84,7 +90,7 @@ Amounts AmountsModel::at(double time) noexcept {
             .bleeding_wounds = s.bleed.bleeding_wounds(),
             .left_out_wounds = static_cast<int>(s.cautery.left_out()),
             .lost_samples = 0,
-            .haze = s.haze.density(time)};
+            .haze = s.preset.smoke.clips.empty() ? 0.0 : s.haze.density(time)};
 }
 
 }  // namespace lapfx

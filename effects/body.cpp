@@ -1,6 +1,7 @@
 #include "body.h"
 
 #include <cassert>
+#include <unordered_map>
 
 namespace lapfx {
 
@@ -45,10 +46,23 @@ void Body::take_wounds() {
     wounds_version_ = cautery_.wounds_version();
 }
 
+/// Values of all vertices from those of the organ as the host has it: midpoints stay midway.
+std::span<const glm::vec3> Body::follow(std::span<const glm::vec3> given, std::vector<glm::vec3>& all) const {
+    all.assign(given.begin(), given.end());
+    for (const glm::uvec2& between : midpoints()) all.push_back(0.5f * (all[between.x] + all[between.y]));
+    return all;
+}
+
 void Body::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
-    assert(positions.size() == vertices() && (normals.empty() || normals.size() == positions.size()));
+    assert((positions.size() == given_vertices() || positions.size() == vertices_) &&
+           (normals.empty() || normals.size() == positions.size()));
+    if (positions.size() < vertices_) positions = follow(positions, positions_);
     moved_.move(positions);
-    if (normals.empty()) {
+    if (!normals.empty() && normals.size() < vertices_) {
+        normals = follow(normals, normals_);
+        for (std::size_t v = given_vertices(); v < vertices_; ++v)
+            if (const float length = glm::length(normals_[v]); length > 0.0f) normals_[v] /= length;
+    } else if (normals.empty()) {
         normals_.resize(positions.size());
         moved_.normals(normals_);
         normals = normals_;
@@ -73,13 +87,31 @@ void Body::send_density() {
     organ_gpu_.send_density(pictures, tissue_.vertex_values());
 }
 
+/// `origin` for all vertices: a midpoint was the former one between the same two, if their edge was there.
+std::vector<std::uint32_t> Body::sources_of(const Body& former, std::span<const std::uint32_t> origin) const {
+    std::vector<std::uint32_t> sources(origin.begin(), origin.end());
+    if (sources.size() == vertices_) return sources;
+    const auto edge = [](std::uint32_t a, std::uint32_t b) {
+        return std::uint64_t{std::min(a, b)} << 32 | std::max(a, b);
+    };
+    std::unordered_map<std::uint64_t, std::uint32_t> known;
+    auto next = static_cast<std::uint32_t>(former.given_vertices());
+    for (const glm::uvec2& between : former.midpoints()) known.emplace(edge(between.x, between.y), next++);
+    for (const glm::uvec2& between : midpoints()) {
+        const auto found = known.find(edge(sources[between.x], sources[between.y]));
+        sources.push_back(found == known.end() ? gone : found->second);
+    }
+    return sources;
+}
+
 void Body::inherit(const Body& former, std::span<const std::uint32_t> origin, double time) {
     std::vector<glm::vec2> kept(surface().positions.size(), glm::vec2(bleeding::BleedField::none, 0.0f));
     const std::span<const glm::vec2> values = former.bleed_->values();
-    for (std::size_t v = 0; v < origin.size(); ++v) {
-        if (origin[v] >= values.size()) continue;
+    const std::vector<std::uint32_t> sources = sources_of(former, origin);
+    for (std::size_t v = 0; v < sources.size(); ++v) {
+        if (sources[v] >= values.size()) continue;
         glm::vec2& at = kept[surface().weld[v]];
-        if (values[origin[v]].x > std::max(at.x, former.bleed_->dry())) at = values[origin[v]];
+        if (values[sources[v]].x > std::max(at.x, former.bleed_->dry())) at = values[sources[v]];
     }
     bleed_->keep(std::move(kept), time);
 }

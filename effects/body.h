@@ -41,25 +41,33 @@ class Body {
     std::size_t seek(double time) noexcept;
     void draw() const noexcept;
 
-    std::size_t vertices() const { return vertices_; }
     void collect(std::vector<gl::Program*>& programs) { organ_gpu_.collect(programs); }  ///< for gl::rebuild()
     std::size_t memory() const;  ///< bytes, of main memory and the GPU
     std::size_t left_out_wounds() const { return cautery_.left_out(); }
+    /// Whether a tip at a place of the rest shape touches tissue.
+    bool touches(const glm::dvec3& place) const { return cautery::touches(surface(), place); }
     const MovedSurface& moved() const { return moved_; }
     const bleeding::BleedField& bleed() const { return *bleed_; }
     const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
     const bleeding::TissueDensity& tissue() const { return tissue_; }
 
   private:
+    static constexpr std::uint32_t gone = 0xffffffff;
+
     void take_wounds();
     void send_density();
+    std::span<const glm::vec3> follow(std::span<const glm::vec3> given, std::vector<glm::vec3>& all) const;
+    std::vector<std::uint32_t> sources_of(const Body& former, std::span<const std::uint32_t> origin) const;
 
     const Surface& surface() const { return foundation_->surface; }
+    /// As RefinedOrgan::midpoints: the last ones of the vertices.
+    const std::vector<glm::uvec2>& midpoints() const { return foundation_->midpoints; }
+    std::size_t given_vertices() const { return vertices_ - midpoints().size(); }
 
     std::shared_ptr<const Foundation> foundation_;
     MovedSurface moved_;
     std::size_t vertices_;
-    std::vector<glm::vec3> normals_;
+    std::vector<glm::vec3> positions_, normals_;  // of the moved shape, where the host does not give all
     bleeding::TissueDensity tissue_;
     BleedingParameters bleeding_;
     FactorCurve strength_;

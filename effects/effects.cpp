@@ -12,11 +12,21 @@
 #include "gl/state_guard.h"
 #include "inputs.h"
 #include "lapfx/prepared_organ.h"
+#include "organ/refine.h"
 #include "render/view_block.h"
 #include "smoke/contact_fat_cpu.h"
 #include "smoke/smoke.h"
+#include "smoke/touching_cpu.h"
 
 namespace lapfx {
+
+namespace {
+
+std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const VesselParameters& vessels) {
+    return std::make_shared<const Foundation>(fine.organ(), vessels, organ::Stages{}, fine.take_midpoints());
+}
+
+}  // namespace
 
 struct Effects::State {
     State(const Organ& organ, std::shared_ptr<const Foundation> foundation, const EffectsOptions& wanted)
@@ -41,6 +51,8 @@ struct Effects::State {
     render::ViewBlock view_block;
     smoke::Smoke smoke;
 
+    smoke::Touching touching;
+    const smoke::Touching::Touches touches = [this](const glm::dvec3& place) { return body->touches(place); };
     smoke::ContactFat fat;
     VesselParameters fat_of;  // what `fat` was asked for
     const smoke::ContactFat::Sample fat_at = [this](const glm::dvec3& place) { return body->tissue().fat(place); };
@@ -48,7 +60,8 @@ struct Effects::State {
     /// What the tool has done, with the power of its time.
     std::span<const ToolContact> acting() { return power.apply(recorder.contacts()); }
     void take_smoke(std::span<const ToolContact> contacts) {
-        smoke.set_contacts(contacts, fat.update(contacts, fat_at));
+        const std::span<const ToolContact> burning = touching.update(contacts, touches);
+        smoke.set_contacts(burning, fat.update(burning, fat_at));
     }
     void refresh() {
         const std::span<const ToolContact> contacts = acting();
@@ -77,7 +90,8 @@ struct Effects::State {
 
 Effects::Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options) {
     require_valid(preset);
-    state_ = std::make_unique<State>(organ, std::make_shared<const Foundation>(organ, preset.vessels), options);
+    organ::FineOrgan fine(organ);
+    state_ = std::make_unique<State>(fine.organ(), foundation_of(fine, preset.vessels), options);
     set_preset(preset);
 }
 Effects::Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options) {
@@ -153,14 +167,15 @@ glm::dvec3 Effects::to_rest(const glm::dvec3& place) const noexcept {
 void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> origin) {
     State& s = *state_;
     assert(origin.size() == organ.positions.size());
-    auto body = std::make_unique<Body>(organ, std::make_shared<const Foundation>(organ, s.preset.vessels), s.down,
-                                       s.options.seed);
+    organ::FineOrgan fine(organ);
+    auto body = std::make_unique<Body>(fine.organ(), foundation_of(fine, s.preset.vessels), s.down, s.options.seed);
     body->set_strength(FactorCurve(s.curves.bleeding_strength));
     body->set(s.acting(), s.preset);
     body->set_overlay(s.overlay);
     body->set_color(s.organ_color);
     body->inherit(*s.body, origin, s.time);
     s.body = std::move(body);
+    s.touching.clear();
     s.fat.clear();
     s.take_smoke(s.acting());
 }

@@ -11,12 +11,17 @@
 namespace lapfx {
 
 struct Foundation {
-    Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages = {});
+    /// `midpoints`: as RefinedOrgan::midpoints, of what the organ was split from.
+    Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages = {},
+               std::vector<glm::uvec2> midpoints = {});
     Foundation(const Foundation&) = delete;
     Foundation& operator=(const Foundation&) = delete;
 
-    std::size_t memory() const { return surface.memory() + tissue.memory(); }  ///< bytes
+    std::size_t memory() const {  ///< bytes
+        return surface.memory() + tissue.memory() + midpoints.size() * sizeof(glm::uvec2);
+    }
 
+    std::vector<glm::uvec2> midpoints;
     Surface surface;
     bleeding::TissueDensity tissue;  ///< to be copied by whom it changes; refers to `surface`
 };

@@ -2,6 +2,7 @@
 
 #include "foundation.h"
 #include "organ/load.h"
+#include "organ/refine.h"
 
 namespace lapfx {
 
@@ -34,8 +35,11 @@ std::shared_ptr<const PreparedOrgan> unless_stopped(const F& work) {
 
 }  // namespace
 
-Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages)
-    : surface(organ, stages.part(0.0, 0.3)), tissue(organ, surface, vessels, stages.part(0.3, 1.0)) {
+Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages,
+                       std::vector<glm::uvec2> between)
+    : midpoints(std::move(between)),
+      surface(organ, stages.part(0.0, 0.3)),
+      tissue(organ, surface, vessels, stages.part(0.3, 1.0)) {
     stages.reach(1.0);
 }
 
@@ -71,13 +75,15 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
         made->organ_source = scene.organ;
         made->tool_source = scene.tool;
         made->folder = scene.folder;
-        made->organ =
-            organ::load(scene.folder / scene.organ.file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
-                        stages.part(0.0, loaded));
+        RefinedOrgan fine = refine(organ::load(scene.folder / scene.organ.file,
+                                               {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
+                                               stages.part(0.0, loaded)));
+        made->organ = std::move(fine.organ);
         if (!scene.tool.file.empty())
             made->tool = organ::load(scene.folder / scene.tool.file, {.scale = scene.tool.scale, .rotation = {}},
                                      stages.part(loaded, tool_loaded));
-        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0));
+        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
+                                                              std::move(fine.midpoints));
         return made;
     });
 }
@@ -87,8 +93,9 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
     return unless_stopped([&] {
         const organ::Stages stages(progress);
         auto made = std::make_unique<PreparedOrgan::State>();
-        made->organ = std::move(organ);
-        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages);
+        RefinedOrgan fine = refine(std::move(organ));
+        made->organ = std::move(fine.organ);
+        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages, std::move(fine.midpoints));
         return made;
     });
 }

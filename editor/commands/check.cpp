@@ -6,6 +6,7 @@
 #include "lapfx/clip.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
+#include "lapfx/smoke_notes.h"
 
 namespace lapfx::commands {
 
@@ -24,6 +25,9 @@ void check_files(const std::vector<std::string>& files) {
             const CheckedDocument found = check_document(file);
             if (found.kind == "preset") check_clips(load_preset(file), file, clip_folders());
             std::cout << file << ": " << found.kind << " \"" << found.name << "\", ok\n";
+            if (found.kind != "preset") continue;
+            for (const std::string& note : smoke_notes(load_preset(file).smoke))
+                std::cerr << "lapfx: note: " << file << ": " << note << '\n';
         } catch (const Error& error) {
             faults.insert(faults.end(), error.faults().begin(), error.faults().end());
         }

@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "commands/inspect.h"
+#include "lapfx/refine.h"
 #include "lapfx/tissue.h"
 
 namespace lapfx::commands {
@@ -74,6 +75,9 @@ void inspect_organ(const std::filesystem::path& file) {
     std::cout << file.string() << ": mesh\n";
     row("vertices", std::to_string(report.vertices));
     row("triangles", std::to_string(report.triangles));
+    if (const RefineReport split = report_refine(organ); split.longest_edge > 0.0)
+        row("split for blood", "into " + std::to_string(split.triangles) + " triangles, no edge longer than " +
+                                   text_of("%.3g", split.longest_edge) + " mm");
     row("components", std::to_string(report.components));
     row("boundary edges", std::to_string(report.boundary_edges));
     row("non-manifold edges", std::to_string(report.non_manifold_edges));

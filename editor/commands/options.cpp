@@ -1,8 +1,11 @@
 #include "commands/options.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <regex>
+
+#include "lapfx/smoke_notes.h"
 
 namespace lapfx::commands {
 
@@ -40,6 +43,11 @@ void check_folder(const std::filesystem::path& output) {
 void print_warnings(const Preview& preview) {
     for (const std::string& warning : report(preview.organ()).warnings)
         std::cerr << "lapfx: warning: " << warning << '\n';
+}
+
+void print_smoke_notes(const Scene& scene, const Preset& preset) {
+    if (std::none_of(scene.events.begin(), scene.events.end(), [](const ToolContact& c) { return c.hot(); })) return;
+    for (const std::string& note : smoke_notes(preset.smoke)) std::cerr << "lapfx: note: " << note << '\n';
 }
 
 void print_clip_warnings(const Preview& preview) {

@@ -22,6 +22,8 @@ void check_folder(const std::filesystem::path& output);
 
 /// On stderr: what the user should know of the scene and would not see in the picture.
 void print_warnings(const Preview& preview);
+/// What of the smoke will not be seen: nothing where no tool burns.
+void print_smoke_notes(const Scene& scene, const Preset& preset);
 /// Likewise of its smoke clips, once they have played: what could not be decoded is known then.
 void print_clip_warnings(const Preview& preview);
 /// Likewise for a time, s, that `--at` named.

@@ -1,10 +1,12 @@
 // The preset's smoke clips: a list with pictures, and below it how the selected one is used. Videos dropped here are added.
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 #include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "lapfx/smoke_notes.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -314,10 +316,17 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
 }
 
 void nothing_yet(ui::Ui& ui) {
-    ui::label(ui, "This preset has no smoke clip: haze is an even veil, and there is no plume.",
-              {.wrap = true, .width = ui::grow()});
+    ui::label(ui, "This preset has no smoke clip: cautery makes no smoke.", {.wrap = true, .width = ui::grow()});
     ui::label(ui, "Drop smoke videos here, or add them by the button above.",
               {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+}
+
+/// Kinds of smoke that no clip shows.
+void left_out(ui::Ui& ui, const app::Editor& editor) {
+    for (std::string note : smoke_notes(editor.document.preset().smoke)) {
+        note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
+        ui::label(ui, ui.copy(note + "."), {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+    }
 }
 
 /// Files dropped anywhere on the panel.
@@ -346,6 +355,7 @@ void clips_panel(ui::Ui& ui, app::Editor& editor) {
     refused_files(ui, shelf);
     if (clips_of(editor).empty()) return nothing_yet(ui);
     clip_list(ui, editor);
+    left_out(ui, editor);
     const std::size_t number = editor.clip;
     if (number >= clips_of(editor).size()) return;
     ui.push_seed(number);

@@ -56,8 +56,8 @@ constexpr Parameter rows[] = {
                             "noise texture."),
     number<&B::noise_strength>(
         "noise_strength", "Noise strength", {0, 20, 0.1, "mm"},
-        "How far the Perlin noise moves the edge of the blood. 0 shows the sharp polygonal edge of "
-        "the paper's figure 7b."),
+        "How far the Perlin noise moves the edge of the blood. 0 shows the sharp, plain edge of the "
+        "paper's figure 7b."),
     integer<&B::noise_octaves>("noise_octaves", "Noise octaves", {1, 6, 1},
                                "How many layers of ever finer noise make the edge."),
     number<&B::gravity_bias>("gravity_bias", "Gravity bias", {0, 0.9, 0.01},

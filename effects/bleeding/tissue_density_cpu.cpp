@@ -4,6 +4,7 @@
 
 #include "bleeding/point_blur_cpu.h"
 #include "bleeding/tissue_color_cpu.h"
+#include "organ/refine.h"
 
 namespace lapfx::bleeding {
 
@@ -315,13 +316,15 @@ TissueReport TissueDensity::report() const {
 namespace lapfx {
 
 TissueReport report_tissue(const Organ& organ, const VesselParameters& parameters) {
-    const Surface surface(organ);
-    return bleeding::TissueDensity(organ, surface, parameters).report();
+    const organ::FineOrgan fine(organ);
+    const Surface surface(fine.organ());
+    return bleeding::TissueDensity(fine.organ(), surface, parameters).report();
 }
 
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters) {
-    const Surface surface(organ);
-    return bleeding::TissueDensity(organ, surface, parameters).histogram(parameters);
+    const organ::FineOrgan fine(organ);
+    const Surface surface(fine.organ());
+    return bleeding::TissueDensity(fine.organ(), surface, parameters).histogram(parameters);
 }
 
 }  // namespace lapfx

@@ -20,6 +20,11 @@ struct Place {
     bool wound = false;  ///< whether a wound opens here when it is divided
 };
 
+/// Whether a tip at this place touches the surface. NaN: no.
+inline bool touches(const Surface& surface, const glm::dvec3& tip) {
+    return !surface.triangles.empty() && surface.closest_point(tip).distance <= farthest_touch;
+}
+
 struct Stay {
     ToolContact contact;
     std::uint32_t chain = 0;  ///< number of the first contact of its chain

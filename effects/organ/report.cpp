@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "lapfx/organ.h"
+#include "organ/refine.h"
 #include "organ/weld.h"
 
 namespace lapfx {
@@ -90,6 +91,11 @@ OrganReport report(const Organ& organ) {
         report.minimum = glm::min(report.minimum, glm::dvec3(p));
         report.maximum = glm::max(report.maximum, glm::dvec3(p));
     }
+    const organ::RefinePlan plan = organ::plan_refine(organ);
+    if (plan.bounded())
+        report.warnings.push_back(
+            "its triangles are too many and too large to be split down to " + number(organ::longest_wanted) +
+            " mm: blood and burns show only as well as edges of " + number(plan.length) + " mm carry them");
     const organ::Weld weld = organ::weld_positions(organ.positions);
     std::vector<std::uint32_t> triangles(organ.indices.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = weld.point[organ.indices[i]];

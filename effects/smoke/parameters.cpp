@@ -159,8 +159,10 @@ constexpr Parameter plume_rows[] = {
 
 using H = HazeParameters;
 constexpr Parameter haze_rows[] = {
-    number<&H::accumulation>("accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
-                             "How fast cautery at full emission fills the view with the paper's environmental smoke."),
+    number<&H::accumulation>(
+        "accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
+        "How fast cautery at full emission fills the view with the paper's environmental smoke. Where no clip "
+        "has the role haze it is an even veil; a preset without clips has no smoke at all."),
     number<&H::ventilation>(
         "ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
         "Which part of the haze leaves per second: the paper's ventilation capacity. 0 keeps it for ever."),

@@ -43,8 +43,8 @@ class Smoke {
     /// `up`: unit, organ space, where smoke rises to. Into the bound framebuffer and viewport.
     void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
 
-    /// E(t) of the haze.
-    double haze(double time) const noexcept { return haze_.density(time); }
+    /// E(t) of the haze. A preset without clips has no smoke.
+    double haze(double time) const noexcept { return parameters_.clips.empty() ? 0.0 : haze_.density(time); }
 
     void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
         gpu_.collect(programs);

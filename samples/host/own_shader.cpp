@@ -5,6 +5,7 @@
 //     lapfx_host_own_shader samples/lagb.scene.json presets/brisk_bleed.json 6 320 256 > frame.ppm
 #include <glad/gl.h>
 #include <lapfx/effects.h>
+#include <lapfx/refine.h>
 #include <lapfx/scene.h>
 #include <cmath>
 #include <cstdio>
@@ -143,8 +144,11 @@ int main(int argc, char** argv) {
         const lapfx::Scene scene = lapfx::load_scene(argv[1]);
         const int width = std::atoi(argv[4]), height = std::atoi(argv[5]);
         const lapfx::Context context = lapfx::Context::create(lapfx::Backend::osmesa);
-        const lapfx::Organ organ = lapfx::load_organ(scene.folder / scene.organ.file,
-                                                     {.scale = scene.organ.scale, .rotation = scene.organ.rotation});
+        // Refined, so that blood shows on long triangles too: on those of the file only where it reaches their corners.
+        const lapfx::Organ organ =
+            lapfx::refine(lapfx::load_organ(scene.folder / scene.organ.file,
+                                            {.scale = scene.organ.scale, .rotation = scene.organ.rotation}))
+                .organ;
         lapfx::Preset preset = lapfx::load_preset(argv[2]);
         preset.smoke.clips.clear();  // this host wants blood only
         lapfx::Effects effects(

@@ -119,7 +119,7 @@ INPUT = [
     Case("check: unknown key, nearest one named", ("check", "typo.json"), 2, "typo.json",
          says=r"/bleeding/sped: .*\bspeed\b"),
     Case("check: every file is looked at", ("check", "low.json", "good.json", "typo.json"), 2,
-         says=r"(?s)^lapfx: low\.json: .*\nlapfx: typo\.json: ", prints=r"(?s)good\.json.*"),
+         says=r"(?s)^lapfx: note: good\.json: .*\nlapfx: low\.json: .*\nlapfx: typo\.json: ", prints=r"(?s)good\.json.*"),
     Case("inspect: nothing", ("inspect",), 2),
     Case("inspect: missing", ("inspect", "missing.glb"), 2, "missing.glb"),
     Case("inspect: folder", ("inspect", "folder"), 2, "folder"),

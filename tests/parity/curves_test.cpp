@@ -31,6 +31,8 @@ class CurvesTest : public test::SceneTest {
     Preset preset = [] {
         Preset p;
         p.bleeding.speed = 2.0;
+        p.smoke.clips = {{.file = "wisps_thin.mp4"}};
+        p.folder = LAPFX_SOURCE_DIR "/samples/clips";
         return p;
     }();
 };

@@ -5,6 +5,7 @@
 #include <new>
 
 #include "gl/objects.h"
+#include "lapfx/refine.h"
 #include "lapfx/scene.h"
 #include "parity/render/scene_fixture.h"
 #include "render/camera.h"
@@ -221,6 +222,48 @@ TEST_F(EffectsTest, AMovingOrganCarriesItsBloodAlong) {
     effects.set_shape(moved);
     effects.set_shape(moved);
     EXPECT_EQ(allocations, 0u);
+}
+
+TEST_F(EffectsTest, ACoarseOrganMovesByTheVerticesThatItWasGivenWith) {
+    const Organ organ = test::plane(100.0, 2), fine = refine(organ).organ;
+    ASSERT_GT(fine.positions.size(), organ.positions.size());
+    Effects effects(organ, bloody());
+    effects.set_contacts(cut_at({7, 0, 12}));
+    effects.seek(3.0);
+    const Red at_rest = red_of(effects);
+    ASSERT_GT(at_rest.width, 15) << "far from every vertex of the file";
+    std::vector<glm::vec3> moved = organ.positions;
+    for (glm::vec3& p : moved) p = {2.0f * p.x, 20.0f, p.z};
+    effects.set_shape(moved);
+    const auto hit = effects.pick({60, 100, 3}, {0, -1, 0});
+    ASSERT_TRUE(hit.has_value());
+    EXPECT_NEAR(hit->distance, 80.0, 1e-5);
+    EXPECT_NEAR(glm::distance(effects.to_rest(hit->position), {30, 0, 3}), 0.0, 1e-4);
+    for (glm::vec3& p : moved) p.y = 0.0f;
+    effects.set_shape(moved, organ.normals);
+    EXPECT_NEAR(red_of(effects).width, 2 * at_rest.width, 3);
+    // A host that has all vertices may give them all.
+    effects.set_shape(fine.positions, fine.normals);
+    EXPECT_NEAR(red_of(effects).width, at_rest.width, 1);
+    allocations = 0;
+    effects.set_shape(moved, organ.normals);
+    effects.set_shape(moved);
+    EXPECT_EQ(allocations, 0u);
+}
+
+TEST_F(EffectsTest, ACoarseOrganThatIsCutKeepsTheBloodBetweenItsVertices) {
+    const Organ whole = test::plane(100.0, 2);
+    Effects effects(whole, bloody());
+    effects.set_contacts(cut_at({7, 0, 12}));
+    effects.seek(3.0);
+    const double before = effects.amounts().blood_area;
+    EXPECT_GT(before, 200.0);
+    std::vector<std::uint32_t> origin(whole.positions.size());
+    for (std::uint32_t v = 0; v < origin.size(); ++v) origin[v] = v;
+    effects.set_topology(whole, origin);
+    effects.set_contacts({});
+    effects.seek(4.0);
+    EXPECT_NEAR(effects.amounts().blood_area, before, 1e-6 * before);
 }
 
 TEST_F(EffectsTest, ACutOrganKeepsItsBloodAndNewBloodStaysOnItsSide) {

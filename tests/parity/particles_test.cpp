@@ -195,6 +195,8 @@ TEST_F(SpecksInScene, AskingForFatGoesWithThePresetAndTheOrgan) {
     effects.set_preset({});
     const Organ serosa = test::painted_plane(80.0, 60, [](double, double) { return test::serosa; });
     Preset plain;
+    plain.smoke.clips = preset.smoke.clips;
+    plain.folder = preset.folder;
     plain.smoke.plume.fat_gain = 1.0;
     effects.set_preset(plain);
     EXPECT_NEAR(haze(), fat, 0.01 * fat);

@@ -15,7 +15,8 @@
 //     glVertexArrayVertexBuffer(my_vertex_array, 5, effects.bleed_buffer(), 0, sizeof(glm::vec2));
 //     effects.bind_bleeding();  // then draw, instead of draw_organ
 //
-// samples/host/own_shader.cpp is a whole program that does so.
+// samples/host/own_shader.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 4.5 mm
+// (refine.h), Effects splits them for itself.
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
 // Constructor and set_preset throw lapfx::Error; seek and the draw calls are noexcept, allocate nothing in steady
@@ -103,8 +104,9 @@ class Effects {
     std::span<const ToolContact> contacts() const noexcept;
 
     /// The organ moves: new positions, mm, and unit normals for every vertex of the organ (empty: smooth ones are made), same
-    /// connectivity. Blood, burns and wounds stay on the tissue: distances, areas and contacts are those of the rest shape, what
-    /// is drawn and picked is the moved one. O(vertices), no allocation after the first call. Sizes must fit (assert).
+    /// connectivity. Of a coarse organ (refine.h) those that it was given with: the others stay midway between them. Blood, burns
+    /// and wounds stay on the tissue: distances, areas and contacts are those of the rest shape, what is drawn and picked is the
+    /// moved one. O(vertices), no allocation after the first call. Sizes must fit (assert).
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals = {});
     /// A place on the moved shape, carried back to the rest shape: where a contact there belongs. Unmoved, the place itself.
     glm::dvec3 to_rest(const glm::dvec3& place) const noexcept;
@@ -136,8 +138,8 @@ class Effects {
     void draw_smoke(const View& view, unsigned scene_depth) noexcept;
 
     /// For a host's own organ shader: the GL buffer of bleed value (mm; below 0 it runs on, for the noise) and clot (0..1), a
-    /// vec2 per organ vertex in the order of Organ::positions. seek() updates it. The name is valid until
-    /// set_topology() or the end of this object; do not write to it.
+    /// vec2 per organ vertex in the order of Organ::positions; after them, those that refine() adds to a coarse organ. seek()
+    /// updates it. The name is valid until set_topology() or the end of this object; do not write to it.
     unsigned bleed_buffer() const noexcept;
     /// Binds the uniform block that bleeding_shader() reads at uniform binding 1, and leaves it there: unlike the draw calls
     /// it changes the host's state, as it is meant to.

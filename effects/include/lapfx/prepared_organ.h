@@ -21,7 +21,7 @@ namespace lapfx {
 
 class PreparedOrgan {
   public:
-    const Organ& organ() const;
+    const Organ& organ() const;  ///< with its long triangles split (refine.h)
     /// Every file that was read for it or looked for: organ, textures, materials, the instrument.
     std::vector<std::filesystem::path> files() const;
     /// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are those, as

@@ -3,13 +3,15 @@
 #include <numbers>
 
 #include "gl/gl.h"
+#include "lapfx/refine.h"
 #include "parity/render/scene_fixture.h"
 
 namespace lapfx {
 namespace {
 
 constexpr glm::ivec2 large(400, 400);
-constexpr double height = 60.0;  // mm, of the camera above the sheet
+constexpr double height = 60.0;                  // mm, of the camera above the sheet
+constexpr std::uint32_t largest_triangles = 26;  // squares a side: their diagonals, 4.35 mm, are not split
 
 class EdgeTest : public test::SceneTest {
   protected:
@@ -32,6 +34,9 @@ class EdgeTest : public test::SceneTest {
                                      p.x * std::sin(turn) + p.z * std::cos(turn)));
         test::write_obj(folder / "sheet.obj", sheet);
     }
+
+    /// So that a triangle of the largest sheet that is not split is 38 pixels wide.
+    void look_closely() { scene.camera.field_of_view = 30.0; }
 
     double mm_per_pixel() const {
         return 2.0 * height * std::tan(glm::radians(scene.camera.field_of_view) / 2.0) / large.y;
@@ -102,7 +107,7 @@ class EdgeTest : public test::SceneTest {
 
     /// The bleed value of each pixel, interpolated between the values that the CPU gives the vertices.
     std::vector<double> interpolated(double time) const {
-        const Organ organ = load_organ(folder / "sheet.obj");
+        const Organ organ = refine(load_organ(folder / "sheet.obj")).organ;
         Effects effects(organ, preset, {.seed = 1, .gravity = scene.gravity, .clip_folders = {}});
         effects.set_contacts(scene.events);
         effects.seek(time);
@@ -121,7 +126,7 @@ class EdgeTest : public test::SceneTest {
     /// How far the edge bends inside a triangle: root mean square distance, in pixels, of the edge's pixels from the straight
     /// line through them, mean over the triangles that hold a good piece of it.
     double bend(const std::vector<bool>& mask) const {
-        const Organ organ = load_organ(folder / "sheet.obj");
+        const Organ organ = refine(load_organ(folder / "sheet.obj")).organ;
         std::vector<std::vector<glm::dvec2>> pieces(organ.triangle_count());
         each_pixel(organ, [&](std::size_t pixel, glm::dvec3, std::size_t triangle) {
             const auto x = static_cast<int>(pixel) % large.x, y = static_cast<int>(pixel) / large.x;
@@ -153,8 +158,9 @@ class EdgeTest : public test::SceneTest {
 
 TEST_F(EdgeTest, WithoutNoiseItIsTheMeshsPolygonToThePixel) {
     preset.bleeding.noise_strength = 0.0;
+    look_closely();
     for (const double degrees : {0.0, 31.0}) {
-        use_sheet(10, degrees);
+        use_sheet(largest_triangles, degrees);
         const std::vector<bool> mask = blood_mask(3.0);
         const std::vector<double> values = interpolated(3.0);
         int wrong = 0, inside = 0;
@@ -179,8 +185,9 @@ TEST_F(EdgeTest, WithoutNoiseItIsTheMeshsPolygonToThePixel) {
 TEST_F(EdgeTest, NoiseBendsItInsideTriangles) {
     preset.bleeding.noise_strength = 3.0;
     preset.bleeding.noise_scale = 3.5;
+    look_closely();
     for (const double degrees : {0.0, 31.0}) {
-        use_sheet(10, degrees);
+        use_sheet(largest_triangles, degrees);
         EXPECT_GT(bend(blood_mask(3.0)), 0.9) << "turned by " << degrees << " degrees";
     }
 }
@@ -219,6 +226,28 @@ TEST_F(EdgeTest, NoiseTakesAsMuchAsItGives) {
             }
             EXPECT_NEAR(mean, disc, 0.05 * disc) << "rivulets " << rivulets << ", down " << down.y << ' ' << down.z;
         }
+    }
+}
+
+TEST_F(EdgeTest, BloodOnCoarseMeshesCoversWhatItShouldInThePicture) {
+    preset.bleeding.speed = 4.0;
+    preset.bleeding.max_extent = 14.0;
+    scene.events[0].position = scene.events[0].to = {2.3, 0.0, 4.1};  // inside a triangle
+    const double disc = std::numbers::pi * 14.0 * 14.0;
+    for (const std::uint32_t squares : {80u, 8u, 4u, 2u, 1u}) {  // edges of 1, 10, 20, 40, 80 mm
+        use_sheet(squares);
+        preset.bleeding.noise_strength = 0.0;
+        scene.seed = 1;
+        const double shown = area(blood_mask(8.0));
+        EXPECT_NEAR(shown, disc, 0.05 * disc) << squares;
+        Preview p = preview();
+        p.image(8.0, {8, 8});
+        EXPECT_NEAR(p.amounts().blood_area, shown, 0.02 * disc) << squares;
+        preset.bleeding.noise_strength = 3.0;
+        double mean = 0.0;
+        constexpr int seeds = 4;
+        for (; scene.seed <= seeds; ++scene.seed) mean += area(blood_mask(8.0)) / seeds;
+        EXPECT_NEAR(mean, disc, 0.07 * disc) << "with noise, " << squares;
     }
 }
 

@@ -38,7 +38,7 @@ TEST_F(CheckCommand, GoodFilesAreNamedOnStdout) {
     const Result result = run_lapfx(folder, "check good.json scene.json");
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.out, "good.json: preset \"Ooze\", ok\nscene.json: scene \"\", ok\n");
-    EXPECT_EQ(result.err, "");
+    EXPECT_EQ(result.err, "lapfx: note: good.json: no smoke clips: cautery makes no smoke\n");
 }
 
 TEST_F(CheckCommand, EveryFaultOfEveryFileIsALineOnStderr) {
@@ -46,6 +46,7 @@ TEST_F(CheckCommand, EveryFaultOfEveryFileIsALineOnStderr) {
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "good.json: preset \"Ooze\", ok\n");
     EXPECT_EQ(result.err,
+              "lapfx: note: good.json: no smoke clips: cautery makes no smoke\n"
               "lapfx: bad.json: /bleeding/sped: unknown key; nearest is \"speed\"\n"
               "lapfx: bad.json: /bleeding/speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)\n"
               "lapfx: missing.json: cannot be read: No such file or directory\n"
@@ -57,7 +58,8 @@ TEST_F(CheckCommand, OpensTheClipsOfAPreset) {
     folder.write("empty.mp4", "");
     folder.write("clips.json", test::preset_text(R"(, "name": "Clips", "smoke": {"clips": [{"file": "real.avi"},
         {"file": "gone.mp4"}, {"file": "plume_thick.mp4"}, {"file": "empty.mp4"}]})"));
-    folder.write("real.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "real.avi"}]})"));
+    folder.write("real.json",
+                 test::preset_text(R"(, "smoke": {"haze": {"accumulation": 0}, "clips": [{"file": "real.avi"}]})"));
     const Result result = run_lapfx(folder, "check clips.json real.json");
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "real.json: preset \"\", ok\n");

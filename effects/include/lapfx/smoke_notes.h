@@ -1,0 +1,18 @@
+// What of a preset's smoke will not be seen as one might expect, for a person who tunes it: smoke is shown by clips.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "lapfx/preset.h"
+
+namespace lapfx {
+
+/// A line each, lower case, without a full stop; empty when every kind of smoke that the parameters ask for has its clip:
+/// - no clips: cautery makes no smoke
+/// - no clip has the role plume (with a weight above 0): no smoke at the tool tip
+/// - no clip has the role haze: the haze is an even veil
+/// Any thread.
+std::vector<std::string> smoke_notes(const SmokeParameters& smoke);
+
+}  // namespace lapfx

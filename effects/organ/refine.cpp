@@ -1,0 +1,209 @@
+// refine(): triangles that are too large for blood are split at the middles of their long edges, again and again. Whether an
+// edge is split follows from its two ends alone, so the triangles on both sides agree and no crack opens, also where a texture
+// seam parts them: the copies of a point count as one place.
+#include "organ/refine.h"
+
+#include <unordered_map>
+
+#include "organ/weld.h"
+
+namespace lapfx {
+
+namespace {
+
+using Corners = std::array<glm::vec3, 3>;
+
+/// The same to the last bit for both directions of an edge.
+glm::vec3 middle(const glm::vec3& a, const glm::vec3& b) {
+    return 0.5f * (a + b);
+}
+
+double squared(const glm::vec3& a, const glm::vec3& b) {
+    const glm::dvec3 edge = glm::dvec3(b) - glm::dvec3(a);
+    return glm::dot(edge, edge);
+}
+
+/// Which corners an uncut triangle is divided into: 0 to 2 are its own, 3 to 5 the middles of the edges that start there.
+struct Pattern {
+    int count = 0;
+    std::array<std::array<int, 3>, 4> triangles{};
+};
+
+/// `split[i]`: the edge from corner i to the next is too long. A quadrangle is cut along its shorter diagonal.
+Pattern pattern_of(const Corners& p, const std::array<bool, 3>& split) {
+    const int edges = split[0] + split[1] + split[2];
+    if (edges == 3) return {4, {{{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}}}};
+    if (edges == 0) return {};
+    // The one edge that is split, or the one that is not, starts at corner i.
+    int i = 0;
+    while (split[static_cast<std::size_t>(i)] != (edges == 1)) ++i;
+    const int j = (i + 1) % 3, k = (i + 2) % 3;
+    if (edges == 1) return {2, {{{i, i + 3, k}, {i + 3, j, k}}}};
+    const auto at = [&](int corner) { return p[static_cast<std::size_t>(corner)]; };
+    const int jk = j + 3, ki = k + 3;
+    if (squared(at(i), middle(at(j), at(k))) <= squared(at(j), middle(at(k), at(i))))
+        return {3, {{{k, ki, jk}, {i, j, jk}, {i, jk, ki}}}};
+    return {3, {{{k, ki, jk}, {i, j, ki}, {j, jk, ki}}}};
+}
+
+/// What has no place between its ends cannot be split: neighbouring floats far from the origin, infinity.
+bool too_long(const glm::vec3& a, const glm::vec3& b, double limit) {
+    if (!(squared(a, b) > limit)) return false;
+    const glm::vec3 m = middle(a, b);
+    return m != a && m != b && squared(a, m) < squared(a, b) && squared(b, m) < squared(a, b);
+}
+
+std::array<bool, 3> long_edges(const Corners& p, double limit) {
+    return {too_long(p[0], p[1], limit), too_long(p[1], p[2], limit), too_long(p[2], p[0], limit)};
+}
+
+/// Triangles that one becomes; stops counting beyond `most`.
+std::size_t count(const Corners& p, double limit, std::size_t most) {
+    const Pattern pattern = pattern_of(p, long_edges(p, limit));
+    if (pattern.count == 0) return 1;
+    const std::array<glm::vec3, 6> at{p[0], p[1], p[2], middle(p[0], p[1]), middle(p[1], p[2]), middle(p[2], p[0])};
+    std::size_t sum = 0;
+    for (int t = 0; t < pattern.count && sum <= most; ++t) {
+        const auto& c = pattern.triangles[static_cast<std::size_t>(t)];
+        sum += count({at[static_cast<std::size_t>(c[0])], at[static_cast<std::size_t>(c[1])],
+                      at[static_cast<std::size_t>(c[2])]},
+                     limit, most - std::min(most, sum));
+    }
+    return sum;
+}
+
+/// Places of the vertices; those of one point are the same to the last bit.
+std::vector<glm::vec3> places_of(const Organ& organ) {
+    const organ::Weld weld = organ::weld_positions(organ.positions);
+    std::vector<glm::vec3> first(weld.points), places(organ.positions.size());
+    for (std::size_t v = organ.positions.size(); v-- > 0;) first[weld.point[v]] = organ.positions[v];
+    for (std::size_t v = 0; v < places.size(); ++v) places[v] = first[weld.point[v]];
+    return places;
+}
+
+Corners corners_of(const Organ& organ, const std::vector<glm::vec3>& places, std::size_t triangle) {
+    const std::uint32_t* const v = &organ.indices[3 * triangle];
+    return {places[v[0]], places[v[1]], places[v[2]]};
+}
+
+glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& otherwise) {
+    const float length = glm::length(direction);
+    return length > 1e-6f ? direction / length : otherwise;
+}
+
+class Refiner {
+  public:
+    Refiner(RefinedOrgan& out, double length) : organ_(out.organ), midpoints_(out.midpoints), limit_(length * length) {
+        places_ = places_of(organ_);
+    }
+
+    void run(std::size_t triangles) {
+        const std::vector<std::uint32_t> before = std::move(organ_.indices);
+        indices_.reserve(3 * triangles);
+        for (Part& part : organ_.parts) {
+            const auto first = static_cast<std::uint32_t>(indices_.size());
+            for (std::uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3)
+                split({before[i], before[i + 1], before[i + 2]});
+            part.first_index = first;
+            part.index_count = static_cast<std::uint32_t>(indices_.size()) - first;
+        }
+        organ_.indices = std::move(indices_);
+    }
+
+  private:
+    void split(const std::array<std::uint32_t, 3>& v) {
+        const Corners p{places_[v[0]], places_[v[1]], places_[v[2]]};
+        const std::array<bool, 3> edges = long_edges(p, limit_);
+        const Pattern pattern = pattern_of(p, edges);
+        if (pattern.count == 0) {
+            indices_.insert(indices_.end(), v.begin(), v.end());
+            return;
+        }
+        std::array<std::uint32_t, 6> corner{v[0], v[1], v[2], 0, 0, 0};
+        for (std::size_t i = 0; i < 3; ++i)
+            if (edges[i]) corner[i + 3] = midpoint(v[i], v[(i + 1) % 3]);
+        for (int t = 0; t < pattern.count; ++t) {
+            const auto& c = pattern.triangles[static_cast<std::size_t>(t)];
+            split({corner[static_cast<std::size_t>(c[0])], corner[static_cast<std::size_t>(c[1])],
+                   corner[static_cast<std::size_t>(c[2])]});
+        }
+    }
+
+    std::uint32_t midpoint(std::uint32_t a, std::uint32_t b) {
+        if (b < a) std::swap(a, b);
+        const auto [found, is_new] =
+            known_.try_emplace(std::uint64_t{a} << 32 | b, static_cast<std::uint32_t>(organ_.positions.size()));
+        if (is_new) add(a, b);
+        return found->second;
+    }
+
+    void add(std::uint32_t a, std::uint32_t b) {
+        Organ& o = organ_;
+        const glm::vec3 place = middle(places_[a], places_[b]);
+        const glm::vec3 normal = unit_or(o.normals[a] + o.normals[b], o.normals[a]);
+        const glm::vec3 along = glm::vec3(o.tangents[a]) + glm::vec3(o.tangents[b]);
+        const glm::vec3 tangent = unit_or(along - normal * glm::dot(normal, along), glm::vec3(o.tangents[a]));
+        places_.push_back(place);
+        o.positions.push_back(place);
+        o.normals.push_back(normal);
+        o.tangents.emplace_back(tangent, o.tangents[a].w);
+        o.uvs.push_back(0.5f * (o.uvs[a] + o.uvs[b]));
+        o.colors.push_back(0.5f * (o.colors[a] + o.colors[b]));
+        midpoints_.emplace_back(a, b);
+    }
+
+    Organ& organ_;
+    std::vector<glm::uvec2>& midpoints_;
+    double limit_;  // mm2
+    std::vector<glm::vec3> places_;
+    std::vector<std::uint32_t> indices_;
+    std::unordered_map<std::uint64_t, std::uint32_t>
+        known_;  // the vertices that a midpoint lies between, the smaller first
+};
+
+}  // namespace
+
+organ::RefinePlan organ::plan_refine(const Organ& organ) {
+    RefinePlan plan{.triangles = organ.triangle_count()};
+    // First as the vertices lie: the usual organ is fine, and joining its vertices takes longer than looking.
+    std::vector<std::size_t> coarse;
+    for (std::size_t t = 0; t < organ.triangle_count(); ++t) {
+        const std::array<bool, 3> edges =
+            long_edges(corners_of(organ, organ.positions, t), longest_wanted * longest_wanted);
+        if (edges[0] || edges[1] || edges[2]) coarse.push_back(t);
+    }
+    if (coarse.empty()) return plan;
+    plan.splits = true;
+    const std::vector<glm::vec3> places = places_of(organ);
+    for (;; plan.length *= 1.25) {
+        std::size_t made = 0;
+        const std::size_t most = coarse.size() + most_added;
+        for (std::size_t i = 0; i < coarse.size() && made <= most; ++i)
+            made += count(corners_of(organ, places, coarse[i]), plan.length * plan.length, most - made);
+        if (made > most) continue;
+        plan.triangles += made - coarse.size();
+        return plan;
+    }
+}
+
+RefinedOrgan organ::refine(Organ organ, const RefinePlan& plan) {
+    RefinedOrgan refined{.organ = std::move(organ), .midpoints = {}};
+    if (plan.splits) Refiner(refined, plan.length).run(plan.triangles);
+    return refined;
+}
+
+RefineReport report_refine(const Organ& organ) {
+    const organ::RefinePlan plan = organ::plan_refine(organ);
+    return {.triangles = plan.triangles, .longest_edge = plan.splits ? plan.length : 0.0, .bounded = plan.bounded()};
+}
+
+RefinedOrgan refine(Organ organ) {
+    const organ::RefinePlan plan = organ::plan_refine(organ);
+    return organ::refine(std::move(organ), plan);
+}
+
+organ::FineOrgan::FineOrgan(const Organ& organ) : given_(organ) {
+    if (const RefinePlan plan = plan_refine(organ); plan.splits) refined_ = refine(organ, plan);
+}
+
+}  // namespace lapfx
