@@ -216,8 +216,11 @@ void Effects::draw_organ(const View& view) noexcept {
 void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
     state_->view_block.bind(view);
+    const EffectsOptions& options = state_->options;
     state_->smoke.draw(view, -state_->down, state_->time, scene_depth,
-                       state_->options.wait_for_clips ? smoke::Policy::wait : smoke::Policy::latest);
+                       options.wait_for_clips                      ? smoke::Policy::wait
+                       : options.streaming.late == LateClips::skip ? smoke::Policy::skip
+                                                                   : smoke::Policy::latest);
 }
 
 unsigned Effects::bleed_buffer() const noexcept {

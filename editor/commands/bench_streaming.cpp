@@ -2,7 +2,9 @@
 // FFmpeg takes for the like.
 //
 // Method: clips 720x480, MPEG-4 part 2, 30 frames per second, each over the whole view (environmental smoke), luma keyed with
-// noise; one frame of every clip a frame (Policy::wait: nothing is skipped). The paper's schemes shade every layer at the
+// noise; one frame of every clip a frame (Policy::wait: nothing is skipped). "Late" are the paper's two schemes on a display half as
+// fast as the clips, which go on by two frames in each of its cycles: pipeline sends one of the two in every cycle, buffering (with
+// LateClips::skip, as the paper implemented it) one of four in every second cycle. The paper's schemes shade every layer at the
 // screen's resolution, ours as Effects does unless told otherwise. FFmpeg has the same picture to make: every clip keyed and
 // scaled over the whole frame; unscaled, where they cover a quarter of it, is a ratio of its own. After the warm-up (a loop of
 // the clips for resident, else a few frames) `measured` frames. Times per frame are medians; waiting, sending, decoding and
@@ -35,11 +37,17 @@ struct Way {
     const char* name;
     Scheme scheme;
     SmokeResolution resolution;
+    int step = 1;  ///< frames of a clip in a cycle of the display
+    LateClips late = LateClips::repeat;
 };
 constexpr Way ways[] = {{"pipeline", Scheme::pipeline, SmokeResolution::screen},
                         {"buffered", Scheme::buffered, SmokeResolution::screen},
                         {"buffered planar", Scheme::buffered_planar, SmokeResolution::balanced},
                         {"resident", Scheme::resident, SmokeResolution::balanced}};
+
+/// The paper's schemes where the display is late; its own buffering skips frames then.
+constexpr Way pipeline_late{"pipeline, late", Scheme::pipeline, SmokeResolution::screen, 2};
+constexpr Way buffered_late{"buffered, late", Scheme::buffered, SmokeResolution::screen, 2, LateClips::skip};
 
 /// What haze at half of the clips' resolution is worth.
 constexpr Way whole_clip{"resident, clip", Scheme::resident, SmokeResolution::clip};
@@ -53,11 +61,15 @@ class Case {
   public:
     Case(const HostFrame& host, const Way& way, const Preset& preset)
         : host_(host),
+          step_(way.step),
           effects_(triangle(), preset,
                    {.clip_folders = {},
-                    .wait_for_clips = true,
-                    .streaming = {
-                        .scheme = way.scheme, .resolution = way.resolution, .memory = memory, .gpu_timings = true}}) {
+                    .wait_for_clips = way.late != LateClips::skip,
+                    .streaming = {.scheme = way.scheme,
+                                  .resolution = way.resolution,
+                                  .memory = memory,
+                                  .late = way.late,
+                                  .gpu_timings = true}}) {
         row_.scheme = way.name;
         row_.streams = static_cast<int>(preset.smoke.clips.size());
         row_.open = 1e3 * effects_.streaming_times().open;
@@ -88,6 +100,8 @@ class Case {
             row_.gpu = 1e3 * (after.shading - before.shading) / static_cast<double>(after.shaded - before.shaded);
         row_.wait = mean(waits);
         row_.upload = mean(uploads);
+        row_.sending = row_.wait + row_.upload;
+        row_.sent = static_cast<double>(after.uploaded - before.uploaded) / measured;
         row_.total = median(totals);
         row_.shading = median(shadings);
         row_.frame = median(frames);
@@ -114,7 +128,7 @@ class Case {
     }
     /// ms in the call, and after it until all is drawn.
     std::pair<double, double> step(double share) {
-        effects_.seek(20.0 + frame_++ / bench_clip_fps);
+        effects_.seek(20.0 + step_ * frame_++ / bench_clip_fps);
         host_.bind(share);
         finish_drawing();
         const auto start = Clock::now();
@@ -125,6 +139,7 @@ class Case {
     }
 
     const HostFrame& host_;
+    const int step_;
     Effects effects_;
     View view_ = looking_on();
     StreamingRow row_;
@@ -152,6 +167,8 @@ BenchRow as_bench_row(const StreamingRow& r) {
                          {"frame_ms", r.frame},
                          {"frame_spread_ms", r.spread},
                          {"fps", r.fps},
+                         {"sent_frames", r.sent},
+                         {"sending_ms", r.sending},
                          {"resident", r.resident}}};
 }
 
@@ -159,10 +176,13 @@ void keep_best(std::vector<StreamingRow>& rows, const StreamingRow& row) {
     const auto same = std::find_if(rows.begin(), rows.end(), [&](const StreamingRow& other) {
         return other.scheme == row.scheme && other.streams == row.streams;
     });
-    if (same == rows.end())
+    if (same == rows.end()) {
         rows.push_back(row);
-    else if (row.frame < same->frame)
-        *same = row;
+        return;
+    }
+    const double sending = std::min(row.sending, same->sending);
+    if (row.frame < same->frame) *same = row;
+    same->sending = sending;
 }
 
 const StreamingRow& find(std::span<const StreamingRow> rows, std::string_view scheme, int streams) {
@@ -171,10 +191,10 @@ const StreamingRow& find(std::span<const StreamingRow> rows, std::string_view sc
 }
 
 void add_ratios(std::span<const StreamingRow> rows, std::map<std::string, double>& ratios) {
-    const auto sending = [&](const char* scheme) {
-        return find(rows, scheme, 15).wait + find(rows, scheme, 15).upload;
-    };
-    ratios["upload_buffered_over_pipeline_15"] = sending("buffered") / sending("pipeline");
+    const auto sending = [&](const char* scheme) { return find(rows, scheme, 15).sending; };
+    // The paper's: late, so that buffering shows half as many frames. Beside it the same frames shown at the same rate.
+    ratios["upload_buffered_over_pipeline_15"] = sending(buffered_late.name) / sending(pipeline_late.name);
+    ratios["upload_buffered_over_pipeline_15_nothing_skipped"] = sending("buffered") / sending("pipeline");
     ratios["upload_resident_over_pipeline_15"] = sending("resident") / sending("pipeline");
     ratios["upload_resident_over_buffered_15"] = sending("resident") / sending("buffered");
     ratios["smoke_ours_over_paper_15"] = find(rows, "resident", 15).frame / find(rows, "pipeline", 15).frame;
@@ -219,7 +239,9 @@ BenchReport bench_streaming(const BenchOptions& options) {
                 keep_best(rows, measure(host, way, streams, clips));
                 progress.step();
             }
-    for (int round = 0; round < rounds; ++round) keep_best(rows, measure(host, whole_clip, 15, clips));
+    for (int round = 0; round < rounds; ++round)
+        for (const Way& way : {pipeline_late, buffered_late, whole_clip})
+            keep_best(rows, measure(host, way, 15, clips));
     for (const StreamingRow& row : rows) report.rows.push_back(as_bench_row(row));
     add_ratios(rows, report.ratios);
     compare_with_ffmpeg(clips, report, rows, progress);

@@ -7,15 +7,17 @@ namespace lapfx::gl {
 
 class UnpackGuard {
   public:
-    UnpackGuard() noexcept {
+    /// `from`: the buffer that pixels are read from, 0: main memory.
+    explicit UnpackGuard(GLuint from = 0) noexcept {
         glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer_);
         for (int i = 0; i < count; ++i) glGetIntegerv(names[i], &before_[i]);
-        if (buffer_ != 0) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
+        other_ = static_cast<GLuint>(buffer_) != from;
+        if (other_) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, from);
         for (int i = 0; i < count; ++i) glPixelStorei(names[i], packed[i]);
     }
     ~UnpackGuard() {
         for (int i = 0; i < count; ++i) glPixelStorei(names[i], before_[i]);
-        if (buffer_ != 0) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
+        if (other_) glBindBuffer(GL_PIXEL_UNPACK_BUFFER, static_cast<GLuint>(buffer_));
     }
     UnpackGuard(const UnpackGuard&) = delete;
     UnpackGuard& operator=(const UnpackGuard&) = delete;
@@ -27,6 +29,7 @@ class UnpackGuard {
     static constexpr GLint packed[count] = {1, 0, 0, 0, 0, 0};
     GLint before_[count] = {};
     GLint buffer_ = 0;
+    bool other_ = false;
 };
 
 }  // namespace lapfx::gl

@@ -9,6 +9,7 @@
 #include "smoke/clip_stream.h"
 #include "smoke/file_stamp.h"
 #include "smoke/frame_textures.h"
+#include "smoke/sent_frames.h"
 
 namespace lapfx::smoke {
 
@@ -44,7 +45,10 @@ class ClipPlayer {
 
     /// As ClipSet's.
     ClipFrame frame(int head, int index, Policy policy, StreamingTimes& times) noexcept;
-    void end_cycle(StreamingTimes& times) noexcept;
+    /// `cycle`: a number that grows by one in each. Buffering sends the frames of even heads in even cycles, those of odd ones in odd
+    /// cycles; ClipSet starts each player's count where that spreads the heads of all clips evenly.
+    void end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept;
+    std::size_t heads() const { return heads_[1].stream != nullptr ? 2u : 1u; }
 
     std::size_t memory() const noexcept;  ///< bytes, without the file's store
     std::uint64_t misses() const { return misses_; }
@@ -53,17 +57,28 @@ class ClipPlayer {
   private:
     struct Head {
         std::unique_ptr<ClipStream> stream;
-        FrameTextures sent;                // streaming schemes: what was sent last, and the one after it
-        std::array<int, 2> holds{-1, -1};  // frame numbers
-        int shown = -1;                    // frame number (resident) or layer of `sent`; -1: nothing yet
-        int asked = -1;                    // frame number
+        SentFrames sent;   // streaming schemes
+        int shown = -1;    // resident: frame number; -1: nothing yet
+        int asked = -1;    // frame number
+        bool now = false;  // asked in this cycle
+        Policy policy = Policy::wait;
+        std::array<int, 3> moves{1, 1, 1};  // frames that it went on by, the last cycle first; -1: it jumped
+        bool late = false;                  // Policy::skip: every second frame is skipped
         Loop loop;
         bool rests = false;  // all of the loop is in the store
+
+        void ask(int index, Policy how);
+        int step() const;
+        bool outruns_the_display() const { return moves[0] > 1 && moves[1] > 1; }
     };
+    static constexpr std::size_t sent_ahead = 3;
+    using Ahead = std::array<int, sent_ahead>;
 
     ClipFrame resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
     ClipFrame streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
-    void send(Head& head, int layer, int index, const Picture& picture, StreamingTimes& times) noexcept;
+    void coalesce(Head& head, bool turn, StreamingTimes& times) noexcept;
+    void skip_one(Head& head, const Ahead& ahead, StreamingTimes& times) noexcept;
+    void send_ahead(Head& head, const Ahead& ahead, int most, StreamingTimes& times) noexcept;
     void keep(int index, const Picture& picture, StreamingTimes& times) noexcept;
 
     DecodePool& pool_;

@@ -43,6 +43,11 @@ std::string mebibytes(std::size_t bytes) {
     return std::to_string((bytes + (std::size_t{1} << 20) - 1) >> 20) + " MiB";
 }
 
+/// Places that it plays at.
+std::size_t heads_of(const SmokeClip& clip) {
+    return clip.crossfade > 0.0 ? 2 : 1;
+}
+
 std::size_t store_memory(const ClipFile& file, Loop played) {
     return FrameStore::memory_for(file.format, file.info.frame_count(), played.first, played.last);
 }
@@ -136,7 +141,7 @@ Plan ClipSet::State::plan(const std::filesystem::path& path, std::span<const Pla
 /// As StreamingOptions::memory says. Gives what the buffers take.
 std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const {
     std::size_t heads = 0;
-    for (const SmokeClip& clip : wanted) heads += clip.crossfade > 0.0 ? 2 : 1;
+    for (const SmokeClip& clip : wanted) heads += heads_of(clip);
     const int by_count =
         std::clamp(max_textures / static_cast<int>(std::max<std::size_t>(heads, 1)), fewest_buffers, most_buffers);
     std::size_t taken = 0;
@@ -147,24 +152,29 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
             std::clamp(static_cast<int>(std::min<std::size_t>(fitting, most_buffers)), fewest_buffers, by_count);
         plans[i].scheme = options.scheme;
         if (options.scheme == Scheme::pipeline) plans[i].buffers = 1;
-        taken +=
-            (wanted[i].crossfade > 0.0 ? 2 : 1) * head_memory(plans[i].file->format, options.scheme, plans[i].buffers);
+        taken += heads_of(wanted[i]) * head_memory(plans[i].file->format, options.scheme, plans[i].buffers);
     }
-    std::size_t left = options.memory - std::min(options.memory, taken);
     if (options.scheme != Scheme::resident) return taken;
+    // What a clip takes on the GPU when it is not resident is set aside for all of them first.
+    const auto streamed = [&](std::size_t i) {
+        return heads_of(wanted[i]) * SentFrames::memory(plans[i].file->format, Scheme::buffered_planar);
+    };
+    std::size_t aside = taken;
+    for (std::size_t i = 0; i < plans.size(); ++i) aside += streamed(i);
+    std::size_t left = options.memory - std::min(options.memory, aside);
     for (std::size_t i = 0; i < plans.size(); ++i) {
         Plan& plan = plans[i];
         const auto same = std::find_if(plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i),
                                        [&](const Plan& other) { return other.file == plan.file; });
-        if (&*same != &plan) {  // that clip has decided for all of its file
-            plan.scheme = same->scheme;
-            continue;
-        }
-        const std::size_t needed = store_memory(*plan.file, played_by_all(plan.file, wanted, plans));
-        if (needed <= left)
-            left -= needed;
-        else
+        if (&*same != &plan) plan.scheme = same->scheme;  // that clip has decided for all of its file
+        const std::size_t needed =
+            &*same != &plan ? 0 : store_memory(*plan.file, played_by_all(plan.file, wanted, plans));
+        if (plan.scheme == Scheme::resident && needed <= left + streamed(i)) {
+            left = left + streamed(i) - needed;
+        } else {
             plan.scheme = Scheme::buffered_planar;
+            taken += streamed(i);
+        }
     }
     return taken;
 }
@@ -281,9 +291,12 @@ ClipFrame ClipSet::frame(std::size_t clip, int head, int index, Policy policy) n
 }
 
 void ClipSet::end_cycle() noexcept {
-    ++state_->cycle;
+    std::uint64_t count = state_->cycle++;
     state_->late = std::exchange(state_->missed, false);
-    for (State::Clip& clip : state_->clips) clip.player->end_cycle(state_->sums);
+    for (State::Clip& clip : state_->clips) {
+        clip.player->end_cycle(count, state_->sums);
+        count += clip.player->heads();
+    }
 }
 
 bool ClipSet::late() const noexcept {

@@ -36,12 +36,13 @@ bool ClipStream::is_kept(int index) const {
     return kept_ != nullptr && (*kept_)[static_cast<std::size_t>(index)] != 0;
 }
 
-/// The nearest frames at or after the current one, round the loop, that are not kept. Frames outside the loop come once.
+/// The nearest frames at or after the current one, step by step round the loop, that are not kept. Frames outside the loop come once.
 void ClipStream::find_window() {
     window_.clear();
     if (resting_) return;
     int index = current_;
-    for (int steps = 0; steps <= loop_.length() && window_.size() < buffers_; ++steps, index = loop_.after(index)) {
+    for (int steps = 0; steps <= loop_.length() && window_.size() < buffers_;
+         ++steps, index = loop_.after(index, step_)) {
         if (is_kept(index)) continue;
         if (in_window(index)) return;
         window_.push_back(index);
@@ -124,10 +125,11 @@ void ClipStream::move_to(int index) {
     pool_.wake();
 }
 
-void ClipStream::aim(int index) noexcept {
+void ClipStream::aim(int index, int step) noexcept {
     const std::lock_guard lock(pool_.mutex());
     lent_ = nullptr;
     behind_ = false;
+    step_ = step;
     move_to(index);
 }
 
@@ -145,7 +147,8 @@ ClipStream::Shown ClipStream::frame(int index, Policy policy, double& waited) no
         while ((slot = find(index)) == nullptr) pool_.wait_for_piece(lock);
         waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
-    if (behind_ && newest_ >= 0) slot = find(newest_);
+    const bool any = behind_ || policy == Policy::skip;
+    if (slot == nullptr && any && newest_ >= 0) slot = find(newest_);
     if (slot == nullptr) return {};
     lent_ = slot;  // no worker writes over it until the next call
     return {&slot->picture, slot->index};

@@ -36,14 +36,15 @@ class ClipStream : private DecodePool::Job {
         int index = -1;
     };
     /// Frame `index`. Under Policy::latest, when it is late: the newest one that there is of a clip that plays on (one that takes
-    /// longer to decode than to play is shown in slow motion), none after a jump. `waited` grows by the s of waiting.
+    /// longer to decode than to play is shown in slow motion), none after a jump. Under Policy::skip, when it is late: the newest one,
+    /// and decoding goes on from `index`. `waited` grows by the s of waiting.
     Shown frame(int index, Policy policy, double& waited) noexcept;
     /// A frame among the next ones that is decoded already, or null; it does not move the stream.
     const Picture* peek(int index) noexcept;
     /// Any decoded frame that is not kept yet.
     Shown peek_any() noexcept;
-    /// Decode from `index` on.
-    void aim(int index) noexcept;
+    /// Decode from `index` on, each `step`-th frame.
+    void aim(int index, int step = 1) noexcept;
     void set_loop(Loop loop) noexcept;
     /// From now on `buffers` of those it was made with, at least 1.
     void set_buffers(int buffers) noexcept;
@@ -84,6 +85,7 @@ class ClipStream : private DecodePool::Job {
     std::vector<int> window_;  // the next frames that are not kept, as many as there are buffers
     Loop loop_;
     int current_;
+    int step_ = 1;          // from one frame of the window to the next
     int newest_ = -1;       // the frame that was decoded last
     bool behind_ = false;   // decoding does not keep up: it goes on from the newest frame, not from the current one
     bool resting_ = false;  // all of the loop is kept

@@ -25,12 +25,19 @@ FrameTextures::FrameTextures(const PictureFormat& format, int layers) : format_(
     if (format.alpha) alpha_ = planes(format.size, layers, GL_R8, GL_RED, 0);
 }
 
-std::size_t FrameTextures::upload(int layer, const Picture& picture) const noexcept {
+std::size_t FrameTextures::upload(int layer, const Picture& picture, const gl::PixelBuffer* through) const noexcept {
     if (picture.bytes.size() != format_.bytes()) return 0;
-    const std::uint8_t* bytes = picture.bytes.data();
-    color_.upload(format_.layout == Layout::planar ? GL_RED : GL_RGB, bytes, layer);
-    if (chroma_.name() != 0) chroma_.upload(GL_RG, bytes + format_.color_bytes(), layer);
-    if (alpha_.name() != 0) alpha_.upload(GL_RED, bytes + format_.color_bytes() + format_.chroma_bytes(), layer);
+    const bool buffered = through != nullptr && through->write(picture.bytes);
+    const auto send = [&](const gl::Texture& plane, GLenum channels, std::size_t offset) {
+        if (plane.name() == 0) return;
+        if (buffered)
+            through->upload(plane, channels, offset, layer);
+        else
+            plane.upload(channels, picture.bytes.data() + offset, layer);
+    };
+    send(color_, format_.layout == Layout::planar ? GL_RED : GL_RGB, 0);
+    send(chroma_, GL_RG, format_.color_bytes());
+    send(alpha_, GL_RED, format_.color_bytes() + format_.chroma_bytes());
     return format_.bytes();
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gl/objects.h"
+#include "gl/pixel_buffer.h"
 #include "smoke/clip_frame.h"
 
 namespace lapfx::smoke {
@@ -14,8 +15,9 @@ class FrameTextures {
     FrameTextures() = default;
     FrameTextures(const PictureFormat& format, int layers);
 
-    /// A picture of another size than the format's is not sent. Gives the bytes sent.
-    std::size_t upload(int layer, const Picture& picture) const noexcept;
+    /// A picture of another size than the format's is not sent. `through`: unless null, a buffer of the format's bytes that it goes
+    /// by. Gives the bytes sent.
+    std::size_t upload(int layer, const Picture& picture, const gl::PixelBuffer* through = nullptr) const noexcept;
     ClipFrame frame(int layer, const ColorMatrix& matrix) const noexcept;
     bool made() const { return color_.name() != 0; }
 

@@ -8,7 +8,11 @@ struct Loop {
     int last = 0;
 
     friend bool operator==(const Loop&, const Loop&) = default;
-    int after(int index) const { return index >= first && index < last ? index + 1 : first; }
+    /// The frame `steps` (at least 1) on. What lies outside is before the first.
+    int after(int index, int steps = 1) const {
+        const int from = index >= first && index <= last ? index : first - 1;
+        return first + (from - first + steps) % length();
+    }
     int length() const { return last - first + 1; }
 };
 

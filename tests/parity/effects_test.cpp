@@ -138,9 +138,13 @@ TEST_F(EffectsTest, SmokeAllocatesNothingOnceItHasBeenDrawn) {
     constexpr float far = 1.0f;
     const gl::Framebuffer cleared(color, &depth);
     glClearNamedFramebufferfv(cleared.name(), GL_DEPTH, 0, &far);
-    for (const SmokeResolution resolution : {SmokeResolution::screen, SmokeResolution::clip}) {
+    const StreamingOptions ways[] = {{.resolution = SmokeResolution::screen},
+                                     {.resolution = SmokeResolution::clip},
+                                     {.scheme = Scheme::buffered},
+                                     {.scheme = Scheme::buffered, .late = LateClips::skip}};
+    for (const StreamingOptions& way : ways) {
         Effects effects(test::plane(80.0, 40), preset,
-                        {.clip_folders = {}, .wait_for_clips = true, .streaming = {.resolution = resolution}});
+                        {.clip_folders = {}, .wait_for_clips = way.late != LateClips::skip, .streaming = way});
         effects.set_contacts(scene.events);
         glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.name());
         glViewport(0, 0, extent.x, extent.y);

@@ -15,10 +15,18 @@ namespace lapfx {
 /// How decoded frames reach the GPU. Under Policy::wait all of them show the same picture: the first two the same bytes, the
 /// last two as well, and between them rounding of colour apart (RGB is converted on the CPU, planes in the shader).
 enum class Scheme {
-    pipeline,         ///< the paper's first: one RGB frame is decoded and sent in every cycle
-    buffered,         ///< the paper's second: decoded ahead into buffers; two RGB frames in one cycle, none in the next
+    pipeline,  ///< the paper's first: one RGB frame is decoded and sent in every cycle
+    buffered,  ///< the paper's second: decoded ahead into buffers; two RGB frames in one cycle, none in the next, after drawing
     buffered_planar,  ///< the same with luma and chroma planes (4:2:0): half the bytes, no conversion on the CPU
     resident,         ///< planes sent once, then played from GPU memory; what does not fit is buffered_planar
+};
+
+/// What a clip does that is late, where nothing waits for it (EffectsOptions::wait_for_clips).
+enum class LateClips {
+    repeat,  ///< shows its last frame again, then goes on with the one after it: every frame is shown, in slow motion if need be
+    skip,  ///< the paper's: "consecutive video frames are skipped for performance enhancement". Of `buffered` and `buffered_planar`: while
+    ///< frames are not decoded in time, or the clip goes on by more than one frame in each cycle, it sends one frame where
+    ///< it would send two and shows it for two cycles; the one after is skipped, and the clip keeps its time
 };
 
 /// Where smoke is shaded.
@@ -37,6 +45,7 @@ struct StreamingOptions {
     /// order of the preset. Clips that are no longer in the preset are kept for when they come back, and evicted first, the one
     /// drawn longest ago first. Not in it: what FFmpeg's decoders keep for themselves while they decode, 10 to 13 frames a clip.
     std::size_t memory = std::size_t{1} << 30;
+    LateClips late = LateClips::repeat;
     int threads = 0;           ///< that decode; 0: as many as there are cores
     bool gpu_timings = false;  ///< time shading with timer queries, where the driver has them
 };
@@ -51,7 +60,7 @@ struct ClipStatus {
     int resident = 0;          ///< frames that are in GPU memory to stay
     std::size_t memory = 0;    ///< bytes, GPU and main memory; frames that clips of one file share count for the first
     int broken = 0;            ///< frames met so far that could not be decoded; the one before is shown in their place
-    std::uint64_t misses = 0;  ///< frames that were late, so that the last one was shown again
+    std::uint64_t misses = 0;  ///< frames that were late, so that another one was shown in their place
     std::string warning;       ///< one line for people, empty when all is well
 };
 

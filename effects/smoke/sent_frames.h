@@ -1,0 +1,51 @@
+// The few frames of one place in a clip that are on the GPU while the paper's schemes stream them. Render thread, context current.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "lapfx/streaming.h"
+#include "smoke/frame_textures.h"
+
+namespace lapfx::smoke {
+
+/// Pipeline has one texture, buffering four: the frame that is shown, the two after it, and one that the GPU may still be drawing.
+/// Each is a texture of its own, for drivers make whoever writes to a texture wait until the last drawing with it is done.
+class SentFrames {
+  public:
+    SentFrames() = default;
+    SentFrames(const PictureFormat& format, Scheme scheme);
+
+    bool holds(int index) const { return find(index) < places_.size(); }
+    /// Sends frame `index`, which it does not hold yet, in the place of one that is neither shown nor `needed`.
+    void send(int index, const Picture& picture, std::span<const int> needed, StreamingTimes& times) noexcept;
+    /// Show this one from now on; held.
+    void show(int index) noexcept;
+    /// Show the one that was sent last; one has been.
+    void show_newest() noexcept { show(newest_); }
+    int shown() const { return shown_; }  ///< frame number; -1: nothing yet
+
+    /// What is shown.
+    ClipFrame frame(const ColorMatrix& matrix) const noexcept;
+
+    /// Bytes that it takes.
+    static std::size_t memory(const PictureFormat& format, Scheme scheme);
+
+  private:
+    struct Place {
+        FrameTextures texture;
+        int index = -1;          ///< frame number
+        std::uint64_t used = 0;  ///< when it was sent or shown last
+    };
+    std::size_t find(int index) const;  ///< as many as there are: none
+    Place& place_for(std::span<const int> needed);
+
+    std::vector<Place> places_;
+    std::array<gl::PixelBuffer, 2> buffers_;  // of buffering: for the two frames of a cycle
+    std::size_t next_buffer_ = 0;
+    std::uint64_t clock_ = 0;
+    int shown_ = -1, newest_ = -1;
+};
+
+}  // namespace lapfx::smoke
