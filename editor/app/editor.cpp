@@ -109,7 +109,7 @@ void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vec
 std::filesystem::path Editor::own_folder(const std::string& title, const std::filesystem::path& beside) const {
     for (const std::filesystem::path& folder :
          {std::filesystem::path(settings_->last_folder(title)), beside, options_.folders.documents})
-        if (document::is_writable_folder(folder) && !files_->shipped(folder)) return folder;
+        if (files_->takes_files(folder)) return folder;
     return (options_.files != nullptr ? *options_.files : ui::system_files()).home();
 }
 
@@ -219,7 +219,6 @@ void Editor::update(double now) {
     exports_->update(now);
     hot_reload_->update(now);
     if (options_.exact) return;  // pictures of the editor do not depend on the machine
-    meter_->frame(now, playing());
     if (const auto fault = preview.check_driver(now)) {
         tell({*fault});
         autosave_->update(now);
@@ -250,6 +249,7 @@ bool Editor::draw() {
     meter_->scene.begin();
     const bool drawn = draw_pictures();
     meter_->scene.end();
+    meter_->frame(now_, playing(), drawn);
     return drawn;
 }
 

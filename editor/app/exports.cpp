@@ -319,7 +319,7 @@ void Exports::begin_copying() {
 void Exports::cancel() {
     if (!running_) return;
     running_->stop_jobs();
-    editor_.toasts.add({.text = "Export of " + std::string(name()) + " given up: nothing was written"});
+    editor_.toasts.add({.text = "Export of " + std::string(name()) + " cancelled: nothing was written"});
     running_.reset();
 }
 

@@ -45,6 +45,25 @@ std::string file_name_of(const std::string& name, const char* otherwise) {
     return file.empty() ? otherwise : file;
 }
 
+/// The other way round, for people: my_bleed.scene.json is "My bleed".
+std::string name_of_file(const fs::path& file) {
+    std::string name = file.stem().string();
+    if (name.ends_with(".scene")) name.resize(name.size() - 6);
+    std::replace(name.begin(), name.end(), '_', ' ');
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] = static_cast<char>(name[0] - 'a' + 'A');
+    return name;
+}
+
+/// What the document on the disk is called; empty: there is none.
+std::string name_in(const fs::path& file, bool scene) {
+    if (file.empty()) return {};
+    try {
+        return scene ? load_scene(file).name : load_preset(file).name;
+    } catch (const Error&) {
+        return {};
+    }
+}
+
 std::string in_marks(const fs::path& file) {
     return '"' + file.filename().string() + '"';
 }
@@ -70,6 +89,10 @@ const fs::path& Files::file(Kind kind) const {
 bool Files::shipped(const fs::path& file) const {
     const fs::path& data = editor_.options().data_folder;
     return !data.empty() && (inside(file, data / "presets") || inside(file, data / "samples"));
+}
+
+bool Files::takes_files(const fs::path& folder) const {
+    return document::is_writable_folder(folder) && !shipped(folder);
 }
 
 // --- questions -------------------------------------------------------------------------------------------------------
@@ -136,7 +159,7 @@ void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene
                            : "Saves them, then goes on. When that fails, everything stays as it is.",
               .act = save_first,
               .standard = true},
-             {.label = "Discard", .tip = "Goes on without them. They are lost.", .act = then},
+             {.label = "Discard", .tip = "Continues without saving. The changes are lost.", .act = then},
              {.label = "Cancel", .tip = "Everything stays as it is.", .act = std::move(otherwise), .cancel = true}}});
 }
 
@@ -159,7 +182,7 @@ void Files::ask_failed(Kind kind, const fs::path& file, const std::vector<Fault>
                       .act = [this, kind, then] { save_as(kind, then); },
                       .standard = true},
                      {.label = "Try again",
-                      .tip = "The same file once more, for when you have made room or rights.",
+                      .tip = "Tries the same file again, once there is room on the disk or you may write to it.",
                       .act = [this, kind, file, then] { save_to(kind, file, then); }},
                      {.label = "Cancel", .tip = "Goes on without saving.", .cancel = true}}});
 }
@@ -173,23 +196,29 @@ void Files::ask_outside(const fs::path& file, const std::vector<std::string>& cl
                       .lines = clips,
                       .answers = {},
                       .serial = 0};
-    question.answers.push_back({.label = "Copy clips and save",
-                                .tip = "Copies them beside the preset, which then names the copies.",
-                                .act =
-                                    [this, file, then] {
-                                        editor_.keying().shelf.copy_to(document::folder_of(file), [this, file, then] {
-                                            save_to(Kind::preset, file, then);
-                                        });
-                                    },
-                                .standard = true});
+    const fs::path folder = document::folder_of(file);
+    const bool copies = takes_files(folder);
+    if (copies)
+        question.answers.push_back({.label = "Copy clips and save",
+                                    .tip = "Copies them beside the preset, which then names the copies.",
+                                    .act =
+                                        [this, folder, file, then] {
+                                            editor_.keying().shelf.copy_to(
+                                                folder, [this, file, then] { save_to(Kind::preset, file, then); });
+                                        },
+                                    .standard = true});
+    else
+        question.text += " (Nothing is copied into this folder: " +
+                         std::string(shipped(folder) ? "it came with lapfx" : "it cannot be written to") + ".)";
     const bool bundles = editor_.commands.contains("export.bundle");
     if (bundles)
         question.answers.push_back({.label = "Export as a bundle...",
                                     .tip = "A folder with the preset and copies of its clips.",
                                     .act = [this] { editor_.commands.run("export.bundle"); }});
     question.answers.push_back({.label = "Save as...",
-                                .tip = "A folder that has the clips in it or below.",
-                                .act = [this, then] { save_preset_as(then); }});
+                                .tip = "Another folder: one of your own, or one that has the clips in it or below.",
+                                .act = [this, then] { save_preset_as(then); },
+                                .standard = !copies});
     question.answers.push_back({.label = "Cancel", .tip = "Goes on without saving.", .cancel = true});
     ask(std::move(question));
 }
@@ -272,14 +301,30 @@ void Files::save_to(Kind kind, const fs::path& to, Then then) {
                      {.label = "Cancel", .cancel = true}}});
 }
 
+/// A document that was never given a name of its own is called as its new file is. Gives whether it was renamed, a step.
+bool Files::rename_for(Kind kind, const fs::path& to) {
+    const bool scene = kind == Kind::scene;
+    const fs::path& before = file(kind);
+    document::Document& d = editor_.document;
+    if (to == before) return false;
+    const std::string& now = scene ? d.scene().name : d.preset().name;
+    if (!now.empty() && now != name_in(before, scene)) return false;
+    const std::string name = name_of_file(to);
+    if (name == now) return false;
+    d.change("Name", [&](document::Content& c) { (scene ? c.scene.name : c.preset.name) = name; });
+    return true;
+}
+
 void Files::write(Kind kind, const fs::path& to, const Then& then) {
     const fs::path before = file(kind);
+    const bool renamed = rename_for(kind, to);
     try {
         if (kind == Kind::scene)
             editor_.document.save_scene(to);
         else
             editor_.document.save_preset(to);
     } catch (const Error& error) {
+        if (renamed) editor_.document.undo();
         relock();
         return ask_failed(kind, to, error.faults(), then);
     }
@@ -342,7 +387,7 @@ void Files::make_new() {
         fresh.content.preset.name = "New preset";
         become(std::move(fresh), {}, {.scene = true});
     };
-    if (editor_.document.unsaved()) return ask_unsaved("Save changes before beginning anew?", begin, {});
+    if (editor_.document.unsaved()) return ask_unsaved("Save changes before starting a new scene?", begin, {});
     begin();
 }
 
@@ -507,9 +552,10 @@ void Files::ask_running(Then then) {
         then();
     };
     ask({.title = in_marks(editor_.exports().name()) + " is being exported",
-         .text = "Closing stops that. Nothing of it is written then, and what was there under its name stays.",
+         .text =
+             "Closing stops the export. Nothing of it is written, and a file of that name that was there before stays.",
          .answers = {{.label = "Stop it and close", .tip = "The export is given up.", .act = stop},
-                     {.label = "Keep on", .tip = "The editor stays open.", .standard = true, .cancel = true}}});
+                     {.label = "Keep exporting", .tip = "The editor stays open.", .standard = true, .cancel = true}}});
 }
 
 const std::string& Files::title() {

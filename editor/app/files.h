@@ -69,6 +69,8 @@ class Files {
 
     /// What came with the program: Save does not write over it, nor is anything proposed there.
     bool shipped(const std::filesystem::path& file) const;
+    /// A folder that files of the user may be put into: writable, and not among those that came with the program.
+    bool takes_files(const std::filesystem::path& folder) const;
 
     /// "my_bleed.json* - lagb.scene.json - lapfx"; an asterisk: not saved.
     const std::string& title();
@@ -87,6 +89,7 @@ class Files {
     void save(Kind kind, Then then);
     void save_as(Kind kind, Then then);
     void save_to(Kind kind, const std::filesystem::path& file, Then then);
+    bool rename_for(Kind kind, const std::filesystem::path& file);
     void write(Kind kind, const std::filesystem::path& file, const Then& then);
     struct Kinds {
         bool scene = false, preset = false;

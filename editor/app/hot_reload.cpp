@@ -156,6 +156,8 @@ void HotReload::take_or_ask(const fs::path& file, bool unsaved, const std::funct
 void HotReload::reload_preset() {
     document::Document& d = editor_.document;
     const fs::path file = d.preset_file();
+    // What differs from the disk here and not there are the changes of this editor.
+    if (document::OnDisk::of(file) == d.preset_on_disk()) return;
     try {
         const Preset preset = load_preset(file);
         if (write_preset(preset) == write_preset(d.preset())) return;
@@ -169,6 +171,7 @@ void HotReload::reload_preset() {
 void HotReload::reload_scene() {
     document::Document& d = editor_.document;
     const fs::path file = d.scene_file();
+    if (document::OnDisk::of(file) == d.scene_on_disk()) return;
     try {
         const Scene scene = load_scene(file);
         if (write_scene(scene) == write_scene(d.scene())) return;

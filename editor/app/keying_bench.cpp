@@ -385,7 +385,7 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
                                                   " clips, which share their keying: ";
     suggestion_version_ = editor_.document.version();
     suggestion_undoes_ = !changes.empty();
-    suggestion_changes_ = changes.empty() ? "Nothing changed: it was so already" : whose + changes;
+    suggestion_changes_ = changes.empty() ? "Nothing changed: these thresholds were set already" : whose + changes;
 }
 
 /// Nobody looks at that clip any more: what the panel would say is said by a notice.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 namespace lapfx::app {
 
@@ -51,6 +52,23 @@ DockLayout stage() {
 constexpr std::array standards = {Standard{"Tune", tune}, Standard{"Key", key}, Standard{"Compare", compare},
                                   Standard{"Stage", stage}};
 
+constexpr glm::vec2 least_window{42, 24};  // em, for panels beside each other
+
+/// All panels in one group, in their order; in front the first group's front.
+DockLayout stack_of(const DockLayout& layout) {
+    DockLayout stack = dock_tabs({});
+    stack.nodes.front().tabs.clear();
+    stack.closed = layout.closed;
+    bool first = true;
+    for (const ui::DockNode& node : layout.nodes) {
+        if (!node.leaf()) continue;
+        std::vector<std::string>& tabs = stack.nodes.front().tabs;
+        if (std::exchange(first, false)) stack.nodes.front().active = node.active;
+        tabs.insert(tabs.end(), node.tabs.begin(), node.tabs.end());
+    }
+    return stack;
+}
+
 bool same_name(std::string_view a, std::string_view b) {
     const auto lower = [](char c) { return std::tolower(static_cast<unsigned char>(c)); };
     return std::equal(a.begin(), a.end(), b.begin(), b.end(), [&](char x, char y) { return lower(x) == lower(y); });
@@ -60,6 +78,33 @@ bool same_name(std::string_view a, std::string_view b) {
 
 Layouts::Layouts() {
     choose("Tune");
+}
+
+void Layouts::show(ui::DockLayout layout) {
+    if (stacked_) {
+        shown = stack_of(layout);
+        wide_ = std::move(layout);
+    } else {
+        shown = std::move(layout);
+    }
+}
+
+void Layouts::fit_window(glm::vec2 ems) {
+    const bool small = ems.x < least_window.x || ems.y < least_window.y;
+    if (small == stacked_) return;
+    if (small) {
+        stacked_ = true;
+        return show(std::move(shown));
+    }
+    // What was closed, opened or brought to the front meanwhile is so there as well.
+    stacked_ = false;
+    const DockLayout stack = std::exchange(shown, std::move(wide_));
+    for (const std::string& panel : stack.closed) shown.close(panel);
+    for (const ui::DockNode& node : stack.nodes)
+        for (const std::string& panel : node.tabs)
+            if (shown.find(panel) < 0) shown.show(panel);
+    for (const ui::DockNode& node : stack.nodes)
+        if (node.leaf() && !node.tabs.empty()) shown.show(node.tabs[static_cast<std::size_t>(node.active)]);
 }
 
 std::vector<std::string> Layouts::names() const {
@@ -83,13 +128,13 @@ bool Layouts::seen(std::string_view panel) const {
 bool Layouts::choose(std::string_view name) {
     for (const Standard& standard : standards) {
         if (!same_name(standard.name, name)) continue;
-        shown = standard.make();
+        show(standard.make());
         name_ = standard.name;
         return true;
     }
     for (const ui::NamedLayout& own : own_) {
         if (!same_name(own.name, name)) continue;
-        shown = own.layout;
+        show(own.layout);
         name_ = own.name;
         return true;
     }
@@ -99,7 +144,7 @@ bool Layouts::choose(std::string_view name) {
 bool Layouts::keep(const std::string& name) {
     if (name.empty() || standard(name)) return false;
     remove(name);
-    own_.push_back({.name = name, .layout = shown});
+    own_.push_back({.name = name, .layout = arranged()});
     ++version_;
     name_ = name;
     return true;

@@ -20,7 +20,13 @@ class Layouts {
   public:
     Layouts();
 
-    ui::DockLayout shown;  ///< as the user has it now
+    ui::DockLayout shown;  ///< what is on the screen, and is changed by what the user does
+    /// The window's size, in em. A small one has no room for panels beside each other: they are tabs of one group then, the layout's
+    /// main one in front, until the window is larger again.
+    void fit_window(glm::vec2 ems);
+    bool stacked() const { return stacked_; }
+    /// As it is, or will be again, in a window with room.
+    const ui::DockLayout& arranged() const { return stacked_ ? wide_ : shown; }
     const std::string& name() const { return name_; }
     /// Whether the panel is in front of its tabs.
     bool seen(std::string_view panel) const;
@@ -39,6 +45,10 @@ class Layouts {
     std::uint32_t version() const { return version_; }
 
   private:
+    void show(ui::DockLayout layout);
+
+    ui::DockLayout wide_;  ///< while it is stacked
+    bool stacked_ = false;
     std::uint32_t version_ = 0;
     std::string name_;
     std::vector<ui::NamedLayout> own_;

@@ -11,9 +11,10 @@ class Meter {
   public:
     GpuTimer scene;  ///< the preview, on the GPU
     double ui = 0;   ///< s of the CPU for the last frame of the UI: built, laid out, drawn; the window tells
-    /// Once a frame. `now`: s.
-    void frame(double now, bool playing);
-    double frames_per_second() const { return rate_; }  ///< while it plays; 0: it stands
+    /// Once a frame of the window, after it. `now`: s; `drawn`: it had another picture of the scene.
+    void frame(double now, bool playing, bool drawn);
+    /// Pictures of the scene a second while it plays: what one sees, however often the window is drawn; 0: it stands.
+    double frames_per_second() const { return rate_; }
     std::size_t memory() const {
         return memory_;
     }  ///< bytes of the process that are in main memory; at most a second old

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <fstream>
 #include <set>
 
 #include "app/orbit.h"
@@ -63,6 +64,20 @@ void open_clip(Opened& opened, const fs::path& file) {
     opened.preset_file.clear();
 }
 
+/// Whether it begins as texts do, and no video or picture does: printable characters alone.
+bool is_text(const fs::path& file) {
+    std::error_code error;
+    std::ifstream in(file, std::ios::binary);
+    if (!in || !fs::is_regular_file(file, error)) return false;
+    std::string begin(4096, '\0');
+    in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+    begin.resize(static_cast<std::size_t>(in.gcount()));
+    return !begin.empty() && std::all_of(begin.begin(), begin.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= ' ' ? byte != 127 : byte == '\n' || byte == '\r' || byte == '\t' || byte == '\f';
+    });
+}
+
 }  // namespace
 
 bool is_organ_name(const fs::path& file) {
@@ -72,7 +87,14 @@ bool is_organ_name(const fs::path& file) {
 
 FileKind kind_of(const fs::path& file) {
     if (is_organ_name(file)) return FileKind::organ;
-    if (lower_extension(file) != ".json") return FileKind::video;
+    if (lower_extension(file) != ".json") {
+        if (is_text(file))
+            throw Error(Failure::bad_input,
+                        Fault{.file = file.string(),
+                              .place = "",
+                              .reason = "is a text, and neither a scene, a preset, an organ, a video nor a picture"});
+        return FileKind::video;
+    }
     return check_document(file).kind == "preset" ? FileKind::preset : FileKind::scene;
 }
 

@@ -97,4 +97,11 @@ Preset paste_parameters(const Preset& preset, std::string_view text, std::string
     return parse_preset(whole.dump(), "clipboard", preset.folder);
 }
 
+std::string_view meaning_of_zero(const Parameter& row) {
+    if (row.unit == "mm per unit of the file") return "automatic";
+    if (row.key == "aspect") return "as stored";
+    if (row.key == "out") return "the clip's end";
+    return {};
+}
+
 }  // namespace lapfx::app

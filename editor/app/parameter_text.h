@@ -21,4 +21,7 @@ std::string copy_parameters(const Preset& preset, std::span<const std::string_vi
 /// "clipboard"): no JSON, unknown keys, values that are not allowed, rules that would not hold; `preset` is not touched.
 Preset paste_parameters(const Preset& preset, std::string_view text, std::string_view group = {});
 
+/// Of a value that 0 does not mean as a number: "automatic"; else empty.
+std::string_view meaning_of_zero(const Parameter& row);
+
 }  // namespace lapfx::app

@@ -183,14 +183,14 @@ Settings::State Settings::state(Editor& e) const {
             .preset_stars = preset_stars,
             .last_folders = last_folders_,
             .layout_name = e.layouts().name(),
-            .shown = e.layouts().shown,
+            .shown = e.layouts().arranged(),
             .commands = e.commands.version(),
             .own_layouts = e.layouts().version()};
 }
 
 std::string Settings::text(Editor& e) const {
     std::vector<ui::NamedLayout> layouts = e.layouts().own();
-    layouts.push_back({.name = std::string(shown_layout), .layout = e.layouts().shown});
+    layouts.push_back({.name = std::string(shown_layout), .layout = e.layouts().arranged()});
     Json json = parsed_or(read_, Json::object());
     json["version"] = 1;
     json["light"] = light;
@@ -220,8 +220,8 @@ void Settings::update(Editor& editor, double now) {
                       written_.scale == scale && written_.recent == recent && written_.favourites == favourites &&
                       written_.file_folders == editor.file_dialog.recent() && written_.last_folders == last_folders_ &&
                       written_.preset_folders == preset_folders && written_.preset_stars == preset_stars &&
-                      written_.layout_name == editor.layouts().name() && written_.shown == editor.layouts().shown &&
-                      written_.commands == editor.commands.version() &&
+                      written_.layout_name == editor.layouts().name() &&
+                      written_.shown == editor.layouts().arranged() && written_.commands == editor.commands.version() &&
                       written_.own_layouts == editor.layouts().version();
     if (same) {
         due_ = std::numeric_limits<double>::infinity();

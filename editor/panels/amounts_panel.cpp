@@ -106,8 +106,8 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
         return ui::label(ui, "No organ yet: open a mesh or a scene, and its blood and smoke are plotted here.",
                          {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     if (!amounts.stopped())
-        return ui::label(ui, "The amounts of this scene are being worked out.", {.tone = ui::Tone::dim});
-    ui::label(ui, "Working out the amounts of this scene was stopped.", {.tone = ui::Tone::dim});
+        return ui::label(ui, "The amounts of this scene are being computed.", {.tone = ui::Tone::dim});
+    ui::label(ui, "Computing the amounts of this scene was stopped.", {.tone = ui::Tone::dim});
     const ui::Row row(ui);
     if (ui::button(ui, "Work out", {.tip = "Begins again; any change of the scene does, too"}))
         editor.amounts().again();
@@ -117,7 +117,7 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
 void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::Place::center});
     const bool old = amounts.stale() && amounts.busy();
-    ui::label(ui, old ? "Of the scene as it was: the new amounts are being worked out." : "Of the scene as it is",
+    ui::label(ui, old ? "Before the last change; the new amounts are being computed." : "Of the current scene",
               {.tone = old ? ui::Tone::warning : ui::Tone::dim, .width = ui::grow()});
 }
 

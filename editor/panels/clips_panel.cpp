@@ -4,6 +4,7 @@
 #include <cctype>
 #include <cmath>
 
+#include "app/files.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "lapfx/smoke_notes.h"
@@ -36,7 +37,10 @@ std::string file_name(const std::string& file) {
 
 std::string playing_text(const ClipStatus& status) {
     const int share = status.frames > 0 ? 100 * status.resident / status.frames : 0;
-    std::string text = std::to_string(share) + " % resident, " + std::to_string(status.misses) + " misses";
+    std::string text = share >= 100 ? "all of it in graphics memory"
+                                    : std::to_string(share) + " % in graphics memory, the rest comes as it plays";
+    if (status.misses > 0)
+        text += ", " + std::to_string(status.misses) + (status.misses == 1 ? " frame" : " frames") + " came too late";
     if (status.broken > 0) text += ", " + std::to_string(status.broken) + " broken frames";
     return text;
 }
@@ -220,25 +224,27 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
     for (const std::string& fault : shelf.faults(number)) fault_line(ui, fault, ui::Tone::error);
     const ClipFacts& facts = shelf.of(number);
     if (!facts.report.warning.empty()) fault_line(ui, facts.report.warning, ui::Tone::warning);
-    const bool outside = shelf.outside(number);
+    const bool outside = shelf.outside(number), can_copy = editor.files().takes_files(shelf.home());
     if (outside) {
         const std::string home = shelf.home().string();
-        fault_line(
-            ui,
-            ui.copy(home.empty()
-                        ? "The preset has no folder yet; clips have to lie beside it: save the preset, then copy."
-                        : "This file lies outside of the preset's folder, " + home +
-                              ": a simulator would not find it."),
-            ui::Tone::warning);
+        fault_line(ui,
+                   ui.copy(home.empty() ? "This file does not lie beside the preset, which is not saved yet: save it, "
+                                          "and its clips are copied with it."
+                           : can_copy   ? "This file lies outside of the preset's folder, " + home +
+                                            ": a simulator would not find it."
+                                      : "This file lies outside of the preset's folder, " + home +
+                                            ", where nothing can be copied to: save the preset in a folder of your "
+                                            "own, and its clips are copied with it."),
+                   ui::Tone::warning);
     }
     const bool stopped = facts.job && facts.job->cancelled();
     const bool lost = !facts.known && (!facts.faults.empty() || stopped);
     if (!outside && !lost) return;
     const ui::Row row(ui);
-    if (outside) ui::command_button(ui, editor.commands, "clip.copy");
+    if (outside) ui::command_button(ui, editor.commands, can_copy ? "clip.copy" : "file.save_as");
     if (lost && ui::button(ui, "Choose file...", {.icon = Icon::folder, .tip = "Another file in its place"}))
         ask_for_another(editor);
-    if (lost && ui::button(ui, "Look again", {.tip = "The file may be there by now"})) shelf.look_again();
+    if (lost && ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) shelf.look_again();
 }
 
 // --- the selected clip -----------------------------------------------------------------------------------------------------
@@ -403,7 +409,10 @@ void add_clip_commands(app::Editor& editor) {
         "Clips that come first are kept in GPU memory first");
     add(
         "clip.copy", "Copy clips beside the preset", {}, Icon::copy, [&editor] { editor.keying().shelf.copy_beside(); },
-        [&editor] { return editor.keying().shelf.any_outside() && !editor.keying().shelf.home().empty(); },
+        [&editor] {
+            const app::ClipShelf& shelf = editor.keying().shelf;
+            return shelf.any_outside() && editor.files().takes_files(shelf.home());
+        },
         "Clips that lie elsewhere are copied into the preset's folder and named there");
     add(
         "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().shown.show("Keying"); }, any,

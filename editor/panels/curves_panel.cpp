@@ -118,7 +118,8 @@ class CurveTools {
             paste();
         ui_.pop_disabled();
         ui_.push_disabled(points().empty());
-        if (ui::icon_button(ui_, ui::Icon::reset, "Reset", {.tip = "No points: 1 all the time", .quiet = true}))
+        if (ui::icon_button(ui_, ui::Icon::reset, "Reset",
+                            {.tip = "No points: the factor is 1 throughout", .quiet = true}))
             change("Reset " + std::string(table_.name), {});
         ui_.pop_disabled();
     }

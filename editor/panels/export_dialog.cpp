@@ -92,8 +92,8 @@ void file_rows(ui::Ui& ui, app::Editor& editor) {
     fault_line(ui, exports, "-o");
     if (exports.fault_at("-o").empty() && exports.replaces())
         ui::label(ui,
-                  form.what() == ExportKind::bundle ? "The bundle that is there will be replaced"
-                                                    : "What is there under this name will be replaced",
+                  form.what() == ExportKind::bundle ? "This folder holds a bundle already; it will be replaced"
+                                                    : "A file of this name exists and will be replaced",
                   {.tone = ui::Tone::warning});
 }
 
@@ -223,7 +223,7 @@ void running_rows(ui::Ui& ui, Exports& exports) {
             ui, ui.join({"Exporting ", exports.name()}), exports.progress(),
             {.seconds_left = exports.seconds_left(), .cancellable = true, .text = ui.copy(exports.progress_text())}))
         exports.cancel();
-    ui::label(ui, "The editor goes on meanwhile. A preset can be exported at once, the rest when this is done.",
+    ui::label(ui, "You can keep working meanwhile. A preset can be exported at once, the rest when this is done.",
               {.tone = ui::Tone::dim, .wrap = true});
     ui::separator(ui);
 }
@@ -244,7 +244,7 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
 std::string_view why_not(ui::Ui& ui, Exports& exports) {
     if (!exports.faults().empty()) return ui.join({"Not yet: ", exports.faults().front().reason});
     if (exports.waits()) return ui.join({"Not yet: ", exports.name(), " is being exported"});
-    return "Write it, and load it back to see that it is sound";
+    return "Writes the file and loads it back to check it";
 }
 
 }  // namespace

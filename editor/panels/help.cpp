@@ -35,7 +35,7 @@ constexpr SheetLine on_pictures[] = {
 constexpr SheetLine on_times[] = {
     {"Go to a time", "drag ruler"},      {"Zoom", "wheel"},
     {"Pan", "Shift+wheel, middle drag"}, {"Move, stretch an event", "drag it, its end"},
-    {"One more event", "Shift+click"},   {"Without catching", "Ctrl+drag"},
+    {"One more event", "Shift+click"},   {"Move without snapping", "Ctrl+drag"},
 };
 constexpr SheetLine on_plots[] = {
     {"Pan", "drag"},

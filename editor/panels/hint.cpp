@@ -11,7 +11,8 @@ void first_hint(ui::Ui& ui, app::Editor& editor) {
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
         ui::label(ui,
-                  "1  Press Space to play. Drag any value under Preset: the next frame shows it. Ctrl+Z takes it back.",
+                  ui.join({"1  Press Space to ", editor.playing() ? "stop" : "play",
+                           ". Drag any value under Preset: the next frame shows it. Ctrl+Z takes it back."}),
                   {.width = ui::grow()});
         ui::label(
             ui,

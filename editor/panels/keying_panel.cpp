@@ -18,6 +18,7 @@
 #include "ui/widgets/param.h"
 #include "ui/widgets/scroll.h"
 #include "ui/widgets/splitter.h"
+#include "ui/widgets/toolbar.h"
 
 namespace lapfx::panels {
 
@@ -35,6 +36,10 @@ constexpr std::array<std::string_view, app::bench_views> view_tips = {
     "The clip's frame as it is", "The smoke's opacity: white is whole smoke",
     "The smoke alone, in its own colour, without what was behind it",
     "The smoke over the background that is chosen above, in the preset's colour, at density 1 and without noise"};
+
+constexpr float clip_time_width = 9;  // em
+constexpr float low_bench = 36;       // em: a panel of less height has no room for pictures and thresholds
+constexpr float least_pictures = 7;   // em
 
 bool has_alpha(app::Editor& editor) {
     return editor.keying().shelf.of(editor.clip).report.alpha;
@@ -58,47 +63,49 @@ void clip_choice(ui::Ui& ui, app::Editor& editor, ui::Size width) {
         editor.clip = static_cast<std::size_t>(std::max(chosen, 0));
 }
 
-void behind_choice(ui::Ui& ui, KeyingBench& bench, float ems) {
-    constexpr std::array<std::string_view, 4> names = {"Grey", "Checker", "Tissue", "Preview"};
-    int behind = static_cast<int>(bench.look.behind);
+/// One of a few: side by side, or a list where there is too little room.
+ui::Edit choice(ui::Ui& ui, std::string_view name, int& chosen, std::span<const std::string_view> names, float ems,
+                bool list) {
+    if (list) return ui::combo(ui, name, chosen, names, {.width = ui::px(ui.em(ems))});
     const Room room(ui, ems);
-    if (ui::segmented(ui, "Behind", behind, names)) bench.look.behind = static_cast<app::Behind>(behind);
+    return ui::segmented(ui, name, chosen, names);
 }
 
-void view_choice(ui::Ui& ui, KeyingBench& bench, float ems) {
+void behind_choice(ui::Ui& ui, KeyingBench& bench, float ems, bool list) {
+    constexpr std::array<std::string_view, 4> names = {"Grey", "Checker", "Tissue", "Preview"};
+    int behind = static_cast<int>(bench.look.behind);
+    if (choice(ui, "Behind", behind, names, ems, list)) bench.look.behind = static_cast<app::Behind>(behind);
+}
+
+void view_choice(ui::Ui& ui, KeyingBench& bench, float ems, bool list) {
     constexpr std::array<std::string_view, 5> names = {"All", "Source", "Matte", "Keyed", "Composite"};
     int shown = bench.look.grid ? 0 : bench.look.view + 1;
-    const Room room(ui, ems);
-    if (!ui::segmented(ui, "Views", shown, names)) return;
+    if (!choice(ui, "Views", shown, names, ems, list)) return;
     bench.look.grid = shown == 0;
     if (shown > 0) bench.look.view = shown - 1;
 }
 
 void fit_button(ui::Ui& ui, KeyingBench& bench) {
-    if (bench.look.state.fitted) return;
     if (ui::button(ui, "Fit", {.tip = "All of the picture; 0 does the same, 1 shows it pixel by pixel", .quiet = true}))
         bench.look.state = {};
 }
 
-void tools(ui::Ui& ui, app::Editor& editor, bool narrow, bool wide) {
+/// `room`: px.
+void tools(ui::Ui& ui, app::Editor& editor, float room) {
     KeyingBench& bench = bench_of(editor);
-    if (narrow) {
-        {
-            const Room line(ui, 0);
-            clip_choice(ui, editor, ui::grow());
-            fit_button(ui, bench);
-        }
-        view_choice(ui, bench, 0);
-        behind_choice(ui, bench, 0);
-        return;
-    }
-    const Room line(ui, 0);
-    clip_choice(ui, editor, ui::px(ui.em(14)));
-    view_choice(ui, bench, 25);
-    if (wide) ui::label(ui, "over", {.tone = ui::Tone::dim});
-    behind_choice(ui, bench, 19);
-    ui::spacer(ui);
-    fit_button(ui, bench);
+    const bool lists = room < ui.em(62);
+    const float clip = room < ui.em(34) ? 9 : 14, views = lists ? 8 : 25, behind = lists ? 7 : 19;  // em
+    const std::array<ui::ToolItem, 4> items = {
+        {{.width = ui.em(clip)},
+         {.width = ui.em(views), .rank = 1},
+         {.width = ui.em(behind), .rank = 2},
+         {.width = bench.look.state.fitted ? 0 : ui::tool_width(ui, "Fit"), .rank = 3, .end = true}}};
+    ui::toolbar(ui, "Keying tools", room, items, [&](std::size_t item) {
+        if (item == 0) clip_choice(ui, editor, ui::px(ui.em(clip)));
+        if (item == 1) view_choice(ui, bench, views, lists);
+        if (item == 2) behind_choice(ui, bench, behind, lists);
+        if (item == 3) fit_button(ui, bench);
+    });
 }
 
 // --- the pictures ----------------------------------------------------------------------------------------------------------
@@ -139,6 +146,7 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
     ui::label(ui, picks ? "Source picture: click its background" : captions[index],
               {.tone = picks ? ui::Tone::warning : ui::Tone::dim, .size = 0.86F});
+    ui.last().tip = view_tips[index];
     ui.push_seed("view");
     const ui::ImageViewResult result = ui::image_view(ui, view_names[index], bench.picture(view), bench.look.state,
                                                       {.magnifier = picks,
@@ -150,9 +158,10 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
     if (result.picked) take_color(editor, result.value);
 }
 
-void pictures(ui::Ui& ui, app::Editor& editor) {
+/// `all`: there is room for the four of them.
+void pictures(ui::Ui& ui, app::Editor& editor, bool all = true) {
     const KeyingBench& bench = bench_of(editor);
-    if (!bench.look.grid) {
+    if (!bench.look.grid || !all) {
         one_view(ui, editor, static_cast<BenchView>(std::clamp(bench.look.view, 0, 3)));
         return;
     }
@@ -171,12 +180,9 @@ void step_frame(app::Editor& editor, int by) {
     bench.look.time = (frame + 0.5) / std::max(report.frames_per_second, 1e-6);  // its middle: times are rounded
 }
 
-void scrub(ui::Ui& ui, app::Editor& editor) {
+void clip_time(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     const double duration = bench.shelf.of(editor.clip).report.duration;
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    if (ui::icon_button(ui, Icon::step_back, "Previous frame", {.quiet = true})) step_frame(editor, -1);
-    if (ui::icon_button(ui, Icon::step_forward, "Next frame", {.quiet = true})) step_frame(editor, 1);
     double time = bench.look.follow ? bench.time() : bench.standing_at();
     const bool moved = ui::number_field(ui, "Clip time", time,
                                         {.maximum = duration,
@@ -185,15 +191,36 @@ void scrub(ui::Ui& ui, app::Editor& editor) {
                                          .step = 0.04,
                                          .unit = "s",
                                          .decimals = 2,
-                                         .tip = "Where in the clip the bench stands"})
+                                         .tip = "Where in the clip the bench stands",
+                                         .width = ui::px(ui.em(clip_time_width))})
                            .changed;
     if (moved) bench.look.time = time, bench.look.follow = false;
-    ui::label(ui, ui.copy("frame " + std::to_string(bench.frame() + 1) + " of " + std::to_string(bench.frames())),
-              {.tone = bench.broken() ? ui::Tone::warning : ui::Tone::dim, .number = true});
-    if (bench.broken()) ui::label(ui, "cannot be decoded: the one before is shown", {.tone = ui::Tone::warning});
-    ui::toggle(
-        ui, "Follow", bench.look.follow,
-        {.tip = "Goes with the timeline, from the clip's in point on. In the preview a seeded clip starts elsewhere"});
+}
+
+/// `room`: px.
+void scrub(ui::Ui& ui, app::Editor& editor, float room) {
+    KeyingBench& bench = bench_of(editor);
+    const std::string_view place =
+        ui.copy("frame " + std::to_string(bench.frame() + 1) + " of " + std::to_string(bench.frames()) +
+                (bench.broken() ? ": cannot be decoded, the one before is shown" : ""));
+    const std::array<ui::ToolItem, 5> items = {{{.width = ui.row_height()},
+                                                {.width = ui.row_height()},
+                                                {.width = ui.em(clip_time_width)},
+                                                {.width = ui.text_width(place) + ui.em(1), .rank = 2},
+                                                {.width = ui::tool_width(ui, "Follow"), .rank = 1}}};
+    ui::toolbar(ui, "Clip time tools", room, items, [&](std::size_t item) {
+        if (item == 0 && ui::icon_button(ui, Icon::step_back, "Previous frame", {.quiet = true}))
+            step_frame(editor, -1);
+        if (item == 1 && ui::icon_button(ui, Icon::step_forward, "Next frame", {.quiet = true})) step_frame(editor, 1);
+        if (item == 2) clip_time(ui, editor);
+        if (item == 3)
+            ui::label(ui, place, {.tone = bench.broken() ? ui::Tone::warning : ui::Tone::dim, .number = true});
+        if (item == 4)
+            ui::toggle(
+                ui, "Follow", bench.look.follow,
+                {.tip = "The bench follows the timeline, from the clip's in point on. In the preview a clip with "
+                        "a seeded start may begin elsewhere"});
+    });
 }
 
 // --- the thresholds --------------------------------------------------------------------------------------------------------
@@ -214,7 +241,7 @@ void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
         ui, "Luma", {.bins = bench.histogram()}, alpha ? nullptr : &levels,
         {.reset = {.low = standard.luma_low, .high = standard.luma_high},
          .log_counts = &bench.look.log_counts,
-         .unit = "code values",
+         .unit = "of 255",
          .tip = "How often each value occurs in this frame. Below low is background, above high is whole smoke",
          .height = height});
     ui.pop_seed();
@@ -360,18 +387,22 @@ void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
     }
 }
 
+/// One below the other, for what scrolls.
+void thresholds_below(ui::Ui& ui, app::Editor& editor) {
+    {
+        const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(12))});
+        luma_histogram(ui, editor, 10);
+    }
+    rows(ui, editor, true);
+    const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
+    scope(ui, editor);
+}
+
 /// `height`: em, that there is room for.
 void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
     if (narrow) {
         const ui::ScrollArea area(ui, "Thresholds", {.gap = 0.3F});
-        {
-            const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(11))});
-            luma_histogram(ui, editor, 9);
-        }
-        rows(ui, editor, narrow);
-        const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
-        scope(ui, editor);
-        return;
+        return thresholds_below(ui, editor);
     }
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.8F, .cross = ui::Place::stretch});
     {
@@ -410,7 +441,20 @@ void nothing_to_show(ui::Ui& ui, app::Editor& editor) {
     if (facts.known && bench.faults().empty()) return ui::label(ui, "Reading the frame", {.tone = ui::Tone::dim});
     const ui::Row row(ui);
     ui::command_button(ui, editor.commands, "clip.replace");
-    if (ui::button(ui, "Look again", {.tip = "The file may be there by now"})) bench.shelf.look_again();
+    if (ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) bench.shelf.look_again();
+}
+
+/// In a panel of little height the pictures have nearly all of it, and the thresholds come by scrolling.
+void low(ui::Ui& ui, app::Editor& editor, const ui::Rect& room) {
+    const float others = 2 * ui.row_height() + ui.em(2.4F), peek = ui.em(3);
+    const float height = std::max(room.h - others - peek, ui.em(least_pictures));
+    const ui::ScrollArea area(ui, "Bench", {.gap = 0.4F});
+    {
+        const ui::Column upper(ui, {.width = ui::grow(), .height = ui::px(height)});
+        pictures(ui, editor, height >= ui.em(2 * least_pictures));
+    }
+    scrub(ui, editor, std::max(1.0F, room.w - ui.em(2.2F)));
+    thresholds_below(ui, editor);
 }
 
 }  // namespace
@@ -422,13 +466,15 @@ void keying_panel(ui::Ui& ui, app::Editor& editor) {
     const ui::Rect room = ui.rect_before(ui.parent().id);
     const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
-    tools(ui, editor, narrow, room.w >= ui.em(64));
+    const float width = room.w > 0 ? std::max(1.0F, room.w - 2 * ui.em(0.6F)) : 0.0F;
+    tools(ui, editor, width);
+    if (room.h > 0 && room.h < ui.em(low_bench)) return low(ui, editor, room);
     ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {
         const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
         pictures(ui, editor);
-        scrub(ui, editor);
+        scrub(ui, editor, width);
     }
     split.next();
     thresholds(ui, editor, narrow, (1 - bench.look.scopes) * room.h / ui.em(1) - 2);

@@ -27,7 +27,7 @@ using ui::Icon;
 using ui::key_of;
 using ui::Mods;
 
-constexpr std::string_view found_by = "By name, key, what it does or an everyday word, such as fog";
+constexpr std::string_view found_by = "Find by name, key, effect or an everyday word, such as fog";
 constexpr std::string_view all_menu = "preset menu", group_menu = "group menu";
 
 const ParameterGroup* group_of(const Tuning& tuning) {
@@ -66,7 +66,7 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui
     ui::menu_separator(ui);
     const std::string percent = std::to_string(std::lround(100 * tuning.strength));
     if (ui::menu_item(ui, ui.join({"Randomise by ", percent, " %###Randomise"}),
-                      {.icon = Icon::dice, .tip = "All that is not locked, in one undo step"}))
+                      {.icon = Icon::dice, .tip = "Changes everything that is not locked, in one undo step"}))
         randomise(editor, group);
     if (ui::menu_item(ui, "Strength and seed...", {.tip = "How far randomising goes from the values as they are"}))
         open_randomise_box(ui, group, box_at);
@@ -122,7 +122,7 @@ class Sections {
             put_group(group);
         }
         if (shown_ == 0 && (searching() || tuning_.changed_only))
-            ui::label(ui_, searching() ? "No parameter is called so" : "Nothing differs from the file",
+            ui::label(ui_, searching() ? "No parameter has this name" : "Nothing differs from the file",
                       {.tone = ui::Tone::dim});
     }
 
@@ -268,7 +268,7 @@ void add_preset_commands(app::Editor& editor) {
                          .icon = Icon::copy,
                          .run = [&editor, &tuning] { copy_group(editor, group_of(tuning)); },
                          .enabled = with_group,
-                         .tip = "All of the section of the parameter that has the keyboard, as JSON"});
+                         .tip = "Copies the whole section of the selected parameter, as JSON"});
     editor.commands.add({.id = "preset.paste",
                          .title = "Paste parameters",
                          .group = "Preset",

@@ -140,9 +140,8 @@ void item_items(ui::Ui& ui, app::Editor& editor, Browsing& b, std::size_t index)
     const PresetFile& file = browser.files()[index];
     const bool usable = file.fault.empty(), starred = browser.starred(index);
     if (ui::menu_item(ui, "Open", {.shortcut = "Enter", .enabled = usable})) open(ui, editor, b, index);
-    if (ui::menu_item(
-            ui, "Take its values",
-            {.tip = "In place of those that are open, in one undo step; name and file stay", .enabled = usable}))
+    if (ui::menu_item(ui, "Take its values",
+                      {.tip = "Takes over its values, in one undo step; name and file stay", .enabled = usable}))
         browser.take_values(index);
     ui::menu_separator(ui);
     if (ui::menu_item(ui, "Star", {.icon = Icon::star, .checked = starred})) browser.star(index, !starred);

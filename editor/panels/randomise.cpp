@@ -1,8 +1,10 @@
 #include "panels/randomise.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "app/editor.h"
+#include "document/words.h"
 #include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
@@ -15,6 +17,7 @@ namespace {
 constexpr std::string_view box_name = "randomise";
 constexpr float box_width = 22;  // em
 constexpr double most_seed = 1e9;
+constexpr std::size_t most_named = 6;  // of the values that were changed
 
 /// What the box was opened for.
 const app::ParameterGroup*& asked_for(ui::Ui& ui) {
@@ -23,9 +26,32 @@ const app::ParameterGroup*& asked_for(ui::Ui& ui) {
 
 }  // namespace
 
+/// "14 values changed by up to 10 % (seed 7): Speed, Max extent, Noise scale and 11 more".
+std::string told(const app::Tuning& tuning, std::uint64_t seed, const std::vector<document::Difference>& changed) {
+    const auto percent = static_cast<int>(std::lround(100 * tuning.strength));
+    std::string text = std::to_string(changed.size()) + (changed.size() == 1 ? " value" : " values") +
+                       " changed by up to " + std::to_string(percent) + " % (seed " + std::to_string(seed) + "): ";
+    for (std::size_t i = 0; i < std::min(changed.size(), most_named); ++i) text += (i > 0 ? ", " : "") + changed[i].row;
+    if (changed.size() > most_named) text += " and " + std::to_string(changed.size() - most_named) + " more";
+    return text;
+}
+
 void randomise(app::Editor& editor, const app::ParameterGroup* group) {
-    if (editor.tuning().randomise(group) == 0)
+    const Preset before = editor.document.preset();
+    const std::uint64_t seed = editor.tuning().seed;
+    if (editor.tuning().randomise(group) == 0) {
         editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: all of it is locked"});
+        return;
+    }
+    const std::uint64_t step = editor.document.steps()[editor.document.done() - 1].id;
+    editor.toasts.add({.text = told(editor.tuning(), seed, document::differences(before, editor.document.preset())),
+                       .action = "Undo",
+                       .act =
+                           [&editor, step] {
+                               const document::Document& d = editor.document;
+                               if (d.done() > 0 && d.steps()[d.done() - 1].id == step) editor.document.undo();
+                           },
+                       .seconds = 8});
 }
 
 void open_randomise_box(ui::Ui& ui, const app::ParameterGroup* group, ui::Id anchor) {

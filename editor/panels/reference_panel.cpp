@@ -14,6 +14,8 @@
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
+#include "ui/widgets/scroll.h"
+#include "ui/widgets/toolbar.h"
 
 namespace lapfx::panels {
 
@@ -22,6 +24,8 @@ namespace {
 using app::CompareWay;
 using app::Reference;
 
+constexpr float low_panel = 14, least_pictures = 5;                                                      // em of height
+constexpr float ways_width = 27, list_width = 8, number_width = 9, aspect_width = 7, offset_width = 10;  // em
 constexpr std::array<std::string_view, 5> ways = {"Reference", "Beside", "Wipe", "Difference", "Onion"};
 
 void choose_next_way(Reference& reference) {
@@ -147,54 +151,83 @@ void aspect_choice(ui::Ui& ui, app::Editor& editor) {
     const ui::Edit edit = ui::combo(ui, "Aspect", chosen, std::span(names).first(count),
                                     {.tip = "Width over height that the reference is shown with: for a video that is "
                                             "stored squeezed, as 4:3 in 256 x 256",
-                                     .width = ui::px(ui.em(7))});
+                                     .width = ui::px(ui.em(aspect_width))});
     if (static_cast<std::size_t>(chosen) >= aspects.size()) return;
     const double ratio = std::round(aspects[static_cast<std::size_t>(chosen)].ratio * 1e4) / 1e4;
     editor.document.take(edit, "Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = ratio; });
 }
 
-void way_of_comparing(ui::Ui& ui, app::Editor& editor) {
-    Reference& reference = editor.reference();
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    {
-        const Room room(ui, 27);
-        int way = static_cast<int>(reference.way);
-        if (ui::segmented(ui, "Compare", way, ways)) reference.way = static_cast<CompareWay>(way);
+/// Between them while `in_a_row`, else from a list.
+void choose_way(ui::Ui& ui, Reference& reference, bool in_a_row) {
+    int way = static_cast<int>(reference.way);
+    bool chosen = false;
+    if (in_a_row) {
+        const Room room(ui, ways_width);
+        chosen = ui::segmented(ui, "Compare", way, ways).changed;
+    } else {
+        chosen = ui::combo(ui, "Compare", way, ways,
+                           {.tip = "How the reference and the preview are shown together",
+                            .width = ui::px(ui.em(list_width))})
+                     .changed;
     }
-    ui::space(ui, 0.4F);
-    if (reference.way == CompareWay::difference)
-        ui::number_field(ui, "Gain", reference.compare.gain,
-                         {.minimum = 1,
-                          .maximum = 100,
-                          .hard_minimum = 1,
-                          .hard_maximum = 100,
-                          .scale = ui::ValueScale::logarithmic,
-                          .standard = 4.0,
-                          .tip = "Factor on what differs: a difference of 8 code values at 4 is shown as 32",
-                          .width = ui::px(ui.em(9))});
-    if (reference.way == CompareWay::onion) {
-        ui::ParamOptions options = ui::percent();
-        options.hard_minimum = 0, options.hard_maximum = 100;
-        options.standard = 50.0, options.tip = "Share of the second picture", options.width = ui::px(ui.em(9));
-        ui::number_field(ui, "Mix", reference.compare.mix, options);
-    }
-    if (reference.way != CompareWay::reference)
-        ui::toggle(ui, "Swap", reference.compare.swapped,
-                   {.tip = "Reference first, preview second: X in the picture. F held shows the second alone"});
-    aspect_choice(ui, editor);
-    ui::spacer(ui);
-    const std::string name = reference.file().filename().string();
-    ui::label(ui, name, {.tone = ui::Tone::dim});
-    ui.last().tip = ui.copy(reference.file().string());
-    if (ui::icon_button(ui, ui::Icon::folder, "Open reference video", {.quiet = true})) ask_for_video(editor);
+    if (chosen) reference.way = static_cast<CompareWay>(way);
 }
 
-void frame_by_frame(ui::Ui& ui, Reference& reference) {
+void gain_field(ui::Ui& ui, Reference& reference) {
+    ui::number_field(ui, "Gain", reference.compare.gain,
+                     {.minimum = 1,
+                      .maximum = 100,
+                      .hard_minimum = 1,
+                      .hard_maximum = 100,
+                      .scale = ui::ValueScale::logarithmic,
+                      .standard = 4.0,
+                      .tip = "Factor on what differs, so that small differences are seen",
+                      .width = ui::px(ui.em(number_width))});
+}
+
+void mix_field(ui::Ui& ui, Reference& reference) {
+    ui::ParamOptions options = ui::percent();
+    options.hard_minimum = 0, options.hard_maximum = 100;
+    options.standard = 50.0, options.tip = "Share of the second picture", options.width = ui::px(ui.em(number_width));
+    ui::number_field(ui, "Mix", reference.compare.mix, options);
+}
+
+/// `room`: px.
+void way_of_comparing(ui::Ui& ui, app::Editor& editor, float room) {
+    Reference& reference = editor.reference();
+    const bool two = reference.way != CompareWay::reference;
+    const bool gain = reference.way == CompareWay::difference, mix = reference.way == CompareWay::onion;
+    const std::string name = reference.file().filename().string();
+    const bool in_a_row = room == 0 || room >= ui.em(ways_width + number_width + aspect_width + 8);
+    enum : std::size_t { compare, number, swap, aspect, title, open, count };
+    std::array<ui::ToolItem, count> items;
+    items[compare] = {.width = ui.em(in_a_row ? ways_width : list_width)};
+    items[number] = {.width = gain || mix ? ui.em(number_width) : 0, .rank = 1};
+    items[swap] = {.width = two ? ui::tool_width(ui, "Swap") : 0, .rank = 2};
+    items[aspect] = {.width = ui.em(aspect_width), .rank = 3};
+    items[title] = {.width = std::min(ui.text_width(name), ui.em(14)), .rank = 5, .end = true};
+    items[open] = {.width = ui.row_height(), .rank = 4};
+    ui::toolbar(ui, "Compare tools", room, items, [&](std::size_t item) {
+        if (item == compare) choose_way(ui, reference, in_a_row);
+        if (item == number && gain) gain_field(ui, reference);
+        if (item == number && mix) mix_field(ui, reference);
+        if (item == swap)
+            ui::toggle(ui, "Swap", reference.compare.swapped,
+                       {.tip = "The reference first, the preview second (X over the picture). F held over it shows the "
+                               "second alone"});
+        if (item == aspect) aspect_choice(ui, editor);
+        if (item == title) {
+            ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(items[title].width)});
+            ui.last().tip = ui.copy(reference.file().string());
+        }
+        if (item == open && ui::icon_button(ui, ui::Icon::folder, "Open reference video", {.quiet = true}))
+            ask_for_video(editor);
+    });
+}
+
+void frame_field(ui::Ui& ui, Reference& reference) {
     const int last = reference.video()->info().frames - 1;
     double frame = reference.frame();
-    if (ui::icon_button(ui, ui::Icon::step_back, "Frame before",
-                        {.tip = "The reference alone goes back by a frame and is held there", .quiet = true}))
-        reference.step(-1);
     if (ui::number_field(ui, "Frame", frame,
                          {.maximum = static_cast<double>(std::max(last, 1)),
                           .hard_minimum = 0,
@@ -202,24 +235,11 @@ void frame_by_frame(ui::Ui& ui, Reference& reference) {
                           .step = 1,
                           .tip = "Frame of the reference. Changed, it is held there, whatever the timeline does",
                           .integer = true,
-                          .width = ui::px(ui.em(9))}))
+                          .width = ui::px(ui.em(number_width))}))
         reference.hold(static_cast<int>(frame));
-    if (ui::icon_button(ui, ui::Icon::step_forward, "Frame after",
-                        {.tip = "The reference alone goes on by a frame and is held there", .quiet = true}))
-        reference.step(1);
 }
 
-void alignment(ui::Ui& ui, app::Editor& editor) {
-    Reference& reference = editor.reference();
-    bool held = reference.held();
-    if (ui::toggle(ui, "Hold", held, {.icon = ui::Icon::lock, .tip = "Stay at this frame while the timeline goes on"}))
-        held ? reference.hold(reference.frame()) : reference.let_go();
-    ui.push_disabled(!reference.held());
-    if (ui::button(ui, "Align start here",
-                   {.tip = "Hold a frame of the reference first. It then belongs to the scene's time as it is now: "
-                           "sets the offset"}))
-        reference.align();
-    ui.pop_disabled();
+void offset_field(ui::Ui& ui, app::Editor& editor) {
     double offset = editor.document.scene().reference.offset;
     const ui::Edit edit = ui::number_field(ui, "Offset", offset,
                                            ui::seconds({.minimum = -10,
@@ -230,32 +250,72 @@ void alignment(ui::Ui& ui, app::Editor& editor) {
                                                         .unit = "s",
                                                         .standard = 0.0,
                                                         .tip = "Time in the reference when the scene starts",
-                                                        .width = ui::px(ui.em(10))}));
+                                                        .width = ui::px(ui.em(offset_width))}));
     editor.document.take(edit, "Reference offset", [&](document::Content& c) { c.scene.reference.offset = offset; });
 }
 
+void hold_toggle(ui::Ui& ui, Reference& reference) {
+    bool held = reference.held();
+    if (ui::toggle(ui, "Hold", held, {.icon = ui::Icon::lock, .tip = "Stay at this frame while the timeline goes on"}))
+        held ? reference.hold(reference.frame()) : reference.let_go();
+}
+
+void align_button(ui::Ui& ui, Reference& reference) {
+    ui.push_disabled(!reference.held());
+    if (ui::button(ui, "Align start here",
+                   {.tip = "Hold a frame of the reference first. It then belongs to the scene's time as it is now: "
+                           "sets the offset"}))
+        reference.align();
+    ui.pop_disabled();
+}
+
 /// Where it stands, and what keeps that from being what one expects.
-void place_in_time(ui::Ui& ui, const Reference& reference) {
+struct PlaceInTime {
+    std::string_view warning, text;
+};
+PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
     char text[64];
     const double time = reference.time(), duration = reference.video()->info().duration;
     std::snprintf(text, sizeof text, "%.2f of %.2f s", time, duration);
-    if (time < 0)
-        ui::label(ui, "Before its start", {.tone = ui::Tone::warning});
-    else if (time >= duration && !reference.held())
-        ui::label(ui, "After its end", {.tone = ui::Tone::warning});
-    else if (!reference.good())
-        ui::label(ui, "Frame missing: the one before it", {.tone = ui::Tone::warning});
-    ui::label(ui, text, {.tone = ui::Tone::dim, .number = true});
-    if (!reference.video()->info().warning.empty()) ui.last().tip = ui.copy(reference.video()->info().warning);
+    const std::string_view warning = time < 0                                ? "Before its start"
+                                     : time >= duration && !reference.held() ? "After its end"
+                                     : !reference.good()                     ? "Frame missing: the one before it"
+                                                                             : "";
+    return {warning, ui.copy(text)};
 }
 
-void time_row(ui::Ui& ui, app::Editor& editor) {
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    frame_by_frame(ui, editor.reference());
-    ui::space(ui, 0.2F);
-    alignment(ui, editor);
-    ui::spacer(ui);
-    place_in_time(ui, editor.reference());
+/// `room`: px.
+void time_row(ui::Ui& ui, app::Editor& editor, float room) {
+    Reference& reference = editor.reference();
+    const PlaceInTime place = place_in_time(ui, reference);
+    enum : std::size_t { before, frame, after, hold, align, offset, warning, text, count };
+    std::array<ui::ToolItem, count> items;
+    items[before] = items[after] = {.width = ui.row_height()};
+    items[frame] = {.width = ui.em(number_width)};
+    items[hold] = {.width = ui::tool_width(ui, "Hold", true), .rank = 1};
+    items[align] = {.width = ui::tool_width(ui, "Align start here"), .rank = 3};
+    items[offset] = {.width = ui.em(offset_width), .rank = 2};
+    items[warning] = {.width = place.warning.empty() ? 0 : ui.text_width(place.warning), .rank = 3, .end = true};
+    items[text] = {.width = ui.text_width(place.text) + ui.em(1), .rank = 4, .end = true};
+    ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
+        if (item == before &&
+            ui::icon_button(ui, ui::Icon::step_back, "Frame before",
+                            {.tip = "The reference alone goes back by a frame and is held there", .quiet = true}))
+            reference.step(-1);
+        if (item == frame) frame_field(ui, reference);
+        if (item == after &&
+            ui::icon_button(ui, ui::Icon::step_forward, "Frame after",
+                            {.tip = "The reference alone goes on by a frame and is held there", .quiet = true}))
+            reference.step(1);
+        if (item == hold) hold_toggle(ui, reference);
+        if (item == align) align_button(ui, reference);
+        if (item == offset) offset_field(ui, editor);
+        if (item == warning) ui::label(ui, place.warning, {.tone = ui::Tone::warning});
+        if (item == text) {
+            ui::label(ui, place.text, {.tone = ui::Tone::dim, .number = true});
+            if (!reference.video()->info().warning.empty()) ui.last().tip = ui.copy(reference.video()->info().warning);
+        }
+    });
 }
 
 /// Of the picture that is seen there; of the reference where both are mixed.
@@ -310,6 +370,20 @@ void pictures(ui::Ui& ui, app::Editor& editor) {
     ui.build_again();
 }
 
+/// In a panel of little height the pictures have nearly all of it, and the tools of time come by scrolling.
+void low(ui::Ui& ui, app::Editor& editor, float room) {
+    ui::ScrollArea area(ui, "Compared", {.gap = 0.3F});
+    {
+        const float height = std::max(area.state().view.y - ui.em(0.3F), ui.em(least_pictures));
+        const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(height)});
+        pictures(ui, editor);
+        pick_hint(ui, editor);
+    }
+    time_row(ui, editor, std::max(1.0F, room - ui.em(1)));
+    warn_of_refused(ui, editor);
+    warn_of_faults(ui, editor);
+}
+
 }  // namespace
 
 void reference_panel(ui::Ui& ui, app::Editor& editor) {
@@ -325,9 +399,12 @@ void reference_panel(ui::Ui& ui, app::Editor& editor) {
         if (!reference.refused().empty()) return tell_faults(ui, editor, reference.refused());
         return reference.named() ? tell_faults(ui, editor, reference.faults()) : invite(ui, editor);
     }
+    const ui::Rect panel = ui.rect_before(ui.parent().id);
+    const float room = panel.w > 0 ? std::max(1.0F, panel.w - 2 * ui.em(0.6F)) : 0.0F;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
-    way_of_comparing(ui, editor);
-    time_row(ui, editor);
+    way_of_comparing(ui, editor, room);
+    if (panel.h > 0 && panel.h < ui.em(low_panel)) return low(ui, editor, room);
+    time_row(ui, editor, room);
     warn_of_refused(ui, editor);
     warn_of_faults(ui, editor);
     pictures(ui, editor);

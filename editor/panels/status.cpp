@@ -71,7 +71,7 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
     app::Meter& meter = editor.meter();
     if (meter.frames_per_second() > 0)
         ui::status_text(ui, "Frame rate", formatted(ui, "%.0f fps", meter.frames_per_second()),
-                        {.number = true, .width = 4, .tip = "Frames per second while it plays"});
+                        {.number = true, .width = 4, .tip = "Pictures of the scene per second while it plays"});
     if (meter.memory() > 0) costs(ui, editor);  // pictures of the editor do not depend on the machine
     const app::EditorOptions& o = editor.options();
     ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",

@@ -5,6 +5,7 @@
 #include <string>
 #include <unordered_map>
 
+#include "app/parameter_text.h"
 #include "app/parameters.h"
 #include "app/paths.h"
 #include "ui/widgets/basic.h"
@@ -109,11 +110,17 @@ ui::Edit number_row(const RowBuild& b) {
     return b.take(edit, value);
 }
 
+/// What each of the numbers is.
+std::string_view letters_of(const Parameter& row) {
+    return row.key == "extinction" ? "RGB" : "XYZ";
+}
+
 ui::Edit vector_row(const RowBuild& b) {
     glm::dvec3 value = b.value<glm::dvec3>();
     std::span<const double> standards;
     if (b.options.standard != nullptr) standards = std::span(&b.in<glm::dvec3>(b.options.standard)[0], 3);
-    const ui::Edit edit = ui::vector_param(b.ui, b.name(), std::span(&value[0], 3), options_of(b), standards);
+    const ui::Edit edit =
+        ui::vector_param(b.ui, b.name(), std::span(&value[0], 3), options_of(b), standards, letters_of(b.row));
     return b.take(edit, value);
 }
 
@@ -267,7 +274,8 @@ ui::ParamOptions param_options(const Parameter& row) {
     options.minimum = options.hard_minimum = row.minimum;
     options.maximum = options.hard_maximum = row.maximum;
     options.step = row.step;
-    options.unit = row.unit == "degrees" ? "deg" : row.unit;
+    options.unit = row.unit == "degrees" ? "deg" : row.unit == "code values" ? "" : row.unit;
+    options.zero = app::meaning_of_zero(row);
     options.scale = row.scale == Scale::logarithmic ? ui::ValueScale::logarithmic : ui::ValueScale::linear;
     options.tip = tip_of(row);
     return options;

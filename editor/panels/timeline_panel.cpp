@@ -12,6 +12,7 @@
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
 #include "ui/widgets/scroll.h"
+#include "ui/widgets/toolbar.h"
 
 namespace lapfx::panels {
 
@@ -21,8 +22,9 @@ using ui::Mods;
 
 constexpr double frame_rate = 25;  // 1/s, of steps and of timecode
 constexpr double new_event_length = 1;
-constexpr float narrow_below = 52;                              // em
-constexpr float room_for_both = 12, room_for_both_narrow = 15;  // em of height: tools, ruler, a track, form
+constexpr float narrow_below = 52;                                    // em
+constexpr float speed_width = 5, unit_width = 7, duration_width = 9;  // em
+constexpr float room_for_both = 12, room_for_both_narrow = 15;        // em of height: tools, ruler, a track, form
 constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1, 2, 4};
 constexpr std::array<std::string_view, 6> speed_names = {"0.1x", "0.25x", "0.5x", "1x", "2x", "4x"};
 constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
@@ -220,7 +222,7 @@ class TimelinePanel {
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});
         const float width = ui_.rect_before(ui_.id_of("Events")).w;
         narrow_ = width > 0 && width < ui_.em(narrow_below);
-        tool_bar();
+        tool_bar(width);
         const bool below = height >= ui_.em(narrow_ ? room_for_both_narrow : room_for_both);
         {
             const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
@@ -231,32 +233,52 @@ class TimelinePanel {
     }
 
   private:
-    void tool_bar() {
-        const ui::Row bar(ui_, {.width = ui::grow(), .cross = ui::Place::center});
-        ui::command_button(ui_, editor_.commands, "play.start", true);
-        ui::command_button(ui_, editor_.commands, "play.frame_back", true);
-        ui::command_button(ui_, editor_.commands, "play.frame_on", true);
-        speed();
+    /// `room`: px.
+    void tool_bar(float room) {
+        enum : std::size_t { first, back, on, pace, time_unit, length, add, copy, erase, count };
+        std::array<ui::ToolItem, count> items;
+        items[first] = items[back] = items[on] = {.width = ui_.row_height()};
+        items[pace] = {.width = ui_.em(speed_width), .rank = 1};
+        items[time_unit] = {.width = narrow_ ? 0 : ui_.em(unit_width), .rank = 4};
+        items[length] = {.width = ui_.em(duration_width), .rank = 3};
+        items[add] = {.width = ui::tool_width(ui_, "Add event", true), .rank = 2, .end = true};
+        items[copy] = {.width = ui::tool_width(ui_, "Duplicate", true), .rank = 3};
+        items[erase] = {.width = ui::tool_width(ui_, "Delete", true), .rank = 2};
+        ui::toolbar(ui_, "Timeline tools", room, items, [&](std::size_t item) {
+            if (item == first) ui::command_button(ui_, editor_.commands, "play.start", true);
+            if (item == back) ui::command_button(ui_, editor_.commands, "play.frame_back", true);
+            if (item == on) ui::command_button(ui_, editor_.commands, "play.frame_on", true);
+            if (item == pace) speed();
+            if (item == time_unit) unit();
+            if (item == length) duration();
+            if (item >= add) event_tool(item - add);
+        });
+    }
+
+    void unit() {
         int unit = static_cast<int>(memory_.unit);
-        if (!narrow_ &&
-            ui::combo(ui_, "Unit", unit, unit_names, {.tip = "How times are written", .width = ui::px(ui_.em(7))}))
+        if (ui::combo(ui_, "Unit", unit, unit_names,
+                      {.tip = "How times are written", .width = ui::px(ui_.em(unit_width))}))
             memory_.unit = static_cast<ui::TimeUnit>(unit);
-        duration();
-        ui::spacer(ui_);
-        if (tool("Add event", ui::Icon::plus,
-                 "At the playhead, where the tool last was, else in the middle of the view"))
-            add_event(editor_);
+    }
+
+    /// Add, duplicate, delete.
+    void event_tool(std::size_t which) {
+        if (which == 0) {
+            if (ui::button(ui_, "Add event",
+                           {.icon = ui::Icon::plus,
+                            .tip = "At the playhead, where the tool last was, else in the middle of the view"}))
+                add_event(editor_);
+            return;
+        }
         ui_.push_disabled(editor_.selected.empty());
-        if (tool("Duplicate", ui::Icon::copy, "What is selected once more, at the playhead")) duplicate_events(editor_);
-        if (tool("Delete", ui::Icon::cross, "What is selected (Delete)"))
+        if (which == 1 &&
+            ui::button(ui_, "Duplicate", {.icon = ui::Icon::copy, .tip = "Copies the selected events to the playhead"}))
+            duplicate_events(editor_);
+        if (which == 2 &&
+            ui::button(ui_, "Delete", {.icon = ui::Icon::cross, .tip = "Removes the selected events (Delete)"}))
             ItemEdits::erase_selected(editor_, editor_.selected);
         ui_.pop_disabled();
-    }
-    /// With its name where there is room for it.
-    bool tool(std::string_view name, ui::Icon icon, std::string_view tip) {
-        const ui::ButtonOptions options{
-            .icon = icon, .tip = narrow_ ? ui_.join({name, ": ", tip}) : tip, .quiet = narrow_};
-        return narrow_ ? ui::icon_button(ui_, icon, name, options) : ui::button(ui_, name, options);
     }
 
     void speed() {
@@ -265,7 +287,9 @@ class TimelinePanel {
             if (std::abs(speeds[i] - editor_.play_speed) <
                 std::abs(speeds[static_cast<std::size_t>(chosen)] - editor_.play_speed))
                 chosen = static_cast<int>(i);
-        if (!ui::combo(ui_, "Speed", chosen, speed_names, {.tip = "Of play", .width = ui::px(ui_.em(5))})) return;
+        if (!ui::combo(ui_, "Speed", chosen, speed_names,
+                       {.tip = "How fast the scene plays", .width = ui::px(ui_.em(speed_width))}))
+            return;
         editor_.play_speed = speeds[static_cast<std::size_t>(chosen)];
         if (editor_.playing() && !editor_.hold.on()) editor_.timeline.speed = editor_.play_speed;
     }
@@ -275,7 +299,7 @@ class TimelinePanel {
         const Parameter& row = *scene_table().find_row("duration");
         ui::ParamOptions options = param_options(row);
         options.maximum = 60;
-        options.width = ui::px(ui_.em(9));
+        options.width = ui::px(ui_.em(duration_width));
         const ui::Edit edit = ui::number_field(ui_, "Duration", value, ui::seconds(options));
         editor_.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });
     }
@@ -326,21 +350,21 @@ void add_play_commands(app::Editor& editor) {
                          .checked = [&editor] { return editor.playing(); },
                          .tip = "From where it stands, at the speed of the timeline"});
     editor.commands.add({.id = "play.frame_back",
-                         .title = "Frame back",
+                         .title = "One frame back",
                          .group = "Play",
                          .chord = {ui::key_of(','), Mods::none},
                          .icon = ui::Icon::chevron_left,
                          .run = [step] { step(-1); },
                          .enabled = free,
-                         .tip = "Pauses, a frame before"});
+                         .tip = "Pauses at the frame before"});
     editor.commands.add({.id = "play.frame_on",
-                         .title = "Frame on",
+                         .title = "One frame forward",
                          .group = "Play",
                          .chord = {ui::key_of('.'), Mods::none},
                          .icon = ui::Icon::chevron_right,
                          .run = [step] { step(1); },
                          .enabled = free,
-                         .tip = "Pauses, a frame later"});
+                         .tip = "Pauses at the next frame"});
     editor.commands.add({.id = "play.start",
                          .title = "To the start",
                          .group = "Play",
@@ -370,7 +394,7 @@ void add_play_commands(app::Editor& editor) {
                          .icon = ui::Icon::copy,
                          .run = [&editor] { duplicate_events(editor); },
                          .enabled = [&editor] { return !editor.selected.empty(); },
-                         .tip = "What is selected once more, at the playhead"});
+                         .tip = "Copies the selected events to the playhead"});
 }
 
 }  // namespace lapfx::panels

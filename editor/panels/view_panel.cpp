@@ -5,17 +5,22 @@
 #include <numbers>
 
 #include "app/events.h"
+#include "app/keying_bench.h"
+#include "app/layouts.h"
 #include "app/orbit.h"
 #include "app/pick_color.h"
+#include "app/reference.h"
 #include "app/settings.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/canvas/viewport.h"
+#include "ui/core/tree.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
+#include "ui/widgets/toolbar.h"
 
 namespace lapfx::panels {
 
@@ -24,10 +29,8 @@ namespace {
 using ui::Key;
 using ui::Mods;
 
-constexpr float field_width = 8.6F;  // em, of a number beside the tools
 constexpr float choice_width = 8;    // em
-constexpr float wide_enough = 66;    // em, for all tools side by side
-constexpr float bar_enough = 27;     // em, for what is chosen from lists side by side
+constexpr float bar_padding = 0.3F;  // em
 constexpr double work_by_key = 0.5;  // s
 constexpr double key_turn = 5.0 * std::numbers::pi / 180;
 constexpr double zoom_notch = 1.15;
@@ -83,6 +86,31 @@ void show_organ_whole(app::Editor& editor) {
     editor.looking.endoscope = false;
 }
 
+/// Of the workspace, the one that the pointer is over; empty: none.
+std::string panel_under_pointer(const ui::Ui& ui) {
+    const auto tree = ui.tree();
+    for (std::uint32_t i = 0; ui.hot() != 0 && i < tree.size(); ++i) {
+        if (tree[i].id != ui.hot()) continue;
+        const std::string path = ui::path_of(tree, i);
+        const std::size_t begin = path.find('/') + 1;
+        return path.starts_with("Workspace/") ? path.substr(begin, path.find('/', begin) - begin) : "";
+    }
+    return {};
+}
+
+/// What one looks at: the picture under the pointer, else the organ, else, where the view is not seen, the picture that is.
+void show_whole(app::Editor& editor) {
+    const std::string panel = panel_under_pointer(editor.ui());
+    const app::Layouts& layouts = editor.layouts();
+    const bool view = layouts.seen("View"), reference = layouts.seen("Reference");
+    if (panel == "Keying" || (!view && !reference && layouts.seen("Keying")))
+        editor.keying().look.state = {};
+    else if (panel == "Reference" || (!view && reference))
+        editor.reference().compare.view = {};
+    else
+        show_organ_whole(editor);
+}
+
 class ViewPanel {
   public:
     ViewPanel(ui::Ui& ui, app::Editor& editor)
@@ -91,16 +119,7 @@ class ViewPanel {
     void build() {
         const float width = ui_.rect_before(ui_.id_of("Preview")).w;
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
-        const bool hot = editor_.tool.action && app::is_hot(*editor_.tool.action);
-        const bool cutting = editor_.tool.action && app::is_cutting(*editor_.tool.action);
-        const float fields = (hot ? field_width : 0) + (cutting ? field_width : 0) +
-                             (editor_.looking.endoscope ? 0 : 1.4F * field_width);
-        if (width == 0 || width >= ui_.em(wide_enough + fields))
-            wide_bar();
-        else if (width >= ui_.em(bar_enough + fields))
-            narrow_bar();
-        else
-            bars();
+        bar(width);
         band_strip(ui_, editor_);
         ui::Node& stage = ui_.open(ui::Role::none, {}, ui::Axis::y);
         stage.size[0] = stage.size[1] = ui::grow();
@@ -128,56 +147,72 @@ class ViewPanel {
 
   private:
     // --- above the picture ---
-    void wide_bar() {
-        const ui::Row bar(ui_, {.width = ui::grow(), .padding = 0.3F, .cross = ui::Place::center});
-        int tool = tool_index(editor_.tool);
-        if (tools_in_a_row(tool)) take_tool(editor_, tool);
-        strengths(ui::px(ui_.em(choice_width)));
-        ui::spacer(ui_);
-        overlay_choice(ui::px(ui_.em(choice_width)));
-        cameras();
-        ui::command_button(ui_, editor_.commands, "view.frame");
+    enum Tools : std::size_t { tool, power, strength, overlay, endoscope, use, whole, tool_count };
+
+    void bar(float room) {
+        const ui::Column padded(ui_, {.width = ui::grow(), .padding = bar_padding});
+        room = room > 0 ? std::max(1.0F, room - 2 * ui_.em(bar_padding)) : 0.0F;
+        const bool hot = editor_.tool.action && app::is_hot(*editor_.tool.action);
+        const bool cutting = editor_.tool.action && app::is_cutting(*editor_.tool.action);
+        const float choice = ui_.em(choice_width);
+        std::array<ui::ToolItem, tool_count> items;
+        items[power] = {.width = hot ? choice : 0, .rank = 1};
+        items[strength] = {.width = cutting ? choice : 0, .rank = 2};
+        items[overlay] = {.width = choice, .rank = 2, .end = true};
+        items[endoscope] = {.width = ui::tool_width(ui_, "Endoscope view"), .rank = 1};
+        items[use] = {.width = editor_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 3};
+        items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 4};
+        float others = 0;
+        for (const ui::ToolItem& item : items) others += item.width > 0 ? item.width + ui_.em(ui_.theme().gap) : 0;
+        const bool in_a_row = room == 0 || others + tools_width() <= room;
+        items[tool] = {.width = in_a_row ? tools_width() : choice};
+        ui::toolbar(ui_, "View tools", room, items, [&](std::size_t item) { put(item, in_a_row); });
     }
-    void narrow_bar() {
-        const ui::Row bar(ui_, {.width = ui::grow(), .padding = 0.3F, .cross = ui::Place::center});
-        tool_choice(ui::px(ui_.em(choice_width)));
-        strengths(ui::px(ui_.em(choice_width)));
-        ui::spacer(ui_);
-        overlay_choice(ui::px(ui_.em(choice_width)));
-        cameras();
-    }
-    /// Nothing of it may lie out of reach: one below the other.
-    void bars() {
-        const ui::Column all(ui_, {.width = ui::grow(), .padding = 0.3F});
-        {
-            const ui::Row choices(ui_, {.width = ui::grow()});
-            tool_choice(ui::grow());
-            overlay_choice(ui::grow());
+
+    void put(std::size_t item, bool in_a_row) {
+        switch (item) {
+            case tool:
+                return tool_choice(in_a_row);
+            case power:
+                return power_field();
+            case strength:
+                return strength_field();
+            case overlay:
+                return overlay_choice();
+            case endoscope:
+                ui::command_button(ui_, editor_.commands, "view.endoscope");
+                return;
+            case use:
+                return use_view_button();
+            default:
+                ui::command_button(ui_, editor_.commands, "view.frame");
         }
-        if (editor_.tool.action && (app::is_hot(*editor_.tool.action) || app::is_cutting(*editor_.tool.action))) {
-            const ui::Row fields(ui_, {.width = ui::grow()});
-            strengths(ui::grow());
+    }
+
+    float tools_width() {
+        float width = 0;
+        for (const std::string_view name : tool_names) width += ui_.text_width(name) + ui_.em(1.4F);
+        return width;
+    }
+
+    void tool_choice(bool in_a_row) {
+        int chosen = tool_index(editor_.tool);
+        if (in_a_row) {
+            const ui::Row box(ui_, {.width = ui::px(tools_width())});
+            if (ui::segmented(ui_, "Tool", chosen, tool_names)) take_tool(editor_, chosen);
+        } else if (ui::combo(
+                       ui_, "Tool", chosen, tool_names,
+                       {.tip = "What the left button does on the organ", .width = ui::px(ui_.em(choice_width))})) {
+            take_tool(editor_, chosen);
         }
-        const ui::Row looks(ui_, {.width = ui::grow()});
-        cameras();
     }
 
-    void tool_choice(ui::Size width) {
-        int tool = tool_index(editor_.tool);
-        if (ui::combo(ui_, "Tool", tool, tool_names, {.tip = "What the left button does on the organ", .width = width}))
-            take_tool(editor_, tool);
-    }
-
-    void overlay_choice(ui::Size width) {
-        int overlay = static_cast<int>(editor_.looking.overlay);
-        if (ui::combo(ui_, "Overlay", overlay, overlay_names,
-                      {.tip = "False colour over the organ: what decides, but is not seen", .width = width}))
-            editor_.looking.overlay = static_cast<Overlay>(overlay);
-    }
-
-    void cameras() {
-        ui::command_button(ui_, editor_.commands, "view.endoscope");
-        if (!editor_.looking.endoscope) use_view_button();
+    void overlay_choice() {
+        int chosen = static_cast<int>(editor_.looking.overlay);
+        if (ui::combo(ui_, "Overlay", chosen, overlay_names,
+                      {.tip = "Colours the organ by what decides where it bleeds, but is not seen itself",
+                       .width = ui::px(ui_.em(choice_width))}))
+            editor_.looking.overlay = static_cast<Overlay>(chosen);
     }
 
     void use_view_button() {
@@ -187,32 +222,23 @@ class ViewPanel {
             editor_.commands.run("view.use_view");
     }
 
-    ui::Edit tools_in_a_row(int& tool) {
-        float width = 0;
-        for (const std::string_view name : tool_names) width += ui_.text_width(name) + ui_.em(1.4F);
-        const ui::Row box(ui_, {.width = ui::px(width)});
-        return ui::segmented(ui_, "Tool", tool, tool_names);
+    void power_field() {
+        ui::ParamOptions options = ui::percent();
+        options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;
+        options.tip = "Cautery power of what is recorded next";
+        options.width = ui::px(ui_.em(choice_width));
+        ui::number_field(ui_, "Power", editor_.tool.power, options);
     }
 
-    void strengths(ui::Size width) {
-        if (!editor_.tool.action) return;
-        const ToolAction action = *editor_.tool.action;
-        if (app::is_hot(action)) {
-            ui::ParamOptions options = ui::percent();
-            options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;
-            options.tip = "Cautery power of what is recorded next";
-            options.width = width;
-            ui::number_field(ui_, "Power", editor_.tool.power, options);
-        }
-        if (app::is_cutting(action))
-            ui::number_field(ui_, "Strength", editor_.tool.strength,
-                             {.maximum = 3,
-                              .hard_minimum = 0,
-                              .hard_maximum = 10,
-                              .step = 0.05,
-                              .standard = 1,
-                              .tip = "Strength of the wounds made next: a factor on the preset's speed",
-                              .width = width});
+    void strength_field() {
+        ui::number_field(ui_, "Strength", editor_.tool.strength,
+                         {.maximum = 3,
+                          .hard_minimum = 0,
+                          .hard_maximum = 10,
+                          .step = 0.05,
+                          .standard = 1,
+                          .tip = "Strength of the wounds made next: a factor on the preset's speed",
+                          .width = ui::px(ui_.em(choice_width))});
     }
 
     // --- in the picture ---
@@ -438,7 +464,7 @@ class ViewPanel {
         const ui::Panel panel(ui_, "Preset fault", {.width = ui::fit(), .height = ui::fit(), .padding = 0.6F});
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
         const ui::Row row(ui_);
-        ui::label(ui_, "Still the values before:", {.tone = ui::Tone::warning});
+        ui::label(ui_, "The picture still shows the former values:", {.tone = ui::Tone::warning});
         ui::label(ui_, fault.text(), {.tone = ui::Tone::error});
         if (editor_.document.can_undo() &&
             ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
@@ -505,9 +531,9 @@ void add_view_commands(app::Editor& editor) {
                          .title = "Frame the organ",
                          .group = "View",
                          .chord = {Key::home, Mods::none},
-                         .run = [&editor] { show_organ_whole(editor); },
+                         .run = [&editor] { show_whole(editor); },
                          .enabled = [&editor] { return editor.preview.ready(); },
-                         .tip = "All of the organ, from the front"});
+                         .tip = "All of the organ, from the front. Over another picture: all of that"});
     editor.commands.add({.id = "view.endoscope",
                          .title = "Endoscope view",
                          .group = "View",

@@ -76,7 +76,12 @@ void add_window_commands(app::Editor& editor) {
                          .group = "Window",
                          .chord = {key_of('N'), Mods::command | Mods::shift},
                          .run = [&editor] { editor.toasts.take_focus(); },
-                         .tip = "The keyboard goes to the newest notice; Esc gives it back"});
+                         .tip = "The keyboard goes to the newest notice, and back when pressed again; Esc closes it"});
+    editor.commands.add({.id = "window.notice_log",
+                         .title = "All notices...",
+                         .group = "Window",
+                         .run = [&editor] { editor.toasts.open_log(editor.ui()); },
+                         .tip = "Everything that was told since the program started, the newest first"});
     editor.commands.add({.id = "window.palette",
                          .title = "Command palette",
                          .group = "Window",

@@ -36,6 +36,8 @@ std::vector<std::string> dropped_files(std::string_view paths) {
 
 void workspace(ui::Ui& ui, app::Editor& editor) {
     editor.set_ui(ui);
+    app::Layouts& layouts = editor.layouts();
+    layouts.fit_window(ui.window() / ui.em(1));
     bring_dropped(ui, editor);
     follow_eyedropper(ui, editor);
     ui.set_theme(editor.settings().light ? ui::light_theme() : ui::dark_theme());
@@ -43,8 +45,8 @@ void workspace(ui::Ui& ui, app::Editor& editor) {
     {
         const ui::Column window(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
         menu_bar(ui, editor);
-        first_hint(ui, editor);
-        ui::dock(ui, "Workspace", editor.layouts().shown, app::panel_names,
+        if (!layouts.stacked()) first_hint(ui, editor);
+        ui::dock(ui, "Workspace", layouts.shown, app::panel_names,
                  [&](std::size_t panel) { panel_functions[panel](ui, editor); });
         status_bar(ui, editor);
     }

@@ -36,7 +36,8 @@ TEST_F(ClipsPanel, ListsThePresetsClips) {
     ASSERT_EQ(names(), sample);
     const std::string text = ui().text(panel + "List/1 plume_thick.mp4");
     EXPECT_NE(text.find("720x480, 5 s at 30 fps"), std::string::npos) << text;
-    EXPECT_NE(text.find("resident"), std::string::npos) << text;
+    EXPECT_NE(text.find("graphics memory"), std::string::npos) << text;
+    EXPECT_EQ(text.find("resident"), std::string::npos) << text;
     EXPECT_NE(editor().keying().shelf.of(0).thumbnail, 0U);
     ui().click(panel + "List/2 wisps_thin.mp4");
     EXPECT_EQ(editor().clip, 1U);

@@ -543,5 +543,32 @@ TEST_F(EditorDocument, DiscardedWorkIsGoneAndAutosaveThatFailsIsToldOnce) {
     EXPECT_EQ(editor().toasts.size(), 1U);
 }
 
+TEST_F(EditorDocument, SavedAsItIsCalledAsItsFileUnlessItHasANameOfItsOwn) {
+    const auto save_as = [&](const std::string& name) {
+        editor().files().save_preset_as();
+        ui().frame().frame();
+        ui().click("Save preset as/Name").key('A', Mods::command).type(name).key(Key::enter).frame().frame();
+        EXPECT_EQ(editor().document.preset_file(), folder() / name);
+    };
+    ASSERT_EQ(editor().document.preset().name, "Gastric banding");
+    save_as("my_bleed.json");
+    EXPECT_EQ(editor().document.preset().name, "My bleed");
+    EXPECT_EQ(load_preset(folder() / "my_bleed.json").name, "My bleed");
+    EXPECT_FALSE(editor().document.preset_unsaved());
+    EXPECT_THAT(ui().text("Status bar/Preset"), testing::HasSubstr("My bleed"));
+    editor().document.change("Name", [](document::Content& c) { c.preset.name = "Oozing"; });
+    save_as("other.json");
+    EXPECT_EQ(load_preset(folder() / "other.json").name, "Oozing") << "a name that was given stays";
+}
+
+TEST_F(EditorDocument, ATextIsNoSmokeClip) {
+    std::ofstream(folder() / "notes.txt") << "buy milk\n";
+    editor().toasts.clear();
+    editor().bring({(folder() / "notes.txt").string()});
+    ui().frame();
+    EXPECT_EQ(editor().files().question(), nullptr) << "neither a clip nor a reference";
+    EXPECT_NE(ui().dump().find("notes.txt: is a text"), std::string::npos) << ui().dump();
+}
+
 }  // namespace
 }  // namespace lapfx::test

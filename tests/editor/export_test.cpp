@@ -155,7 +155,7 @@ TEST_F(ExportTest, TheEditorLivesOnAndTheExportCanBeGivenUp) {
     ui().frame().frame();
     EXPECT_FALSE(editor().exports().running());
     EXPECT_THAT(names(), testing::ElementsAre("meanwhile.json"));
-    EXPECT_THAT(news(), HasSubstr("given up: nothing was written"));
+    EXPECT_THAT(news(), HasSubstr("cancelled: nothing was written"));
 }
 
 TEST_F(ExportTest, WhatIsThereIsAskedFor) {
@@ -246,7 +246,7 @@ TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
     const double before = editor().exports().progress();
     ui().frame();
     EXPECT_GT(editor().exports().progress(), before) << "it goes on meanwhile";
-    ui().click("**/Keep on").frame();
+    ui().click("**/Keep exporting").frame();
     EXPECT_FALSE(editor().closed());
     EXPECT_TRUE(editor().exports().running());
     // What is not saved is asked first: saving may be cancelled, and then nothing is to be lost.
@@ -331,7 +331,7 @@ TEST_F(LoadingExport, IsToldOnceAndGoesOnWhenAllIsThere) {
 TEST_F(LoadingExport, CanBeGivenUp) {
     ui().click("Status bar/Cancel out.png").frame();
     EXPECT_FALSE(editor().exports().running());
-    EXPECT_THAT(news(), HasSubstr("Export of out.png given up: nothing was written"));
+    EXPECT_THAT(news(), HasSubstr("Export of out.png cancelled: nothing was written"));
     let_go();
     EXPECT_TRUE(editor().preview.ready()) << "the view has its organ";
     EXPECT_FALSE(fs::exists(path("out.png")));

@@ -269,5 +269,15 @@ TEST_F(PreviewLoading, ADriversFaultIsToldOnce) {
     EXPECT_FALSE(host.lost());
 }
 
+TEST_F(HotReloading, ReadingAllAgainTellsOfNoFileThatHasNotChanged) {
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 7; });
+    editor().document.change("Gravity", [](document::Content& c) { c.scene.gravity = glm::dvec3(0.0); });
+    editor().toasts.clear();
+    editor().hot_reload().reload_all();
+    ui().frame();
+    EXPECT_EQ(editor().toasts.size(), 0U) << "what is not saved here differs from the disk, which has not changed";
+    EXPECT_EQ(editor().document.preset().bleeding.speed, 7);
+}
+
 }  // namespace
 }  // namespace lapfx::test

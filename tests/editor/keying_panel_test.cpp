@@ -163,7 +163,7 @@ TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
     EXPECT_GT(editor().keying().keying().chroma_high, 20.0);
     EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip alone: ")) << "and says so";
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
-    EXPECT_EQ(editor().keying().suggestion_changes(), "Nothing changed: it was so already");
+    EXPECT_EQ(editor().keying().suggestion_changes(), "Nothing changed: these thresholds were set already");
     EXPECT_EQ(steps(), 2U);
 }
 
@@ -230,7 +230,7 @@ TEST_F(KeyingPanel, WhatASuggestionChangedIsSaidAsLongAsItIsSo) {
     EXPECT_NE(ui().dump().find("% sure"), std::string::npos) << "the clip is as it was";
     editor().document.redo();
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
-    EXPECT_NE(ui().dump().find("Nothing changed: it was so already."), std::string::npos);
+    EXPECT_NE(ui().dump().find("Nothing changed: these thresholds were set already."), std::string::npos);
     EXPECT_EQ(ui().dump().find("Ctrl+U takes it back"), std::string::npos) << "undo would take back something else";
 }
 

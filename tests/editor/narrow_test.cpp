@@ -96,23 +96,5 @@ TEST_F(NarrowTest, SnapshotsWorkWhenTheyAreIcons) {
     EXPECT_TRUE(editor().snapshots().at(2).has_value());
 }
 
-TEST_F(NarrowTest, TheToolsOfTheViewStayWithinReach) {
-    layout("Key");
-    editor().tool.action = ToolAction::cauterise;
-    editor().looking.endoscope = false;
-    for (const auto& [scale, size] :
-         {std::pair{1.0F, glm::ivec2(1440, 900)}, {1.5F, {1440, 900}}, {1.0F, {900, 600}}}) {
-        SCOPED_TRACE(std::to_string(size.x) + " px at scale " + std::to_string(scale));
-        shape(scale, size);
-        const ui::Rect area = ui().rect("Workspace/View");
-        for (const std::string name : {"Tool", "Power", "Strength", "Overlay", "Endoscope view", "Use view"}) {
-            const ui::Rect rect = ui().rect("Workspace/View/" + name);
-            EXPECT_GT(rect.w, ui().ui().em(2)) << name;
-            EXPECT_GE(rect.x, area.x) << name;
-            EXPECT_LE(rect.right(), area.right()) << name << " is cut";
-        }
-    }
-}
-
 }  // namespace
 }  // namespace lapfx::test

@@ -97,7 +97,7 @@ TEST_F(PresetPanel, SearchFindsByNameKeyAndHelp) {
     EXPECT_TRUE(ui().exists("**/Bleeding/Noise strength"));
     EXPECT_FALSE(ui().exists("**/Bleeding/Noise octaves"));
     ui().key(Key::escape).type("no such thing");
-    EXPECT_TRUE(ui().exists("**/No parameter is called so"));
+    EXPECT_TRUE(ui().exists("**/No parameter has this name"));
 }
 
 TEST_F(PresetPanel, ChangedValuesAreCountedListedAndReset) {
@@ -334,6 +334,19 @@ TEST_F(PresetPanel, AStillPanelAllocatesNothing) {
                          [&](ui::Ui& u) { panels::preset_panel(u, editor()); });
     EXPECT_EQ(allocations_so_far() - before, 0U);
     editor().set_ui(ui().ui());
+}
+
+TEST_F(PresetPanel, RandomiseSaysWhatItDidAndTakesItBack) {
+    editor().tuning().seed = 7;
+    const std::string before = text();
+    ui().key('R', Mods::command).frame();
+    ASSERT_NE(text(), before);
+    ASSERT_EQ(editor().toasts.log().size(), 1U);
+    const std::string told = editor().toasts.log().back().text;
+    EXPECT_NE(told.find(" values changed by up to 10 % (seed 7): "), std::string::npos) << told;
+    EXPECT_NE(told.find(" more"), std::string::npos) << told;
+    ui().click("Notices/" + told + "/Undo").frame();
+    EXPECT_EQ(text(), before);
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "app/exports.h"
+#include "app/layouts.h"
+#include "app/reference.h"
 #include "editor/support/editor_test.h"
 
 namespace lapfx::test {
@@ -263,6 +265,21 @@ TEST_F(ViewPanelTest, TheOrganIsColouredLive) {
     EXPECT_EQ(editor().preview.organ_version(), organ) << "nothing is loaded for it";
     editor().document.undo();
     EXPECT_EQ(differing(white, picture(0), 0), 0U);
+}
+
+TEST_F(ViewPanelTest, HomeActsOnThePictureThatIsLookedAt) {
+    layout("Compare");
+    editor().reference().choose_sample();
+    ui().frame().frame();
+    ASSERT_FALSE(editor().layouts().seen("View"));
+    editor().reference().compare.view.fitted = false;
+    editor().reference().compare.view.zoom = 3;
+    ui().key(ui::Key::home).frame();
+    EXPECT_TRUE(editor().looking.endoscope) << "the view that nobody sees stays as it is";
+    EXPECT_TRUE(editor().reference().compare.view.fitted);
+    layout("Tune");
+    ui().key(ui::Key::home).frame();
+    EXPECT_FALSE(editor().looking.endoscope);
 }
 
 }  // namespace

@@ -256,6 +256,12 @@ bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState&
 
 // --- keys and values ---
 
+/// Whether a letter is text, or begins a search, where the keyboard is.
+bool types(Ui& ui, Id focus) {
+    const Node* node = ui.before(focus);
+    return node != nullptr && has(node->sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
+}
+
 Edit edit_by_key(Ui& ui, Id id, CompareState& state) {
     Edit edit;
     if (ui.memory<LineDrag>(id).held) return edit;  // one edit at a time
@@ -297,14 +303,14 @@ std::string_view gain_text(Ui& ui, double gain) {
 CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first, const Picture& second,
                            CompareState& state, const CompareOptions& options) {
     CompareResult result;
-    Node& node = ui.open(Role::image, label, Axis::y, view_sense | Sense::typing | Sense::pages);
+    Node& node = ui.open(Role::image, label, Axis::y, view_sense | Sense::typing | Sense::pages | Sense::hover_keys);
     node.size[0] = options.width, node.size[1] = options.height;
     node.clips = true;
     node.tip = ui.copy(options.tip);
     ui.follow_size(node);
     const Id id = node.id;
     const Response r = ui.respond(node);
-    result.flicker = r.focused && ui.key_down(key_of('F'));
+    result.flicker = (r.focused || (r.hovered && !types(ui, ui.focus()))) && ui.key_down(key_of('F'));
     result.edit = edit_by_key(ui, id, state);
     const Picture shown[2] = {state.swapped ? second : first, state.swapped ? first : second};
     std::string_view labels[2] = {ui.copy(options.first_label), ui.copy(options.second_label)};
@@ -352,6 +358,7 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
         result.edit |= edit_wipe(ui, view_of(state.view, area, size), state);
     const std::string_view title = ui.join({labels[0], " - ", labels[1], "   x ", gain_text(ui, state.gain)});
     Node& whole = ui.parent();
+    if (readout.line_count > 0) whole.tip = {};  // both belong beside the pointer
     ui.draw_with<draw_compared>(whole, ComparedLook{.pictures = {shown[0], shown[1]},
                                                     .labels = {labels[0], labels[1]},
                                                     .title = title,

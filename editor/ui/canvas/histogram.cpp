@@ -16,12 +16,12 @@ constexpr double gamma_least = 0.1, gamma_most = 10, gamma_step = 0.05;
 struct Parts {
     Rect plot, axis, handles;
 };
-Parts parts_of(Rect rect, float em, float row, bool handles) {
+Parts parts_of(Rect rect, float em, float row, bool handles, bool has_switch) {
     Parts parts;
     rect = rect.inset(2 * std::ceil(row / 2), 0);  // low's grip stands before the axis, high's behind
     parts.axis = rect.cut_bottom(em * 1.3F);
     if (handles) parts.handles = rect.cut_bottom(row);
-    rect.cut_top(em * 0.3F);
+    rect.cut_top(has_switch ? row + em * 0.1F : em * 0.3F);  // it lies over neither bars nor grips
     parts.plot = rect;
     return parts;
 }
@@ -36,7 +36,7 @@ double gamma_place(double gamma) {
 struct HistogramLook {
     HistogramData data;
     Levels levels;
-    bool has_levels, gamma, logarithmic, clipped_low, clipped_high;
+    bool has_levels, has_switch, gamma, logarithmic, clipped_low, clipped_high;
     int hovered;  ///< bin; -1: none
     std::string_view readout;
 };
@@ -101,7 +101,8 @@ void draw_levels(Painter& painter, const Parts& parts, const HistogramLook& look
 
 void draw_histogram(Painter& painter, const Node& node, const HistogramLook& look) {
     const Theme& t = painter.theme();
-    const Parts parts = parts_of(node.rect(), painter.em(1), painter.em(t.row_height), look.has_levels);
+    const Parts parts =
+        parts_of(node.rect(), painter.em(1), painter.em(t.row_height), look.has_levels, look.has_switch);
     if (parts.plot.empty()) return;
     painter.fill(parts.plot.inset(-painter.hairline()), t.canvas, painter.em(0.2F));
     draw_axis(painter, parts, look.data, true);
@@ -206,7 +207,7 @@ Edit put_log_switch(Ui& ui, bool& on, const Parts& parts, glm::vec2 origin) {
     Node& node = ui.last();
     node.placed = true;
     node.placement =
-        ui.arena().make(Placement{.offset = glm::vec2(parts.plot.right(), parts.plot.y) - origin, .pivot = {1, 0}});
+        ui.arena().make(Placement{.offset = glm::vec2(parts.plot.right(), parts.plot.y) - origin, .pivot = {1, 1}});
     return edit;
 }
 
@@ -234,7 +235,7 @@ HistogramResult histogram(Ui& ui, std::string_view label, const HistogramData& d
     node.tip = ui.copy(options.tip);
     ui.follow_size(node);
     const Rect rect = ui.rect_before(node.id);
-    const Parts parts = parts_of(rect, ui.em(1), ui.row_height(), levels != nullptr);
+    const Parts parts = parts_of(rect, ui.em(1), ui.row_height(), levels != nullptr, options.log_counts != nullptr);
     ui.respond(node);
 
     const double total = std::accumulate(data.bins.begin(), data.bins.end(), 0.0);
@@ -245,6 +246,7 @@ HistogramResult histogram(Ui& ui, std::string_view label, const HistogramData& d
     HistogramLook look{.data = {{copy, data.bins.size()}, data.minimum, data.maximum},
                        .levels = {},
                        .has_levels = levels != nullptr,
+                       .has_switch = options.log_counts != nullptr,
                        .gamma = options.gamma,
                        .logarithmic = options.log_counts != nullptr && *options.log_counts,
                        .clipped_low = !data.bins.empty() && clipped(data.bins.front()),

@@ -181,6 +181,7 @@ ImageViewResult image_view(Ui& ui, std::string_view label, const Picture& pictur
     Node& whole = ui.parent();
     ui.draw_with<draw_image>(whole, look);
     whole.draw_over = draw_readout_over;
+    if (look.readout.line_count > 0) whole.tip = {};  // both belong beside the pointer
     ui.close();
     return result;
 }

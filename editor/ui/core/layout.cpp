@@ -17,7 +17,9 @@ void wish(std::span<Node> nodes, int a) {
         Node& node = nodes[i];
         const bool along = static_cast<int>(node.axis) == a;
         if (along && node.in_flow > 1) node.content[a] += node.gap * static_cast<float>(node.in_flow - 1);
-        const float needs = node.scrolls[a] ? 0.0F : node.content[a] + pads(node, a);
+        const bool fits =
+            node.size[a].kind == SizeKind::fit;  // an area that scrolls only where there is too little room
+        const float needs = node.scrolls[a] && !fits ? 0.0F : node.content[a] + pads(node, a);
         node.extent[a] = std::max(node.size[a].kind == SizeKind::px ? node.size[a].value : needs, node.minimum[a]);
         if (node.parent == no_node || node.overlay) continue;
         Node& parent = nodes[node.parent];

@@ -151,7 +151,13 @@ void Ui::route_key(const Event& event) {
         return send(focus_, event);
     }
     key_ran_shortcut_ = press_shortcut(event.key, event.mods);
-    if (!key_ran_shortcut_) navigate(event);
+    if (key_ran_shortcut_ || navigate(event) || !printable(event.key)) return;
+    // A letter that nobody wanted: to a picture under the pointer that has a use for letters.
+    for (std::uint32_t i = index_before(hot_); i != no_node; i = nodes_before()[i].parent) {
+        const Sense sense = nodes_before()[i].sense;
+        if (has(sense, Sense::hover_keys) && has(sense, Sense::typing) && takes(sense, event.key, event.mods))
+            return send(nodes_before()[i].id, event);
+    }
 }
 
 bool Ui::navigate(const Event& event) {
@@ -179,6 +185,9 @@ bool Ui::navigate(const Event& event) {
             if (std::any_of(overlays_.begin(), overlays_.end(),
                             [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
                 close_top_overlay();
+            } else if (focus_ == 0 || !ringed_) {  // what was clicked last has the keyboard, and nobody thinks of it
+                set_focus(0);
+                send_to_notice(event);
             } else {
                 set_focus(0);
             }
@@ -192,6 +201,15 @@ bool Ui::navigate(const Event& event) {
 std::uint32_t Ui::key_place() {
     const std::uint32_t focused = index_before(focus_);
     return focused != no_node || !pointer_inside_ ? focused : hit(nodes_before(), pointer_, static_cast<Sense>(~0U));
+}
+
+/// The newest of what lies over the window without the keyboard and can be closed by this key.
+void Ui::send_to_notice(const Event& event) {
+    const auto& all = nodes_before();
+    for (std::size_t i = all.size(); i-- > 0;) {
+        if (all[i].layer == 0 || !takes(all[i].sense, event.key, event.mods)) continue;
+        return send(all[i].id, event);
+    }
 }
 
 bool Ui::send_to_around(const Event& event, Sense sense) {

@@ -19,6 +19,8 @@ Id key_of(std::string_view name) {
 void Ui::open_overlay(std::string_view name, OverlayKind kind, const Placement& placement) {
     const Id key = key_of(name);
     std::erase_if(overlays_, [&](const Overlay& o) { return o.key == key; });
+    // A menu or a list cannot be used from under a dialog: it closes, and the keyboard comes back to what opened it.
+    if (kind == OverlayKind::modal) close_popups();
     assert(overlays_.size() < 200);
     overlays_.push_back({.key = key,
                          .kind = kind,
@@ -42,12 +44,20 @@ void Ui::close_overlay(std::string_view name) {
 /// The top one that is not passive; a submenu with those it came from.
 void Ui::close_top_overlay() {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
-        if (overlays_[i].kind == OverlayKind::passive) continue;
-        set_focus(overlays_[i].opener_focus, ringed_);
-        overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(i));
-        again_ = true;
-        return;
+        if (overlays_[i].kind != OverlayKind::passive) return close_overlay_at(i);
     }
+}
+
+void Ui::close_overlay_at(std::size_t index) {
+    set_focus(overlays_[index].opener_focus, ringed_);
+    overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(index));
+    again_ = true;
+}
+
+/// Those that are on top, down to a dialog.
+void Ui::close_popups() {
+    for (std::size_t i = overlays_.size(); i-- > 0 && overlays_[i].kind != OverlayKind::modal;)
+        if (overlays_[i].kind != OverlayKind::passive) close_overlay_at(i);
 }
 
 bool Ui::close_overlays_over(std::string_view name) {

@@ -306,6 +306,8 @@ class Ui {
     const Seen& claim(const Label& label, bool& duplicate);
     Node& add(Role role, std::string_view label, Sense sense, bool overlay);
     void add_tooltip();
+    void close_overlay_at(std::size_t index);
+    void close_popups();
     void drop_overlays_not_built();
     void remember_anchors();
     void focus_new_overlay();
@@ -339,6 +341,7 @@ class Ui {
     void move_panel(int step);
     bool move_by_arrow(Key key);
     bool scroll_by_key(Key key);
+    void send_to_notice(const Event& event);
     bool send_to_around(const Event& event, Sense sense);
     std::uint32_t key_place();
     std::uint8_t focus_layer() const;

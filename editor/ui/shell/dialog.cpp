@@ -1,6 +1,9 @@
 #include "ui/shell/dialog.h"
 
 #include <algorithm>
+#include <cmath>
+
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::ui {
 
@@ -8,6 +11,13 @@ namespace {
 
 constexpr Id dialogs = 0x6469616c6f672e73ULL;
 constexpr float shade = 0.5F;  // over what waits below
+
+constexpr float least_button = 6;  // em
+
+/// px
+float button_width(Ui& ui, std::string_view label) {
+    return std::max(std::ceil(ui.text_width(split_label(label).shown)) + 2 * ui.em(0.7F), ui.em(least_button));
+}
 
 struct DialogState {
     bool open = false;   ///< in the last build
@@ -87,10 +97,36 @@ Dialog::Dialog(Ui& ui, std::string_view name, std::string_view title, const Dial
     node->clips = true;
     ui.draw_with<draw_dialog>(*node, DialogLook{ui.theme().raised});
     put_title(ui, title, options);
+    begin_body(options.height > 0);
 }
 
 Dialog::~Dialog() {
-    if (open_) ui_.close_overlay_node();
+    if (!open_) return;
+    end_body();
+    ui_.close_overlay_node();
+}
+
+void Dialog::begin_body(bool grows) {
+    ScrollState& state = ui_.memory<ScrollState>(hash_bytes(dialogs, name_));
+    const float gap = ui_.parent().gap;
+    Node& body = ui_.open(Role::none, {}, Axis::y);
+    body.size[0] = grow();
+    body.size[1] = grows ? grow() : fit();
+    body.gap = gap;
+    body.rigid = false;
+    body.sense = Sense::wheel;
+    body.scrolls[1] = true;
+    body.scroll = &state;
+    body.clips = state.content.y - state.view.y >= 1;  // else rings may stand out
+    if (body.clips) body.padding[2] = static_cast<std::uint8_t>(std::min(ui_.em(1), 255.0F));
+    body_ = &state;
+}
+
+void Dialog::end_body() {
+    if (body_ == nullptr) return;
+    scroll_bar(ui_, *body_);
+    ui_.close();
+    body_ = nullptr;
 }
 
 void Dialog::close() {
@@ -99,19 +135,33 @@ void Dialog::close() {
     state_of(ui_, name_).open = false;
 }
 
+/// How many of them, from the first, go beside each other: one at least.
+std::size_t Dialog::buttons_in_row(std::span<const DialogButton> all) const {
+    const Node& root = ui_.parent();
+    float room = root.size[0].value - static_cast<float>(root.padding[0] + root.padding[2]);
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        room -= button_width(ui_, all[i].label) + (i > 0 ? ui_.em(ui_.theme().gap) : 0.0F);
+        if (room < 0) return std::max<std::size_t>(i, 1);
+    }
+    return all.size();
+}
+
 std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bool stays) {
     if (!open_) return std::nullopt;
+    end_body();
     std::optional<std::size_t> pressed;
     Id first = 0, standard = 0, cancel = 0;
     bool has_standard = false;
-    {
-        Row row(ui_, {.width = grow(), .main = Place::end});
-        for (std::size_t i = 0; i < all.size(); ++i) {
+    for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
+        end = begin + buttons_in_row(all.subspan(begin));
+        const Row row(ui_, {.width = grow(), .main = Place::end});
+        for (std::size_t i = begin; i < end; ++i) {
             ui_.push_disabled(!all[i].enabled);
             if (button(ui_, all[i].label, {.tip = all[i].tip, .primary = all[i].standard})) pressed = i;
             ui_.pop_disabled();
             Node& node = ui_.last();
-            node.minimum[0] = ui_.em(6);
+            node.minimum[0] = ui_.em(least_button);
+            node.rigid = false;
             has_standard |= all[i].standard;
             if (!all[i].enabled) continue;
             if (first == 0) first = node.id;

@@ -6,7 +6,8 @@
 //         if (dialog.buttons({{.label = "Cancel", .cancel = true}, {.label = "Create", .standard = true}}) == 1) create(name);
 //     }
 //
-// Tab stays inside. Enter in a text field, or where nothing else takes it, is the standard button; Esc closes.
+// Content that is taller than the window scrolls between the title and the buttons; buttons that are wider than the dialog go on in
+// another row. Tab stays inside. Enter in a text field, or where nothing else takes it, is the standard button; Esc closes.
 #pragma once
 
 #include <optional>
@@ -50,9 +51,14 @@ class Dialog {
     bool cancelled() const { return cancelled_; }
 
   private:
+    void begin_body(bool grows);
+    void end_body();
+    std::size_t buttons_in_row(std::span<const DialogButton> all) const;
+
     Ui& ui_;
     std::string_view name_;
     bool open_ = false, cancelled_ = false;
+    ScrollState* body_ = nullptr;  ///< of what is between title and buttons, while it is built
 };
 
 /// A question, open from open_dialog(ui, name) on. Gives the index of the answer, once; Esc is the one with `cancel`.

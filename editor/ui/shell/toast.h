@@ -1,5 +1,6 @@
-// Short news in the lower right corner, for what needs no answer. They go by themselves, errors only by hand. They take the
-// keyboard from nobody, but have it when asked: take_focus().
+// Short news in the lower right corner, for what needs no answer. They go by themselves, errors only by hand; the newest lies at the
+// bottom and is always seen. What has gone, or had no room, stays in a log. They take the keyboard from nobody, but have it when asked:
+// take_focus().
 //
 //     toasts.add({.kind = ui::ToastKind::good, .text = "Exported 240 frames", .action = "Show", .act = [&] { show(); }});
 //     ...
@@ -7,6 +8,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -21,41 +23,65 @@ struct Toast {
     std::string text{};
     std::string action{};         ///< of a button; empty: none
     std::function<void()> act{};  ///< what that does; the toast goes
-    double seconds = -1;          ///< that it stays; 0: until it is clicked; negative: as its kind asks for
+    double seconds = -1;          ///< that it stays; 0: until it is closed; negative: as its kind asks for
+};
+
+/// A line of the log.
+struct ToastNote {
+    ToastKind kind = ToastKind::info;
+    std::string text;
+    int count = 1;    ///< times in a row
+    double time = 0;  ///< s, of the newest, as Ui::time()
 };
 
 /// UI thread only.
 class Toasts {
   public:
-    /// The same kind and text again: counts, and stays as long as a new one.
+    static constexpr std::size_t most_kept = 4;     ///< that can be on the screen
+    static constexpr std::size_t most_notes = 200;  ///< in the log; the oldest go first
+
+    /// The same kind and text again: counts, becomes the newest, and stays as long as a new one. Where there are too many, the oldest
+    /// that would go by itself gives way, else the oldest.
     void add(Toast toast);
+    /// Esc closes the newest when nothing else has a use for it.
     void build(Ui& ui);
-    /// The newest that is seen gets the keyboard, for a command to call: up and down go to the others, Enter is the button (without
-    /// one the notice goes), Delete lets it go, Esc and this again give the keyboard back. Their time stands meanwhile.
+    /// The newest gets the keyboard, for a command to call: up and down go to the others, Enter is the button (without one the notice
+    /// goes), Delete and Esc close it, and this again gives the keyboard back. Their time stands meanwhile.
     void take_focus() { wants_focus_ = true; }
-    void clear() { all_.clear(); }
-    std::size_t size() const { return all_.size(); }  ///< shown and waiting
+    /// A dialog of all there were.
+    void open_log(Ui& ui);
+    std::span<const ToastNote> log() const { return log_; }  ///< the oldest first
+    void clear() { all_.clear(), hidden_ = 0; }
+    std::size_t size() const { return all_.size(); }  ///< on the screen, or without room there
 
   private:
     struct Shown {
         Toast toast;
         double left = 0;  ///< s
         int count = 1;
-        bool counting = false;  ///< since the build after the one that showed it first
+        bool seen = false;  ///< in the last build: its time goes on
         std::uint64_t serial = 0;
     };
-    static constexpr std::size_t most_shown = 4;
+    /// What a build gives of a notice.
+    struct Answer {
+        bool gone = false;
+        std::function<void()> act{};
+    };
 
+    void note(const Toast& toast);
     void count_down(double passed);
-    /// Gives whether it is to go, and then what is to be done (may be nothing).
-    bool build_one(Ui& ui, const Shown& shown, std::function<void()>& act);
-
+    std::size_t first_in_sight(Ui& ui) const;
+    Answer build_one(Ui& ui, Shown& shown);
+    void build_rest(Ui& ui, std::size_t out_of_sight);
+    void build_log(Ui& ui);
     void take_keys(Ui& ui, bool wants_focus, std::size_t& gone);
 
     std::vector<Shown> all_;  ///< the oldest first
-    std::vector<Id> ids_;     ///< of those seen
-    Id before_ = 0;           ///< had the keyboard
+    std::vector<ToastNote> log_;
+    std::vector<Id> ids_;  ///< of those seen
+    Id before_ = 0;        ///< had the keyboard
     std::uint64_t serial_ = 0;
+    std::size_t hidden_ = 0;  ///< that gave way since there was none last
     double time_ = 0;
     bool added_ = false;
     bool hovered_ = false;  ///< or has the keyboard

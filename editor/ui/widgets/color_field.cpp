@@ -362,6 +362,7 @@ std::string_view format_hex(std::span<char> buffer, Color color, bool alpha) {
 void draw_swatch(Painter& painter, const Rect& rect, Color color) {
     if (color.a < 255) painter.checker(rect, rgb(0xbbbbbb), rgb(0x777777), painter.em(0.35F));
     painter.fill(rect, color);
+    painter.frame(rect, painter.theme().border, painter.hairline());  // it may have the colour of what it lies on
 }
 
 void open_color_picker(Ui& ui, Id owner, Color color, glm::vec2 offset) {

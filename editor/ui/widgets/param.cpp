@@ -43,7 +43,11 @@ void draw_param(Painter& painter, const Node& node, const ParamLook& look) {
     Rect inside = field.inset(painter.em(look.caption ? param_inner : 0.35F), 0);
     if (!look.caption) {
         const float number = painter.fonts().run(look.text.number, painter.number_style()).width;
-        Rect prefix = inside.cut_left(std::max(0.0F, inside.w - std::ceil(number) - painter.em(0.3F)));
+        // Which of several numbers it is matters more than its last digits: a letter stays.
+        const bool letter = look.label.text.size() == 1;
+        const float least =
+            letter ? std::ceil(painter.fonts().run(look.label.text, painter.text_style()).width) + painter.em(0.3F) : 0;
+        Rect prefix = inside.cut_left(std::max(least, inside.w - std::ceil(number) - painter.em(0.3F)));
         const float width =
             painter.text(prefix, look.label.text, painter.text_style(), disabled ? t.text_disabled : t.text_dim);
         prefix.cut_left(width + painter.em(0.3F));
@@ -102,6 +106,10 @@ float place_of_param(const ParamOptions& o, double shown) {
 }
 
 NumberText number_text(Ui& ui, const ParamOptions& o, double shown) {
+    if (shown == 0 && !o.zero.empty()) {
+        const std::string_view zero = ui.copy(o.zero);
+        return {zero, zero.substr(zero.size()), zero};
+    }
     char buffer[32];
     const std::string_view number = std::isnan(shown) ? "no number" : format_param(buffer, o, shown);
     std::string_view unit = o.unit;

@@ -42,9 +42,9 @@ Edit number_field(Ui& ui, std::string_view label, double& value, const ParamOpti
 Edit range_param(Ui& ui, std::string_view label, double& low, double& high, const ParamOptions& options = {},
                  std::span<const double> standards = {});
 
-/// Two to four numbers in one row: "Label/X", "Label/Y" and so on. `standards`: of each, or empty.
+/// Two to four numbers in one row: "Label/X", "Label/Y" and so on. `standards`: of each, or empty. `letters`: their names.
 Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, const ParamOptions& options = {},
-                  std::span<const double> standards = {});
+                  std::span<const double> standards = {}, std::string_view letters = "XYZW");
 Edit param(Ui& ui, std::string_view label, glm::vec2& value, const ParamOptions& options = {},
            std::span<const double> standards = {});
 Edit param(Ui& ui, std::string_view label, glm::vec3& value, const ParamOptions& options = {},

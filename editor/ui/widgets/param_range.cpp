@@ -8,7 +8,6 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float least_zone = 0.15F;  // of the field, of each handle
-constexpr std::string_view axes[] = {"X", "Y", "Z", "W"};
 
 struct RangeLook {
     LabelLook label;
@@ -165,7 +164,7 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
 }
 
 Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, const ParamOptions& options,
-                  std::span<const double> standards) {
+                  std::span<const double> standards, std::string_view letters) {
     open_row(ui, Role::group, label, options);
     const bool to_standard = put_name(ui, options);
     Node& fields = ui.open(Role::none, {}, Axis::x);  // the gaps are between them alone: they begin where others do
@@ -173,10 +172,10 @@ Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, cons
     fields.gap = ui.em(0.2F);
     LabelLook look{.locked = options.locked, .disabled = ui.disabled()};
     Edit edit;
-    for (std::size_t i = 0; i < std::min(values.size(), std::size(axes)); ++i) {
+    for (std::size_t i = 0; i < std::min(values.size(), letters.size()); ++i) {
         const ParamOptions one = with_standard(options, standards, i);
         if (to_standard && !ui.disabled()) edit |= reset(values[i], one);
-        edit |= number_field(ui, axes[i], values[i], one);
+        edit |= number_field(ui, letters.substr(i, 1), values[i], one);
         look.changed |= !is_standard(one, values[i] * one.display);
     }
     ui.close();

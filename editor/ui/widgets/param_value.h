@@ -18,6 +18,7 @@ struct ParamOptions {
     double hard_maximum = std::numeric_limits<double>::infinity();  ///< of whatever is done, typing and pasting too
     double step = 0;             ///< of arrows, wheel and Ctrl; 0: something round, about a hundredth of the range
     std::string_view unit = {};  ///< as in ExpressionContext
+    std::string_view zero = {};  ///< shown in place of 0, for what that stands for: "automatic"
     ValueScale scale = ValueScale::linear;
     double smallest = 0;                  ///< as in ValueRange
     std::optional<double> standard = {};  ///< the default, or the preset's value

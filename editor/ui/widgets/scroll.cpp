@@ -102,6 +102,10 @@ void put_bar(Ui& ui, ScrollState& state, int a, float top) {
 
 }  // namespace
 
+void scroll_bar(Ui& ui, ScrollState& state) {
+    put_bar(ui, state, 1, 0);
+}
+
 ScrollArea::ScrollArea(Ui& ui, std::string_view label, const ScrollOptions& options)
     : ScrollArea(ui, ui.open(options.role, label, Axis::y, Sense::wheel | options.sense), options) {}
 

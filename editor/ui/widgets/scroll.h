@@ -24,6 +24,9 @@ struct ScrollOptions {
     std::string_view tip = {};
 };
 
+/// The upright bar of a node that scrolls, its last child; nothing while all of it is in sight.
+void scroll_bar(Ui& ui, ScrollState& state);
+
 class ScrollArea {
   public:
     ScrollArea(Ui& ui, std::string_view label, const ScrollOptions& options = {});

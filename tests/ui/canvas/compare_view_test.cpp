@@ -364,5 +364,26 @@ TEST(CompareView, SteadyFramesAndDragsAllocateNothing) {
     EXPECT_THAT(faults_of(c.ui.ui().tree()), testing::IsEmpty());
 }
 
+TEST(CompareView, FAndXWorkUnderThePointerAsItsTipSays) {
+    Compared c;
+    c.ui.frame().move({100, 100});
+    ASSERT_EQ(c.ui.focused(), "");
+    c.ui.send({.kind = EventKind::key, .key = key_of('F')});
+    EXPECT_TRUE(c.last.flicker);
+    c.ui.send({.kind = EventKind::key_up, .key = key_of('F')}).key('X');
+    EXPECT_FALSE(c.last.flicker);
+    EXPECT_TRUE(c.state.swapped);
+    c.ui.move({-5, -5}).key('X');
+    EXPECT_TRUE(c.state.swapped) << "not elsewhere";
+}
+
+TEST(CompareView, TheBoxOfValuesHasThePointerToItself) {
+    Compared c;
+    EXPECT_NE(c.ui.frame().tip("Takes"), "");
+    c.ui.move({100, 100}).frame(2).frame(2);
+    ASSERT_TRUE(c.last.has_pick);
+    EXPECT_EQ(c.ui.tip("Takes"), "") << "no tooltip over it";
+}
+
 }  // namespace
 }  // namespace lapfx::ui

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "ui/support/harness.h"
+#include "ui/widgets/combo.h"
 
 namespace lapfx::ui {
 namespace {
@@ -33,6 +34,77 @@ class DialogTest : public testing::Test {
         if (index) pressed.push_back(*index);
     }};
 };
+
+TEST_F(DialogTest, ButtonsThatAreTooWideGoOnInAnotherRow) {
+    bool open = true;
+    Harness narrow{[&](Ui& u) {
+        if (std::exchange(open, false)) open_dialog(u, "long");
+        const auto answer = ask(u, "long", "Clips lie outside", "A question",
+                                {{.label = "Copy the clips and save", .standard = true},
+                                 {.label = "Export as a bundle..."},
+                                 {.label = "Save under another name..."},
+                                 {.label = "Cancel", .cancel = true}});
+        if (answer) answers.push_back(*answer);
+    }};
+    const std::vector<std::string> labels = {"Copy the clips and save", "Export as a bundle...",
+                                             "Save under another name...", "Cancel"};
+    for (const auto& [scale, size] : {std::pair{1.0F, glm::ivec2(1000, 700)}, {2.0F, {500, 400}}, {1.0F, {200, 300}}}) {
+        narrow.scale = scale, narrow.size = size;
+        narrow.frame().frame();
+        const Rect whole = narrow.rect("Clips lie outside");
+        EXPECT_LE(whole.right(), float(size.x));
+        for (const std::string& label : labels) {
+            const Rect rect = narrow.rect("Clips lie outside/" + label);
+            EXPECT_GE(rect.x, whole.x) << label;
+            EXPECT_LE(rect.right(), whole.right()) << label;
+            EXPECT_LE(rect.bottom(), whole.bottom()) << label;
+        }
+    }
+    narrow.click("Clips lie outside/Cancel");
+    EXPECT_THAT(answers, testing::ElementsAre(3));
+}
+
+TEST_F(DialogTest, WhatIsTallerThanTheWindowScrollsAboveTheButtons) {
+    bool open = true;
+    Harness tall{[&](Ui& u) {
+        if (std::exchange(open, false)) open_dialog(u, "tall");
+        Dialog dialog(u, "tall", "Tall");
+        if (!dialog) return;
+        for (int i = 0; i < 20; ++i) button(u, "Line " + std::to_string(i));
+        dialog.buttons({{.label = "Close", .standard = true, .cancel = true}});
+    }};
+    tall.size = {500, 300};
+    tall.frame().frame();
+    EXPECT_LE(tall.rect("Tall/Close").bottom(), 300);
+    EXPECT_GT(tall.rect("Tall/Line 19").y, 300) << "out of sight";
+    tall.wheel("Tall/Line 2", {0, -100}).frame();
+    EXPECT_LE(tall.rect("Tall/Line 19").bottom(), tall.rect("Tall/Close").y);
+    tall.size = {500, 900};
+    tall.frame().frame();
+    EXPECT_FALSE(tall.exists("Tall/vertical scroll bar")) << "with room for all of it nothing scrolls";
+    EXPECT_LT(tall.rect("Tall/Line 19").bottom(), tall.rect("Tall/Close").y);
+    EXPECT_LT(tall.rect("Tall").h, 900) << "and it is as tall as its content";
+}
+
+TEST_F(DialogTest, AListThatIsOpenClosesUnderADialog) {
+    bool ask_now = false;
+    int chosen = 0;
+    Harness both{[&](Ui& u) {
+        constexpr std::array<std::string_view, 2> choices = {"One", "Two"};
+        combo(u, "Choice", chosen, choices);
+        if (std::exchange(ask_now, false)) open_dialog(u, "late");
+        const auto answer = ask(u, "late", "Late", "It came by itself.", {{.label = "Close", .cancel = true}});
+        if (answer) answers.push_back(*answer);
+    }};
+    both.click("Choice").frame();
+    ASSERT_TRUE(both.exists("Choice choices"));
+    ask_now = true;
+    both.frame().frame();
+    EXPECT_TRUE(both.exists("Late"));
+    EXPECT_FALSE(both.exists("Choice choices"));
+    both.click("Late/Close").frame();
+    EXPECT_EQ(both.focused(), "Choice") << "the keyboard is where it was before the list";
+}
 
 TEST_F(DialogTest, AnAnswerIsGivenOnceAndClosesIt) {
     ui.click("Quit").click("Quit?/Discard");

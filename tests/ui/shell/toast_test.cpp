@@ -66,18 +66,92 @@ TEST_F(ToastTest, ItsButtonActsOnceAndItGoes) {
     ui.frame().click("Notices/Exported/Show");
     EXPECT_EQ(acted, 1);
     EXPECT_FALSE(ui.frame().exists("Notices/Exported"));
-    EXPECT_EQ(toasts.size(), 9U);
+    EXPECT_EQ(toasts.size(), Toasts::most_kept);
+    EXPECT_TRUE(ui.exists("Notices/More 8"));
 }
 
-TEST_F(ToastTest, FourAreShownTheOthersWaitTheirTurn) {
+TEST_F(ToastTest, TheNewestIsSeenAndTheOldestGiveWayToIt) {
     for (int i = 0; i < 6; ++i) toasts.add({.text = "Number " + std::to_string(i), .seconds = 2});
-    ui.frame().frame(1);
-    EXPECT_EQ(shown(), 4U);
-    ui.frame(1.5).frame();
-    EXPECT_EQ(shown(), 2U);
+    ui.frame();
+    EXPECT_EQ(shown(), Toasts::most_kept);
     EXPECT_TRUE(ui.exists("Notices/Number 5"));
-    ui.frame(1.5);
-    EXPECT_EQ(shown(), 2U) << "their time began when they were seen";
+    EXPECT_GT(ui.rect("Notices/Number 5").y, ui.rect("Notices/Number 4").bottom()) << "at the bottom";
+    EXPECT_FALSE(ui.exists("Notices/Number 1"));
+    EXPECT_TRUE(ui.exists("Notices/2 more in the log##rest") || ui.exists("Notices/2 more in the log")) << ui.dump();
+}
+
+TEST_F(ToastTest, AnErrorStaysRatherThanWhatGoesByItself) {
+    toasts.add({.kind = ToastKind::error, .text = "Disk full"});
+    for (int i = 0; i < 9; ++i) toasts.add({.text = "Number " + std::to_string(i)});
+    ui.frame();
+    EXPECT_TRUE(ui.exists("Notices/Disk full"));
+    EXPECT_TRUE(ui.exists("Notices/Number 8"));
+    for (int i = 0; i < 9; ++i) toasts.add({.kind = ToastKind::error, .text = "Fault " + std::to_string(i)});
+    ui.frame();
+    EXPECT_EQ(shown(), Toasts::most_kept) << "however many errors there are";
+    EXPECT_TRUE(ui.exists("Notices/Fault 8"));
+}
+
+TEST_F(ToastTest, ALongOneInASmallWindowStaysWithinIt) {
+    ui.size = {500, 400};
+    ui.scale = 2;
+    std::string text = "A fault";
+    for (int i = 0; i < 80; ++i) text += " of many words";
+    for (const std::string each : {"first", "second", "third"}) toasts.add({.kind = ToastKind::error, .text = each});
+    toasts.add({.kind = ToastKind::error, .text = text});
+    ui.frame().frame();
+    const Rect card = ui.rect("Notices/" + text);
+    EXPECT_GE(card.x, 0);
+    EXPECT_GE(card.y, 0);
+    EXPECT_LE(card.right(), 500);
+    EXPECT_LE(card.bottom(), 400 - ui.ui().row_height()) << "the status bar is free";
+    EXPECT_EQ(shown(), 1U) << "there is no room for the others";
+    ui.click("Notices/3 more in the log");
+    EXPECT_TRUE(ui.exists("All notices/Log/" + text)) << "all of it is there: " << ui.dump();
+    EXPECT_TRUE(ui.exists("All notices/Log/second"));
+}
+
+TEST_F(ToastTest, EachHasAButtonThatCloses) {
+    int acted = 0;
+    toasts.add({.kind = ToastKind::error, .text = "First", .action = "Show", .act = [&] { ++acted; }});
+    toasts.add({.kind = ToastKind::error, .text = "Second"});
+    ui.frame().click("Notices/First/Close").frame();
+    EXPECT_FALSE(ui.exists("Notices/First"));
+    EXPECT_TRUE(ui.exists("Notices/Second"));
+    EXPECT_EQ(acted, 0);
+}
+
+TEST_F(ToastTest, EscClosesTheNewestWhenNothingElseTakesIt) {
+    toasts.add({.kind = ToastKind::error, .text = "First"});
+    toasts.add({.kind = ToastKind::error, .text = "Second"});
+    ui.frame().frame().key(Key::escape).frame();
+    EXPECT_FALSE(ui.exists("Notices/Second"));
+    EXPECT_TRUE(ui.exists("Notices/First"));
+    ui.click("Field").key(Key::escape).frame();
+    EXPECT_EQ(toasts.size(), 0U) << "a button that was clicked is nothing one would leave by Esc";
+    toasts.add({.kind = ToastKind::error, .text = "Third"});
+    ui.focus("Field").key(Key::escape).frame();
+    EXPECT_EQ(toasts.size(), 1U) << "here it leaves the field that the keyboard is on";
+    EXPECT_EQ(ui.focused(), "");
+}
+
+TEST_F(ToastTest, AllOfThemAreInTheLogTheNewestFirst) {
+    for (int i = 0; i < 3; ++i) toasts.add({.kind = ToastKind::warning, .text = "Frame dropped"});
+    for (int i = 0; i < 7; ++i) toasts.add({.text = "Number " + std::to_string(i), .seconds = 1});
+    ui.frame().frame(2).frame();
+    ASSERT_EQ(toasts.log().size(), 8U);
+    EXPECT_EQ(toasts.log().front().text, "Frame dropped");
+    EXPECT_EQ(toasts.log().front().count, 3);
+    toasts.open_log(ui.ui());
+    ui.frame().frame();
+    EXPECT_LT(ui.rect("All notices/Log/Number 6").y, ui.rect("All notices/Log/Number 5").y);
+    ui.click("All notices/Copy all");
+    EXPECT_THAT(ui.clipboard().get(), testing::StartsWith("Frame dropped  x3\nNumber 0\n"));
+    ui.click("All notices/Clear").click("All notices/Close").frame();
+    EXPECT_TRUE(toasts.log().empty());
+    for (std::size_t i = 0; i < Toasts::most_notes + 5; ++i) toasts.add({.text = std::to_string(i)});
+    EXPECT_EQ(toasts.log().size(), Toasts::most_notes);
+    EXPECT_EQ(toasts.log().back().text, std::to_string(Toasts::most_notes + 4));
 }
 
 TEST_F(ToastTest, TheSameAgainIsCountedAndStaysAnew) {
@@ -85,7 +159,7 @@ TEST_F(ToastTest, TheSameAgainIsCountedAndStaysAnew) {
     ui.frame().frame(1.5);
     toasts.add({.kind = ToastKind::warning, .text = "Frame dropped", .seconds = 2});
     ui.frame().frame(1.5);
-    EXPECT_EQ(ui.text("Notices/Frame dropped"), "Frame dropped (2)");
+    EXPECT_EQ(ui.text("Notices/Frame dropped"), "Frame dropped  x2");
     EXPECT_EQ(toasts.size(), 1U);
 }
 
@@ -109,12 +183,13 @@ TEST_F(ToastTest, AskedForTheyHaveTheKeyboardAndGiveItBack) {
     EXPECT_TRUE(ui.is("Notices/Second", Is::ringed));
     EXPECT_EQ(ui.key(Key::up).focused(), "Notices/First");
     EXPECT_TRUE(ui.frame(5).exists("Notices/First")) << "its time stands";
-    EXPECT_EQ(ui.key(Key::escape).focused(), "Field");
+    toasts.take_focus();
+    EXPECT_EQ(ui.frame().focused(), "Field");
     EXPECT_EQ(toasts.size(), 2U);
     toasts.take_focus();
     EXPECT_EQ(ui.frame().focused(), "Notices/Second");
     EXPECT_EQ(ui.key(Key::del).frame().focused(), "Notices/First");
-    EXPECT_EQ(ui.key(Key::enter).frame().focused(), "Field");
+    EXPECT_EQ(ui.key(Key::escape).frame().focused(), "Field") << "Esc closes it";
     EXPECT_EQ(toasts.size(), 0U);
     toasts.take_focus();
     EXPECT_EQ(ui.frame().focused(), "Field") << "there is none";

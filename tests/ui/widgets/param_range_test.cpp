@@ -169,5 +169,27 @@ TEST(VectorParam, EachPartIsANodeOfItsOwn) {
     EXPECT_THAT(faults_of(ui.ui().tree()), testing::IsEmpty());
 }
 
+TEST(VectorParam, ItsNumbersAreCalledWhatTheyAre) {
+    double value[] = {0.2, 0.5, 0.8};
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(640)});
+        vector_param(u, "Extinction", value, {.maximum = 2}, {}, "RGB");
+    });
+    EXPECT_EQ(ui.value("Extinction/R"), 0.2);
+    EXPECT_EQ(ui.value("Extinction/B"), 0.8);
+    EXPECT_FALSE(ui.exists("Extinction/X"));
+}
+
+TEST(Param, ZeroIsShownAsWhatItStandsFor) {
+    double scale = 0;
+    Harness ui([&](Ui& u) {
+        Column column(u, {.width = px(640)});
+        param(u, "Scale", scale, {.maximum = 1000, .unit = "mm per unit", .zero = "automatic"});
+    });
+    EXPECT_EQ(ui.text("Scale"), "automatic");
+    scale = 10;
+    EXPECT_THAT(ui.frame().text("Scale"), testing::EndsWith(" mm per unit"));
+}
+
 }  // namespace
 }  // namespace lapfx::ui

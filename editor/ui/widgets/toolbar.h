@@ -1,0 +1,25 @@
+// Tools side by side, all of them within reach whatever the room: those that do not fit go into a menu, "More...".
+//
+//     const std::array<ui::ToolItem, 2> items = {{{.width = u.em(8)}, {.width = ui::tool_width(u, "Fit"), .rank = 1}}};
+//     ui::toolbar(u, "Tools", width, items, [&](std::size_t item) { item == 0 ? overlay_choice(u) : fit_button(u); });
+#pragma once
+
+#include "ui/widgets/rows.h"
+
+namespace lapfx::ui {
+
+struct ToolItem {
+    float width = 0;   ///< px, as it is built; 0: it is not there
+    int rank = 0;      ///< the highest go into the menu first; of equal ones the last
+    bool end = false;  ///< from here on they stand at the end of the row
+};
+
+/// `room`: px for the row; 0: not known yet, all are built in it. `build(item)`: each that is there, in the row or, while that is open,
+/// in the menu, one below the other; ids inside differ between the two.
+void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolItem> items,
+             const FunctionRef<void(std::size_t)>& build);
+
+/// px of a button with this text.
+float tool_width(Ui& ui, std::string_view text, bool icon = false);
+
+}  // namespace lapfx::ui

@@ -1,0 +1,46 @@
+// Clips that lie outside of the preset's folder: they are copied into folders of the user alone.
+#include "app/files.h"
+#include "app/keying_bench.h"
+#include "editor/support/editor_test.h"
+#include "support/clips.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class CopyClips : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        layout("Key");
+        fs::create_directories(folder() / "elsewhere");
+        fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/wisps_thin.mp4", folder() / "elsewhere/mine.mp4");
+        editor().document.change("Add clip", [&](document::Content& c) {
+            c.preset.smoke.clips.push_back({.file = (folder() / "elsewhere/mine.mp4").string()});
+        });
+        editor().clip = editor().document.preset().smoke.clips.size() - 1;
+        ui().frame().frame().frame();
+    }
+};
+
+TEST_F(CopyClips, NothingIsCopiedToWhereTheProgramLies) {
+    ASSERT_TRUE(editor().files().shipped(editor().keying().shelf.home())) << editor().keying().shelf.home();
+    ASSERT_TRUE(editor().keying().shelf.any_outside());
+    EXPECT_FALSE(editor().commands.enabled(editor().commands.index_of("clip.copy")));
+    EXPECT_FALSE(ui().exists("Workspace/Clips/Copy clips beside the preset"));
+    EXPECT_TRUE(ui().exists("**/Save preset as...")) << "the way out: " << ui().dump();
+}
+
+TEST_F(CopyClips, AQuestionOffersItForFoldersThatTakeFiles) {
+    EXPECT_TRUE(editor().files().takes_files(folder()));
+    EXPECT_FALSE(editor().files().takes_files(fs::path(LAPFX_SOURCE_DIR) / "presets"));
+    EXPECT_FALSE(editor().files().takes_files(fs::path(LAPFX_SOURCE_DIR) / "samples/clips"));
+    EXPECT_FALSE(editor().files().takes_files("/proc"));
+    EXPECT_FALSE(editor().files().takes_files({}));
+}
+
+}  // namespace
+}  // namespace lapfx::test
