@@ -90,7 +90,7 @@ OrganReport report(const Organ& organ) {
         report.minimum = glm::min(report.minimum, glm::dvec3(p));
         report.maximum = glm::max(report.maximum, glm::dvec3(p));
     }
-    const organ::Weld weld = organ::weld_positions(organ.positions);
+    const organ::Weld weld = organ::weld_surface(organ.positions, organ.indices);
     std::vector<std::uint32_t> triangles(organ.indices.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = weld.point[organ.indices[i]];
     report.components = count_components(triangles, weld.points);
