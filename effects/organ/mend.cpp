@@ -1,6 +1,7 @@
 #include "organ/mend.h"
 
 #include <bit>
+#include <cstdio>
 
 #include "organ/weld.h"
 
@@ -150,6 +151,23 @@ void drop_vertices(Organ& organ, Counts& counts) {
     organ.colors.resize(out);
 }
 
+/// The two sides of a torn seam get the same coordinates, so that they are one place for all that follows.
+void close_seams(Organ& organ, double scale) {
+    const Weld weld = weld_surface(organ.positions, organ.indices);
+    if (weld.sewn == 0) return;
+    const std::vector<std::uint32_t> first = first_vertices(weld);
+    std::size_t moved = 0;
+    for (std::size_t v = 0; v < organ.positions.size(); ++v) {
+        const glm::vec3& place = organ.positions[first[weld.point[v]]];
+        moved += organ.positions[v] != place;
+        organ.positions[v] = place;
+    }
+    char gap[32];
+    std::snprintf(gap, sizeof gap, "%.2g", weld.gap * scale);
+    organ.warnings.push_back(counted(moved, "vertex of seams", "vertices of seams") + " lay up to " + gap +
+                             " mm apart; joined");
+}
+
 void drop_empty_parts(Organ& organ, Missing& missing) {
     std::size_t out = 0;
     for (std::size_t i = 0; i < organ.parts.size(); ++i) {
@@ -222,6 +240,7 @@ Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing) {
     organ.warnings = std::move(raw.warnings);
     drop_triangles(organ, counts);
     drop_vertices(organ, counts);
+    close_seams(organ, 1.0);
     drop_empty_parts(organ, missing);
     warn(organ, counts);
     if (organ.indices.empty()) {

@@ -96,7 +96,7 @@ OrganReport report(const Organ& organ) {
         report.warnings.push_back(
             "its triangles are too many and too large to be split down to " + number(organ::longest_wanted) +
             " mm: blood and burns show only as well as edges of " + number(plan.length) + " mm carry them");
-    const organ::Weld weld = organ::weld_positions(organ.positions);
+    const organ::Weld weld = organ::weld_surface(organ.positions, organ.indices);
     std::vector<std::uint32_t> triangles(organ.indices.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = weld.point[organ.indices[i]];
     report.components = count_components(triangles, weld.points);

@@ -27,7 +27,7 @@ double distance_to_path(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
 
 Surface::Surface(const Organ& organ, const organ::Stages& stages) {
     stages.reach(0.0);
-    organ::Weld welded = organ::weld_positions(organ.positions);
+    organ::Weld welded = organ::weld_surface(organ.positions, organ.indices);
     weld = std::move(welded.point);
     positions.resize(welded.points);
     for (std::size_t v = 0; v < weld.size(); ++v) positions[weld[v]] = glm::dvec3(organ.positions[v]);

@@ -1,7 +1,7 @@
 // The surface of an organ as one sheet, for distances along it and for pointing at it.
 //
-// Vertices of the organ at the same position are one point here, so that a texture seam or a flat-shaded edge
-// does not cut the surface. Built once for an organ; all queries are const and may run on any thread.
+// Vertices of the organ at the same position are one point here, and so are those of seams that rounding has torn
+// (organ/weld.h), so that a texture seam or a flat-shaded edge does not cut the surface. Built once for an organ; all queries are const and may run on any thread.
 #pragma once
 
 #include <array>

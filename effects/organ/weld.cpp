@@ -37,4 +37,10 @@ Weld weld_positions(std::span<const glm::vec3> positions) {
     return weld;
 }
 
+std::vector<std::uint32_t> first_vertices(const Weld& weld) {
+    std::vector<std::uint32_t> first(weld.points);
+    for (auto vertex = static_cast<std::uint32_t>(weld.point.size()); vertex-- > 0;) first[weld.point[vertex]] = vertex;
+    return first;
+}
+
 }  // namespace lapfx::organ
