@@ -1,6 +1,7 @@
 #include "lapfx/prepared_organ.h"
 
 #include "foundation.h"
+#include "lapfx/file.h"
 #include "organ/load.h"
 #include "organ/refine.h"
 
@@ -21,6 +22,10 @@ std::size_t bytes_of(const Organ& organ) {
                         bytes_of(organ.uvs) + bytes_of(organ.colors) + bytes_of(organ.indices);
     for (const Image& image : organ.images) bytes += image.pixels.size();
     return bytes;
+}
+
+std::filesystem::path path_of(const Scene& scene, const std::string& file, const std::string& place) {
+    return named_path(scene.folder, file, Reach::anywhere, "", place);
 }
 
 /// Runs work that Stopped may end.
@@ -51,8 +56,12 @@ const Organ& PreparedOrgan::organ() const {
 }
 
 std::vector<std::filesystem::path> PreparedOrgan::files() const {
-    std::vector<std::filesystem::path> files = state_->organ.files;
-    if (state_->tool) files.insert(files.end(), state_->tool->files.begin(), state_->tool->files.end());
+    std::vector<std::filesystem::path> files;
+    for (const Organ* made : {&state_->organ, state_->tool ? &*state_->tool : nullptr}) {
+        if (made == nullptr) continue;
+        files.insert(files.end(), made->files.begin(), made->files.end());
+        files.insert(files.end(), made->unread_files.begin(), made->unread_files.end());
+    }
     return files;
 }
 
@@ -75,13 +84,13 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
         made->organ_source = scene.organ;
         made->tool_source = scene.tool;
         made->folder = scene.folder;
-        RefinedOrgan fine = refine(organ::load(scene.folder / scene.organ.file,
+        RefinedOrgan fine = refine(organ::load(path_of(scene, scene.organ.file, "/organ/file"),
                                                {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
                                                stages.part(0.0, loaded)));
         made->organ = std::move(fine.organ);
         if (!scene.tool.file.empty())
-            made->tool = organ::load(scene.folder / scene.tool.file, {.scale = scene.tool.scale, .rotation = {}},
-                                     stages.part(loaded, tool_loaded));
+            made->tool = organ::load(path_of(scene, scene.tool.file, "/tool/file"),
+                                     {.scale = scene.tool.scale, .rotation = {}}, stages.part(loaded, tool_loaded));
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
                                                               std::move(fine.midpoints));
         return made;

@@ -6,6 +6,7 @@
 
 #include "app/editor.h"
 #include "app/settings.h"
+#include "lapfx/file.h"
 
 namespace lapfx::app {
 
@@ -67,33 +68,24 @@ Error cannot_copy(const fs::path& from, const fs::path& to, const std::string& r
 
 /// Never half a file: written beside, then renamed. False: cancelled.
 bool copy_file(const fs::path& from, const fs::path& to, const std::function<bool(std::uintmax_t)>& goes_on) {
-    const fs::path part = to.string() + ".part";
-    std::error_code error;
-    {
-        std::ifstream in(from, std::ios::binary);
-        std::ofstream out(part, std::ios::binary | std::ios::trunc);
-        if (!in) throw cannot_copy(from, to, "it cannot be read");
-        if (!out) throw cannot_copy(from, to, "the folder cannot be written to");
-        std::vector<char> block(1 << 20);
-        while (in && out) {
-            in.read(block.data(), static_cast<std::streamsize>(block.size()));
-            out.write(block.data(), in.gcount());
-            if (goes_on(static_cast<std::uintmax_t>(in.gcount()))) continue;
-            out.close();
-            fs::remove(part, error);
-            return false;
-        }
-        out.close();
-        if (!out || in.bad()) {
-            fs::remove(part, error);
-            throw cannot_copy(from, to, in.bad() ? "it cannot be read" : "the disk is full or failing");
-        }
+    const Beside part(to, Beside::Kind::file, to.extension().string());
+    std::ifstream in(from, std::ios::binary);
+    std::ofstream out(part.path(), std::ios::binary | std::ios::trunc);
+    if (!in) throw cannot_copy(from, to, "it cannot be read");
+    if (!out) throw cannot_copy(from, to, "the folder cannot be written to");
+    std::vector<char> block(1 << 20);
+    while (in && out) {
+        in.read(block.data(), static_cast<std::streamsize>(block.size()));
+        out.write(block.data(), in.gcount());
+        if (!goes_on(static_cast<std::uintmax_t>(in.gcount()))) return false;
     }
-    fs::rename(part, to, error);
-    if (!error) return true;
-    const std::string reason = error.message();
-    fs::remove(part, error);
-    throw cannot_copy(from, to, reason);
+    out.close();
+    if (!out || in.bad()) throw cannot_copy(from, to, in.bad() ? "it cannot be read" : "the disk is full or failing");
+    report_clip(part.path());  // what is copied is a clip, and a whole one
+    std::error_code error;
+    fs::rename(part.path(), to, error);
+    if (error) throw cannot_copy(from, to, error.message());
+    return true;
 }
 
 const ClipFacts unknown_clip{};

@@ -1,6 +1,8 @@
 #include "app/exports.h"
 
 #include <algorithm>
+#include <array>
+#include <charconv>
 #include <chrono>
 #include <cmath>
 
@@ -47,10 +49,11 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
+/// The shortest that reads back as the same number: at a time that is a little earlier some pixels differ.
 std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.9g", value);
-    return text;
+    std::array<char, 32> text;
+    const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
+    return {text.data(), end.ptr};
 }
 
 const char* name_of(Overlay overlay) {
@@ -172,8 +175,9 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
         faults.push_back(fault("-o", reason));
     for (std::size_t i = 0; i < document.preset().smoke.clips.size(); ++i) {
         const std::string& clip = document.preset().smoke.clips[i].file;
-        if (output::clip_files(clip, document.preset().folder, editor_.options().clip_folders).files.empty())
-            faults.push_back(fault("clips", "\"" + clip + "\": no such clip"));
+        const output::ClipFiles found =
+            output::clip_files(clip, document.preset().folder, editor_.options().clip_folders);
+        if (found.files.empty()) faults.push_back(fault("clips", found.fault));
     }
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "app/orbit.h"
+#include "lapfx/file.h"
 
 namespace lapfx::app {
 
@@ -20,12 +21,15 @@ std::string lower_extension(const fs::path& path) {
     return extension;
 }
 
+fs::path preset_file_of(const Scene& scene) {
+    return scene.preset.empty() ? fs::path() : named_path(scene.folder, scene.preset, Reach::anywhere, "", "/preset");
+}
+
 void open_scene(Opened& opened, const fs::path& file) {
     opened.content.scene = load_scene(file);
     opened.content.preset = preset_of(opened.content.scene);
     opened.scene_file = file;
-    opened.preset_file =
-        opened.content.scene.preset.empty() ? fs::path() : opened.content.scene.folder / opened.content.scene.preset;
+    opened.preset_file = preset_file_of(opened.content.scene);
 }
 
 void open_preset(Opened& opened, const fs::path& file) {
@@ -99,7 +103,7 @@ FileKind kind_of(const fs::path& file) {
 }
 
 Preset preset_of(const Scene& scene) {
-    return scene.preset.empty() ? Preset{} : load_preset(scene.folder / scene.preset);
+    return scene.preset.empty() ? Preset{} : load_preset(preset_file_of(scene));
 }
 
 Opened open_sample(const fs::path& data_folder) {

@@ -73,8 +73,7 @@ void OrganChoice::open(const std::filesystem::path& file) {
     asked_ = true;
     other_unit = false;
     const SceneOrgan& now = editor_.document.scene().organ;
-    const bool again =
-        !now.file.empty() && same_file(file, editor_.document.scene().folder / std::filesystem::path(now.file));
+    const bool again = same_file(file, path_from(editor_.document.scene().folder, now.file));
     scale_ = again ? now.scale : 0;  // 0: the format's
     rotation_ = again ? now.rotation : glm::dvec3(0);
     job_ = editor_.jobs.start(
@@ -149,7 +148,7 @@ std::optional<double> OrganChoice::likely() const {
 
 bool OrganChoice::replaces() const {
     const Scene& scene = editor_.document.scene();
-    return scene.organ.file.empty() || !same_file(file_, scene.folder / scene.organ.file);
+    return scene.organ.file.empty() || !same_file(file_, path_from(scene.folder, scene.organ.file));
 }
 
 void OrganChoice::load() {

@@ -1,5 +1,8 @@
 #include "app/paths.h"
 
+#include "lapfx/error.h"
+#include "lapfx/file.h"
+
 namespace lapfx::app {
 
 std::string path_for(const std::filesystem::path& file, const std::filesystem::path& folder) {
@@ -9,6 +12,14 @@ std::string path_for(const std::filesystem::path& file, const std::filesystem::p
     const std::filesystem::path relative = whole.lexically_relative(from);
     const bool inside = !relative.empty() && *relative.begin() != "..";
     return inside ? relative.generic_string() : whole.generic_string();
+}
+
+std::filesystem::path path_from(const std::filesystem::path& folder, const std::string& file) {
+    try {
+        return file.empty() ? std::filesystem::path() : named_path(folder, file, Reach::anywhere);
+    } catch (const Error&) {
+        return {};  // who reads it tells why
+    }
 }
 
 }  // namespace lapfx::app

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <utility>
 
+#include "app/paths.h"
+
 namespace lapfx::app {
 
 namespace {
@@ -296,7 +298,7 @@ std::vector<std::filesystem::path> PreviewHost::clip_files(const Preset& preset)
 std::vector<std::filesystem::path> PreviewHost::organ_files(const Scene& scene) const {
     std::vector<std::filesystem::path> files = organ_files_;
     for (const std::string& file : {scene.organ.file, scene.tool.file})
-        if (!file.empty()) files.push_back(scene.folder / file);
+        if (std::filesystem::path path = path_from(scene.folder, file); !path.empty()) files.push_back(std::move(path));
     for (std::filesystem::path& file : files) file = std::filesystem::absolute(file).lexically_normal();
     std::sort(files.begin(), files.end());
     files.erase(std::unique(files.begin(), files.end()), files.end());

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "app/editor.h"
+#include "app/paths.h"
 #include "app/pick_color.h"
 #include "app/settings.h"
 
@@ -178,7 +179,7 @@ std::optional<ui::Span> Reference::span() const {
 void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
     if (std::exchange(followed_, editor_.document.version()) == editor_.document.version()) return;
     const Scene& scene = editor_.document.scene();
-    const fs::path file = scene.reference.file.empty() ? fs::path() : scene.folder / scene.reference.file;
+    const fs::path file = path_from(scene.folder, scene.reference.file);
     if (file == file_) return;
     file_ = file;
     refused_.clear();

@@ -134,6 +134,11 @@ void Settings::apply(const std::string& text) {
     reader.flag("hint_seen", hint_seen);
     reader.number("scale", scale, least_scale, most_scale);
     reader.list("recent", recent, most_recent);
+    std::erase_if(recent, [&](const std::string& name) {
+        const bool whole = fs::path(name).is_absolute();
+        if (!whole) faults.push_back("/recent: \"" + name + "\" is no whole path");
+        return !whole;
+    });
     reader.list("favourites", favourites, most_listed);
     reader.list("file_folders", file_folders_, most_recent);
     reader.texts("last_folders", last_folders_, most_listed);

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 
+#include "lapfx/clip.h"
 #include "lapfx/file.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
@@ -54,14 +55,6 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-fs::path clip_path(const std::string& file, const fs::path& folder, const std::vector<fs::path>& more) {
-    std::error_code error;
-    if (fs::exists(folder / file, error)) return folder / file;
-    for (const fs::path& one : more)
-        if (fs::exists(one / file, error)) return one / file;
-    return file;
-}
-
 /// Named after all that its picture depends on. Throws Error.
 std::string name_of(const ThumbnailMaker::Request& request, const ThumbnailMaker::Options& options) {
     Hash hash;
@@ -72,9 +65,9 @@ std::string name_of(const ThumbnailMaker::Request& request, const ThumbnailMaker
     hash.add(std::to_string(request.time));
     const Preset preset = parse_preset(text, request.preset.string(), request.preset.parent_path());
     for (const SmokeClip& clip : preset.smoke.clips)
-        hash.add_file(clip_path(clip.file, preset.folder, options.clip_folders));
+        hash.add_file(find_clip(clip.file, preset.folder, options.clip_folders));
     const Scene scene = parse_scene(scene_text, request.scene.string(), request.scene.parent_path());
-    hash.add_file(scene.folder / scene.organ.file);
+    hash.add_file(named_path(scene.folder, scene.organ.file, Reach::anywhere));
     std::error_code error;
     const fs::path program = fs::canonical(options.program, error);
     hash.add_file(error ? options.program : program);
@@ -142,7 +135,7 @@ pid_t start(const fs::path& program, std::vector<std::string> arguments, const f
     posix_spawn_file_actions_init(&streams);
     posix_spawn_file_actions_addopen(&streams, 0, "/dev/null", O_RDONLY, 0);
     posix_spawn_file_actions_addopen(&streams, 1, "/dev/null", O_WRONLY, 0);
-    posix_spawn_file_actions_addopen(&streams, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600);
+    posix_spawn_file_actions_addopen(&streams, 2, log.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_NOFOLLOW, 0600);
     pid_t child = 0;
     const int error = posix_spawn(&child, program.c_str(), &streams, nullptr, pointers.data(), environment.data());
     posix_spawn_file_actions_destroy(&streams);

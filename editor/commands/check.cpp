@@ -1,9 +1,11 @@
-// lapfx check: validates presets, with their clips, and scenes, or prints their schema.
+// lapfx check: validates presets and scenes, with the files that they name, or prints their schema.
 #include <iostream>
 
 #include "commands/command.h"
 #include "commands/session.h"
 #include "lapfx/clip.h"
+#include "lapfx/file.h"
+#include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 #include "lapfx/smoke_notes.h"
@@ -17,6 +19,44 @@ struct Options {
     std::string schema;
 };
 
+/// Opens what a scene names, in place: faults name the scene and the place of the name.
+class SceneFiles {
+  public:
+    SceneFiles(const Scene& scene, std::string name) : scene_(scene), name_(std::move(name)) {}
+
+    template <typename Open>
+    void open(const std::string& place, const std::string& file, const Open& open) {
+        try {
+            open(named_path(scene_.folder, file, Reach::anywhere));
+        } catch (const Error& error) {
+            for (const Fault& fault : error.faults()) {
+                const std::string inner = fault.place.empty() ? "" : fault.place + ": ";
+                faults_.push_back(
+                    {.file = name_, .place = place, .reason = '"' + file + "\": " + inner + fault.reason});
+            }
+        }
+    }
+    std::vector<Fault> take() { return std::move(faults_); }
+
+  private:
+    const Scene& scene_;
+    std::string name_;
+    std::vector<Fault> faults_;
+};
+
+void check_scene(const Scene& scene, const std::string& name) {
+    SceneFiles files(scene, name);
+    files.open("/organ/file", scene.organ.file, [&](const auto& file) { load_organ(file); });
+    if (!scene.tool.file.empty())
+        files.open("/tool/file", scene.tool.file, [&](const auto& file) { load_organ(file); });
+    if (!scene.preset.empty())
+        files.open("/preset", scene.preset,
+                   [&](const auto& file) { check_clips(load_preset(file), file.string(), clip_folders()); });
+    if (!scene.reference.file.empty())
+        files.open("/reference/file", scene.reference.file, [&](const auto& file) { report_clip(file); });
+    if (std::vector<Fault> faults = files.take(); !faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+}
+
 /// Looks at every file before it throws, so that one run shows all there is to mend.
 void check_files(const std::vector<std::string>& files) {
     std::vector<Fault> faults;
@@ -24,6 +64,7 @@ void check_files(const std::vector<std::string>& files) {
         try {
             const CheckedDocument found = check_document(file);
             if (found.kind == "preset") check_clips(load_preset(file), file, clip_folders());
+            if (found.kind == "scene") check_scene(load_scene(file), file);
             std::cout << file << ": " << found.kind << " \"" << found.name << "\", ok\n";
             if (found.kind != "preset") continue;
             for (const std::string& note : smoke_notes(load_preset(file).smoke))
@@ -47,7 +88,8 @@ void run(const Options& options) {
 
 void add_check(CLI::App& app) {
     auto options = std::make_shared<Options>();
-    CLI::App* verb = app.add_subcommand("check", "Validate presets and scenes; every fault is printed");
+    CLI::App* verb = app.add_subcommand(
+        "check", "Validate presets and scenes and open the files that they name; every fault is printed");
     verb->add_option("FILE", options->files, "Presets and scenes (.json)");
     verb->add_option("--schema", options->schema, "Print the JSON Schema of this kind of document instead")
         ->check(CLI::IsMember({"preset", "scene"}))

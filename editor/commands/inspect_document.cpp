@@ -1,7 +1,10 @@
 // Presets and scenes.
 #include <iostream>
+#include <sstream>
 
 #include "commands/inspect.h"
+#include "lapfx/error.h"
+#include "lapfx/file.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -22,12 +25,37 @@ void show_preset(const Preset& preset) {
         row("clip", clip.file + (clip.role == ClipRole::plume ? ", plume" : ", haze"));
 }
 
+/// As the scene names it, and what is odd about where it lies.
+std::string whereabouts(const Scene& scene, const std::string& file) {
+    if (file.empty()) return "none";
+    std::error_code error;
+    const std::filesystem::path path = named_path(scene.folder, file, Reach::anywhere);
+    if (!std::filesystem::exists(path, error) && file.find('%') == std::string::npos) return file + " (missing)";
+    try {
+        named_path(scene.folder, file);
+        return file;
+    } catch (const Error&) {
+        return file + " (outside of the scene's folder)";
+    }
+}
+
+std::string reference_of(const Scene& scene) {
+    const SceneReference& reference = scene.reference;
+    std::string text = whereabouts(scene, reference.file);
+    if (reference.file.empty()) return text;
+    std::ostringstream more;
+    more << ", from " << reference.offset << " s on";
+    if (reference.aspect > 0) more << ", shown at " << reference.aspect << ":1";
+    return text + more.str();
+}
+
 void show_scene(const Scene& scene) {
     row("format", "lapfx.scene");
     row("name", scene.name);
-    row("preset", scene.preset.empty() ? "none" : scene.preset);
-    row("organ", scene.organ.file);
-    row("tool", scene.tool.file.empty() ? "none" : scene.tool.file);
+    row("preset", whereabouts(scene, scene.preset));
+    row("organ", whereabouts(scene, scene.organ.file));
+    row("tool", whereabouts(scene, scene.tool.file));
+    row("reference", reference_of(scene));
     row("events", std::to_string(scene.events.size()));
 }
 

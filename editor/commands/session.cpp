@@ -1,5 +1,7 @@
 #include "commands/session.h"
 
+#include "lapfx/file.h"
+
 namespace lapfx::commands {
 
 std::filesystem::path data_folder() {
@@ -15,7 +17,7 @@ Preset preset_for(const Scene& scene, const std::string& preset, const std::vect
     if (!preset.empty())
         result = load_preset(preset);
     else if (!scene.preset.empty())
-        result = load_preset(scene.folder / scene.preset);
+        result = load_preset(named_path(scene.folder, scene.preset, Reach::anywhere, "", "/preset"));
     for (const std::string& setting : settings) {
         const std::size_t equals = setting.find('=');
         if (equals == std::string::npos)

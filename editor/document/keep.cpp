@@ -53,7 +53,8 @@ bool flag_at(const Json& json, const char* key) {
 
 /// File names are any bytes; JSON is UTF-8.
 Json path_json(const fs::path& path) {
-    const std::string& bytes = path.native();
+    std::error_code error;  // whole: the next editor may start in another folder
+    const std::string bytes = path.empty() ? "" : fs::absolute(path, error).lexically_normal().native();
     try {
         (void)Json(bytes).dump();
         return bytes;
@@ -79,13 +80,25 @@ Json parsed(std::string text) {
     return Json::parse(text, nullptr, false);
 }
 
+/// A file that saving would write to: what an editor has kept is a whole path of a document, and nothing else is taken for one.
+fs::path file_at(const Json& json, const std::string& what, std::vector<std::string>& told) {
+    const fs::path file = fs::path(text_at(json, "file")).lexically_normal();
+    if (file.empty() || (file.is_absolute() && file.extension() == ".json")) return file;
+    told.push_back(what + " /file: \"" + file.string() + "\" is no whole path of a .json file");
+    return {};
+}
+
 template <typename Document>
 Document read_document(const Table& table, const Json& json, const std::string& what, std::vector<std::string>& told) {
     Document document;
     const auto content = json.find("content");
     const std::string text = content == json.end() ? "" : content->dump();
     for (const std::string& fault : read_what_can_be(table, &document, text)) told.push_back(what + ' ' + fault);
-    document.folder = text_at(json, "folder");
+    document.folder = fs::path(text_at(json, "folder")).lexically_normal();
+    if (!document.folder.empty() && !document.folder.is_absolute()) {
+        told.push_back(what + " /folder: \"" + document.folder.string() + "\" is no whole path");
+        document.folder.clear();
+    }
     return document;
 }
 
@@ -185,8 +198,8 @@ Kept read_kept(const fs::path& file, std::vector<std::string>& told) {
     Kept kept{.time = number_at<std::int64_t>(json, "time"),
               .content = {read_document<Scene>(scene_table(), *scene, "scene", told),
                           read_document<Preset>(preset_table(), *preset, "preset", told)},
-              .scene_file = text_at(*scene, "file"),
-              .preset_file = text_at(*preset, "file"),
+              .scene_file = file_at(*scene, "scene", told),
+              .preset_file = file_at(*preset, "preset", told),
               .scene_disk = disk_from(scene->value("on_disk", Json())),
               .preset_disk = disk_from(preset->value("on_disk", Json())),
               .scene_unsaved = flag_at(*scene, "unsaved"),
@@ -199,7 +212,7 @@ Kept read_kept(const fs::path& file, std::vector<std::string>& told) {
         kept.snapshots.push_back({.slot = static_cast<std::size_t>(slot),
                                   .time = number_at<std::int64_t>(snapshot, "time"),
                                   .preset = read_document<Preset>(preset_table(), snapshot, "snapshot", told),
-                                  .file = text_at(snapshot, "file")});
+                                  .file = file_at(snapshot, "snapshot", told)});
     }
     return kept;
 }

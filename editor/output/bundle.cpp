@@ -4,13 +4,16 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 #include <map>
 #include <opencv2/imgcodecs.hpp>
-#include <set>
 
 #include "lapfx/clip.h"
+#include "lapfx/file.h"
+#include "lapfx/pack.h"
 #include "output/files.h"
 
 namespace lapfx::output {
@@ -19,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t piece = std::size_t{1} << 20;  // bytes copied at once
+constexpr std::size_t block = std::size_t{1} << 20;  // bytes copied at once
 constexpr int highest_first = 999;                   // number of a sequence's first image
 
 Fault clip_fault(std::size_t index, const std::string& reason) {
@@ -56,30 +59,16 @@ std::vector<fs::path> sequence_files(const fs::path& pattern) {
     return files;
 }
 
-/// Names within a folder: the same file once, another of the same name beside it as "plume-2.mp4".
-class Names {
-  public:
-    /// Gives whether it is new.
-    bool place(const fs::path& source, const std::string& wanted, std::string& name) {
-        std::error_code error;
-        const fs::path real = fs::weakly_canonical(source, error);
-        if (const auto known = names_.find(real); known != names_.end()) {
-            name = known->second;
-            return false;
-        }
-        const fs::path path = wanted;
-        name = wanted;
-        const auto taken = [&] {
-            return std::any_of(names_.begin(), names_.end(), [&](const auto& n) { return n.second == name; });
-        };
-        for (int i = 2; taken(); ++i) name = path.stem().string() + "-" + std::to_string(i) + path.extension().string();
-        names_[real] = name;
-        return true;
-    }
-
-  private:
-    std::map<fs::path, std::string> names_;
-};
+/// Of a clip; what is no name of a video or picture says nothing.
+std::string clip_extension(const std::string& name) {
+    constexpr std::array<std::string_view, 19> known{".mp4",  ".mov",  ".m4v", ".mkv", ".webm", ".avi", ".mpg",
+                                                     ".mpeg", ".ts",   ".ogv", ".wmv", ".gif",  ".png", ".jpg",
+                                                     ".jpeg", ".webp", ".bmp", ".tif", ".tiff"};
+    std::string extension = fs::path(name).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return std::find(known.begin(), known.end(), extension) != known.end() ? extension : ".clip";
+}
 
 /// An open file, closed at the end of the scope.
 struct Descriptor {
@@ -89,8 +78,13 @@ struct Descriptor {
     }
 };
 
-struct Copy {
-    fs::path from, to;  ///< `to`: relative to the bundle
+/// A file of the bundle: a copy, or what `bytes` say.
+struct Piece {
+    fs::path to;  ///< relative to the bundle; made of names of our own
+    fs::path from;
+    std::vector<std::uint8_t> bytes;
+
+    std::uintmax_t size() const { return from.empty() ? bytes.size() : fs::file_size(from); }
 };
 
 /// Absolute; "ooze/" is called "ooze".
@@ -103,15 +97,15 @@ fs::path plain(const fs::path& folder) {
 class Writer {
   public:
     Writer(const Bundle& bundle, const std::function<bool(double)>& goes_on)
-        : bundle_(bundle), goes_on_(goes_on), target_(plain(bundle.folder)), beside_(target_) {
+        : bundle_(bundle), goes_on_(goes_on), target_(plain(bundle.folder)), beside_(target_, Beside::Kind::folder) {
         name_ = target_.filename().string();
     }
 
     BundleContent write() {
         plan_clips();
         plan_scene();
-        for (const Copy& c : copies_) total_ += static_cast<double>(fs::file_size(c.from));
-        for (const Copy& c : copies_) copy(c);
+        for (const Piece& piece : pieces_) total_ += static_cast<double>(piece.size());
+        for (const Piece& piece : pieces_) put(piece);
         save_preset(preset_, beside_ / (name_ + ".json"));
         if (scene_) save_scene(*scene_, beside_ / (name_ + ".scene.json"));
         write_png(beside_ / "thumbnail.png", bundle_.thumbnail);
@@ -120,7 +114,7 @@ class Writer {
         check_thumbnail();
         tell(1);
         publish();
-        return {.files = copies_.size() + (scene_ ? 3U : 2U),
+        return {.files = pieces_.size() + (scene_ ? 3U : 2U),
                 .bytes = static_cast<std::size_t>(copied_),
                 .clips = preset_.smoke.clips.size()};
     }
@@ -136,25 +130,39 @@ class Writer {
         preset_ = bundle_.preset;
         preset_.folder = beside_.path();
         std::vector<Fault> faults;
-        Names names;
         for (std::size_t i = 0; i < preset_.smoke.clips.size(); ++i) {
             std::string& file = preset_.smoke.clips[i].file;
             const ClipFiles found = clip_files(file, bundle_.preset.folder, bundle_.clip_folders);
-            if (found.files.empty()) {
-                faults.push_back(clip_fault(i, "\"" + file + "\": no such clip"));
-                continue;
-            }
-            std::string name;
-            // The images of a sequence keep their names, in a folder of their own.
-            const std::string wanted = found.sequence ? found.files.front().stem().string() : found.name;
-            const bool fresh = names.place(found.files.front(), wanted, name);
-            for (const fs::path& from : found.files)
-                if (fresh)
-                    copies_.push_back(
-                        {from, found.sequence ? fs::path("clips") / name / from.filename() : fs::path("clips") / name});
-            file = found.sequence ? "clips/" + name + "/" + found.name : "clips/" + name;
+            if (found.files.empty())
+                faults.push_back(clip_fault(i, found.fault));
+            else
+                file = plan_clip(found);
         }
         if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
+    }
+
+    /// What the preset calls it then: the same file once, another of the same name beside it as "plume-2.mp4".
+    std::string plan_clip(const ClipFiles& found) {
+        std::error_code error;
+        const fs::path real = fs::weakly_canonical(found.files.front(), error);
+        if (const auto known = clips_.find(real); known != clips_.end()) return known->second;
+        const std::string extension = clip_extension(found.name), before = found.name.substr(0, found.name.find('%'));
+        std::string name =
+            clip_names_.give(found.sequence ? before + "frames" : found.name, found.sequence ? "" : extension);
+        if (!found.sequence) {
+            pieces_.push_back({.to = fs::path("clips") / name, .from = found.files.front(), .bytes = {}});
+        } else {
+            // In a folder of their own, counted anew.
+            for (std::size_t i = 0; i < found.files.size(); ++i) {
+                std::string number = std::to_string(i);
+                number.insert(0, 6 - std::min<std::size_t>(6, number.size()), '0');
+                pieces_.push_back(
+                    {.to = fs::path("clips") / name / (number + extension), .from = found.files[i], .bytes = {}});
+                images_.push_back(pieces_.size() - 1);
+            }
+            name += "/%06d" + extension;
+        }
+        return clips_[real] = "clips/" + name;
     }
 
     /// A mesh of the scene on its way: with all files that it names, into a folder of its own.
@@ -165,13 +173,11 @@ class Writer {
     };
     Mesh plan_mesh(const std::string& file, const OrganOptions& options, const std::string& folder) {
         if (file.empty()) return {};
-        const fs::path whole = bundle_.scene->folder / file;
-        Mesh mesh{
-            .file = folder + "/" + whole.filename().string(), .options = options, .organ = load_organ(whole, options)};
-        std::set<fs::path> taken;
-        for (const fs::path& from : mesh.organ.files) {
-            const fs::path to = folder / from.lexically_relative(whole.parent_path());
-            if (is_file(from) && taken.insert(to).second) copies_.push_back({from, to});
+        const fs::path whole = named_path(bundle_.scene->folder, file, Reach::anywhere);
+        Mesh mesh{.file = {}, .options = options, .organ = load_organ(whole, options)};
+        for (PackedFile& packed : pack_organ(whole)) {
+            if (mesh.file.empty()) mesh.file = folder + '/' + packed.name;
+            pieces_.push_back({.to = fs::path(folder) / packed.name, .from = {}, .bytes = std::move(packed.bytes)});
         }
         return mesh;
     }
@@ -189,27 +195,38 @@ class Writer {
         scene_->tool.file = tool_.file;
     }
 
-    void copy(const Copy& c) {
-        const fs::path to = beside_.path() / c.to;
+    void put(const Piece& piece) {
+        const fs::path to = beside_.path() / piece.to;
         fs::create_directories(to.parent_path());
-        const Descriptor in{::open(c.from.c_str(), O_RDONLY | O_CLOEXEC)};
-        if (in.number < 0) fail(c.from, std::string("cannot be read: ") + std::strerror(errno));
         const Descriptor out{::open(to.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666)};
-        if (out.number < 0) fail(target_ / c.to, std::string("cannot be written: ") + std::strerror(errno));
-        std::vector<char> buffer(piece);
-        for (;;) {
+        if (out.number < 0) fail(target_ / piece.to, std::string("cannot be written: ") + std::strerror(errno));
+        if (piece.from.empty())
+            write_all(out, piece, {reinterpret_cast<const char*>(piece.bytes.data()), piece.bytes.size()});
+        else
+            copy(out, piece);
+        if (::fsync(out.number) != 0)
+            fail(target_ / piece.to, std::string("cannot be written: ") + std::strerror(errno));
+    }
+
+    void copy(const Descriptor& out, const Piece& piece) {
+        const Descriptor in{::open(piece.from.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)};
+        if (in.number < 0) fail(piece.from, std::string("cannot be read: ") + std::strerror(errno));
+        for (std::vector<char> buffer(block);;) {
             const ssize_t got = ::read(in.number, buffer.data(), buffer.size());
-            if (got < 0) fail(c.from, std::string("cannot be read: ") + std::strerror(errno));
-            if (got == 0) break;
-            for (ssize_t done = 0; done < got;) {
-                const ssize_t put = ::write(out.number, buffer.data() + done, static_cast<std::size_t>(got - done));
-                if (put < 0) fail(target_ / c.to, std::string("cannot be written: ") + std::strerror(errno));
-                done += put;
-            }
-            copied_ += static_cast<double>(got);
+            if (got < 0) fail(piece.from, std::string("cannot be read: ") + std::strerror(errno));
+            if (got == 0) return;
+            write_all(out, piece, {buffer.data(), static_cast<std::size_t>(got)});
+        }
+    }
+
+    void write_all(const Descriptor& out, const Piece& piece, std::string_view bytes) {
+        while (!bytes.empty()) {
+            const ssize_t put = ::write(out.number, bytes.data(), std::min(bytes.size(), block));
+            if (put < 0) fail(target_ / piece.to, std::string("cannot be written: ") + std::strerror(errno));
+            bytes.remove_prefix(static_cast<std::size_t>(put));
+            copied_ += static_cast<double>(put);
             tell(total_ > 0 ? 0.9 * std::min(1.0, copied_ / total_) : 0.9);
         }
-        if (::fsync(out.number) != 0) fail(target_ / c.to, std::string("cannot be written: ") + std::strerror(errno));
     }
 
     void check_preset() const {
@@ -218,6 +235,15 @@ class Writer {
         if (write_preset(loaded) != write_preset(preset_))
             fail(target_ / file.filename(), "does not come back as it was written");
         check_clips(loaded, (target_ / file.filename()).string(), {});
+        for (const std::size_t image : images_) check_image(pieces_[image]);
+    }
+
+    void check_image(const Piece& piece) const {
+        try {
+            report_clip(beside_.path() / piece.to);
+        } catch (const Error& error) {
+            throw Error(Failure::bad_input, Fault{piece.from.string(), "", error.faults().front().reason});
+        }
     }
 
     void check_mesh(const Mesh& mesh) const {
@@ -257,42 +283,53 @@ class Writer {
             if (error) fail(target_, "cannot be written: " + error.message());
             return;
         }
-        const FolderBeside old(target_);
-        fs::rename(target_, old / "old", error);
+        // At one stroke, so that there is one of them at any time; the old one goes with what is beside.
+        if (::renameat2(AT_FDCWD, beside_.path().c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) return;
+        // Where the file system cannot do that, under a name that nobody tidies up: killed here, it is what there is.
+        const fs::path old = target_.string() + ".before";
+        fs::rename(target_, old, error);
         if (error) fail(target_, "cannot be replaced: " + error.message());
         fs::rename(beside_.path(), target_, error);
-        if (!error) return;
         const std::string reason = error.message();
-        fs::rename(old / "old", target_, error);
-        fail(target_, "cannot be replaced: " + reason);
+        if (error) {
+            fs::rename(old, target_, error);
+            fail(target_, "cannot be replaced: " + reason);
+        }
+        fs::remove_all(old, error);
     }
 
     const Bundle& bundle_;
     const std::function<bool(double)>& goes_on_;
     fs::path target_;
-    FolderBeside beside_;
+    Beside beside_;
     std::string name_;
     Preset preset_;
     std::optional<Scene> scene_;
     Mesh organ_, tool_;
-    std::vector<Copy> copies_;
-    double total_ = 0, copied_ = 0;  ///< bytes
+    std::vector<Piece> pieces_;
+    OwnNames clip_names_;
+    std::map<fs::path, std::string> clips_;  ///< what they are called now, by where they lie
+    std::vector<std::size_t> images_;        ///< pieces, of sequences: the preset's check opens the first one alone
+    double total_ = 0, copied_ = 0;          ///< bytes
 };
 
 }  // namespace
 
 ClipFiles clip_files(const std::string& clip, const fs::path& preset_folder,
                      const std::vector<fs::path>& clip_folders) {
-    const auto look = [&](const fs::path& folder, bool shipped) -> ClipFiles {
-        const fs::path path = folder / clip;
-        if (is_file(path)) return {.files = {path}, .name = path.filename().string(), .shipped = shipped};
-        std::vector<fs::path> files = sequence_files(path);
-        return {.files = std::move(files), .name = path.filename().string(), .shipped = shipped, .sequence = true};
-    };
-    if (clip.empty()) return {};
-    ClipFiles found = look(preset_folder, false);
-    if (fs::path(clip).filename() != fs::path(clip)) return found;
-    for (std::size_t i = 0; i < clip_folders.size() && found.files.empty(); ++i) found = look(clip_folders[i], true);
+    ClipFiles found;
+    try {
+        const fs::path path = find_clip(clip, preset_folder, clip_folders);
+        const auto lies_in = [&](const fs::path& folder) { return folder / clip == path; };
+        found.name = path.filename().string();
+        found.shipped = path != preset_folder / clip && std::any_of(clip_folders.begin(), clip_folders.end(), lies_in);
+        found.sequence = !is_file(path);
+        found.files = found.sequence ? sequence_files(path) : std::vector<fs::path>{path};
+        found.fault = found.files.empty() ? '"' + clip + "\": no such clip" : "";
+    } catch (const Error& error) {
+        const std::string& reason = error.faults().front().reason;
+        found.fault = reason.starts_with("no such clip") ? '"' + clip + "\": no such clip" : reason;
+    }
     return found;
 }
 
@@ -305,7 +342,7 @@ Preset preset_in(const fs::path& folder, const Preset& preset, const std::vector
         std::string& file = moved.smoke.clips[i].file;
         const ClipFiles found = clip_files(file, preset.folder, clip_folders);
         if (found.files.empty()) {
-            faults.push_back(clip_fault(i, "\"" + file + "\": no such clip"));
+            faults.push_back(clip_fault(i, found.fault));
             continue;
         }
         if (found.shipped) {

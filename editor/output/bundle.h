@@ -7,6 +7,9 @@
 //                           .thumbnail = image});
 //     // ooze/ooze.json  ooze/thumbnail.png  ooze/clips/plume.mp4
 //     // ooze/ooze.scene.json  ooze/organ/liver.glb  ooze/tool/hook.glb
+//
+// All names in a bundle are made here: none comes from a file, and nothing is written outside of the bundle. Only what was read as
+// the clip, mesh or picture that it is said to be comes along.
 #pragma once
 
 #include <filesystem>
@@ -21,10 +24,11 @@
 
 namespace lapfx::output {
 
-/// Where a preset's clip lies: one file, or the images of a numbered sequence; none when it cannot be found.
+/// Where a preset's clip lies: one file, or the images of a numbered sequence; none when it cannot be found, or is out of reach.
 struct ClipFiles {
     std::vector<std::filesystem::path> files;
     std::string name;      ///< of the file, or the pattern of the sequence
+    std::string fault;     ///< why there are none
     bool shipped = false;  ///< found on the search path, by its bare name
     bool sequence = false;
 };

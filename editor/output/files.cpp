@@ -8,8 +8,6 @@
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "lapfx/file.h"
-
 namespace lapfx::output {
 
 namespace fs = std::filesystem;
@@ -22,7 +20,7 @@ fs::path folder_of(const fs::path& path) {
 
 /// OpenCV's writer does not tell why it failed: a full disk does, when something is written there.
 void require_room(const fs::path& path) {
-    const FolderBeside folder(path);
+    const Beside folder(path, Beside::Kind::folder);
     try {
         write_file(folder.path() / path.filename(), std::string(std::size_t{64} << 10U, '\0'));
     } catch (const Error& error) {
@@ -78,24 +76,19 @@ bool is_video_name(const fs::path& path) {
 VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs::absolute(path)), size_(size) {
     require_replaceable(path_);
     // The extension stays last: the container is chosen by it.
-    beside_ = path_.parent_path() /
-              (".lapfx-" + std::to_string(::getpid()) + "-" + path_.stem().string() + path_.extension().string());
+    beside_ = std::make_unique<Beside>(path_, Beside::Kind::file, path_.extension().string());
     // H.264 where FFmpeg can encode it, else MPEG-4 part 2, which it always can.
     for (const int codec : {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')})
-        if (writer_.open(beside_.string(), cv::CAP_FFMPEG, codec, fps, size)) return;
-    std::error_code error;
-    fs::remove(beside_, error);
+        if (writer_.open(beside_->path().string(), cv::CAP_FFMPEG, codec, fps, size)) return;
     require_room(path);
     throw cannot_write(path, "no video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
                                  " pixels can be encoded here (the sides must be even)");
 }
 
+/// Closed before what is beside goes.
 VideoFile::~VideoFile() {
-    if (published_) return;
     writer_.release();
     written_.release();
-    std::error_code error;
-    fs::remove(beside_, error);
 }
 
 void VideoFile::add(const Image& image) {
@@ -110,7 +103,7 @@ bool VideoFile::check() {
     if (!closed_) {
         closed_ = true;
         writer_.release();
-        written_.open(beside_.string(), cv::CAP_FFMPEG);
+        written_.open(beside_->path().string(), cv::CAP_FFMPEG);
     }
     if (written_.isOpened() && written_.grab()) {
         ++readable_;
@@ -131,26 +124,14 @@ bool VideoFile::check() {
 }
 
 void VideoFile::publish() {
-    give_name(beside_, path_);
-    published_ = true;
+    give_name(beside_->path(), path_);
+    beside_.reset();
 }
 
 void VideoFile::finish() {
     while (check()) {
     }
     publish();
-}
-
-FolderBeside::FolderBeside(const fs::path& path) {
-    std::string pattern = (folder_of(fs::absolute(path)) / ".lapfx-XXXXXX").string();
-    if (::mkdtemp(pattern.data()) == nullptr)
-        throw cannot_write(path, std::string("cannot be written: ") + std::strerror(errno));
-    path_ = pattern;
-}
-
-FolderBeside::~FolderBeside() {
-    std::error_code error;
-    fs::remove_all(path_, error);
 }
 
 }  // namespace lapfx::output

@@ -7,10 +7,12 @@
 #pragma once
 
 #include <filesystem>
+#include <memory>
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
 #include "lapfx/error.h"
+#include "lapfx/file.h"
 #include "lapfx/organ.h"
 
 namespace lapfx::output {
@@ -37,32 +39,17 @@ class VideoFile {
     void finish();
 
   private:
-    std::filesystem::path path_, beside_;
+    std::filesystem::path path_;
+    std::unique_ptr<Beside> beside_;
     cv::Size size_;
     cv::VideoWriter writer_;
     cv::VideoCapture written_;
     cv::Mat frame_;
     int frames_ = 0, readable_ = 0;
-    bool closed_ = false, checked_ = false, published_ = false;
+    bool closed_ = false, checked_ = false;
 };
 
 bool is_video_name(const std::filesystem::path& path);
-
-/// A folder beside `path` to make things in before they get their names, gone with all that is still in it.
-class FolderBeside {
-  public:
-    /// Throws Error (runtime) that names `path`.
-    explicit FolderBeside(const std::filesystem::path& path);
-    ~FolderBeside();
-    FolderBeside(const FolderBeside&) = delete;
-    FolderBeside& operator=(const FolderBeside&) = delete;
-
-    const std::filesystem::path& path() const { return path_; }
-    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-
-  private:
-    std::filesystem::path path_;
-};
 
 /// The colours, as OpenCV has them; alpha is left out.
 void to_bgr(const Image& image, cv::Mat& bgr);

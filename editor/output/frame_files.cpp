@@ -25,7 +25,7 @@ class PngFiles : public FrameFiles {
     PngFiles(const fs::path& name, glm::ivec2 size, int count)
         : name_(fs::absolute(name)), sequence_(form_of(name) == FileForm::sequence), size_(size) {
         for (int i = 0; i < count; ++i) require_replaceable(target(i));
-        beside_ = std::make_unique<FolderBeside>(name_);
+        beside_ = std::make_unique<Beside>(name_, Beside::Kind::folder);
     }
 
     void add(const Image& image) override {
@@ -58,7 +58,7 @@ class PngFiles : public FrameFiles {
     fs::path name_;
     bool sequence_;
     glm::ivec2 size_;
-    std::unique_ptr<FolderBeside> beside_;
+    std::unique_ptr<Beside> beside_;
     std::vector<std::size_t> hashes_;  ///< of the pixels that were written
     std::size_t checked_ = 0;
     cv::Mat bgr_;

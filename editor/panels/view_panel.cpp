@@ -8,6 +8,7 @@
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "app/orbit.h"
+#include "app/paths.h"
 #include "app/pick_color.h"
 #include "app/reference.h"
 #include "app/settings.h"
@@ -453,7 +454,7 @@ class ViewPanel {
             editor_.commands.run("file.load_organ");
         if (!file.empty() && ui::button(ui_, "Unit and orientation...",
                                         {.tip = "Read this organ again, with another unit or orientation"}))
-            editor_.open_organ(editor_.document.scene().folder / file);
+            editor_.open_organ(app::path_from(editor_.document.scene().folder, file));
         if (editor_.document.can_undo() &&
             ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
             editor_.document.undo();

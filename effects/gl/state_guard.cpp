@@ -30,6 +30,8 @@ StateGuard::StateGuard() noexcept {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glGetIntegerv(GL_TEXTURE_BINDING_2D, &textures_[static_cast<std::size_t>(i)]);
         glGetIntegerv(GL_TEXTURE_BINDING_2D_ARRAY, &texture_arrays_[static_cast<std::size_t>(i)]);
+        glGetIntegerv(GL_SAMPLER_BINDING, &samplers_[static_cast<std::size_t>(i)]);
+        if (samplers_[static_cast<std::size_t>(i)] != 0) glBindSampler(static_cast<GLuint>(i), 0);
     }
     glActiveTexture(as_enum(active_texture_));
     glGetIntegerv(GL_CURRENT_PROGRAM, &program_);
@@ -54,6 +56,8 @@ StateGuard::~StateGuard() {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
         glBindTexture(GL_TEXTURE_2D, as_name(textures_[static_cast<std::size_t>(i)]));
         glBindTexture(GL_TEXTURE_2D_ARRAY, as_name(texture_arrays_[static_cast<std::size_t>(i)]));
+        if (samplers_[static_cast<std::size_t>(i)] != 0)
+            glBindSampler(static_cast<GLuint>(i), as_name(samplers_[static_cast<std::size_t>(i)]));
     }
     glActiveTexture(as_enum(active_texture_));
     // A program that the host has deleted while it was current is gone once another one has been used.

@@ -1,4 +1,5 @@
-// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's. What GL
+// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's. Samplers that the host has
+// bound are put aside meanwhile: they would win over how the core's own textures are filtered. What GL
 // keeps for each draw buffer (blending) or viewport (scissor test) is taken from the first and put back for all: effects.h says that
 // hosts have it the same for all, for asking each of them in every frame would cost every host more than it helps a rare one.
 #pragma once
@@ -28,7 +29,7 @@ class StateGuard {
         GLint64 start = 0, size = 0;  // size 0: the whole buffer
     };
     std::array<UniformBinding, uniform_bindings> uniform_buffers_{};
-    std::array<GLint, texture_units> textures_{}, texture_arrays_{};
+    std::array<GLint, texture_units> textures_{}, texture_arrays_{}, samplers_{};
     GLint program_ = 0, vertex_array_ = 0, depth_function_ = 0, active_texture_ = 0, uniform_buffer_ = 0;
     GLint blend_[6] = {};
     GLboolean depth_mask_ = GL_TRUE;

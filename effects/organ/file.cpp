@@ -67,29 +67,6 @@ Bytes read_file(const fs::path& path, const std::string& name, const std::string
     return bytes;
 }
 
-bool has_scheme(std::string_view reference) {
-    const std::size_t colon = reference.find(':');
-    if (colon == std::string_view::npos || colon == 0) return false;
-    if (!std::isalpha(static_cast<unsigned char>(reference[0]))) return false;
-    return std::all_of(reference.begin(), reference.begin() + static_cast<std::ptrdiff_t>(colon), [](char c) {
-        return std::isalnum(static_cast<unsigned char>(c)) || c == '+' || c == '-' || c == '.';
-    });
-}
-
-fs::path file_beside(const fs::path& folder, std::string_view reference, const std::string& file,
-                     const std::string& place) {
-    const std::string shown = "\"" + std::string(reference.substr(0, 120)) + "\"";
-    if (reference.empty()) refuse(file, place, "names no file");
-    if (reference.find('\0') != std::string_view::npos) refuse(file, place, "the file name holds a NUL character");
-    if (has_scheme(reference)) refuse(file, place, shown + " is a URL; only plain files beside this file are read");
-    const fs::path path = fs::path(std::string(reference)).lexically_normal();
-    if (path.is_absolute() || path.has_root_path())
-        refuse(file, place, shown + " is an absolute path; only files beside this file are read");
-    if (path.begin() != path.end() && *path.begin() == "..")
-        refuse(file, place, shown + " leads out of the folder of this file");
-    return folder / path;
-}
-
 std::string percent_decoded(std::string_view uri) {
     std::string out;
     for (std::size_t i = 0; i < uri.size(); ++i) {

@@ -143,7 +143,7 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
             organ.parts.push_back(std::move(part));
         }
     }
-    organ.files = std::move(document.files);
+    organ.files.insert(organ.files.begin(), document.files.begin(), document.files.end());
     if (left_out > 0)
         organ.warnings.push_back(counted(left_out, "primitive", "primitives") + " of points or lines left out");
     return organ;

@@ -3,7 +3,9 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "lapfx/file.h"
 #include "organ/meshopt.h"
+#include "organ/pack.h"
 #include "organ/raw.h"
 
 namespace lapfx::organ {
@@ -71,15 +73,16 @@ Chunks split_glb(const Bytes& bytes, const std::string& file) {
     return chunks;
 }
 
-json parse(std::string_view text, const std::string& file) {
+template <typename Json>
+Json parse(std::string_view text, const std::string& file, bool with_extras) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     // Extras may hold anything; without them and with bounded depth the rest is safe for recursive readers.
-    const auto keep = [&](int depth, json::parse_event_t event, json& value) {
+    const auto keep = [&](int depth, typename Json::parse_event_t event, Json& value) {
         if (depth > maximum_depth) refuse(file, "", "its JSON is nested deeper than 64 levels");
-        return event != json::parse_event_t::key || value != "extras";
+        return with_extras || event != Json::parse_event_t::key || value != "extras";
     };
     try {
-        json document = json::parse(text, keep);
+        Json document = Json::parse(text, keep);
         if (!document.is_object()) refuse(file, "", "its JSON is no object");
         return document;
     } catch (const json::exception& fault) {
@@ -121,9 +124,10 @@ bool is_data_uri(std::string_view uri) {
     return uri.starts_with("data:");
 }
 
-std::string text_member(const json& object, const char* key) {
+template <typename Json>
+std::string text_member(const Json& object, const char* key) {
     const auto found = object.find(key);
-    return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
+    return found != object.end() && found->is_string() ? found->template get<std::string>() : std::string();
 }
 
 /// A buffer that only stands for what EXT_meshopt_compression decodes into has no bytes of its own.
@@ -147,8 +151,10 @@ void read_buffers(GltfDocument& document, const json& buffers, std::span<const s
         else if (is_data_uri(uri))
             buffer.data = data_uri(uri, document.file, place + "/uri");
         else if (!uri.empty()) {
-            document.files.push_back(file_beside(document.folder, percent_decoded(uri), document.file, place + "/uri"));
-            buffer.data = read_file(document.files.back(), document.file, place + ": " + uri);
+            const std::filesystem::path path =
+                named_path(document.folder, percent_decoded(uri), Reach::inside, document.file, place + "/uri");
+            buffer.data = read_file(path, document.file, place + ": " + uri);
+            document.files.push_back(path);
         } else if (!is_fallback(source))
             refuse(document.file, place, "has no uri, and the file has no binary chunk for it");
         if (!buffer.data.empty() && buffer.data.size() < length)
@@ -215,7 +221,7 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     Chunks chunks{{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
     if (chunks.json.starts_with("glTF")) chunks = split_glb(bytes, file);
 
-    json structure = parse(chunks.json, file);
+    json structure = parse<json>(chunks.json, file, false);
     check_head(structure, file);
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
@@ -241,18 +247,94 @@ std::span<const std::uint8_t> GltfDocument::view(int index, const std::string& p
     return bytes_of(*this, view.buffer, view.byteOffset, view.byteLength, view_place);
 }
 
+std::filesystem::path GltfDocument::image_file(int index) const {
+    const tinygltf::Image& image = model.images[static_cast<std::size_t>(index)];
+    if (image.bufferView >= 0 || is_data_uri(image.uri)) return {};
+    return named_path(folder, percent_decoded(image.uri), Reach::inside, file,
+                      "/images/" + std::to_string(index) + "/uri");
+}
+
 std::span<const std::uint8_t> GltfDocument::image_bytes(int index, Bytes& storage, std::string& fault) {
     const tinygltf::Image& image = model.images[static_cast<std::size_t>(index)];
     const std::string place = "/images/" + std::to_string(index);
     if (image.bufferView >= 0) return view(image.bufferView, place + "/bufferView");
     if (is_data_uri(image.uri)) return storage = data_uri(image.uri, file, place + "/uri");
-    files.push_back(file_beside(folder, percent_decoded(image.uri), file, place + "/uri"));
+    const std::filesystem::path path = image_file(index);
     try {
-        return storage = read_file(files.back(), image.uri);
+        return storage = read_file(path, image.uri);
     } catch (const Error& error) {
         fault = error.faults().front().reason;
         return {};
     }
+}
+
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+/// The members of a list that name a file of their own.
+std::vector<OrderedJson*> with_files(OrderedJson& document, const char* list) {
+    std::vector<OrderedJson*> found;
+    if (!document.contains(list) || !document[list].is_array()) return found;
+    for (OrderedJson& member : document[list])
+        if (member.is_object() && !text_member(member, "uri").empty() && !is_data_uri(text_member(member, "uri")))
+            found.push_back(&member);
+    return found;
+}
+
+std::string pack_buffer(const OrderedJson& buffer, const std::string& file, Packing& packing) {
+    const std::string uri = text_member(buffer, "uri"), place = "/buffers";
+    const std::filesystem::path path = named_path(packing.folder(), percent_decoded(uri), Reach::inside, file, place);
+    Bytes bytes = read_file(path, file, place + ": " + uri);
+    const auto length = buffer.find("byteLength");
+    if (length == buffer.end() || !length->is_number_unsigned() || *length > bytes.size())
+        refuse(file, place, uri + " is not as long as it should be");
+    bytes.resize(*length);  // more of it is no part of the organ
+    return packing.add(path, ".bin", std::move(bytes));
+}
+
+std::string pack_image(const OrderedJson& image, Packing& packing) {
+    const std::string name = percent_decoded(text_member(image, "uri"));
+    try {
+        if (const std::string packed = packing.add_picture(named_path(packing.folder(), name)); !packed.empty())
+            return packed;
+    } catch (const Error&) {  // one that leads out, and that no material uses
+    }
+    return packing.unused(name);
+}
+
+void put_word(Bytes& out, std::size_t value) {
+    for (unsigned shift = 0; shift < 32; shift += 8) out.push_back(static_cast<std::uint8_t>(value >> shift & 0xffU));
+}
+
+/// A binary glTF with another JSON; the chunks behind it stay.
+Bytes with_json(const Bytes& glb, std::string text) {
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::size_t end = std::min<std::size_t>(word(glb, 8), glb.size());
+    const std::size_t rest = std::min<std::size_t>(20 + (std::size_t{word(glb, 12)} + 3) / 4 * 4, end);
+    Bytes out(glb.begin(), glb.begin() + 8);
+    put_word(out, 20 + text.size() + end - rest);
+    put_word(out, text.size());
+    out.insert(out.end(), glb.begin() + 16, glb.begin() + 20);
+    out.insert(out.end(), text.begin(), text.end());
+    out.insert(out.end(), glb.begin() + static_cast<std::ptrdiff_t>(rest),
+               glb.begin() + static_cast<std::ptrdiff_t>(end));
+    return out;
+}
+
+}  // namespace
+
+Bytes pack_gltf(const Bytes& bytes, const std::string& file, Packing& packing) {
+    Chunks chunks{{reinterpret_cast<const char*>(bytes.data()), bytes.size()}, {}};
+    const bool binary = chunks.json.starts_with("glTF");
+    if (binary) chunks = split_glb(bytes, file);
+    OrderedJson document = parse<OrderedJson>(chunks.json, file, true);
+    const std::vector<OrderedJson*> buffers = with_files(document, "buffers"), images = with_files(document, "images");
+    if (buffers.empty() && images.empty()) return bytes;
+    for (OrderedJson* buffer : buffers) (*buffer)["uri"] = pack_buffer(*buffer, file, packing);
+    for (OrderedJson* image : images) (*image)["uri"] = pack_image(*image, packing);
+    std::string text = document.dump();
+    return binary ? with_json(bytes, std::move(text)) : Bytes(text.begin(), text.end());
 }
 
 }  // namespace lapfx::organ

@@ -21,13 +21,16 @@ struct GltfDocument {
     std::string file;                          ///< as faults name it
     std::filesystem::path folder;              ///< of the file
     tinygltf::Model model;                     ///< buffers[].data and images[].uri, bufferView filled in by us
-    std::vector<std::filesystem::path> files;  ///< read besides it, or looked for
+    std::vector<std::filesystem::path> files;  ///< of buffers, read besides it
     bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
 
     /// The bytes of a buffer view, decompressed where needed. Throws Error when it is not there or not in its
     /// buffer.
     std::span<const std::uint8_t> view(int index, const std::string& place);
+
+    /// Where an image lies that is a file of its own; empty: it is none. Throws Error when its URI may not be followed.
+    std::filesystem::path image_file(int index) const;
 
     /// The bytes of an image, of a view, a data URI or a file (kept in `storage`); the reason in `fault` when
     /// the file cannot be read. Throws Error when the image's URI may not be followed.

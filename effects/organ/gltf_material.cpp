@@ -86,6 +86,8 @@ class Images {
         std::string fault;
         const std::span<const std::uint8_t> bytes = document_.image_bytes(source, storage, fault);
         if (fault.empty()) fault = decode_image(bytes, image);
+        if (const std::filesystem::path file = document_.image_file(source); !file.empty())
+            (fault.empty() ? organ_.files : organ_.unread_files).push_back(file);
         if (!fault.empty()) {
             organ_.warnings.push_back("texture " + image.name + ": " + fault + "; it is left out");
             return -1;

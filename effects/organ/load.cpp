@@ -13,8 +13,7 @@ namespace lapfx {
 namespace {
 
 using organ::Bytes;
-
-enum class Format { gltf, obj, ply, stl, off, unknown };
+using organ::Format;
 
 bool starts(const Bytes& bytes, std::string_view text) {
     return bytes.size() >= text.size() && std::equal(text.begin(), text.end(), bytes.begin());
@@ -24,19 +23,6 @@ std::string lower_extension(const std::filesystem::path& path) {
     std::string extension = path.extension().string();
     for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return extension;
-}
-
-/// What the file starts with, and for the formats that start with nothing of their own, the name.
-Format format_of(const std::filesystem::path& path, const Bytes& bytes) {
-    if (starts(bytes, "glTF")) return Format::gltf;
-    if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return Format::ply;
-    const std::string extension = lower_extension(path);
-    if (extension == ".gltf" || extension == ".glb") return Format::gltf;
-    if (extension == ".obj") return Format::obj;
-    if (extension == ".ply") return Format::ply;
-    if (extension == ".stl" || extension == ".stla" || extension == ".stlb") return Format::stl;
-    if (extension == ".off") return Format::off;
-    return Format::unknown;
 }
 
 organ::RawOrgan read(Format format, const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
@@ -56,7 +42,7 @@ organ::RawOrgan read(Format format, const std::filesystem::path& path, const std
         case Format::unknown:
             break;
     }
-    organ::refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+    organ::refuse_format(file);
 }
 
 glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
@@ -69,6 +55,22 @@ glm::dmat4 to_millimetres(double scale, const glm::dvec3& degrees) {
 }
 
 }  // namespace
+
+organ::Format organ::format_of(const std::filesystem::path& path, const Bytes& bytes) {
+    if (starts(bytes, "glTF")) return Format::gltf;
+    if (starts(bytes, "ply\n") || starts(bytes, "ply\r")) return Format::ply;
+    const std::string extension = lower_extension(path);
+    if (extension == ".gltf" || extension == ".glb") return Format::gltf;
+    if (extension == ".obj") return Format::obj;
+    if (extension == ".ply") return Format::ply;
+    if (extension == ".stl" || extension == ".stla" || extension == ".stlb") return Format::stl;
+    if (extension == ".off") return Format::off;
+    return Format::unknown;
+}
+
+void organ::refuse_format(const std::string& file) {
+    refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+}
 
 Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages) {
     const std::string file = path.string();
@@ -89,12 +91,13 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
     for (organ::RawPart& part : raw.parts) organ::transform(part, matrix);
 
     organ::Missing missing;
-    std::vector<std::filesystem::path> files = std::move(raw.files);
+    std::vector<std::filesystem::path> files = std::move(raw.files), unread = std::move(raw.unread_files);
     Organ organ = organ::mend(std::move(raw), file, missing);
     organ.name = path.stem().string();
     organ.scale = scale;
     organ.files = std::move(files);
     organ.files.insert(organ.files.begin(), path);
+    organ.unread_files = std::move(unread);
     stages.reach(0.85);
     organ::complete(organ, missing);
     stages.reach(1.0);

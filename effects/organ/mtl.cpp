@@ -1,10 +1,13 @@
 #include "organ/mtl.h"
 
 #include <map>
+#include <set>
 #include <sstream>
 
+#include "lapfx/file.h"
 #include "organ/file.h"
 #include "organ/image.h"
+#include "organ/pack.h"
 #include "organ/soup.h"
 
 namespace lapfx::organ {
@@ -48,6 +51,29 @@ std::string map_file(std::istringstream& line, float& bump) {
     line.seekg(before);
     std::getline(line, rest);
     return trimmed(rest);
+}
+
+/// Relative to the OBJ. Of a path that leads elsewhere, which was right on the machine that wrote it, the last name is looked
+/// for beside the OBJ. Throws Error.
+fs::path texture_path(const fs::path& folder, std::string name) {
+    std::replace(name.begin(), name.end(), '\\', '/');
+    try {
+        return named_path(folder, name);
+    } catch (const Error&) {
+        const std::string last = fs::path(name).filename().string();
+        std::error_code error;
+        if (last.empty() || last == name || !fs::exists(folder / last, error)) throw;
+        return named_path(folder, last);
+    }
+}
+
+/// Empty, or why it is none.
+std::string decode_texture(const fs::path& path, const std::string& name, Image& image) {
+    try {
+        return decode_image(read_file(path, name), image);
+    } catch (const Error& error) {
+        return error.faults().front().reason;
+    }
 }
 
 class Library {
@@ -124,8 +150,10 @@ class Library {
         image.name = name;
         std::string fault;
         try {
-            organ_.files.push_back(path_of(name));
-            fault = decode_image(read_file(path_of(name), name), image);
+            const fs::path path = texture_path(folder_, name);
+            if (const auto same = by_path_.find(path); same != by_path_.end()) return index = same->second;
+            fault = decode_texture(path, name, image);
+            (fault.empty() ? organ_.files : organ_.unread_files).push_back(path);
         } catch (const Error& error) {
             fault = error.faults().front().reason;
         }
@@ -134,20 +162,14 @@ class Library {
             return -1;
         }
         organ_.images.push_back(std::move(image));
+        by_path_[organ_.files.back()] = static_cast<int>(organ_.images.size()) - 1;
         return index = static_cast<int>(organ_.images.size()) - 1;
-    }
-
-    /// Relative to the OBJ. Of an absolute path, which was right on the machine that wrote it, the last name
-    /// is looked for beside the OBJ.
-    fs::path path_of(std::string name) const {
-        std::replace(name.begin(), name.end(), '\\', '/');
-        const fs::path path = fs::path(name).lexically_normal();
-        return folder_ / (path.has_root_path() || has_scheme(name) ? path.filename() : path);
     }
 
     fs::path folder_;
     RawOrgan& organ_;
     std::map<std::string, int> images_;
+    std::map<fs::path, int> by_path_;
     int current_ = -1;
 };
 
@@ -156,14 +178,56 @@ class Library {
 void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder, RawOrgan& organ) {
     Library library(folder, organ);
     for (const std::string& name : libraries) {
+        const auto leave_out = [&](const std::string& reason) {
+            organ.warnings.push_back("material library " + name + ": " + reason);
+        };
         try {
-            organ.files.push_back(file_beside(folder, name, name, ""));
-            const Bytes bytes = read_file(organ.files.back(), name);
-            library.read(std::string(bytes.begin(), bytes.end()));
+            const fs::path path = named_path(folder, name);
+            try {
+                const Bytes bytes = read_file(path, name);
+                const std::size_t before = organ.materials.size();
+                library.read(std::string(bytes.begin(), bytes.end()));
+                const bool any = organ.materials.size() > before;
+                (any ? organ.files : organ.unread_files).push_back(path);
+                if (!any) leave_out("holds no material");
+            } catch (const Error& error) {
+                organ.unread_files.push_back(path);
+                leave_out(error.faults().front().reason);
+            }
         } catch (const Error& error) {
-            organ.warnings.push_back("material library " + name + ": " + error.faults().front().reason);
+            leave_out(error.faults().front().reason);
         }
     }
+}
+
+std::string pack_mtl(const std::string& text, Packing& packing) {
+    static const std::set<std::string> plain{"ka", "kd", "ks", "ke", "tf",  "ns",    "ni",     "d",         "tr",
+                                             "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor", "sharpness", "illum"};
+    static const std::set<std::string> maps{"bump", "norm", "disp", "decal", "refl"};
+    std::string out;
+    bool any = false;
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line);) {
+        line = trimmed(line.substr(0, line.find('#')));
+        std::istringstream words(line);
+        std::string key;
+        if (!(words >> key)) continue;
+        key = lower(key);
+        any |= key == "newmtl";
+        if (key == "newmtl" || plain.contains(key)) out += line + '\n';
+        if (!key.starts_with("map_") && !maps.contains(key)) continue;
+        float unused = 1.0F;
+        const std::string name = map_file(words, unused);
+        if (name.empty()) continue;
+        const std::string options = line.substr(0, line.size() - name.size());
+        try {
+            const std::string packed = packing.add_picture(texture_path(packing.folder(), name));
+            if (!packed.empty()) out += options + packed + '\n';
+        } catch (const Error&) {
+            continue;  // it leads out: the line goes
+        }
+    }
+    return any ? out : "";
 }
 
 }  // namespace lapfx::organ

@@ -34,7 +34,8 @@ struct RawOrgan {
     std::vector<Material> materials;
     std::vector<Image> images;
     std::vector<std::string> warnings;
-    std::vector<std::filesystem::path> files;  ///< besides the one that was asked for
+    std::vector<std::filesystem::path> files;  ///< besides the one that was asked for: read, and what they should be
+    std::vector<std::filesystem::path> unread_files;
 };
 
 /// Applies an affine map; a mirroring one also turns the triangles round, so that they still face outwards.

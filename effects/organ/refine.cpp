@@ -74,7 +74,7 @@ std::size_t count(const Corners& p, double limit, std::size_t most) {
 
 /// Places of the vertices; those of one point are the same to the last bit.
 std::vector<glm::vec3> places_of(const Organ& organ) {
-    const organ::Weld weld = organ::weld_positions(organ.positions);
+    const organ::Weld weld = organ::weld_surface(organ.positions, organ.indices);
     std::vector<glm::vec3> first(weld.points), places(organ.positions.size());
     for (std::size_t v = organ.positions.size(); v-- > 0;) first[weld.point[v]] = organ.positions[v];
     for (std::size_t v = 0; v < places.size(); ++v) places[v] = first[weld.point[v]];

@@ -58,16 +58,6 @@ mode_t check_target(const std::filesystem::path& path) {
     return found.st_mode & 07777;
 }
 
-/// A new file in the folder of `path`; `name` receives its name. The process's umask applies.
-int create_beside(const std::filesystem::path& path, std::filesystem::path& name) {
-    for (int attempt = 0; attempt < 100; ++attempt) {
-        name = path.parent_path() / (".lapfx-" + std::to_string(::getpid()) + '-' + std::to_string(attempt) + ".tmp");
-        const int made = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-        if (made >= 0 || errno != EEXIST) return made;
-    }
-    return -1;
-}
-
 /// Empty, or why it failed.
 std::string write_all(Descriptor& file, std::string_view text, mode_t mode) {
     while (!text.empty()) {
@@ -114,15 +104,14 @@ std::string read_file(const std::filesystem::path& path, std::size_t longest) {
 void write_file(const std::filesystem::path& path, std::string_view text) {
     if (path.empty()) fail(Failure::runtime, path, "no file name");
     const mode_t mode = check_target(path);
-    std::filesystem::path beside;
-    Descriptor file(create_beside(path, beside));
+    const Beside beside(path, Beside::Kind::file);
+    // Closing tells of faults, too; what is left open keeps the lock until it has its name.
+    Descriptor file(::fcntl(beside.descriptor(), F_DUPFD_CLOEXEC, 0));
     if (file.get() < 0) fail(Failure::runtime, path, system_reason("cannot be written"));
     std::string reason = write_all(file, text, mode);
-    if (reason.empty() && ::rename(beside.c_str(), path.c_str()) != 0) reason = system_reason("cannot be replaced");
-    if (!reason.empty()) {
-        ::unlink(beside.c_str());
-        fail(Failure::runtime, path, reason);
-    }
+    if (reason.empty() && ::rename(beside.path().c_str(), path.c_str()) != 0)
+        reason = system_reason("cannot be replaced");
+    if (!reason.empty()) fail(Failure::runtime, path, reason);
     // The rename itself reaches the disk with its folder. Not every file system can do that, and the text
     // is safe.
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";

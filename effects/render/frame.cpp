@@ -70,6 +70,7 @@ void Frame::finish(GLuint framebuffer, float exposure, float vignette) const noe
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);  // post.frag encodes
     glBindTextureUnit(0, resolved_color_.name());
+    glBindSampler(0, 0);  // the host's would blend pixels
     glBindVertexArray(no_attributes_.name());
     post_.set("u_exposure", exposure);
     post_.set("u_vignette", vignette);

@@ -4,6 +4,8 @@
 #include <array>
 #include <fstream>
 
+#include "lapfx/file.h"
+
 namespace lapfx::smoke {
 
 namespace fs = std::filesystem;
@@ -12,6 +14,7 @@ namespace {
 
 constexpr int maximum_first = 999;  // number of a sequence's first image
 constexpr int maximum_digits = 9;   // of a number in a sequence
+constexpr int maximum_images = 1'000'000;
 
 void require_plain_file(const fs::path& path) {
     std::error_code error;
@@ -88,18 +91,38 @@ std::optional<ImageSequence> find_sequence(const fs::path& pattern, int maximum)
     return sequence;
 }
 
+namespace {
+
+/// Where a preset's own folder would have it. A name from its file stays inside; a whole path is never one, but what a host
+/// or a person has chosen.
+fs::path own_path(const std::string& file, const fs::path& preset_folder) {
+    return fs::path(file).is_absolute() ? fs::path(file) : named_path(preset_folder, file, Reach::inside, file);
+}
+
+/// Each image of a sequence may be a link of its own.
+void require_inside(const ImageSequence& sequence, const std::string& file, const fs::path& preset_folder) {
+    if (fs::path(file).is_absolute()) return;
+    const fs::path below = fs::path(file).parent_path();
+    for (int i = 0; i < sequence.count; ++i)
+        named_path(preset_folder, (below / sequence.file(i).filename()).string(), Reach::inside, file);
+}
+
+}  // namespace
+
 fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::span<const fs::path> search_path) {
-    std::string looked_in;
-    const auto try_folder = [&](const fs::path& folder) {
-        looked_in += (looked_in.empty() ? "" : ", ") + (folder.empty() ? fs::path(".") : folder).string();
-        std::error_code error;
-        return fs::exists(folder / file, error) || find_sequence(folder / file, 1).has_value();
-    };
-    if (try_folder(preset_folder)) return preset_folder / file;
-    const bool bare = fs::path(file).filename() == fs::path(file);
-    if (bare)
-        for (const fs::path& folder : search_path)
-            if (try_folder(folder)) return folder / file;
+    std::error_code error;
+    const fs::path own = own_path(file, preset_folder);
+    if (fs::exists(own, error)) return own;
+    if (const auto sequence = find_sequence(own, maximum_images)) {
+        require_inside(*sequence, file, preset_folder);
+        return own;
+    }
+    std::string looked_in = (preset_folder.empty() ? fs::path(".") : preset_folder).string();
+    if (fs::path(file).filename() == fs::path(file))
+        for (const fs::path& folder : search_path) {
+            if (fs::exists(folder / file, error) || find_sequence(folder / file, 1)) return folder / file;
+            looked_in += ", " + (folder.empty() ? fs::path(".") : folder).string();
+        }
     throw bad_clip(file, "no such clip; looked in " + looked_in);
 }
 

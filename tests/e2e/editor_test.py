@@ -6,6 +6,7 @@ a window, or a path that is not there. 77 where Xvfb, xdotool or OpenGL is missi
 """
 import json
 import os
+import struct
 import subprocess
 import sys
 import time
@@ -154,8 +155,21 @@ def case_resize(open_editor):
         assert node(tree, "Workspace/View/Preview")["rect"][2] > 300
 
 
+def same_as_rendered(editor, file):
+    """The same bytes as `lapfx render` makes of the scene, where no UI has drawn before."""
+    with open(file, "rb") as picture:
+        exported = picture.read()
+    assert exported.startswith(b"\x89PNG\r\n\x1a\n")
+    width, height = struct.unpack(">II", exported[16:24])
+    rendered = os.path.join(editor.folder, "rendered.png")
+    subprocess.run([editor.lapfx, "render", os.path.join(ROOT, "samples", "lagb.scene.json"), "--at", "3", "--size",
+                    f"{width}x{height}", "-o", rendered], check=True, capture_output=True)
+    with open(rendered, "rb") as picture:
+        assert picture.read() == exported, "the editor's picture is not the one that is rendered"
+
+
 def case_export(open_editor):
-    """A picture by keyboard alone: Ctrl+E, the kind, a name, Enter; the file is there and the editor goes on."""
+    """A picture by keyboard alone: Ctrl+E, the kind, a name, Enter; the file is there, as it is rendered, and the editor goes on."""
     with open_editor() as editor:
         file = os.path.join(editor.folder, "still.png")
         if os.path.exists(file):
@@ -167,11 +181,10 @@ def case_export(open_editor):
         editor.type(file)
         editor.act_now("key", "Return")
         wait_for("the picture", lambda: os.path.exists(file))
-        with open(file, "rb") as picture:
-            assert picture.read(8) == b"\x89PNG\r\n\x1a\n"
         editor.settle()
         tree = editor.close()
         assert any("Exported still.png, checked" in n.get("label", "") + n.get("text", "") for n in nodes(tree))
+        same_as_rendered(editor, file)
 
 
 def case_drop_arrives(open_editor):

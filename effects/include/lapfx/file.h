@@ -1,4 +1,7 @@
-// Document files: whole plain files in, never half a file out.
+// Files: whole plain files in, never half a file out, and the one way from a name that another file holds to a path.
+//
+//     const fs::path skin = lapfx::named_path(folder_of_the_organ, "maps/skin.png", "liver.obj");  // throws for "../skin.png"
+//     lapfx::write_file("tuned.json", text);
 #pragma once
 
 #include <filesystem>
@@ -15,5 +18,39 @@ std::string read_file(const std::filesystem::path& path, std::size_t longest);
 /// file is then as it was. Refuses to replace what is not a plain file (a symbolic link, a folder, a pipe)
 /// or is write-protected.
 void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// How far a name may reach that stands in a file.
+enum class Reach {
+    inside,  ///< the folder of that file, or below it, once symbolic links are resolved: organs, presets
+    anywhere,  ///< any place on this machine: a scene's organ, tool, preset and reference, which a person has chosen by hand
+};
+
+/// Where the file lies that a file in `folder` names. Whether it is there, and is what it should be, is for its reader to find
+/// out. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
+std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name,
+                                 Reach reach = Reach::inside, const std::string& file = {},
+                                 const std::string& place = {});
+
+/// A file or folder that is made beside `target` and then gets its name. What is still there when this goes, goes, too; and what
+/// a process has left in that folder that was ended (killed) meanwhile goes when the next one is made there. Those of running
+/// processes stay: each holds a lock (flock) on its own, which the kernel gives back for it.
+class Beside {
+  public:
+    enum class Kind { file, folder };
+    /// `extension` ends the name. Throws Error (runtime) that names `target`.
+    Beside(const std::filesystem::path& target, Kind kind, std::string_view extension = ".tmp");
+    ~Beside();
+    Beside(const Beside&) = delete;
+    Beside& operator=(const Beside&) = delete;
+
+    const std::filesystem::path& path() const { return path_; }
+    std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+    /// Of a file: open for writing; closed by this.
+    int descriptor() const { return descriptor_; }
+
+  private:
+    std::filesystem::path path_;
+    int descriptor_ = -1;
+};
 
 }  // namespace lapfx

@@ -55,10 +55,12 @@ struct Organ {
     std::vector<Material> materials;     ///< at least one
     std::vector<Image> images;
     std::vector<std::string> warnings;         ///< what was mended or left out, a line each
-    std::vector<std::filesystem::path> files;  ///< that it was read from, or should have been: textures, materials
-    bool has_uvs = false;                      ///< the file had texture coordinates (else they were made)
-    bool has_colors = false;                   ///< the file had vertex colours
-    double scale = 1.0;                        ///< mm per unit of the file, as it was applied
+    std::vector<std::filesystem::path> files;  ///< that it was read from, the mesh first; all in its folder or below
+    std::vector<std::filesystem::path>
+        unread_files;         ///< named in it and there too, but missing or not what they should be
+    bool has_uvs = false;     ///< the file had texture coordinates (else they were made)
+    bool has_colors = false;  ///< the file had vertex colours
+    double scale = 1.0;       ///< mm per unit of the file, as it was applied
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };

@@ -58,7 +58,7 @@ std::map<std::string, GLint64> state() {
     glGetIntegerv(GL_ACTIVE_TEXTURE, &active);
     for (int i = 0; i < units; ++i) {
         glActiveTexture(GL_TEXTURE0 + static_cast<GLenum>(i));
-        for (const GLenum query : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY})
+        for (const GLenum query : {GL_TEXTURE_BINDING_2D, GL_TEXTURE_BINDING_2D_ARRAY, GL_SAMPLER_BINDING})
             glGetInteger64v(query, &all[name("texture unit", query, i)]);
     }
     glActiveTexture(static_cast<GLenum>(active));
@@ -115,6 +115,7 @@ class StateTest : public test::SceneTest {
         glUseProgram(0);
         glBindVertexArray(0);
         glActiveTexture(GL_TEXTURE0);
+        for (GLuint i = 0; i < units; ++i) glBindSampler(i, 0);
     }
 
     gl::Texture color, depth;
@@ -128,6 +129,8 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
     const gl::Texture texture({.size = {2, 2}}), texture_array({.size = {2, 2}, .layers = 3});
     const gl::VertexArray vertex_array;
     const gl::Program program("fullscreen.vert", "post.frag");
+    GLuint sampler = 0;
+    glCreateSamplers(1, &sampler);
     for (const bool on : {true, false}) {
         clear();
         for (const GLenum query : switches)
@@ -141,6 +144,7 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         for (GLuint i = 0; i < units; ++i) {
             glBindTextureUnit(i, texture.name());
             glBindTextureUnit(i, texture_array.name());  // beside it: another target
+            glBindSampler(i, on ? sampler : 0);
         }
         glViewport(3, 5, 50, 40);
         for (GLuint i = 0; i < 4; ++i)  // whole buffers, parts of buffers, and nothing
@@ -167,6 +171,7 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         EXPECT_EQ(state(), smoky) << "after seek";
         put_back();
     }
+    glDeleteSamplers(1, &sampler);
 }
 
 TEST_F(StateTest, WhatTheHostHasSetDoesNotChangeThePicture) {
@@ -201,6 +206,17 @@ TEST_F(StateTest, WhatTheHostHasSetDoesNotChangeThePicture) {
                     glBindBuffer(GL_PIXEL_UNPACK_BUFFER, buffer.name());
                 }))
         << "clip frames are uploaded while drawing";
+    GLuint sampler = 0;  // as of a host that draws text, the editor among them: no mipmaps, no repeating
+    glCreateSamplers(1, &sampler);
+    for (const GLenum name : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T})
+        glSamplerParameteri(sampler, name, GL_CLAMP_TO_EDGE);
+    for (const GLenum name : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER})
+        glSamplerParameteri(sampler, name, GL_NEAREST);
+    EXPECT_TRUE(plain == drawn([&] {
+                    for (GLuint i = 0; i < units; ++i) glBindSampler(i, sampler);
+                }))
+        << "a sampler of the host's wins over the filter of a texture";
+    glDeleteSamplers(1, &sampler);
 }
 
 TEST_F(StateTest, AColourWithoutExtinctionPassesWholeEvenThroughThickSmoke) {

@@ -29,6 +29,10 @@ class CheckCommand : public testing::Test {
         if (!std::filesystem::exists(LAPFX_BINARY_DIR "/lapfx")) GTEST_SKIP() << "the program is not built";
         folder.write("good.json", test::preset_text(R"(, "name": "Ooze")"));
         folder.write("scene.json", test::scene_text());
+        folder.write(
+            "o.ply",
+            "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\n"
+            "element face 1\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n9 0 0\n0 9 0\n3 0 1 2\n");
         folder.write("bad.json", test::preset_text(R"(, "bleeding": {"speed": -3, "sped": 1})"));
     }
     test::Folder folder;
@@ -67,6 +71,53 @@ TEST_F(CheckCommand, OpensTheClipsOfAPreset) {
         << result.err;
     EXPECT_TRUE(result.err.ends_with("\nlapfx: clips.json: /smoke/clips/3/file: empty.mp4: is empty\n")) << result.err;
     EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 2) << result.err;
+}
+
+TEST_F(CheckCommand, OpensWhatASceneNames) {
+    test::write_clip(folder / "real.avi", 3);
+    folder.write("words.mp4", "no video at all");
+    folder.write("empty.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "gone.avi"}]})"));
+    const auto scene = [&](const std::string& name, const std::string& members) {
+        folder.write(name, test::scene_text(members));
+    };
+    scene("good.scene.json", R"(, "preset": "good.json", "organ": {"file": "o.ply"}, "tool": {"file": "o.ply"},
+        "reference": {"file": "real.avi", "offset": 2.5})");
+    scene("gone.scene.json", R"(, "preset": "none.json", "organ": {"file": "none.ply"}, "tool": {"file": "none.stl"},
+        "reference": {"file": "../none.mp4"})");
+    scene("wrong.scene.json", R"(, "preset": "empty.json", "organ": {"file": "words.mp4"},
+        "reference": {"file": "words.mp4"})");
+    EXPECT_EQ(run_lapfx(folder, "check good.scene.json").out, "good.scene.json: scene \"\", ok\n");
+    const Result gone = run_lapfx(folder, "check gone.scene.json good.scene.json");
+    EXPECT_EQ(gone.code, 2);
+    EXPECT_EQ(gone.out, "good.scene.json: scene \"\", ok\n");
+    EXPECT_EQ(gone.err,
+              "lapfx: gone.scene.json: /organ/file: \"none.ply\": no such file\n"
+              "lapfx: gone.scene.json: /tool/file: \"none.stl\": no such file\n"
+              "lapfx: gone.scene.json: /preset: \"none.json\": cannot be read: No such file or directory\n"
+              "lapfx: gone.scene.json: /reference/file: \"../none.mp4\": no such file\n");
+    const Result wrong = run_lapfx(folder, "check wrong.scene.json");
+    EXPECT_EQ(wrong.code, 2);
+    EXPECT_TRUE(wrong.err.starts_with("lapfx: wrong.scene.json: /organ/file: \"words.mp4\": is no mesh that is read"))
+        << wrong.err;
+    EXPECT_NE(wrong.err.find("wrong.scene.json: /preset: \"empty.json\": /smoke/clips/0/file: gone.avi: no such clip"),
+              std::string::npos)
+        << wrong.err;
+    EXPECT_NE(wrong.err.find("wrong.scene.json: /reference/file: \"words.mp4\": is not a video that can be decoded\n"),
+              std::string::npos)
+        << wrong.err;
+}
+
+TEST_F(CheckCommand, InspectTellsWhatASceneNamesAndWhatIsMissing) {
+    test::write_clip(folder / "real.avi", 3);
+    folder.write("s.json", test::scene_text(R"(, "organ": {"file": "gone.ply"}, "preset": "/usr/bin/env",
+        "reference": {"file": "real.avi", "offset": 2.5, "aspect": 1.25})"));
+    const std::string out = run_lapfx(folder, "inspect s.json").out;
+    EXPECT_NE(out.find("  organ               gone.ply (missing)\n"), std::string::npos) << out;
+    EXPECT_NE(out.find("  preset              /usr/bin/env (outside of the scene's folder)\n"), std::string::npos)
+        << out;
+    EXPECT_NE(out.find("  tool                none\n"), std::string::npos) << out;
+    EXPECT_NE(out.find("  reference           real.avi, from 2.5 s on, shown at 1.25:1\n"), std::string::npos) << out;
+    EXPECT_NE(run_lapfx(folder, "inspect scene.json").out.find("  reference           none\n"), std::string::npos);
 }
 
 TEST_F(CheckCommand, PrintsTheSchemas) {

@@ -189,8 +189,8 @@ TEST_F(Data, CountsAndTextures) {
                             {"HuBMAP-CCF/VH_M_Prostate.glb", 112596, 224676, 0, 0},
                             {"whynpc9-anatomy/stomach.glb", 5430, 1810, 0, 0},
                             {"whynpc9-anatomy/liver.glb", 214401, 345526, 1, 2048},
-                            {"Warp-Surgical/derived/fat.obj", 2688, 5372, 1, 2048},
-                            {"Warp-Surgical/derived/gallbladder.obj", 938, 1872, 1, 2048},
+                            {"Warp-Surgical/derived/fat.obj", 2688, 5372, 0, 0},  // its texture lies in ../textures
+                            {"Warp-Surgical/derived/gallbladder.obj", 938, 1872, 0, 0},
                             {"InfinyToolkit/examples/mesh/liver_light_visu.obj", 2716, 5004, 0, 0},
                             {"sofa/share/mesh/liver-smooth.obj", 2194, 4384, 0, 0},
                             {"sofa/share/mesh/aneurysm3D_1.off", 7095, 14186, 0, 0}};
@@ -205,6 +205,21 @@ TEST_F(Data, CountsAndTextures) {
     }
     EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/abdomen_114k.obj")).non_manifold_edges, 13280u);
     EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/tetliver.obj")).non_manifold_edges, 281u);
+}
+
+/// "../textures/fat/diffuse-base.png" is told where it leads, and found once it lies beside the organ.
+TEST_F(Data, ATextureInAnotherFolderIsToldAndFoundBesideTheOrgan) {
+    const fs::path from = folder / "organs/Warp-Surgical";
+    EXPECT_TRUE(
+        has_warning(load_organ(from / "derived/fat.obj").warnings,
+                    "texture ../textures/fat/diffuse-base.png: \"../textures/fat/diffuse-base.png\" leads out of "
+                    "the folder"));
+    const TemporaryFolder beside;
+    for (const char* file : {"derived/fat.obj", "derived/fat.mtl", "textures/fat/diffuse-base.png"})
+        fs::copy_file(from / file, beside.path() / fs::path(file).filename());
+    const Organ organ = load_organ(beside.path() / "fat.obj");
+    ASSERT_EQ(organ.images.size(), 1u);
+    EXPECT_EQ(organ.images[0].width, 2048);
 }
 
 /// Vertex order differs, so every vertex of one is looked up on the surface of the other.

@@ -9,6 +9,7 @@
 
 #include <csignal>
 
+#include "lapfx/clip.h"
 #include "output/files.h"
 #include "unit/preset/support.h"
 
@@ -81,9 +82,19 @@ TEST_F(BundleTest, ASequenceComesWithAllItsImages) {
         fs::copy_file(samples / "pictures" / fs::directory_iterator(samples / "pictures")->path().filename(),
                       from_ / ("frame_0" + std::to_string(i) + ".png"));
     write_bundle(bundle(preset_with(from_.path(), {"frame_%02d.png"})));
-    EXPECT_EQ(load_preset(to_ / "ooze/ooze.json").smoke.clips[0].file, "clips/frame_03/frame_%02d.png");
-    EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("clips/frame_03/frame_03.png", "clips/frame_03/frame_04.png",
-                                                    "clips/frame_03/frame_05.png", "ooze.json", "thumbnail.png"));
+    EXPECT_EQ(load_preset(to_ / "ooze/ooze.json").smoke.clips[0].file, "clips/frame_frames/%06d.png");
+    EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("clips/frame_frames/000000.png", "clips/frame_frames/000001.png",
+                                                    "clips/frame_frames/000002.png", "ooze.json", "thumbnail.png"));
+    EXPECT_EQ(report_clip(to_ / "ooze/clips/frame_frames/%06d.png").frames, 3);
+}
+
+TEST_F(BundleTest, AnImageOfASequenceThatIsNoneStaysBehindWithTheBundle) {
+    const fs::path picture = fs::directory_iterator(samples / "pictures")->path();
+    for (int i = 0; i < 3; ++i) fs::copy_file(picture, from_ / ("frame_" + std::to_string(i) + ".png"));
+    from_.write("frame_1.png", "-----BEGIN OPENSSH PRIVATE KEY-----\n" + std::string(600, 'x'));
+    EXPECT_THAT(test::faults_of([&] { write_bundle(bundle(preset_with(from_.path(), {"frame_%d.png"}))); }),
+                ElementsAre(HasSubstr("frame_1.png: is not a video that can be decoded")));
+    EXPECT_TRUE(fs::is_empty(to_.path()));
 }
 
 TEST_F(BundleTest, SceneAndOrganComeAlong) {
@@ -203,7 +214,9 @@ TEST_F(BundleTest, AnOrganComesWithTheFilesThatItNamesAndNoOthers) {
     write_bundle(whole);
     EXPECT_THAT(files_in(to_ / "ooze"),
                 UnorderedElementsAre("ooze.json", "ooze.scene.json", "thumbnail.png", "organ/a.obj", "organ/a.mtl",
-                                     "organ/maps/my skin.png", "organ/bump.png"));
+                                     "organ/my_skin.png", "organ/bump.png"));
+    EXPECT_EQ(test::read_text(to_ / "ooze/organ/a.mtl"),
+              "newmtl m\nmap_Kd my_skin.png\nmap_bump bump.png\nnewmtl n\nmap_Kd my_skin.png\n");
     EXPECT_EQ(load_organ(to_ / "ooze/organ/a.obj").images.size(), load_organ(from_ / "a.obj").images.size());
 }
 

@@ -1,0 +1,68 @@
+// Names from outside become paths in one place.
+#include <gmock/gmock.h>
+
+#include "lapfx/file.h"
+#include "unit/preset/support.h"
+
+namespace lapfx {
+namespace {
+
+namespace fs = std::filesystem;
+
+class NamedPath : public testing::Test {
+  protected:
+    void SetUp() override {
+        fs::create_directories(folder / "case/maps");
+        fs::create_directories(folder / "case-of-others");
+        folder.write("secret", "x");
+        fs::create_symlink(folder / "secret", folder / "case/skin.png");
+        fs::create_symlink("../..", folder / "case/maps/up");
+        fs::create_symlink("maps", folder / "case/textures");
+        fs::create_symlink("loop", folder / "case/loop");
+    }
+    std::string fault(const std::string& name, Reach reach = Reach::inside) const {
+        const auto lines = test::faults_of([&] { named_path(folder / "case", name, reach, "a.obj", "here"); });
+        return lines.empty() ? "" : lines.front();
+    }
+    test::Folder folder;
+};
+
+TEST_F(NamedPath, StaysInTheFolderWhateverTheNameSays) {
+    using testing::StartsWith;
+    EXPECT_EQ(fault(""), "a.obj: here: names no file");
+    EXPECT_EQ(fault(std::string("a\0b", 3)), "a.obj: here: the file name holds a NUL character");
+    EXPECT_EQ(
+        fault("../secret"),
+        "a.obj: here: \"../secret\" leads out of the folder; only plain files in the folder of the file that names "
+        "them, or below, are read");
+    EXPECT_THAT(fault("maps/../../secret"), testing::HasSubstr("leads out of the folder;"));
+    EXPECT_THAT(fault(".."), testing::HasSubstr("leads out of the folder;"));
+    EXPECT_THAT(fault((folder / "case/maps/a.png").string()), testing::HasSubstr("is an absolute path;"));
+    EXPECT_THAT(fault("../case-of-others/a.png"), testing::HasSubstr("leads out of the folder;"));
+    for (const char* url : {"file:///etc/passwd", "http://x/a.png", "concat:a|b", "C:/a.png", "file:a.png"})
+        EXPECT_THAT(fault(url), testing::HasSubstr("is a URL;")) << url;
+    EXPECT_THAT(fault("skin.png"), testing::HasSubstr("leads out of the folder by a symbolic link;"));
+    EXPECT_THAT(fault("maps/up/secret"), testing::HasSubstr("leads out of the folder by a symbolic link;"));
+    EXPECT_THAT(fault("loop/a.png"), testing::HasSubstr("cannot be followed"));
+}
+
+TEST_F(NamedPath, WhatLiesInsideIsFoundAlsoByLinks) {
+    EXPECT_EQ(named_path(folder / "case", "maps/a b.png"), folder / "case/maps/a b.png");
+    EXPECT_EQ(named_path(folder / "case", "./maps/../a.png"), folder / "case/a.png");
+    EXPECT_EQ(named_path(folder / "case", "textures/a.png"), folder / "case/textures/a.png");
+    EXPECT_EQ(named_path(folder / "case", "..a.png"), folder / "case/..a.png");
+    fs::create_directory_symlink(folder / "case", folder / "linked");
+    EXPECT_EQ(named_path(folder / "linked", "maps/a.png"), folder / "linked/maps/a.png") << "the folder may be a link";
+    EXPECT_EQ(named_path("", "nowhere/a.png"), "nowhere/a.png");
+}
+
+TEST_F(NamedPath, WhatAPersonHasChosenMayLieAnywhereButIsAFile) {
+    EXPECT_EQ(named_path(folder / "case", "../secret", Reach::anywhere), folder / "case/../secret");
+    EXPECT_EQ(named_path(folder / "case", "/data/liver.glb", Reach::anywhere), "/data/liver.glb");
+    EXPECT_EQ(fault("file:///etc/passwd", Reach::anywhere),
+              "a.obj: here: \"file:///etc/passwd\" is a URL; only plain files are read");
+    EXPECT_EQ(fault("", Reach::anywhere), "a.obj: here: names no file");
+}
+
+}  // namespace
+}  // namespace lapfx
