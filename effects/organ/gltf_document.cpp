@@ -1,8 +1,10 @@
 #include "organ/gltf_document.h"
 
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
+#include "organ/gltf_check.h"
 #include "organ/meshopt.h"
 #include "organ/raw.h"
 
@@ -71,11 +73,22 @@ Chunks split_glb(const Bytes& bytes, const std::string& file) {
     return chunks;
 }
 
+void make_whole(json& value) {
+    const double number = value.get<double>();
+    if (number != std::floor(number) || std::abs(number) > 9007199254740992.0) return;
+    if (number >= 0.0)
+        value = static_cast<std::uint64_t>(number);
+    else
+        value = static_cast<std::int64_t>(number);
+}
+
 json parse(std::string_view text, const std::string& file) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     // Extras may hold anything; without them and with bounded depth the rest is safe for recursive readers.
+    // A whole number may be written as 840.0: the specification says so.
     const auto keep = [&](int depth, json::parse_event_t event, json& value) {
         if (depth > maximum_depth) refuse(file, "", "its JSON is nested deeper than 64 levels");
+        if (event == json::parse_event_t::value && value.is_number_float()) make_whole(value);
         return event != json::parse_event_t::key || value != "extras";
     };
     try {
@@ -217,13 +230,12 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
 
     json structure = parse(chunks.json, file);
     check_head(structure, file);
+    check_structure(structure, file);
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
     document.has_skins = structure.contains("skins");
     for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
-    for (const char* list : {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
-        if (structure.contains(list) && !structure[list].is_array())
-            refuse(file, std::string("/") + list, "is no array");
+    mend_materials(structure, document.warnings);
     run_tinygltf(document, structure);
     read_buffers(document, buffers, chunks.binary);
     read_images(document, images);
