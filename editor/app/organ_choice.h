@@ -33,8 +33,6 @@ inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10
 /// Of length_units; none: -1.
 int unit_of(double scale);
 
-/// Longest sides that an organ can have, mm.
-inline constexpr double shortest_organ = 5, longest_organ = 600;
 /// mm per unit that make an organ of something `longest` units long; nothing when none of the units does, or `scale` does already.
 std::optional<double> likely_scale(double longest, double scale);
 

@@ -25,6 +25,25 @@ std::string named(const std::string& name) {
     return name.empty() ? "(unnamed)" : name;
 }
 
+/// "16 triangles, 4 left out: 1 without area, 3 there before".
+std::string counts_text(const TriangleCounts& counts) {
+    const std::pair<std::size_t, const char*> reasons[] = {{counts.unreadable, " without 3 readable corners"},
+                                                           {counts.out_of_range, " with vertices not in the file"},
+                                                           {counts.not_finite, " without finite coordinates"},
+                                                           {counts.without_area, " without area"},
+                                                           {counts.repeated, " there before"}};
+    std::string text = std::to_string(counts.read) + (counts.read == 1 ? " triangle, " : " triangles, ");
+    if (counts.dropped() == 0) return text + "none left out";
+    text += std::to_string(counts.dropped()) + " left out";
+    const char* separator = ": ";
+    for (const auto& [count, reason] : reasons) {
+        if (count == 0) continue;
+        text += separator + std::to_string(count) + reason;
+        separator = ", ";
+    }
+    return text;
+}
+
 void print_parts(const Organ& organ) {
     row("parts", std::to_string(organ.parts.size()));
     for (const Part& part : organ.parts)
@@ -75,6 +94,9 @@ void inspect_organ(const std::filesystem::path& file) {
     std::cout << file.string() << ": mesh\n";
     row("vertices", std::to_string(report.vertices));
     row("triangles", std::to_string(report.triangles));
+    row("in the file", counts_text(organ.counts));
+    if (organ.counts.sewn > 0)
+        row("mended", std::to_string(organ.counts.sewn) + " vertices of torn seams joined to the other side");
     if (const RefineReport split = report_refine(organ); split.longest_edge > 0.0)
         row("split for blood", "into " + std::to_string(split.triangles) + " triangles, no edge longer than " +
                                    text_of("%.3g", split.longest_edge) + " mm");

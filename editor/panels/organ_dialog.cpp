@@ -119,7 +119,7 @@ class OrganDialog {
             ui::label(
                 ui_,
                 text_of(ui_, "No organ is so large or small: %.0f to %.0f mm are possible. Set the length of a unit.",
-                        app::shortest_organ, app::longest_organ),
+                        shortest_organ, longest_organ),
                 {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
             return;
         }

@@ -39,8 +39,9 @@ std::vector<Vector> vectors(const FloatArray& array, Vector fill) {
     return out;
 }
 
-/// Strips and fans become single triangles.
-std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode) {
+/// Strips and fans become single triangles. What is left of less than three corners is counted.
+std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode, std::size_t& unreadable) {
+    if (order.size() < 3 || (mode == TINYGLTF_MODE_TRIANGLES && order.size() % 3 != 0)) unreadable += !order.empty();
     if (mode == TINYGLTF_MODE_TRIANGLES) {
         order.resize(order.size() / 3 * 3);
         return order;
@@ -56,7 +57,7 @@ std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode)
 }
 
 RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive, const std::vector<UvUse>& uses,
-                       const std::string& place) {
+                       const std::string& place, std::size_t& unreadable) {
     const int position = attribute(primitive, "POSITION");
     if (primitive.extensions.contains("KHR_draco_mesh_compression") &&
         (position < 0 || static_cast<std::size_t>(position) >= document.model.accessors.size() ||
@@ -95,7 +96,7 @@ RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primit
         order.resize(count);
         for (std::size_t i = 0; i < count; ++i) order[i] = static_cast<std::uint32_t>(i);
     }
-    part.indices = triangles(std::move(order), primitive.mode);
+    part.indices = triangles(std::move(order), primitive.mode, unreadable);
     return part;
 }
 
@@ -124,10 +125,13 @@ void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnin
 RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
     GltfDocument document = read_gltf_document(path, file, bytes);
     RawOrgan organ;
+    organ.warnings = std::move(document.warnings);
     warn_of_rest(document, organ.warnings);
     const std::vector<UvUse> uses = read_materials(document, organ);
     std::size_t left_out = 0, total = 0;
+    std::vector<char> shown(document.model.meshes.size(), 0);
     for (const MeshInstance& instance : mesh_instances(document)) {
+        shown[static_cast<std::size_t>(instance.mesh)] = 1;
         const tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(instance.mesh)];
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             if (!draws_triangles(mesh.primitives[i])) {
@@ -135,7 +139,7 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
                 continue;
             }
             const std::string place = "/meshes/" + std::to_string(instance.mesh) + "/primitives/" + std::to_string(i);
-            RawPart part = read_primitive(document, mesh.primitives[i], uses, place);
+            RawPart part = read_primitive(document, mesh.primitives[i], uses, place, organ.unreadable);
             part.name = !mesh.name.empty() ? mesh.name : instance.node;
             total += part.indices.size() / 3;
             if (total > maximum_triangles) refuse(file, "", "has more than 20 million triangles");
@@ -144,6 +148,15 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
         }
     }
     organ.files.insert(organ.files.begin(), document.files.begin(), document.files.end());
+    if (organ.unreadable > 0)
+        organ.warnings.push_back(counted(organ.unreadable, "primitive ends", "primitives end") +
+                                 " within a triangle, which is left out");
+    const auto hidden = static_cast<std::size_t>(std::count(shown.begin(), shown.end(), 0));
+    if (hidden > 0) organ.warnings.push_back(counted(hidden, "mesh is", "meshes are") + " not in the scene; left out");
+    organ.holds = shown.empty()  ? "no mesh"
+                  : left_out > 0 ? counted(left_out, "primitive", "primitives") + " of points or lines only"
+                  : hidden > 0   ? counted(hidden, "mesh", "meshes") + ", none in the scene"
+                                 : "no surface";
     if (left_out > 0)
         organ.warnings.push_back(counted(left_out, "primitive", "primitives") + " of points or lines left out");
     return organ;

@@ -1,9 +1,11 @@
 #include "organ/gltf_document.h"
 
+#include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
 #include "lapfx/file.h"
+#include "organ/gltf_check.h"
 #include "organ/meshopt.h"
 #include "organ/pack.h"
 #include "organ/raw.h"
@@ -74,11 +76,23 @@ Chunks split_glb(const Bytes& bytes, const std::string& file) {
 }
 
 template <typename Json>
+void make_whole(Json& value) {
+    const double number = value.template get<double>();
+    if (number != std::floor(number) || std::abs(number) > 9007199254740992.0) return;
+    if (number >= 0.0)
+        value = static_cast<std::uint64_t>(number);
+    else
+        value = static_cast<std::int64_t>(number);
+}
+
+template <typename Json>
 Json parse(std::string_view text, const std::string& file, bool with_extras) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
     // Extras may hold anything; without them and with bounded depth the rest is safe for recursive readers.
+    // A whole number may be written as 840.0: the specification says so.
     const auto keep = [&](int depth, typename Json::parse_event_t event, Json& value) {
         if (depth > maximum_depth) refuse(file, "", "its JSON is nested deeper than 64 levels");
+        if (!with_extras && event == Json::parse_event_t::value && value.is_number_float()) make_whole(value);
         return with_extras || event != Json::parse_event_t::key || value != "extras";
     };
     try {
@@ -223,13 +237,12 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
 
     json structure = parse<json>(chunks.json, file, false);
     check_head(structure, file);
+    check_structure(structure, file);
     const json buffers = taken_out(structure, "buffers", file);
     const json images = taken_out(structure, "images", file);
     document.has_skins = structure.contains("skins");
     for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
-    for (const char* list : {"accessors", "bufferViews", "materials", "meshes", "nodes", "scenes", "textures"})
-        if (structure.contains(list) && !structure[list].is_array())
-            refuse(file, std::string("/") + list, "is no array");
+    mend_materials(structure, document.warnings);
     run_tinygltf(document, structure);
     read_buffers(document, buffers, chunks.binary);
     read_images(document, images);

@@ -22,6 +22,7 @@ struct GltfDocument {
     std::filesystem::path folder;              ///< of the file
     tinygltf::Model model;                     ///< buffers[].data and images[].uri, bufferView filled in by us
     std::vector<std::filesystem::path> files;  ///< of buffers, read besides it
+    std::vector<std::string> warnings;         ///< what was taken out of it
     bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
 

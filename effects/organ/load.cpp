@@ -87,12 +87,10 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
     }
     stages.reach(0.7);
     const double scale = options.scale > 0.0 ? options.scale : format == Format::gltf ? 1000.0 : 1.0;
-    const glm::dmat4 matrix = to_millimetres(scale, options.rotation);
-    for (organ::RawPart& part : raw.parts) organ::transform(part, matrix);
-
     organ::Missing missing;
     std::vector<std::filesystem::path> files = std::move(raw.files), unread = std::move(raw.unread_files);
-    Organ organ = organ::mend(std::move(raw), file, missing);
+    Organ organ = organ::mend(std::move(raw), file, scale, missing);
+    organ::transform(organ, to_millimetres(scale, options.rotation));
     organ.name = path.stem().string();
     organ.scale = scale;
     organ.files = std::move(files);

@@ -9,18 +9,22 @@ namespace lapfx::organ {
 
 namespace {
 
-/// Coordinates beyond this are as good as infinite: products of three of them still fit a float.
-constexpr float largest_coordinate = 1e9f;
+/// Coordinates beyond this, mm, are as good as infinite: products of three of them still fit a float.
+constexpr double largest_coordinate = 1e9;
 
-struct Counts {
-    std::size_t out_of_range = 0, not_finite_vertices = 0, not_finite = 0, no_area = 0, twice = 0, unused = 0;
+struct Counts : TriangleCounts {
+    std::size_t not_finite_vertices = 0, unused = 0;
 };
 
-bool usable(glm::vec3 p) {
-    // False for NaN as well.
-    return std::abs(p.x) < largest_coordinate && std::abs(p.y) < largest_coordinate &&
-           std::abs(p.z) < largest_coordinate;
-}
+/// Which coordinates are numbers that can be used.
+struct Usable {
+    double largest;  ///< units of the file
+
+    bool operator()(const glm::vec3& p) const {
+        // False for NaN as well.
+        return std::abs(p.x) < largest && std::abs(p.y) < largest && std::abs(p.z) < largest;
+    }
+};
 
 bool finite(glm::vec4 v) {
     return std::isfinite(v.x + v.y + v.z + v.w);
@@ -100,7 +104,7 @@ bool has_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
 }
 
 /// Leaves out triangles that cannot be drawn, within each part.
-void drop_triangles(Organ& organ, Counts& counts) {
+void drop_triangles(Organ& organ, const Usable& usable, Counts& counts) {
     const Weld weld = weld_positions(organ.positions);
     Seen seen(organ.triangle_count());
     std::uint32_t out = 0;
@@ -112,9 +116,9 @@ void drop_triangles(Organ& organ, Counts& counts) {
             if (!usable(a) || !usable(b) || !usable(c))
                 ++counts.not_finite;
             else if (!has_area(a, b, c))
-                ++counts.no_area;
+                ++counts.without_area;
             else if (!seen.add(weld.point[v[0]], weld.point[v[1]], weld.point[v[2]]))
-                ++counts.twice;
+                ++counts.repeated;
             else
                 for (const std::uint32_t index : v) organ.indices[out++] = index;
         }
@@ -125,7 +129,7 @@ void drop_triangles(Organ& organ, Counts& counts) {
 }
 
 /// Moves the used vertices to the front and cuts the rest off.
-void drop_vertices(Organ& organ, Counts& counts) {
+void drop_vertices(Organ& organ, const Usable& usable, Counts& counts) {
     constexpr std::uint32_t unused = 0xffffffff;
     std::vector<std::uint32_t> target(organ.positions.size(), unused);
     for (const std::uint32_t index : organ.indices) target[index] = 0;
@@ -152,19 +156,18 @@ void drop_vertices(Organ& organ, Counts& counts) {
 }
 
 /// The two sides of a torn seam get the same coordinates, so that they are one place for all that follows.
-void close_seams(Organ& organ, double scale) {
+void close_seams(Organ& organ, double scale, Counts& counts) {
     const Weld weld = weld_surface(organ.positions, organ.indices);
     if (weld.sewn == 0) return;
     const std::vector<std::uint32_t> first = first_vertices(weld);
-    std::size_t moved = 0;
     for (std::size_t v = 0; v < organ.positions.size(); ++v) {
         const glm::vec3& place = organ.positions[first[weld.point[v]]];
-        moved += organ.positions[v] != place;
+        counts.sewn += organ.positions[v] != place;
         organ.positions[v] = place;
     }
     char gap[32];
     std::snprintf(gap, sizeof gap, "%.2g", weld.gap * scale);
-    organ.warnings.push_back(counted(moved, "vertex of seams", "vertices of seams") + " lay up to " + gap +
+    organ.warnings.push_back(counted(counts.sewn, "vertex of seams", "vertices of seams") + " lay up to " + gap +
                              " mm apart; joined");
 }
 
@@ -212,42 +215,58 @@ void warn(Organ& organ, const Counts& counts) {
     };
     say(counts.out_of_range, "triangle names", "triangles name", " vertices that are not in the file; left out");
     say(counts.not_finite_vertices, "vertex has", "vertices have",
-        " NaN or infinite coordinates; left out with " + counted(counts.not_finite, "triangle", "triangles"));
-    say(counts.no_area, "triangle", "triangles", " without area left out");
-    say(counts.twice, "triangle is", "triangles are", " there more than once; drawn once");
+        " NaN, infinite or no coordinates; left out with " + counted(counts.not_finite, "triangle", "triangles"));
+    say(counts.without_area, "triangle", "triangles", " without area left out");
+    say(counts.repeated, "triangle is", "triangles are", " there more than once; drawn once");
     say(counts.unused, "vertex belongs", "vertices belong", " to no triangle; left out");
+}
+
+/// Why most of the triangles were left out, when all were.
+std::string reason(const TriangleCounts& counts) {
+    const std::pair<std::size_t, const char*> reasons[] = {
+        {counts.unreadable, " without 3 readable corners"},
+        {counts.out_of_range, " with vertices that are not in the file"},
+        {counts.not_finite, " without finite coordinates"},
+        {counts.without_area, " without area"}};
+    const auto most = std::max_element(std::begin(reasons), std::end(reasons),
+                                       [](const auto& a, const auto& b) { return a.first < b.first; });
+    return counted(most->first, "triangle", "triangles") + most->second +
+           (most->first < counts.read ? " of " + std::to_string(counts.read) : "");
 }
 
 }  // namespace
 
-Organ mend(RawOrgan&& raw, const std::string& file, Missing& missing) {
-    std::size_t vertices = 0, triangles = 0;
+Organ mend(RawOrgan&& raw, const std::string& file, double scale, Missing& missing) {
+    std::size_t vertices = 0;
+    Counts counts;
+    counts.unreadable = raw.unreadable;
+    counts.without_area = raw.without_area;
+    counts.read = raw.unreadable + raw.without_area;
     for (const RawPart& part : raw.parts) {
         vertices += part.positions.size();
-        triangles += part.indices.size() / 3;
+        counts.read += part.indices.size() / 3;
     }
-    if (triangles == 0)
+    if (counts.read == 0)
         refuse(file, "",
-               vertices == 0 ? "no triangles: the file holds no surface"
+               vertices == 0 ? "no triangles: the file holds " + (raw.holds.empty() ? "no surface" : raw.holds)
                              : "no triangles: the file holds " + counted(vertices, "point", "points") + " only");
-    if (triangles > maximum_triangles || vertices > 3 * maximum_triangles)
+    if (counts.read > maximum_triangles || vertices > 3 * maximum_triangles)
         refuse(file, "", "has more than 20 million triangles");
 
-    Counts counts;
+    const Usable usable{largest_coordinate / scale};
     Organ organ = join(raw, missing, counts);
     organ.materials = std::move(raw.materials);
     organ.images = std::move(raw.images);
     organ.warnings = std::move(raw.warnings);
-    drop_triangles(organ, counts);
-    drop_vertices(organ, counts);
-    close_seams(organ, 1.0);
+    drop_triangles(organ, usable, counts);
+    drop_vertices(organ, usable, counts);
     drop_empty_parts(organ, missing);
+    counts.kept = organ.triangle_count();
+    if (counts.kept == 0) refuse(file, "", "no triangles that can be drawn: " + reason(counts));
     warn(organ, counts);
-    if (organ.indices.empty()) {
-        const std::string why = organ.warnings.empty() ? "" : ": " + organ.warnings.front();
-        refuse(file, "", "no triangles that can be drawn" + why);
-    }
+    close_seams(organ, scale, counts);
     settle_materials(organ);
+    organ.counts = counts;
     return organ;
 }
 

@@ -50,7 +50,7 @@ std::string map_file(std::istringstream& line, float& bump) {
     line.clear();
     line.seekg(before);
     std::getline(line, rest);
-    return trimmed(rest);
+    return trimmed(rest.substr(0, rest.find(" #")));  // a comment, not a "#" within the name
 }
 
 /// Relative to the OBJ. Of a path that leads elsewhere, which was right on the machine that wrote it, the last name is looked
@@ -83,9 +83,9 @@ class Library {
     void read(const std::string& text) {
         std::istringstream lines(text);
         for (std::string line; std::getline(lines, line);) {
-            std::istringstream words(line.substr(0, line.find('#')));
+            std::istringstream words(line);
             std::string key;
-            if (words >> key) statement(lower(key), words);
+            if (words >> key && key[0] != '#') statement(lower(key), words);
         }
         current_ = -1;
     }

@@ -1,5 +1,4 @@
-// Wavefront OBJ: OpenMesh reads the numbers, we read what it does not tell (groups, materials) and keep it
-// from harm.
+// Wavefront OBJ with its material libraries.
 #pragma once
 
 #include "organ/file.h"
@@ -7,8 +6,8 @@
 
 namespace lapfx::organ {
 
-/// One part for each run of a material. Throws Error when the file is no text or cannot be read; lines that
-/// make no sense are left out with a warning.
+/// One part for each material of each object. Throws Error when the file is no text; lines that make no sense are left out with
+/// a warning.
 RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
 }  // namespace lapfx::organ

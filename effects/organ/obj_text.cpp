@@ -1,8 +1,10 @@
 #include "organ/obj_text.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 namespace lapfx::organ {
 
@@ -28,62 +30,44 @@ std::string_view next_word(std::string_view& line) {
     return word;
 }
 
-bool is_number(std::string_view word) {
+/// False unless the whole word is a finite number.
+bool read_number(std::string_view word, float& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
-    float value = 0;
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-    // A number too small for a float is as good as 0; OpenMesh's stream takes it.
-    const bool read = code == std::errc() || (code == std::errc::result_out_of_range && value == 0.0f);
-    return read && end == word.data() + word.size() && std::isfinite(value);
+    // A number too small for a float is as good as 0.
+    if (code == std::errc::result_out_of_range && word.find_first_of("eE") != std::string_view::npos &&
+        word[word.find_first_of("eE") + 1] == '-')
+        value = 0.0f;
+    else if (code != std::errc())
+        return false;
+    return end == word.data() + word.size() && std::isfinite(value);
 }
 
-/// The number of finite numbers that a line starts with.
-std::size_t numbers(std::string_view line) {
-    std::size_t count = 0;
-    while (true) {
-        const std::string_view word = next_word(line);
-        if (word.empty() || !is_number(word)) return count;
-        ++count;
-    }
-}
+/// One corner of a face: numbers of vertex, texture coordinate and normal, from 0. They may be of lines that follow.
+struct Corner {
+    std::uint32_t vertex = none, uv = none, normal = none;
+    static constexpr std::uint32_t none = 0xffffffff;
+};
 
-/// "7", "7/3", "7//2", "7/3/2"; the numbers may be negative. The first one goes to `vertex`.
-bool is_corner(std::string_view word, int& vertex) {
-    for (int part = 0; part < 3; ++part) {
-        const std::size_t slash = word.find('/');
-        const std::string_view number = word.substr(0, slash);
-        int value = 0;
-        const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), value);
-        const bool read = code == std::errc() && end == number.data() + number.size() && value != 0;
-        const bool left_out = number.empty() && part > 0;
-        if (!read && !left_out) return false;
-        if (part == 0) vertex = value;
-        if (slash == std::string_view::npos) return true;
-        word.remove_prefix(slash + 1);
-    }
-    return false;
-}
-
-class Cleaner {
+class Reader {
   public:
-    explicit Cleaner(std::string_view source) { out_.text.reserve(source.size() + 64); }
-
     void line(std::string_view line) {
-        if (const std::size_t comment = line.find('#'); comment != std::string_view::npos)
-            line = line.substr(0, comment);
-        line = trimmed(line);
-        std::string_view rest = line;
+        std::string_view rest = trimmed(line);
         const std::string_view key = next_word(rest);
+        // A name may hold a "#", but numbers end there.
+        const std::string_view values = rest.substr(0, rest.find('#'));
         if (key == "v") {
-            vertex(rest);
+            vertex(values);
         } else if (key == "vt") {
-            pad(key, rest, 2);
+            const auto [count, v] = numbers(values);
+            uvs_.emplace_back(count > 0 ? v[0] : 0.0f, count > 1 ? v[1] : 0.0f);
         } else if (key == "vn") {
-            pad(key, rest, 3);
+            const auto [count, v] = numbers(values);
+            normals_.push_back(count >= 3 ? glm::vec3(v[0], v[1], v[2]) : glm::vec3(0.0f));
         } else if (key == "vc") {
-            if (numbers(rest) >= 3) keep(line);
+            if (const auto [count, v] = numbers(values); count >= 3) color(vertex_colors_++, {v[0], v[1], v[2], 1.0f});
         } else if (key == "f" || key == "fo") {
-            face(rest);
+            face(values);
         } else if (key == "usemtl") {
             material_ = trimmed(rest);
         } else if (key == "o" || key == "g") {
@@ -93,64 +77,110 @@ class Cleaner {
         }
     }
 
-    ObjText take() { return std::move(out_); }
-
-  private:
-    void keep(std::string_view text) { (out_.text += text) += '\n'; }
-
-    /// A vertex is always kept, or the indices of all faces would shift; mend() takes the impossible ones
-    /// out.
-    void vertex(std::string_view rest) {
-        if (numbers(rest) >= 3)
-            ((out_.text += "v ") += rest) += '\n';
-        else
-            keep("v 1e30 1e30 1e30");
+    ObjText take() {
+        Soup& soup = out_.soup;
+        const std::size_t count = soup.positions.size();
+        if (!soup.colors.empty()) soup.colors.resize(count, glm::vec4(1.0f));
+        const bool any_uv = std::any_of(corners_.begin(), corners_.end(), [&](const Corner& c) { return has_uv(c); });
+        for (const Corner& corner : corners_) {
+            soup.corners.push_back(corner.vertex);
+            if (any_uv) soup.corner_uvs.push_back(has_uv(corner) ? uvs_[corner.uv] : glm::vec2(no_uv, 0.0f));
+            if (corner.normal < normals_.size() && corner.vertex < count)
+                normal(corner.vertex, normals_[corner.normal]);
+        }
+        for (std::size_t v = 0; v < hard_.size(); ++v)
+            if (hard_[v]) soup.normals[v] = glm::vec3(0.0f);
+        return std::move(out_);
     }
 
-    void pad(std::string_view key, std::string_view rest, std::size_t wanted) {
-        const std::size_t have = numbers(rest);
-        out_.text += key;
-        std::string_view words = rest;
-        for (std::size_t i = 0; i < wanted; ++i) (out_.text += ' ') += i < have ? next_word(words) : "0";
-        out_.text += '\n';
+  private:
+    /// The finite numbers that a line starts with, seven at most, and how many there are.
+    static std::pair<std::size_t, std::array<float, 7>> numbers(std::string_view line) {
+        std::array<float, 7> values{};
+        std::size_t count = 0;
+        while (count < values.size()) {
+            const std::string_view word = next_word(line);
+            float value = 0.0f;
+            if (word.empty() || !read_number(word, value)) break;
+            values[count++] = value;
+        }
+        return {count, values};
+    }
+
+    void vertex(std::string_view rest) {
+        const auto [count, v] = numbers(rest);
+        out_.soup.positions.push_back(count >= 3 ? glm::vec3(v[0], v[1], v[2]) : glm::vec3(1e30f));
+        if (count >= 6) color(out_.soup.positions.size() - 1, {v[3], v[4], v[5], 1.0f});
+    }
+
+    void color(std::size_t vertex, const glm::vec4& value) {
+        std::vector<glm::vec4>& colors = out_.soup.colors;
+        if (colors.size() <= vertex) colors.resize(vertex + 1, glm::vec4(1.0f));
+        colors[vertex] = value;
+    }
+
+    /// "7", "7/3", "7//2", "7/3/2"; numbers below 0 count back from the last one so far.
+    bool read_corner(std::string_view word, Corner& corner) const {
+        std::uint32_t* const targets[] = {&corner.vertex, &corner.uv, &corner.normal};
+        const std::size_t counts[] = {out_.soup.positions.size(), uvs_.size(), normals_.size()};
+        for (int part = 0; part < 3; ++part) {
+            const std::size_t slash = word.find('/');
+            const std::string_view number = word.substr(0, slash);
+            int value = 0;
+            const auto [end, code] = std::from_chars(number.data(), number.data() + number.size(), value);
+            const bool read = code == std::errc() && end == number.data() + number.size() && value != 0;
+            if (!read && !(number.empty() && part > 0)) return false;
+            const std::int64_t index = value > 0 ? value - 1 : static_cast<std::int64_t>(counts[part]) + value;
+            if (read && index >= 0) *targets[part] = static_cast<std::uint32_t>(index);
+            if (slash == std::string_view::npos) return true;
+            word.remove_prefix(slash + 1);
+        }
+        return false;
     }
 
     void face(std::string_view rest) {
-        corners_.clear();
-        for (std::string_view words = rest, word; !(word = next_word(words)).empty();) {
-            int vertex = 0;
-            if (!is_corner(word, vertex)) {
-                ++out_.bad_faces;
-                return;
-            }
-            corners_.push_back(vertex);
+        const std::size_t begin = corners_.size();
+        std::size_t words = 0;
+        for (std::string_view word; !(word = next_word(rest)).empty(); ++words) {
+            Corner corner;
+            if (read_corner(word, corner)) corners_.push_back(corner);
         }
-        if (corners_.size() < 3) {
-            ++out_.bad_faces;
-            return;
-        }
-        std::sort(corners_.begin(), corners_.end());
-        // OpenMesh does not report such a face, and the count of faces would go wrong.
-        if (std::unique(corners_.begin(), corners_.end()) - corners_.begin() < 3) {
-            ++out_.flat_faces;
+        if (corners_.size() - begin < words || words < 3) {
+            corners_.resize(begin);
+            out_.soup.add_unreadable(words);
             return;
         }
         const bool new_run =
             out_.runs.empty() || out_.runs.back().material != material_ || out_.runs.back().name != name_;
-        if (new_run) out_.runs.push_back({out_.faces, material_, name_});
-        ((out_.text += "f ") += rest) += '\n';
-        ++out_.faces;
+        if (new_run) out_.runs.push_back({out_.soup.faces(), material_, name_});
+        out_.soup.first.push_back(static_cast<std::uint32_t>(corners_.size()));
+    }
+
+    bool has_uv(const Corner& corner) const { return corner.uv < uvs_.size(); }
+
+    /// Two normals at one vertex: a hard edge, or a bad exporter. Neither suits an organ; it gets a smooth one.
+    void normal(std::uint32_t vertex, const glm::vec3& value) {
+        Soup& soup = out_.soup;
+        soup.normals.resize(soup.positions.size(), glm::vec3(0.0f));
+        hard_.resize(soup.positions.size(), 0);
+        glm::vec3& there = soup.normals[vertex];
+        if (there != glm::vec3(0.0f) && glm::dot(there, value) < 0.9f * glm::dot(there, there)) hard_[vertex] = 1;
+        there = value;
     }
 
     ObjText out_;
     std::string material_, name_;
-    std::vector<int> corners_;
+    std::vector<glm::vec2> uvs_;
+    std::vector<glm::vec3> normals_;
+    std::vector<char> hard_;       ///< vertices with normals that contradict each other
+    std::vector<Corner> corners_;  ///< of all faces
+    std::size_t vertex_colors_ = 0;
 };
 
 }  // namespace
 
-ObjText clean_obj(std::string_view source) {
-    Cleaner cleaner(source);
+ObjText read_obj_text(std::string_view source) {
+    Reader reader;
     std::string joined;  // a line that goes on after a backslash
     while (!source.empty()) {
         const std::size_t end = std::min(source.find('\n'), source.size());
@@ -162,14 +192,14 @@ ObjText clean_obj(std::string_view source) {
             continue;
         }
         if (joined.empty()) {
-            cleaner.line(line);
+            reader.line(line);
         } else {
-            cleaner.line(joined += line);
+            reader.line(joined += line);
             joined.clear();
         }
     }
-    if (!joined.empty()) cleaner.line(joined);
-    return cleaner.take();
+    if (!joined.empty()) reader.line(joined);
+    return reader.take();
 }
 
 }  // namespace lapfx::organ

@@ -1,19 +1,20 @@
-// OBJ text as OpenMesh can take it.
+// OBJ text as polygons.
 //
-// OpenMesh's reader forgets a vertex whose coordinates are no numbers and so shifts all indices after it,
-// reads past an empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its
-// texture. So its text is gone over first: such lines are put right or left out, and mtllib, usemtl, o and g
-// are taken down here.
+// Not through OpenMesh 9.0: its OBJ reader takes repeated corners out of a polygon, so that a ring cut open around a hole loses
+// its hole and two triangles, forgets a vertex whose coordinates are no numbers and so shifts all indices after it, reads past an
+// empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its texture.
 #pragma once
 
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "organ/soup.h"
+
 namespace lapfx::organ {
 
 struct ObjText {
-    std::string text;  ///< v, vt, vn and f lines only
+    Soup soup;
 
     /// Faces from `first_face` on belong to a material and an object.
     struct Run {
@@ -23,11 +24,10 @@ struct ObjText {
     };
     std::vector<Run> runs;
     std::vector<std::string> libraries;  ///< mtllib
-    std::size_t faces = 0;
-    std::size_t bad_faces = 0;   ///< malformed or with less than 3 corners; left out
-    std::size_t flat_faces = 0;  ///< with less than 3 different corners; left out
 };
 
-ObjText clean_obj(std::string_view source);
+/// v (with colours), vt, vn, vc, f and what groups them; all else is skipped. A line that makes no sense never shifts the numbers
+/// of others: such a vertex lies at infinity, such a face is counted as unreadable.
+ObjText read_obj_text(std::string_view source);
 
 }  // namespace lapfx::organ

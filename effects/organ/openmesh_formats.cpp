@@ -46,8 +46,26 @@ bool ends_whole(std::string_view text) {
 
 RawOrgan organ_of(const Soup& soup) {
     RawOrgan organ;
-    organ.parts = parts_of(soup, {});
+    add_parts(soup, {}, organ);
     return organ;
+}
+
+/// OpenMesh keeps those facets of an STL from us two of whose corners are one, and none else.
+RawOrgan organ_of(const Soup& soup, std::size_t facets) {
+    RawOrgan organ = organ_of(soup);
+    organ.without_area = facets - std::min(facets, soup.faces());
+    return organ;
+}
+
+/// "outer loop" opens the corners of a facet in a text STL.
+std::size_t count_loops(std::string_view text) {
+    const std::string_view word = "outer";
+    std::size_t count = 0;
+    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
+    for (auto at = text.begin();; at += static_cast<std::ptrdiff_t>(word.size()), ++count) {
+        at = std::search(at, text.end(), word.begin(), word.end(), same);
+        if (at == text.end()) return count;
+    }
 }
 
 /// OpenMesh joins vertices with an ordered map, which a NaN would spoil.
@@ -75,7 +93,7 @@ RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_
     Soup soup;
     if (!read_with_openmesh(OpenMeshFormat::stl_binary, without_nan(bytes, triangles), soup))
         refuse(file, "", "cannot be read as STL");
-    return organ_of(soup);
+    return organ_of(soup, triangles);
 }
 
 RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
@@ -85,7 +103,7 @@ RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
     replace_words_for_not_finite(text);
     Soup soup;
     if (!read_with_openmesh(OpenMeshFormat::stl_ascii, text, soup)) refuse(file, "", "cannot be read as STL");
-    return organ_of(soup);
+    return organ_of(soup, count_loops(text));
 }
 
 }  // namespace

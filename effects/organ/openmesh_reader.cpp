@@ -1,7 +1,6 @@
 #include "organ/openmesh_reader.h"
 
 #include <OpenMesh/Core/IO/importer/BaseImporter.hh>
-#include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <OpenMesh/Core/IO/reader/OFFReader.hh>
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
@@ -30,7 +29,10 @@ class Collector : public IO::BaseImporter {
     }
 
     FaceHandle add_face(const VHandles& vertices) override {
-        if (vertices.size() < 3) return FaceHandle();
+        if (vertices.size() < 3) {
+            soup_.add_unreadable(vertices.size());
+            return FaceHandle();
+        }
         for (const VertexHandle v : vertices) soup_.corners.push_back(static_cast<std::uint32_t>(v.idx()));
         soup_.first.push_back(static_cast<std::uint32_t>(soup_.corners.size()));
         return FaceHandle(static_cast<int>(soup_.faces()) - 1);
@@ -128,11 +130,7 @@ class Collector : public IO::BaseImporter {
 
 IO::Options wanted(OpenMeshFormat format) {
     IO::Options options;
-    if (format == OpenMeshFormat::obj) {
-        options += IO::Options::VertexNormal;
-        options += IO::Options::VertexColor;
-        options += IO::Options::FaceTexCoord;
-    } else if (format == OpenMeshFormat::off) {
+    if (format == OpenMeshFormat::off) {
         options += IO::Options::VertexNormal;
         options += IO::Options::VertexColor;
         options += IO::Options::VertexTexCoord;
@@ -144,8 +142,6 @@ IO::Options wanted(OpenMeshFormat format) {
 
 IO::BaseReader& reader(OpenMeshFormat format) {
     switch (format) {
-        case OpenMeshFormat::obj:
-            return IO::OBJReader();
         case OpenMeshFormat::off:
             return IO::OFFReader();
         default:
@@ -161,8 +157,7 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     omerr().disable();
     omlog().disable();
     std::istringstream in(text, std::ios::binary);
-    // Its loops trust the counts of the header; a failed read has to end them. The line readers end by
-    // themselves.
+    // Its loops trust the counts of the header; a failed read has to end them. The line reader ends by itself.
     if (format == OpenMeshFormat::off || format == OpenMeshFormat::stl_binary)
         in.exceptions(std::ios::failbit | std::ios::badbit);
     Collector collector(soup);

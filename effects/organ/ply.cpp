@@ -219,7 +219,10 @@ class PlyReader {
             ring.push_back(in_range ? static_cast<std::uint32_t>(index) : 0xffffffffu);
         }
         if (!strips) {
-            if (count >= 3) face(ring);
+            if (count >= 3)
+                face(ring);
+            else
+                soup_.add_unreadable(count);
             return;
         }
         // A strip ends at -1; every second triangle is turned round.
@@ -270,7 +273,7 @@ RawOrgan read_ply(const std::string& file, const Bytes& bytes) {
     const PlyHeader header = read_ply_header(file, text);
     const Soup soup = PlyReader(file, header, text.substr(header.size)).read();
     RawOrgan organ;
-    organ.parts = parts_of(soup, {});
+    add_parts(soup, {}, organ);
     return organ;
 }
 

@@ -1,3 +1,6 @@
+// Ears are cut here and not by a library: GLU's tessellator, the one that Debian has for C++ under a licence of ours, brings
+// libOpenGL into a core that links no OpenGL, and makes one vertex of corners at the same place, whose texture coordinates
+// differ.
 #include "organ/polygon.h"
 
 namespace lapfx::organ {
@@ -12,8 +15,9 @@ using Ring = std::vector<glm::dvec2>;
 /// Newell's normal: right for concave and slightly bent rings too.
 glm::dvec3 ring_normal(std::span<const glm::vec3> ring) {
     glm::dvec3 normal(0.0);
+    const glm::dvec3 origin(ring[0]);  // far from the scene's origin the products would lose their digits
     for (std::size_t i = 0; i < ring.size(); ++i)
-        normal += glm::cross(glm::dvec3(ring[i]), glm::dvec3(ring[(i + 1) % ring.size()]));
+        normal += glm::cross(glm::dvec3(ring[i]) - origin, glm::dvec3(ring[(i + 1) % ring.size()]) - origin);
     return normal;
 }
 
@@ -27,56 +31,114 @@ Ring flattened(std::span<const glm::vec3> ring, const glm::dvec3& normal) {
     return flat;
 }
 
+double cross(const glm::dvec2& a, const glm::dvec2& b) {
+    return a.x * b.y - a.y * b.x;
+}
+
 double turn(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c) {
-    return (b.x - a.x) * (c.y - a.y) - (c.x - a.x) * (b.y - a.y);
+    return cross(b - a, c - a);
 }
 
 bool is_convex(const Ring& ring) {
     for (std::size_t i = 0; i < ring.size(); ++i)
-        if (turn(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) < 0) return false;
+        if (turn(ring[i], ring[(i + 1) % ring.size()], ring[(i + 2) % ring.size()]) <= 0) return false;
     return true;
 }
 
-bool is_ear(const Ring& ring, const std::vector<std::uint32_t>& left, std::size_t i) {
-    const std::size_t n = left.size();
-    const glm::dvec2 &a = ring[left[(i + n - 1) % n]], &b = ring[left[i]], &c = ring[left[(i + 1) % n]];
-    if (turn(a, b, c) <= 0) return false;
-    for (const std::uint32_t other : left) {
-        const glm::dvec2& p = ring[other];
-        if (p == a || p == b || p == c) continue;
-        if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
-    }
-    return true;
-}
-
-/// False when the ring cannot be cut: nothing was appended then.
-bool cut_ears(const Ring& ring, std::vector<std::uint32_t>& out) {
-    const std::size_t start = out.size();
-    std::vector<std::uint32_t> left(ring.size());
-    for (std::size_t i = 0; i < left.size(); ++i) left[i] = static_cast<std::uint32_t>(i);
-    while (left.size() > 3) {
-        std::size_t i = 0;
-        while (i < left.size() && !is_ear(ring, left, i)) ++i;
-        if (i == left.size()) {
-            out.resize(start);
-            return false;
+/// Whether two edges cross within both of them.
+bool crosses_itself(const Ring& ring) {
+    const auto sides = [](double a, double b) { return (a > 0 && b < 0) || (a < 0 && b > 0); };
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        for (std::size_t k = i + 2; k < ring.size(); ++k) {
+            const glm::dvec2 &a = ring[i], &b = ring[i + 1], &c = ring[k], &d = ring[(k + 1) % ring.size()];
+            if (sides(turn(a, b, c), turn(a, b, d)) && sides(turn(c, d, a), turn(c, d, b))) return true;
         }
-        const std::size_t n = left.size();
-        out.insert(out.end(), {left[(i + n - 1) % n], left[i], left[(i + 1) % n]});
-        left.erase(left.begin() + static_cast<std::ptrdiff_t>(i));
-    }
-    out.insert(out.end(), left.begin(), left.end());
-    return true;
+    return false;
 }
+
+class Ears {
+  public:
+    Ears(const Ring& ring, std::vector<std::uint32_t>& out) : ring_(ring), out_(out), left_(ring.size()) {
+        for (std::size_t i = 0; i < left_.size(); ++i) left_[i] = static_cast<std::uint32_t>(i);
+    }
+
+    /// False when the ring crosses itself.
+    bool cut() {
+        bool simple = !crosses_itself(ring_);
+        std::size_t start = 0;  // one ear is looked for behind the other: cut round the ring, not all at one corner
+        while (left_.size() > 3) {
+            std::size_t ear = first([&](std::size_t i) { return repeats(i); }, start);
+            if (ear == none) ear = first([&](std::size_t i) { return is_ear(i); }, start);
+            // What is left is a line, there and back.
+            if (ear == none) ear = first([&](std::size_t i) { return corner(i) == 0.0; }, start);
+            if (ear == none) {
+                simple = false;
+                ear = first([&](std::size_t i) { return corner(i) > 0.0; }, start);
+            }
+            if (ear == none) ear = 0;
+            out_.insert(out_.end(), {left_[before(ear)], left_[ear], left_[after(ear)]});
+            left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(ear));
+            start = ear % left_.size();
+        }
+        out_.insert(out_.end(), left_.begin(), left_.end());
+        return simple && corner(1) >= 0.0;
+    }
+
+  private:
+    static constexpr std::size_t none = ~std::size_t{0};
+
+    template <class Test>
+    std::size_t first(const Test& test, std::size_t start) const {
+        for (std::size_t k = 0; k < left_.size(); ++k)
+            if (const std::size_t i = (start + k) % left_.size(); test(i)) return i;
+        return none;
+    }
+
+    std::size_t before(std::size_t i) const { return (i + left_.size() - 1) % left_.size(); }
+    std::size_t after(std::size_t i) const { return (i + 1) % left_.size(); }
+    const glm::dvec2& at(std::size_t i) const { return ring_[left_[i]]; }
+    double corner(std::size_t i) const { return turn(at(before(i)), at(i), at(after(i))); }
+    bool repeats(std::size_t i) const { return at(i) == at(before(i)); }
+
+    bool is_ear(std::size_t i) const {
+        const glm::dvec2 &a = at(before(i)), &b = at(i), &c = at(after(i));
+        if (turn(a, b, c) <= 0) return false;
+        for (std::size_t k = 0; k < left_.size(); ++k) {
+            if (k == i || k == before(i) || k == after(i)) continue;
+            const glm::dvec2& p = at(k);
+            if (p == a ? enters(k, b - a, c - a) : p == b ? enters(k, c - b, a - b) : p == c && enters(k, a - c, b - c))
+                return false;
+            if (p == a || p == b || p == c) continue;
+            if (turn(a, b, p) >= 0 && turn(b, c, p) >= 0 && turn(c, a, p) >= 0) return false;
+        }
+        return true;
+    }
+
+    /// Whether an edge at a corner leads into the angle from `right` to `left` at the same place.
+    bool enters(std::size_t k, const glm::dvec2& right, const glm::dvec2& left) const {
+        for (const std::size_t other : {before(k), after(k)}) {
+            const glm::dvec2 way = at(other) - at(k);
+            if (cross(right, way) > 0 && cross(way, left) > 0) return true;
+        }
+        return false;
+    }
+
+    const Ring& ring_;
+    std::vector<std::uint32_t>& out_;
+    std::vector<std::uint32_t> left_;
+};
 
 }  // namespace
 
-void triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& out) {
-    if (ring.size() > 3 && ring.size() <= most_corners_for_ears) {
+bool triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& out) {
+    const bool few = ring.size() <= most_corners_for_ears;
+    if (ring.size() > 3 && few) {
         const Ring flat = flattened(ring, ring_normal(ring));
-        if (!is_convex(flat) && cut_ears(flat, out)) return;
+        // Of four corners that all turn left none lies in another's ear; five may be those of a star.
+        if (ring.size() > 4 || !is_convex(flat)) return Ears(flat, out).cut();
     }
     for (std::uint32_t i = 2; i < ring.size(); ++i) out.insert(out.end(), {0u, i - 1, i});
+    return few;
 }
 
 }  // namespace lapfx::organ

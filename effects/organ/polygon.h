@@ -8,9 +8,10 @@
 
 namespace lapfx::organ {
 
-/// Appends 3 * (ring - 2) corner numbers (0 to ring - 1) to `out`, wound as the ring is. A convex ring
-/// becomes a fan, a concave one is cut by ears; one that is neither (it crosses itself, or has no plane)
-/// becomes a fan all the same.
-void triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& out);
+/// Appends 3 * (ring - 2) corner numbers (0 to ring - 1) to `out`, wound as the ring is. Corners may lie on an edge and at the
+/// same place as others (a ring that is cut open to go round a hole): of a ring that does not cross itself every triangle has an
+/// area, but for those at corners that repeat the one before them. False when the ring crosses itself, or has more corners than
+/// are cut with care: its triangles may overlap.
+bool triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& out);
 
 }  // namespace lapfx::organ

@@ -36,10 +36,15 @@ struct RawOrgan {
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> files;  ///< besides the one that was asked for: read, and what they should be
     std::vector<std::filesystem::path> unread_files;
+    std::string holds;             ///< what the file holds in place of triangles, as far as the reader knows
+    std::size_t unreadable = 0;    ///< triangles of the file that are in no part: a corner is missing, or no number
+    std::size_t without_area = 0;  ///< the same, because two corners are one
 };
 
 /// Applies an affine map; a mirroring one also turns the triangles round, so that they still face outwards.
 void transform(RawPart& part, const glm::dmat4& matrix);
+/// The same for an organ whose triangles need not be turned.
+void transform(Organ& organ, const glm::dmat4& matrix);
 
 /// "1 vertex", "12 vertices".
 std::string counted(std::size_t count, const char* one, const char* many);

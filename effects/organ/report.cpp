@@ -10,9 +10,6 @@ namespace lapfx {
 
 namespace {
 
-/// Longest sides that an organ, or an organ system, can have, mm: from an ovary to a whole body.
-constexpr double shortest_organ = 5.0, longest_organ = 1000.0;
-
 /// Units that files come in, as factors.
 constexpr double factors[] = {1000.0, 100.0, 25.4, 10.0, 0.1, 0.01, 0.001};
 
@@ -72,7 +69,8 @@ std::string size_warning(double longest, double scale) {
     for (const double factor : factors)
         if (distance(factor) < distance(best)) best = factor;
     const bool fits = longest * best >= shortest_organ && longest * best <= longest_organ;
-    return "its longest side is " + number(longest) + " mm, which is no size of an organ" +
+    return "its longest side is " + number(longest) + " mm, which is no size of an organ (" + number(shortest_organ) +
+           " to " + number(longest_organ) + " mm)" +
            (fits ? "; is the unit wrong? scale " + number(scale * best) + " would make it " + number(longest * best) +
                        " mm"
                  : "");

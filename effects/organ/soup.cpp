@@ -59,12 +59,12 @@ class PartBuilder {
             ring_.push_back(v == none ? glm::vec3(0.0f) : part_.positions[v]);
         }
         local_.clear();
-        if (whole)
-            triangulate(ring_, local_);
-        else
-            local_ = {0, 1, 2};  // one triangle that mend() will count as out of range
+        if (!triangulate(ring_, local_) && whole) ++crossing_;
+        // As many triangles as it would have had; mend() counts them as out of range.
         for (const std::uint32_t i : local_) part_.indices.push_back(whole ? vertices_[i] : none);
     }
+
+    std::size_t crossing() const { return crossing_; }  ///< faces that cross themselves
 
     /// Leaves first_copy as it was found: clearing all of it for each of many small parts would take for
     /// ever.
@@ -81,6 +81,7 @@ class PartBuilder {
     std::vector<std::uint32_t> sources_;      ///< soup position of each part vertex
     std::vector<glm::vec3> ring_;
     std::vector<std::uint32_t> vertices_, local_;
+    std::size_t crossing_ = 0;
     bool any_uv_ = false;
 };
 
@@ -93,7 +94,7 @@ glm::vec4 linear_color(const glm::vec4& srgb) {
     return out;
 }
 
-std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
+void add_parts(const Soup& soup, std::vector<RawPart> parts, RawOrgan& organ) {
     if (parts.empty()) parts.emplace_back();
     std::vector<std::vector<std::uint32_t>> faces_of(parts.size());
     for (std::size_t face = 0; face < soup.faces(); ++face)
@@ -102,6 +103,7 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
     for (const std::uint32_t corner : soup.corners)
         if (corner < used.size()) used[corner] = 1;
     std::vector<std::uint32_t> first_copy(soup.positions.size(), none);
+    std::size_t crossing = 0;
     for (std::size_t p = 0; p < parts.size(); ++p) {
         PartBuilder builder(soup, parts[p], first_copy);
         for (const std::uint32_t face : faces_of[p]) builder.add_face(face);
@@ -109,8 +111,17 @@ std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts) {
             for (std::uint32_t v = 0; v < used.size(); ++v)
                 if (!used[v]) builder.add(v, glm::vec2(0.0f));
         builder.finish();
+        crossing += builder.crossing();
+        organ.parts.push_back(std::move(parts[p]));
     }
-    return parts;
+    organ.unreadable += soup.unreadable_triangles;
+    if (soup.unreadable_faces > 0)
+        organ.warnings.push_back(counted(soup.unreadable_faces, "face", "faces") +
+                                 " without 3 readable corners left out");
+    if (crossing > 0)
+        organ.warnings.push_back(counted(crossing, "polygon crosses itself", "polygons cross themselves") + ", or " +
+                                 (crossing == 1 ? "has" : "have") +
+                                 " more than 1024 corners: their triangles may overlap");
 }
 
 }  // namespace lapfx::organ

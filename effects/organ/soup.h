@@ -21,14 +21,23 @@ struct Soup {
     std::vector<glm::vec2> corner_uvs;     ///< empty or one per corner; v up
     std::vector<std::uint32_t> face_part;  ///< empty (one part) or the part of each face
 
+    std::size_t unreadable_faces = 0;      ///< that are not among these: corners missing, or no numbers
+    std::size_t unreadable_triangles = 0;  ///< as many as those would have given
+
     std::size_t faces() const { return first.size() - 1; }
+    /// A face of `length` corners of which not all can be read, or less than three.
+    void add_unreadable(std::size_t length) {
+        ++unreadable_faces;
+        unreadable_triangles += length > 2 ? length - 2 : 1;
+    }
 };
 
 /// 0..1 as files and screens have it, to linear.
 glm::vec4 linear_color(const glm::vec4& srgb);
 
-/// Triangulates the faces and splits the vertices where texture coordinates differ. `names` and `materials`
-/// are those of the parts. Vertices that no face uses stay in the first part, so that they are counted later.
-std::vector<RawPart> parts_of(const Soup& soup, std::vector<RawPart> parts);
+/// Triangulates the faces, splits the vertices where texture coordinates differ, and adds the parts to `organ` with what there
+/// is to say of the faces. `parts` have the names and materials. Vertices that no face uses stay in the first part, so that they
+/// are counted later.
+void add_parts(const Soup& soup, std::vector<RawPart> parts, RawOrgan& organ);
 
 }  // namespace lapfx::organ

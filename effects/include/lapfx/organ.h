@@ -43,6 +43,24 @@ struct Part {
     int material = 0;
 };
 
+/// What became of the triangles of a file: read == kept + dropped(). A polygon of n corners counts as n - 2 triangles.
+struct TriangleCounts {
+    std::size_t read = 0;          ///< that the file's faces make
+    std::size_t kept = 0;          ///< that are drawn
+    std::size_t unreadable = 0;    ///< left out: corners are missing, or no numbers
+    std::size_t out_of_range = 0;  ///< left out: corners are vertices that the file does not have
+    std::size_t not_finite = 0;    ///< left out: coordinates are NaN, infinite, or beyond 1e9 mm
+    std::size_t without_area = 0;  ///< left out: the corners lie on a line
+    std::size_t repeated = 0;      ///< left out: the same triangle was there before
+    std::size_t sewn = 0;  ///< mended: vertices that were moved to the other side of a seam which rounding had torn
+
+    std::size_t dropped() const { return unreadable + out_of_range + not_finite + without_area + repeated; }
+};
+
+/// Longest sides that one organ can have, mm: from an ovary of a child to the bowel as it lies. Others are told of as a likely
+/// mistake in the unit.
+inline constexpr double shortest_organ = 5.0, longest_organ = 600.0;
+
 struct Organ {
     std::string name;
     std::vector<glm::vec3> positions;    ///< mm
@@ -61,6 +79,7 @@ struct Organ {
     bool has_uvs = false;     ///< the file had texture coordinates (else they were made)
     bool has_colors = false;  ///< the file had vertex colours
     double scale = 1.0;       ///< mm per unit of the file, as it was applied
+    TriangleCounts counts;    ///< of the file; all 0 when it came from none
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
@@ -74,8 +93,8 @@ struct OrganOptions {
 /// extension we cannot read: each named).
 Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
 
-/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same
-/// position have been joined, so that a texture seam is not a boundary.
+/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same position, and those of
+/// seams that rounding tore, have been joined: a texture seam is not a boundary.
 struct OrganReport {
     std::size_t vertices = 0;
     std::size_t triangles = 0;

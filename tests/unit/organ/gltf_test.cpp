@@ -71,7 +71,7 @@ TEST_F(Gltf, OnlyTheDefaultScene) {
     Triangle triangle;
     triangle.json["scene"] = 1;
     triangle.json["scenes"] = json::parse(R"([{"nodes": [0]}, {"nodes": []}])");
-    EXPECT_EQ(fault(triangle), "no triangles: the file holds no surface");
+    EXPECT_EQ(fault(triangle), "no triangles: the file holds 1 mesh, none in the scene");
 }
 
 TEST_F(Gltf, IndicesOfEverySize) {
@@ -268,6 +268,96 @@ TEST_F(Gltf, DamagedBytesNeverCrash) {
             damaged[at] = value;
             fault_of(folder.write("t.glb", damaged));  // a fault or an organ, both are right
         }
+}
+
+/* The specification allows 840.0 where an integer is meant.  */
+TEST_F(Gltf, IntegersWrittenAsFloats) {
+    Triangle triangle;
+    triangle.primitive()["indices"] = triangle.add_accessor(bytes_of<std::uint16_t>({0, 2, 1}), 5123, 3, "SCALAR");
+    std::string text = triangle.json.dump();
+    const auto as_floats = [](const std::string& source) {  // every integer outside of strings
+        std::string out;
+        bool quoted = false;
+        for (std::size_t i = 0; i < source.size(); ++i) {
+            quoted ^= source[i] == '"';
+            out += source[i];
+            const bool last = std::isdigit(static_cast<unsigned char>(source[i])) && i + 1 < source.size() &&
+                              (source[i + 1] == ',' || source[i + 1] == '}' || source[i + 1] == ']');
+            if (!quoted && last) out += ".0";
+        }
+        return out;
+    };
+    text = as_floats(text);
+    ASSERT_NE(text.find("\"count\":3.0"), std::string::npos) << text;
+    ASSERT_NE(text.find("\"POSITION\":0.0"), std::string::npos);
+    while (text.size() % 4 != 0) text += ' ';
+    std::string binary = triangle.binary;
+    while (binary.size() % 4 != 0) binary += '\0';
+    const std::string body = word(static_cast<std::uint32_t>(text.size())) + "JSON" + text +
+                             word(static_cast<std::uint32_t>(binary.size())) + std::string("BIN\0", 4) + binary;
+    const Organ organ =
+        load_organ(folder.write("t.glb", "glTF" + word(2) + word(static_cast<std::uint32_t>(12 + body.size())) + body));
+    EXPECT_EQ(organ.indices, (std::vector<std::uint32_t>{0, 2, 1}));
+}
+
+TEST_F(Gltf, NumbersThatAreNotWholeAreNamed) {
+    const auto with = [&](const char* pointer, const json& value) {
+        Triangle triangle;
+        triangle.json[json::json_pointer(pointer)] = value;
+        try {
+            load(triangle);
+        } catch (const Error& error) {
+            return error.faults().front().place + " " + error.faults().front().reason;
+        }
+        return std::string("no fault");
+    };
+    EXPECT_EQ(with("/accessors/0/count", 3.5), "/accessors/0/count is 3.5, expected a whole number");
+    EXPECT_EQ(with("/accessors/0/componentType", "FLOAT"),
+              "/accessors/0/componentType is \"FLOAT\", expected a whole number");
+    EXPECT_EQ(with("/bufferViews/0/byteOffset", 0.25), "/bufferViews/0/byteOffset is 0.25, expected a whole number");
+    EXPECT_EQ(with("/meshes/0/primitives/0/attributes/POSITION", 0.5),
+              "/meshes/0/primitives/0/attributes/POSITION is 0.5, expected a whole number");
+    EXPECT_EQ(with("/meshes/0/primitives/0/indices", true),
+              "/meshes/0/primitives/0/indices is true, expected a whole number");
+    EXPECT_EQ(with("/scenes/0/nodes/0", 0.5), "/scenes/0/nodes/0 is 0.5, expected a whole number");
+    EXPECT_EQ(with("/meshes/0/primitives", json::object()), "/meshes/0/primitives is no array");
+    EXPECT_EQ(with("/nodes/0", 7), "/nodes/0 is 7, expected an object");
+    EXPECT_EQ(with("/accessors/0/count", 3.0), "no fault");
+}
+
+TEST_F(Gltf, MaterialsThatCannotBeAreToldOf) {
+    const auto warned = [&](const char* material, const std::string& warning) {
+        Triangle triangle;
+        triangle.json["materials"] = json::array({json::parse(material)});
+        triangle.primitive()["material"] = 0;
+        const Organ organ = load(triangle);
+        EXPECT_EQ(organ.triangle_count(), 1u);
+        EXPECT_TRUE(has_warning(organ.warnings, warning)) << testing::PrintToString(organ.warnings);
+    };
+    warned(R"({"pbrMetallicRoughness": ["no object"]})",
+           "/materials/0/pbrMetallicRoughness is [\"no object\"], expected an object; left out");
+    warned(R"({"pbrMetallicRoughness": {"baseColorTexture": {"index": -1}}})",
+           "/materials/0/pbrMetallicRoughness/baseColorTexture/index is -1, expected a whole number from 0; left out");
+    warned(R"({"normalTexture": {"scale": 1}})", "/materials/0/normalTexture has no index; left out");
+    warned("7", "/materials/0 is 7, expected an object; left out");
+}
+
+/* A note on the file is no reason that it is refused for.  */
+TEST_F(Gltf, TheReasonIsThatOfTheTriangles) {
+    Triangle triangle;
+    triangle.json.erase("nodes");
+    triangle.json.erase("scenes");
+    triangle.json.erase("scene");
+    EXPECT_TRUE(has_warning(load(triangle).warnings, "the file has no nodes: every mesh is taken, where it is"));
+    triangle.binary = bytes_of<float>({0, 0, 0, 1, 1, 1, 2, 2, 2});
+    EXPECT_EQ(fault(triangle), "no triangles that can be drawn: 1 triangle without area");
+    triangle.primitive()["mode"] = 0;
+    EXPECT_EQ(fault(triangle), "no triangles: the file holds 1 primitive of points or lines only");
+    triangle.json.erase("meshes");
+    EXPECT_EQ(fault(triangle), "no triangles: the file holds no mesh");
+    Triangle hidden;
+    hidden.json["nodes"] = json::array({json::object()});
+    EXPECT_EQ(fault(hidden), "no triangles: the file holds 1 mesh, none in the scene");
 }
 
 TEST_F(Gltf, DeepJsonIsRefused) {

@@ -89,13 +89,23 @@ TEST(Report, ComponentsAndSize) {
     EXPECT_TRUE(r.warnings.empty());
 }
 
+TEST(Report, SizesThatAnOrganCannotHave) {
+    const TemporaryFolder folder;
+    for (const auto& [size, odd] :
+         {std::pair{"4.9", true}, {"5", false}, {"600", false}, {"601", true}, {"980", true}}) {
+        const std::string s = size;
+        const Organ organ = load_organ(folder.write("m.obj", "v 0 0 0\nv " + s + " 0 0\nv 0 4 0\nf 1 2 3\n"));
+        EXPECT_EQ(has_warning(report(organ).warnings, "no size of an organ (5 to 600 mm)"), odd) << size;
+    }
+}
+
 TEST(Report, SizeThatCannotBeNamesAScale) {
     const TemporaryFolder folder;
     const fs::path file = folder.write("m.obj", "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nf 1 2 3\n");
-    EXPECT_EQ(
-        report(load_organ(file)).warnings,
-        std::vector<std::string>{"its longest side is 0.2 mm, which is no size of an organ; is the unit wrong? scale "
-                                 "1000 would make it 200 mm"});
+    EXPECT_EQ(report(load_organ(file)).warnings,
+              std::vector<std::string>{
+                  "its longest side is 0.2 mm, which is no size of an organ (5 to 600 mm); is the unit wrong? scale "
+                  "1000 would make it 200 mm"});
     EXPECT_TRUE(has_warning(report(load_organ(file, {.scale = 1e5})).warnings, "scale 1000 would make it 200 mm"));
     EXPECT_TRUE(report(load_organ(file, {.scale = 1000.0})).warnings.empty());
 }

@@ -1,0 +1,131 @@
+// Polygons become triangles that cover them once.
+#include "organ/polygon.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+namespace lapfx::organ {
+namespace {
+
+double area_of(std::span<const glm::vec3> ring) {
+    glm::dvec3 sum(0.0);
+    for (std::size_t i = 0; i < ring.size(); ++i)
+        sum += glm::cross(glm::dvec3(ring[i]), glm::dvec3(ring[(i + 1) % ring.size()]));
+    return 0.5 * glm::length(sum);
+}
+
+/// n - 2 triangles, `flat` of them without area; none turned round; together as large as the ring.
+void expect_covered(const std::vector<glm::vec3>& ring, std::size_t flat = 0) {
+    std::vector<std::uint32_t> corners;
+    EXPECT_TRUE(triangulate(ring, corners));
+    ASSERT_EQ(corners.size(), 3 * (ring.size() - 2));
+    double sum = 0.0;
+    std::size_t without_area = 0;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        const glm::dvec3 a(ring[corners[i]]), b(ring[corners[i + 1]]), c(ring[corners[i + 2]]);
+        const double z = glm::cross(b - a, c - a).z / 2.0;
+        EXPECT_GE(z, 0.0) << "turned round";
+        without_area += z == 0.0;
+        sum += z;
+    }
+    EXPECT_EQ(without_area, flat);
+    EXPECT_NEAR(sum, area_of(ring), 1e-5 * area_of(ring));
+}
+
+/// The corner at `share` of a circle.
+glm::vec3 on_circle(double radius, double share) {
+    const double angle = 2.0 * std::numbers::pi * share;
+    return glm::vec3(glm::dvec3(radius * std::cos(angle), radius * std::sin(angle), 0.0));
+}
+
+TEST(Polygon, RingCutOpenAroundAHole) {
+    // As modellers write a ring: once round outside, over the cut, once round inside the other way, and back over the cut.
+    for (const int n : {3, 4, 32, 100}) {
+        std::vector<glm::vec3> ring;
+        for (int i = 0; i <= n; ++i) ring.push_back(on_circle(10.0, static_cast<double>(i % n) / n));
+        for (int i = n; i >= 0; --i) ring.push_back(on_circle(4.0, static_cast<double>(i % n) / n));
+        for (std::size_t turned = 0; turned < ring.size(); ++turned) {
+            expect_covered(ring);
+            std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+            if (n > 4) turned += ring.size() / 8;
+        }
+    }
+}
+
+TEST(Polygon, TwoHolesAtOneCut) {
+    // Outside, to the first hole, half round it, to the second, round that, and back.
+    expect_covered({{0, 0, 0},
+                    {10, 0, 0},
+                    {10, 6, 0},
+                    {0, 6, 0},
+                    {0, 0, 0},
+                    {1, 1, 0},
+                    {1, 3, 0},
+                    {3, 3, 0},
+                    {3, 1, 0},
+                    {5, 1, 0},
+                    {5, 3, 0},
+                    {7, 3, 0},
+                    {7, 1, 0},
+                    {5, 1, 0},
+                    {3, 1, 0},
+                    {1, 1, 0}});
+}
+
+TEST(Polygon, CornersOnAnEdgeStayCorners) {
+    // A fan from the first corner would leave the second one out, and tear the surface from its neighbour there.
+    expect_covered({{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}});
+    expect_covered({{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {5, 5, 0}});
+    std::vector<glm::vec3> square;
+    for (int side = 0; side < 4; ++side)
+        for (int i = 0; i < 10; ++i) {
+            const float t = static_cast<float>(i);
+            square.push_back(side == 0   ? glm::vec3(t, 0, 0)
+                             : side == 1 ? glm::vec3(10, t, 0)
+                             : side == 2 ? glm::vec3(10 - t, 10, 0)
+                                         : glm::vec3(0, 10 - t, 0));
+        }
+    expect_covered(square);
+}
+
+TEST(Polygon, RepeatedCornersGiveTrianglesWithoutArea) {
+    expect_covered({{0, 0, 0}, {0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}}, 1);
+    expect_covered({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {9, 9, 0}, {9, 9, 0}, {0, 9, 0}}, 2);
+}
+
+TEST(Polygon, AnySimpleRing) {
+    std::mt19937 random(5);
+    for (int trial = 0; trial < 200; ++trial) {
+        const int n = 4 + static_cast<int>(random() % 60);
+        std::vector<glm::vec3> ring;
+        for (int i = 0; i < n; ++i)
+            ring.push_back(on_circle(1.0 + static_cast<double>(random() % 1000) / 100.0, static_cast<double>(i) / n));
+        expect_covered(ring);
+    }
+}
+
+TEST(Polygon, FarFromTheOrigin) {
+    std::vector<glm::vec3> ring{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {5, 1, 0}, {0, 10, 0}};
+    for (glm::vec3& p : ring) p += glm::vec3(100000, -200000, 0);
+    expect_covered(ring);
+}
+
+TEST(Polygon, ARingThatCrossesItselfIsToldOf) {
+    const std::vector<glm::vec3> bow{{0, 0, 0}, {10, 10, 0}, {10, 0, 0}, {0, 10, 0}, {-3, 5, 0}};
+    std::vector<std::uint32_t> corners;
+    EXPECT_FALSE(triangulate(bow, corners));
+    EXPECT_EQ(corners.size(), 9u);
+    std::vector<glm::vec3> star;
+    for (int i = 0; i < 5; ++i) star.push_back(on_circle(10.0, 0.4 * i));
+    corners.clear();
+    EXPECT_FALSE(triangulate(star, corners)) << "all its corners turn left";
+    std::vector<glm::vec3> many;
+    for (int i = 0; i < 1100; ++i) many.push_back(on_circle(i % 2 == 0 ? 5.0 : 10.0, i / 1100.0));
+    EXPECT_FALSE(triangulate(many, corners));
+}
+
+}  // namespace
+}  // namespace lapfx::organ
