@@ -118,6 +118,8 @@ INPUT = [
          says=r"^lapfx: low\.json: /bleeding/speed: -3\b.*\b0 mm/s"),
     Case("check: unknown key, nearest one named", ("check", "typo.json"), 2, "typo.json",
          says=r"/bleeding/sped: .*\bspeed\b"),
+    Case("check: an organ that is not there", ("check", "no organ.scene.json"), 2, "no organ.scene.json",
+         says=r'/organ/file: "nowhere\.obj": no such file'),
     Case("check: every file is looked at", ("check", "low.json", "good.json", "typo.json"), 2,
          says=r"(?s)^lapfx: note: good\.json: .*\nlapfx: low\.json: .*\nlapfx: typo\.json: ", prints=r"(?s)good\.json.*"),
     Case("inspect: nothing", ("inspect",), 2),
