@@ -32,6 +32,12 @@ void check_members(const json& object, const std::string& place, const std::stri
             check_number(*found, place + "/" + std::string(key), file);
 }
 
+void check_there(const json& object, std::initializer_list<const char*> keys, const std::string& place,
+                 const std::string& file) {
+    for (const char* key : keys)
+        if (!object.contains(key)) refuse(file, place + "/" + key, "is missing");
+}
+
 const json& list(const json& object, const char* key, const std::string& place, const std::string& file) {
     static const json none = json::array();
     const auto found = object.find(key);
@@ -62,8 +68,8 @@ void check_primitives(const json& mesh, const std::string& place, const std::str
         check_members(primitive, at, file);
         if (const auto indices = primitive.find("indices"); indices != primitive.end())
             check_number(*indices, at + "/indices", file);
+        check_there(primitive, {"attributes"}, at, file);
         const auto attributes = primitive.find("attributes");
-        if (attributes == primitive.end()) continue;
         if (!attributes->is_object())
             refuse(file, at + "/attributes", "is " + shown(*attributes) + ", expected an object");
         for (const auto& [name, index] : attributes->items()) check_number(index, at + "/attributes/" + name, file);
@@ -137,8 +143,14 @@ void check_structure(const json& document, const std::string& file) {
         }
     };
     const auto nothing_else = [](const json&, const std::string&) {};
-    for (const char* key : {"buffers", "bufferViews", "images", "textures"}) each(key, nothing_else);
-    each("accessors", [&](const json& entry, const std::string& place) { check_sparse(entry, place, file); });
+    for (const char* key : {"buffers", "images", "textures"}) each(key, nothing_else);
+    each("bufferViews", [&](const json& entry, const std::string& place) {
+        check_there(entry, {"buffer", "byteLength"}, place, file);
+    });
+    each("accessors", [&](const json& entry, const std::string& place) {
+        check_there(entry, {"componentType", "count", "type"}, place, file);
+        check_sparse(entry, place, file);
+    });
     each("meshes", [&](const json& entry, const std::string& place) { check_primitives(entry, place, file); });
     each("nodes", [&](const json& entry, const std::string& place) { check_indices(entry, "children", place, file); });
     each("scenes", [&](const json& entry, const std::string& place) { check_indices(entry, "nodes", place, file); });

@@ -52,6 +52,7 @@ TEST_F(InspectCommand, Mesh) {
         "cube.obj: mesh\n"
         "  vertices            8\n"
         "  triangles           12\n"
+        "  in the file         12 triangles, none left out\n"
         "  split for blood     into 192 triangles, no edge longer than 4.5 mm\n"
         "  components          1\n"
         "  boundary edges      0\n"

@@ -26,7 +26,7 @@ constexpr Refused refused[] = {
     {"BoxDraco.gltf", "needs the extension KHR_draco_mesh_compression"},
     {"DracoSparseMesh.gltf", "needs the extension KHR_draco_mesh_compression"},
     {"DenseSphere.glb", "needs the extension KHR_draco_mesh_compression"},
-    {"BoundsChecking/integer-out-of-bounds.gltf", "'byteLength' property is not a positive integer"},
+    {"BoundsChecking/integer-out-of-bounds.gltf", "is 1e+300, expected a whole number"},
     {"BoundsChecking/invalid-buffer-index.gltf", "/attributes: has no POSITION"},
     {"BoundsChecking/invalid-buffer-view-index.gltf", "accessor[0] invalid bufferView"},
     {"BoundsChecking/invalid-primitive-indices.gltf", "primitive indices accessor out of bounds"},
@@ -190,7 +190,7 @@ TEST_F(Data, CountsAndTextures) {
                             {"HuBMAP-CCF/VH_F_Ovary_L.glb", 214, 424, 0, 0},
                             {"HuBMAP-CCF/VH_M_Prostate.glb", 112596, 224676, 0, 0},
                             {"whynpc9-anatomy/stomach.glb", 5430, 1810, 0, 0},
-                            {"whynpc9-anatomy/liver.glb", 214401, 345526, 1, 2048},
+                            {"whynpc9-anatomy/liver.glb", 214401, 345525, 1, 2048},
                             {"Warp-Surgical/derived/fat.obj", 2688, 5372, 0, 0},  // its texture lies in ../textures
                             {"Warp-Surgical/derived/gallbladder.obj", 938, 1872, 0, 0},
                             {"InfinyToolkit/examples/mesh/liver_light_visu.obj", 2716, 5004, 0, 0},

@@ -323,6 +323,9 @@ TEST_F(Gltf, NumbersThatAreNotWholeAreNamed) {
     EXPECT_EQ(with("/meshes/0/primitives", json::object()), "/meshes/0/primitives is no array");
     EXPECT_EQ(with("/nodes/0", 7), "/nodes/0 is 7, expected an object");
     EXPECT_EQ(with("/accessors/0/count", 3.0), "no fault");
+    EXPECT_EQ(with("/meshes/0/primitives/0", json::object()), "/meshes/0/primitives/0/attributes is missing");
+    EXPECT_EQ(with("/accessors/0", {{"count", 3}}), "/accessors/0/componentType is missing");
+    EXPECT_EQ(with("/bufferViews/0", json::object()), "/bufferViews/0/buffer is missing");
 }
 
 TEST_F(Gltf, MaterialsThatCannotBeAreToldOf) {
