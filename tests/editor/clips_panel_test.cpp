@@ -70,6 +70,18 @@ TEST_F(ClipsPanel, OrderAndNumberAreChanged) {
     EXPECT_EQ(names(), sample);
 }
 
+TEST_F(ClipsPanel, SaysWhichSmokeNoClipShows) {
+    const std::string no_haze = "No clip has the role haze: the haze is an even veil.";
+    const std::string none = "This preset has no smoke clip: cautery makes no smoke.";
+    EXPECT_FALSE(ui().exists(panel + no_haze));
+    ui().click(panel + "List/3 haze_rolling.mp4").key(ui::Key::del).frame();
+    EXPECT_TRUE(ui().exists(panel + no_haze));
+    EXPECT_FALSE(ui().exists(panel + none));
+    ui().click(panel + "Remove clip").click(panel + "Remove clip").frame();
+    EXPECT_FALSE(ui().exists(panel + no_haze));
+    EXPECT_TRUE(ui().exists(panel + none));
+}
+
 TEST_F(ClipsPanel, DroppedVideosAreAddedInOneStep) {
     const fs::path one = write_clip(folder() / "one.avi", 5), two = write_clip(folder() / "two.avi", 5);
     drop(one.string() + "\n" + two.string());
