@@ -1,5 +1,6 @@
 #version 450 core
 // Environmental smoke over the whole view: an even veil of optical thickness E, made uneven by clips and by noise.
+#define LAPFX_FILLS_VIEW
 #include "smoke.glsl"
 
 layout(location = 0) in vec2 v_uv;

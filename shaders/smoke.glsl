@@ -7,11 +7,13 @@
 //   LAPFX_EDGES   choke or feather is on
 //   LAPFX_NOISE   noise varies the opacity
 //   LAPFX_TURNED  the clip is turned by an angle, not only mirrored
+//   LAPFX_WINDOW  the clip is cropped, fades at its edges or has masks
 //   LAPFX_DIRECT  the layer goes straight over the frame, else into the sum that resolve.frag lays over it
 #include "view.glsl"
 #include "smoke_layer.glsl"
 #include "keying.glsl"
 #include "edges.glsl"
+#include "window.glsl"
 
 layout(binding = 0) uniform sampler2DArray u_frames[LAPFX_LAYERS];  // RGB, or luma; row 0 = top
 #ifdef LAPFX_PLANAR
@@ -52,8 +54,20 @@ vec3 clip_code(int i, vec2 place) {
     return vec3(dot(y.xyz, sampled) + y.w, dot(cb.xyz, sampled) + cb.w, dot(cr.xyz, sampled) + cr.w);
 }
 
-// Opacity before edges and noise: the clip's own where it brings one, else keyed.
-float clip_opacity(int i, vec2 place, vec3 code) {
+// 0 where the crop or a mask takes the clip out.
+float clip_window(int i, vec2 place) {
+#ifdef LAPFX_WINDOW
+    vec2 position = place * u_layers[i].amount.zw;
+    float share = lapfx_inside(position, u_layers[i].window, u_layers[i].fades);
+    for (int mask = 0; mask < int(u_layers[i].mask_count.x); ++mask)
+        share *= lapfx_outside(position, u_layers[i].masks[mask], u_layers[i].mask_count.y);
+    return share;
+#else
+    return 1.0;
+#endif
+}
+
+float keyed_opacity(int i, vec2 place, vec3 code) {
 #if defined LAPFX_ALPHA
     return textureLod(u_opacity[i], vec3(place, u_layers[i].vary.w), 0.0).r;
 #elif defined LAPFX_CHROMA
@@ -63,9 +77,16 @@ float clip_opacity(int i, vec2 place, vec3 code) {
 #endif
 }
 
+// Opacity before edges and noise: the clip's own where it brings one, else keyed.
+float clip_opacity(int i, vec2 place, vec3 code) { return keyed_opacity(i, place, code) * clip_window(i, place); }
+
 int edged_layer = 0;
 
 float lapfx_opacity_at(vec2 position) {
+#if defined LAPFX_WINDOW && defined LAPFX_FILLS_VIEW
+    vec4 window = u_layers[edged_layer].window;  // as a frame without bars goes on beyond its edges
+    position = clamp(position, window.xy + 0.5, window.zw - 0.5);
+#endif
     vec2 place = position / u_layers[edged_layer].amount.zw;
     return clip_opacity(edged_layer, place, clip_code(edged_layer, place));
 }
@@ -94,6 +115,9 @@ float smoke_opacity(int i, vec2 uv, float noise, out vec3 light) {
     place = abs(place - 2.0 * floor(0.5 * place + 0.5));  // turned beyond its border, the clip goes on as its mirror image
 #else
     vec2 place = vec2(0.5 + turn.x * (uv.x - 0.5), uv.y);
+#endif
+#if defined LAPFX_WINDOW && defined LAPFX_FILLS_VIEW
+    place = u_layers[i].part.xy + place * u_layers[i].part.zw;  // what the crop leaves is as large as the view
 #endif
     vec3 code = clip_code(i, place);
     light = own_light(i, place, code);

@@ -15,6 +15,11 @@ struct LapfxSmokeLayer {
     vec4 corners[4];    // of a plume, camera space, mm: top left, top right, bottom left, bottom right
     vec4 color;         // rgb: linear colour, extinction: of the transmission per channel; for layers that go straight over
     vec4 extinction;    // the frame
+    vec4 window;        // xy: upper left, zw: lower right corner of what the crop leaves, clip pixels
+    vec4 fades;         // left, top, right, bottom: over how many clip pixels smoke fades inside of that
+    vec4 part;          // haze: xy: start, zw: extent of that, clip coordinates; plume: its corners as window, drawn coordinates
+    vec4 masks[12];     // xy: upper left, zw: lower right corner, clip pixels
+    vec4 mask_count;    // x: how many; y: over how many clip pixels smoke fades around them
 };
 
 layout(std140, binding = 2) uniform LapfxSmokeLayers {

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/editor.h"
+#include "app/keying_bench.h"
 #include "app/settings.h"
 #include "lapfx/file.h"
 
@@ -264,10 +265,12 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
     const auto faults = std::make_shared<std::vector<Fault>>();
     const auto work = [=, this](Job& job) -> Jobs::Apply {
         std::vector<std::string> good, bad;
+        std::vector<SourceSuggestion> sources;
         for (std::size_t i = 0; i < files.size() && !job.cancelled(); ++i) {
             if (files.size() > 1) job.set_progress(static_cast<double>(i) / static_cast<double>(files.size()));
             try {
                 KeyingReader opened(files[i], &job.stop());
+                sources.push_back(replace ? SourceSuggestion{} : suggest_source(files[i], &job.stop()));
                 good.push_back(fs::absolute(files[i]).lexically_normal().string());
             } catch (const Error& error) {
                 faults->insert(faults->end(), error.faults().begin(), error.faults().end());
@@ -278,7 +281,7 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
             work_.reset();
             refused_ = *faults;
             editor_.settings().forget_missing(bad);
-            take_found(good, replace);
+            take_found(good, sources, replace);
         };
     };
     const std::string name =
@@ -289,7 +292,8 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
     });
 }
 
-void ClipShelf::take_found(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
+void ClipShelf::take_found(const std::vector<std::string>& files, const std::vector<SourceSuggestion>& sources,
+                           std::optional<std::size_t> replace) {
     if (files.empty()) return;
     for (auto file = files.rbegin(); file != files.rend(); ++file) editor_.settings().note_recent(*file);
     document::Document& document = editor_.document;
@@ -310,7 +314,9 @@ void ClipShelf::take_found(const std::vector<std::string>& files, std::optional<
                     [&](document::Content& c) {
                         for (const std::string& file : files) {
                             if (c.preset.smoke.clips.size() >= most_clips) break;
-                            c.preset.smoke.clips.push_back({.file = name_of(file)});
+                            SmokeClip& clip = c.preset.smoke.clips.emplace_back();
+                            clip.file = name_of(file);
+                            take_source(clip, sources[added]);  // a new clip is a plume
                             ++added;
                         }
                     });

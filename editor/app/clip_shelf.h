@@ -19,6 +19,7 @@
 #include "app/jobs.h"
 #include "lapfx/keying.h"
 #include "lapfx/streaming.h"
+#include "lapfx/suggest.h"
 #include "ui/draw/draw_list.h"
 
 namespace lapfx::app {
@@ -82,7 +83,8 @@ class ClipShelf {
     };
     ClipFacts& find(const std::string& file);
     void look(const std::string& key, const std::string& file);
-    void take_found(const std::vector<std::string>& files, std::optional<std::size_t> replace);
+    void take_found(const std::vector<std::string>& files, const std::vector<SourceSuggestion>& sources,
+                    std::optional<std::size_t> replace);
     void copy(const std::map<std::string, std::filesystem::path>& from, const std::filesystem::path& to,
               std::function<void(const std::map<std::string, std::string>&)> taken);
     std::string name_of(const std::filesystem::path& file) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
+#include <utility>
 
 #include "app/editor.h"
 #include "app/parameters.h"
@@ -25,8 +26,14 @@ auto values(const KeyingParameters& k) {
                            k.chroma_high, k.spill, k.choke, k.feather);
 }
 
+/// In what keying has to do with.
+bool same_clip(const SmokeClip& a, const SmokeClip& b) {
+    return a.polarity == b.polarity && a.role == b.role && a.source_x == b.source_x && a.source_y == b.source_y &&
+           a.crop == b.crop && a.edge_fade == b.edge_fade && a.masks == b.masks;
+}
+
 bool same_look(const KeyingLook& a, const KeyingLook& b) {
-    return values(a.keying) == values(b.keying) && a.polarity == b.polarity && a.color == b.color &&
+    return values(a.keying) == values(b.keying) && same_clip(a.clip, b.clip) && a.color == b.color &&
            a.extinction == b.extinction;
 }
 
@@ -114,12 +121,12 @@ class BenchWork {
     Result run(const Request& request) {
         Result result;
         result.new_frame = read(request);
-        keyed_opacity(frame_, request.look.keying, request.look.polarity, opacity_);
+        keyed_opacity(frame_, request.look.keying, request.look.clip, opacity_);
         if (result.new_frame) result.images[0] = source_picture(frame_);
         result.images[1] = matte_picture(frame_.size, opacity_);
         result.images[2] = keyed_picture(frame_, request.look, opacity_);
         result.images[3] = composite_picture(frame_, request.look, opacity_, backdrop(request));
-        const bool dark = request.look.polarity == ClipPolarity::dark;
+        const bool dark = request.look.clip.polarity == ClipPolarity::dark;
         for (const float luma : frame_.luma) {
             const auto bin = static_cast<std::size_t>(std::clamp(luma + 0.5f, 0.0f, 255.0f));
             ++result.bins[dark ? 255 - bin : bin];
@@ -213,7 +220,7 @@ KeyingBench::Request KeyingBench::request() const {
     const bool plume = one->role == ClipRole::plume;
     wanted.path = facts.path;
     wanted.look = {.keying = keying(),
-                   .polarity = one->polarity,
+                   .clip = *one,
                    .color = plume ? smoke.plume.color : smoke.haze.color,
                    .extinction = plume ? smoke.plume.extinction : smoke.haze.extinction};
     wanted.time = standing_at();
@@ -251,6 +258,7 @@ void KeyingBench::update(double now) {
         work_ = std::make_shared<BenchWork>();
     }
     if (suggesting_ && suggesting_->cancelled()) suggesting_.reset();
+    if (finding_source_ && finding_source_->cancelled()) finding_source_.reset();
     const auto& clips = editor_.document.preset().smoke.clips;
     if (!clips.empty() && editor_.clip >= clips.size()) editor_.clip = clips.size() - 1;
     if (const SmokeClip* one = clip();
@@ -355,7 +363,22 @@ std::size_t KeyingBench::sharing() const {
         std::count_if(clips.begin(), clips.end(), [](const SmokeClip& clip) { return !clip.own_keying; }));
 }
 
-void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t number) {
+/// What of the clip itself differs: "Polarity light to dark, Top 0 to 0.07 of the frame, 1 mask".
+std::string KeyingBench::clip_changes(const SmokeClip& before, const SmokeClip& after) {
+    const Table& clips = *preset_table().find("smoke")->find("clips");
+    std::string changes;
+    const auto add = [&](const std::string& text) { changes += (changes.empty() || text.empty() ? "" : ", ") + text; };
+    for (const char* key : {"polarity", "edge_fade"}) {
+        const Parameter& row = *clips.find_row(key);
+        if (row.get(&before) != row.get(&after)) add(change_text(row, &before, &after));
+    }
+    add(differing_rows(*clips.find("crop"), &before.crop, &after.crop));
+    if (before.masks != after.masks)
+        add(std::to_string(after.masks.size()) + (after.masks.size() == 1 ? " mask" : " masks"));
+    return changes;
+}
+
+void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t number, For whose) {
     suggestion_version_ = editor_.document.version();
     suggestion_undoes_ = false;
     suggestion_changes_ = "Nothing changed: this clip brings its own opacity";
@@ -363,29 +386,39 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
     const SmokeParameters& now = editor_.document.preset().smoke;
     const KeyingParameters before = keying_of(now, number);
     const SmokeClip clip_before = now.clips[number];
+    const bool only = now.clips.size() == 1 && !clip_before.own_keying;
     editor_.document.change("Suggest keying", [&](document::Content& c) {
-        KeyingParameters& k = keying_of(c, number);
-        const KeyingParameters& s = found.keying;
-        k.luma_low = s.luma_low, k.luma_high = s.luma_high;
-        k.key_color = s.key_color;
-        k.chroma_low = s.chroma_low, k.chroma_high = s.chroma_high;
-        k.spill = s.spill;
-        c.preset.smoke.clips[number].polarity = found.polarity;
+        SmokeParameters& smoke = c.preset.smoke;
+        SmokeClip& clip = smoke.clips[number];
+        if (!clip.own_keying) clip.keying = smoke.keying;  // what is not suggested goes on from what is seen
+        found.apply(clip);
+        if (whose == For::clip && !only) return;
+        smoke.keying = std::exchange(clip.keying, clip_before.keying);
+        clip.own_keying = false;
     });
-    const Table& smoke = *preset_table().find("smoke");
     const SmokeClip& clip = now.clips[number];
-    std::string changes = differing_rows(*smoke.find("keying"), &before, &keying_of(now, number));
-    if (clip.polarity != clip_before.polarity)
-        changes += (changes.empty() ? "" : ", ") +
-                   change_text(*smoke.find("clips")->find_row("polarity"), &clip_before, &clip);
+    std::string changes =
+        differing_rows(*preset_table().find("smoke")->find("keying"), &before, &keying_of(now, number));
+    if (const std::string more = clip_changes(clip_before, clip); !more.empty())
+        changes += (changes.empty() ? "" : ", ") + more;
     const std::size_t many = sharing(), all = now.clips.size();
-    const std::string whose = clip.own_keying ? "For this clip alone: "
-                              : many == all   ? "For all clips (" + std::to_string(all) + "): "
-                                              : "For " + std::to_string(many) + " of " + std::to_string(all) +
-                                                  " clips, which share their keying: ";
+    const std::string_view own =
+        clip_before.own_keying ? "For this clip alone: " : "For this clip alone, in a keying of its own now: ";
+    const std::string for_whom = clip.own_keying ? std::string(own)
+                                 : many == all   ? "For all clips (" + std::to_string(all) + "): "
+                                                 : "For " + std::to_string(many) + " of " + std::to_string(all) +
+                                                     " clips, which share their keying: ";
     suggestion_version_ = editor_.document.version();
-    suggestion_undoes_ = !changes.empty();
-    suggestion_changes_ = changes.empty() ? "Nothing changed: these thresholds were set already" : whose + changes;
+    suggestion_undoes_ = !changes.empty() || clip.own_keying != clip_before.own_keying;
+    suggestion_changes_ = !changes.empty()     ? for_whom + changes
+                          : suggestion_undoes_ ? for_whom + "the same values"
+                                               : "Nothing changed: it was so already";
+}
+
+void KeyingBench::suggest_for_all() {
+    if (!suggestion_ || suggested_clip_ != editor_.clip) return;
+    const KeyingSuggestion found = *suggestion_;
+    put_suggestion(found, editor_.clip, For::all);
 }
 
 /// Nobody looks at that clip any more: what the panel would say is said by a notice.
@@ -403,7 +436,7 @@ std::string_view KeyingBench::suggestion_changes() const {
                                                              : std::string_view();
 }
 
-void KeyingBench::suggest() {
+void KeyingBench::suggest(For whose) {
     const SmokeClip* one = clip();
     const ClipFacts& facts = shelf.of(editor_.clip);
     if (one == nullptr || !facts.known) return;
@@ -411,14 +444,14 @@ void KeyingBench::suggest() {
     forget_suggestion();
     const std::string file = one->file;
     const std::size_t number = editor_.clip;
-    const auto apply = [this, file, number](const KeyingSuggestion& found) {
+    const auto apply = [this, file, number, whose](const KeyingSuggestion& found) {
         suggesting_.reset();
         const auto& clips = editor_.document.preset().smoke.clips;
         if (number >= clips.size() || clips[number].file != file) return;
         suggestion_ = found;
         suggested_for_ = file;
         suggested_clip_ = number;
-        put_suggestion(found, number);
+        put_suggestion(found, number, whose);
         // One that is gone gives way to the last: update() does it after this.
         if (std::min(editor_.clip, clips.size() - 1) != number) tell_suggestion(found, file);
     };
@@ -432,6 +465,43 @@ void KeyingBench::suggest() {
             suggesting_.reset();
             suggestion_faults_ = faults;
         });
+}
+
+void KeyingBench::find_source() {
+    const SmokeClip* one = clip();
+    const ClipFacts& facts = shelf.of(editor_.clip);
+    if (one == nullptr || !facts.known || finding_source_) return;
+    const auto apply = [this, file = one->file, number = editor_.clip](const SourceSuggestion& found) {
+        finding_source_.reset();
+        const auto& clips = editor_.document.preset().smoke.clips;
+        if (number >= clips.size() || clips[number].file != file) return;
+        const std::string name = fs::path(file).filename().string();
+        if (!found.found) {
+            editor_.toasts.add({.kind = ui::ToastKind::warning, .text = "No smoke was found in " + name});
+            return;
+        }
+        editor_.document.change("Source",
+                                [&](document::Content& c) { take_source(c.preset.smoke.clips[number], found); });
+        editor_.toasts.add({.text = found.begins ? "The source is where the smoke of " + name + " begins"
+                                                 : "The source is the root of the plume in " + name +
+                                                       ": the clip does not show how it begins"});
+    };
+    finding_source_ = editor_.jobs.start(
+        "Looking for the source in " + facts.path.filename().string(),
+        [=, path = facts.path](Job& job) -> Jobs::Apply {
+            const SourceSuggestion found = suggest_source(path, &job.stop());
+            return [=] { apply(found); };
+        },
+        [this](const std::vector<Fault>& faults) {
+            finding_source_.reset();
+            for (const Fault& fault : faults) editor_.toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
+        });
+}
+
+void take_source(SmokeClip& clip, const SourceSuggestion& found) {
+    if (!found.found) return;
+    clip.source_x = std::round(200.0 * found.place.x) / 200.0;  // finer is not known
+    clip.source_y = std::round(200.0 * found.place.y) / 200.0;
 }
 
 }  // namespace lapfx::app

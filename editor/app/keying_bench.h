@@ -39,7 +39,9 @@ struct BenchLook {
     Behind behind = Behind::tissue;
     bool waveform = false;  ///< in place of the vectorscope
     bool eyedropper = false;
-    int sample_box = 3;  ///< pixels a side
+    bool shapes = true;       ///< source, crop and masks as handles on the source picture
+    bool draws_mask = false;  ///< the next drag on it makes a mask
+    int sample_box = 3;       ///< pixels a side
     bool log_counts = true;
     float scopes = 0.64F;  ///< share of the panel that the views have
     ui::ViewState state;
@@ -90,11 +92,18 @@ class KeyingBench {
     static const KeyingParameters& keying_of(const SmokeParameters& smoke, std::size_t clip);
     static KeyingParameters& keying_of(document::Content& content, std::size_t clip);
 
-    /// Thresholds out of the clip, by a job; one undo step, with polarity. They go where keying() comes from: into the clip's own
-    /// keying, or into the one that clips share.
-    void suggest();
+    /// Thresholds out of the clip, by a job; one undo step, with polarity, crop and masks. They are for this clip: it gets a keying
+    /// of its own, unless it is the only one. For all: into the keying that clips share, and the clip shares it.
+    enum class For { clip, all };
+    void suggest(For whose = For::clip);
+    /// What has been suggested for the selected clip, for all of them. One undo step.
+    void suggest_for_all();
     const std::shared_ptr<Job>& suggesting() const { return suggesting_; }
     void cancel_suggesting();
+
+    /// Where the clip's smoke starts, by a job; one undo step.
+    void find_source();
+    const std::shared_ptr<Job>& finding_source() const { return finding_source_; }
     /// Of the clip that is selected, as long as nobody has selected another one.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
     static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
@@ -118,7 +127,8 @@ class KeyingBench {
     void start(const Request& request);
     void take(Result& result);
     void show_pictures(Result& result);
-    void put_suggestion(const KeyingSuggestion& found, std::size_t number);
+    void put_suggestion(const KeyingSuggestion& found, std::size_t number, For whose);
+    static std::string clip_changes(const SmokeClip& before, const SmokeClip& after);
     void tell_suggestion(const KeyingSuggestion& found, const std::string& file);
 
     Editor& editor_;
@@ -138,7 +148,7 @@ class KeyingBench {
     bool broken_ = false;
     std::vector<Fault> faults_;
 
-    std::shared_ptr<Job> suggesting_;
+    std::shared_ptr<Job> suggesting_, finding_source_;
     std::optional<KeyingSuggestion> suggestion_;
     std::vector<Fault> suggestion_faults_;
     std::string suggestion_changes_;
@@ -147,5 +157,8 @@ class KeyingBench {
     std::string suggested_for_;  ///< the clip's file
     std::size_t suggested_clip_ = 0;
 };
+
+/// Into source_x and source_y, where smoke was found.
+void take_source(SmokeClip& clip, const SourceSuggestion& found);
 
 }  // namespace lapfx::app

@@ -116,6 +116,7 @@ void Tuning::follow() {
     for (const Fault& fault : told) clips.push_back(fault.reason);
     if (followed_ != document.version()) {
         followed_ = document.version();
+        if (!document.scene_unsaved()) saved_.scene = document.scene();
         follow_standard();
         follow_values();
     }
@@ -139,10 +140,20 @@ void Tuning::follow_standard() {
     if (text == standard_text_) return;
     standard_text_ = text;
     try {
-        standard_ = text.empty() ? Preset{} : parse_preset(text, "as saved");
+        saved_.preset = text.empty() ? Preset{} : parse_preset(text, "as saved");
     } catch (const Error&) {
-        standard_ = editor_.document.preset();  // opened with faults, from an autosave: as it came
+        saved_.preset = editor_.document.preset();  // opened with faults, from an autosave: as it came
     }
+}
+
+const SmokeClip* Tuning::saved_clip(std::size_t number) const {
+    const auto& clips = editor_.document.preset().smoke.clips;
+    if (number >= clips.size()) return nullptr;
+    const auto same = [&](const SmokeClip& clip) { return clip.file == clips[number].file; };
+    auto before = std::count_if(clips.begin(), clips.begin() + static_cast<std::ptrdiff_t>(number), same);
+    for (const SmokeClip& clip : saved_.preset.smoke.clips)
+        if (same(clip) && before-- == 0) return &clip;
+    return nullptr;
 }
 
 void Tuning::follow_values() {
@@ -151,7 +162,7 @@ void Tuning::follow_values() {
     changed_in_all_ = 0;
     for (std::size_t i = 0; i < states_.size(); ++i) {
         const ParameterEntry& entry = entries()[i];
-        states_[i].changed = !entry.same(preset, standard_);
+        states_[i].changed = !entry.same(preset, saved_.preset);
         changed_in_[entry.group] += states_[i].changed ? 1 : 0;
         changed_in_all_ += states_[i].changed ? 1 : 0;
     }
@@ -201,7 +212,7 @@ void Tuning::reset(const ParameterGroup* group) {
     editor_.document.change(name, [&](document::Content& c) {
         for (const ParameterEntry& entry : entries()) {
             if (group != nullptr && index_of(*group) != entry.group) continue;
-            put(entry, c.preset, entry.row->get(entry.owner(standard_)));
+            put(entry, c.preset, entry.row->get(entry.owner(saved_.preset)));
         }
     });
 }
@@ -212,7 +223,7 @@ void Tuning::reset(std::size_t i) {
         for (const std::size_t one : {i, entry.high}) {
             if (one == no_entry) continue;
             const ParameterEntry& e = entries()[one];
-            put(e, c.preset, e.row->get(e.owner(standard_)));
+            put(e, c.preset, e.row->get(e.owner(saved_.preset)));
         }
     });
 }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/parameters.h"
+#include "document/document.h"
 
 namespace lapfx::app {
 
@@ -38,7 +39,11 @@ class Tuning {
     const std::vector<std::size_t>& favourites() const { return favourites_; }  ///< in the order they were marked
     /// Differs from standard(), the preset as it was opened or saved.
     bool changed(std::size_t entry) const { return states_[entry].changed; }
-    const Preset& standard() const { return standard_; }
+    const Preset& standard() const { return saved_.preset; }
+    /// Scene and preset as they were opened or saved: what the dot of a row compares with and Backspace goes back to.
+    const document::Content& saved() const { return saved_; }
+    /// What was saved of this clip, wherever it stood in the list then: the same file, as often named before it. Null: it is new.
+    const SmokeClip* saved_clip(std::size_t number) const;
     /// What is wrong with it; empty: nothing.
     const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
     /// Where bars and randomising go: what the user has set, else what the table allows.
@@ -98,7 +103,7 @@ class Tuning {
     std::vector<std::size_t> favourites_;
     std::uint64_t followed_ = 0;
     std::string standard_text_;
-    Preset standard_;
+    document::Content saved_;
     std::vector<std::string> clip_faults_;
 };
 

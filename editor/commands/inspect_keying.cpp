@@ -14,13 +14,19 @@ namespace {
 /// are left to their defaults.
 std::string preset_lines(const KeyingSuggestion& found) {
     Preset preset;
-    preset.smoke.clips = {{.file = "clip", .polarity = found.polarity, .own_keying = true, .keying = found.keying}};
+    SmokeClip& suggested = preset.smoke.clips.emplace_back();
+    suggested.file = "clip";
+    found.apply(suggested);
     const auto written = nlohmann::ordered_json::parse(write_preset(preset));
     const auto& clip = written.at("smoke").at("clips").at(0);
     nlohmann::ordered_json keying;
     for (const char* key : {"luma_low", "luma_high", "key_color", "chroma_low", "chroma_high", "spill"})
         keying[key] = clip.at("keying").at(key);
-    return "\"polarity\": " + clip.at("polarity").dump() + ",\n\"keying\": " + keying.dump(2) + "\n";
+    std::string lines = "\"polarity\": " + clip.at("polarity").dump();
+    if (suggested.crop != ClipCrop{}) lines += ",\n\"crop\": " + clip.at("crop").dump();
+    if (suggested.edge_fade > 0.0) lines += ",\n\"edge_fade\": " + clip.at("edge_fade").dump();
+    if (!suggested.masks.empty()) lines += ",\n\"masks\": " + clip.at("masks").dump();
+    return lines + ",\n\"keying\": " + keying.dump(2) + "\n";
 }
 
 }  // namespace

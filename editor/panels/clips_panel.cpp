@@ -252,7 +252,10 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
 /// Both ends of what is played, in one row; an end of 0 is the clip's.
 void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double duration, std::size_t number) {
     double low = std::min(clip.in, duration), high = clip.out > 0 ? std::min(clip.out, duration) : duration;
-    const std::array<double, 2> standards{0, duration};
+    const SmokeClip& saved = saved_clip(editor, number);
+    const std::array<double, 2> initials{0, duration};
+    const std::array<double, 2> standards{std::min(saved.in, duration),
+                                          saved.out > 0 ? std::min(saved.out, duration) : duration};
     const ui::Edit edit = ui::range_param(ui, "In and out", low, high,
                                           {.minimum = 0,
                                            .maximum = duration,
@@ -260,6 +263,7 @@ void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double d
                                            .hard_maximum = duration,
                                            .step = 0.1,
                                            .unit = "s",
+                                           .initials = initials,
                                            .tip = "The part of the clip that is played, and then played again"},
                                           standards);
     editor.document.take(edit, "In and out", [&](Content& c) {
@@ -294,8 +298,9 @@ void clip_rows(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size
             continue;
         }
         if (row.kind == Kind::path || row.kind == Kind::boolean) continue;  // the file above, own keying below
-        table_row(ui, editor, row, in, {.standard = &standard});
+        table_row(ui, editor, row, in, {.standard = &standard, .saved = &saved_clip(editor, number)});
     }
+    ui::command_button(ui, editor.commands, "clip.source");
 }
 
 void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size_t number) {
@@ -317,8 +322,9 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
     const auto in = [number](Content& c) -> void* {
         return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number].keying : nullptr;
     };
+    static const KeyingParameters standard;
     for (const Parameter& row : keying_table().rows)
-        table_row(ui, editor, row, in, {.standard = &editor.document.preset().smoke.keying});
+        table_row(ui, editor, row, in, {.standard = &standard, .saved = &saved_keying(editor, number)});
 }
 
 void nothing_yet(ui::Ui& ui) {
@@ -421,7 +427,16 @@ void add_clip_commands(app::Editor& editor) {
         "clip.suggest", "Suggest keying", {ui::key_of('K'), Mods::command}, Icon::star,
         [&editor] { editor.keying().suggest(); },
         [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
-        "Thresholds and polarity out of what the clip's pictures hold");
+        "Thresholds for the selected clip out of what its pictures hold, with bars and logos");
+    add(
+        "clip.suggest_all", "Suggest keying for all clips", {}, Icon::star,
+        [&editor] { editor.keying().suggest(app::KeyingBench::For::all); },
+        [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
+        "Thresholds out of the selected clip, for all that have no keying of their own");
+    add(
+        "clip.source", "Find the smoke's source", {}, Icon::star, [&editor] { editor.keying().find_source(); },
+        [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().finding_source(); },
+        "Where in the frame the selected clip's smoke starts: the place that is put on the tool tip");
     editor.commands.add({.id = "clip.eyedropper",
                          .title = "Eyedropper",
                          .group = "Clip",

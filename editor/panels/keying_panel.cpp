@@ -8,6 +8,7 @@
 
 #include "lapfx/keying.h"
 #include "panels/clip_parameters.h"
+#include "panels/clip_shapes.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/table_rows.h"
@@ -148,12 +149,16 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
               {.tone = picks ? ui::Tone::warning : ui::Tone::dim, .size = 0.86F});
     ui.last().tip = view_tips[index];
     ui.push_seed("view");
-    const ui::ImageViewResult result = ui::image_view(ui, view_names[index], bench.picture(view), bench.look.state,
-                                                      {.magnifier = picks,
-                                                       .eyedropper = picks,
-                                                       .sample_box = picks ? bench.look.sample_box : 1,
-                                                       .text_of = pixel_texts[index],
-                                                       .tip = view_tips[index]});
+    ClipShapes shapes{editor};
+    const ui::ImageViewResult result =
+        ui::image_view(ui, view_names[index], bench.picture(view), bench.look.state,
+                       {.magnifier = picks,
+                        .eyedropper = picks,
+                        .sample_box = picks ? bench.look.sample_box : 1,
+                        .text_of = pixel_texts[index],
+                        .over = view == BenchView::source && !picks ? ClipShapes::build : nullptr,
+                        .over_with = &shapes,
+                        .tip = view_tips[index]});
     ui.pop_seed();
     if (result.picked) take_color(editor, result.value);
 }
@@ -232,7 +237,7 @@ void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
     const KeyingParameters& keying = bench.keying();
     const bool dark = bench.clip()->polarity == ClipPolarity::dark, alpha = has_alpha(editor);
     ui::Levels levels{.low = keying.luma_low, .high = keying.luma_high};
-    static const KeyingParameters standard;
+    const KeyingParameters& standard = saved_keying(editor, number);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
     ui::label(ui, dark ? "Darkness (255 - luma) in this frame" : "Luma in this frame",
               {.tone = ui::Tone::dim, .size = 0.86F});
@@ -258,8 +263,8 @@ void chroma_scope(ui::Ui& ui, app::Editor& editor) {
     ui::KeyCircles circles{.color = glm::vec3(255.0 * keying.key_color),
                            .chroma_low = keying.chroma_low,
                            .chroma_high = keying.chroma_high,
-                           .reset_low = 0,
-                           .reset_high = 0};
+                           .reset_low = saved_keying(editor, number).chroma_low,
+                           .reset_high = saved_keying(editor, number).chroma_high};
     const ui::VectorscopeResult result = ui::vectorscope(
         ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
         {.tip = circles.chroma_high > 0
@@ -357,6 +362,9 @@ void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
                            found.reason}),
                   {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
+    if (editor.document.preset().smoke.clips.size() > 1 && bench.clip()->own_keying && !found.alpha &&
+        ui::button(ui, "Use for all", {.tip = "These thresholds for all clips that have no keying of their own"}))
+        return bench.suggest_for_all();
     if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) bench.forget_suggestion();
 }
 
@@ -379,12 +387,14 @@ void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
         return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
     };
     const auto keying = [number](Content& c) -> void* { return &KeyingBench::keying_of(c, number); };
-    table_row(ui, editor, *clip_table().find_row("polarity"), clip, {.standard = &standard_clip});
+    table_row(ui, editor, *clip_table().find_row("polarity"), clip,
+              {.standard = &standard_clip, .saved = &saved_clip(editor, number)});
     for (const Parameter& row : keying_table().rows) {
         ui.push_disabled(alpha && is_threshold(row.key));
-        table_row(ui, editor, row, keying, {.standard = &standard});
+        table_row(ui, editor, row, keying, {.standard = &standard, .saved = &saved_keying(editor, number)});
         ui.pop_disabled();
     }
+    frame_rows(ui, editor);
 }
 
 /// One below the other, for what scrolls.

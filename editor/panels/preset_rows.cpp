@@ -60,6 +60,10 @@ class RowBuilder {
     }
     bool has_own_menu() const { return !range() && (row_.kind == Kind::number || row_.kind == Kind::integer); }
     const Preset& preset() const { return editor_.document.preset(); }
+    static const Preset& initial() {
+        static const Preset defaults;
+        return defaults;
+    }
 
     ui::ParamOptions options() const {
         ui::ParamOptions o = param_options(row_);
@@ -80,7 +84,7 @@ class RowBuilder {
                   {.name = label_,
                    .step = title_,
                    .tip = entry_.tip,
-                   .standard = entry_.owner(tuning_.standard()),
+                   .standard = entry_.owner(initial()),
                    .maximum = soft.high,
                    .minimum = soft.low,
                    .locked = locked,
@@ -98,6 +102,8 @@ class RowBuilder {
         const double standards[] = {entry_.in<double>(tuning_.standard()), upper.in<double>(tuning_.standard())};
         ui::ParamOptions o = options();
         o.tip = ui_.join({entry_.tip, "\n\n", upper.tip});
+        const double initials[] = {entry_.in<double>(initial()), upper.in<double>(initial())};
+        o.initials = initials;
         const ui::Edit edit = ui::range_param(ui_, label_, low, high, o, standards);
         editor_.document.take(edit, title_, [&](document::Content& c) {
             entry_.in<double>(c.preset) = low;
@@ -130,6 +136,10 @@ class RowBuilder {
         const bool locked = tuning_.locked(index_), favourite = tuning_.favourite(index_);
         ui::Clipboard* const clipboard = ui_.clipboard();
         if (ui::menu_item(ui_, "Reset", {.icon = ui::Icon::reset, .enabled = changed})) tuning_.reset(index_);
+        if (!range() && ui::menu_item(ui_, "Default value", {.enabled = !entry_.same(preset(), initial())}))
+            editor_.document.change("Default of " + std::string(title_), [&](document::Content& c) {
+                row_.set(entry_.owner(c.preset), row_.get(entry_.owner(initial())));
+            });
         if (ui::menu_item(ui_, "Copy", {.icon = ui::Icon::copy, .enabled = clipboard != nullptr}))
             clipboard->set(tuning_.copy(index_));
         if (ui::menu_item(ui_, "Paste", {.enabled = clipboard != nullptr})) tuning_.paste(clipboard->get(), index_);

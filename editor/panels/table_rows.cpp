@@ -8,6 +8,7 @@
 #include "app/parameter_text.h"
 #include "app/parameters.h"
 #include "app/paths.h"
+#include "app/tuning.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"
@@ -50,6 +51,7 @@ struct RowBuild {
     const Parameter& row;
     const OwnerOf& owner;
     const TableRowOptions& options;
+    const void* saved;  ///< a struct like the owner; null: nothing to go back to
 
     void* find(document::Content& content) const { return owner(content); }
     /// To read from: a content that is edited through the document alone.
@@ -63,10 +65,10 @@ struct RowBuild {
         return in<T>(now());
     }
     bool is_text() const { return row.kind == Kind::text || row.kind == Kind::path; }
-    bool changed() const {
-        if (options.standard == nullptr) return false;
-        if (is_text()) return value<std::string>() != in<std::string>(options.standard);
-        return row.get(now()) != row.get(options.standard);
+    bool changed() const { return saved != nullptr && differs(saved); }
+    bool differs(const void* from) const {
+        if (is_text()) return value<std::string>() != in<std::string>(from);
+        return row.get(now()) != row.get(from);
     }
     std::string_view name() const { return options.name.empty() ? row.name : options.name; }
     std::string_view tip() const { return options.tip.empty() ? tip_of(row) : options.tip; }
@@ -82,9 +84,9 @@ struct RowBuild {
         });
         return edit;
     }
-    void reset() const {
-        if (!changed()) return;
-        const Value standard = row.get(options.standard);
+    void reset_to(const void* from) const {
+        if (from == nullptr || !differs(from)) return;
+        const Value standard = row.get(from);
         if (!row.check(standard).empty()) return;
         editor.document.change("Reset " + std::string(step()), [&](document::Content& content) {
             if (void* const found = find(content)) row.set(found, standard);
@@ -105,7 +107,8 @@ template <typename T>
 ui::Edit number_row(const RowBuild& b) {
     T value = b.value<T>();
     ui::ParamOptions options = options_of(b);
-    if (b.options.standard != nullptr) options.standard = b.in<T>(b.options.standard);
+    if (b.saved != nullptr) options.standard = b.in<T>(b.saved);
+    if (b.options.standard != nullptr) options.initial = b.in<T>(b.options.standard);
     const ui::Edit edit = ui::param(b.ui, b.name(), value, options, b.options.actions);
     return b.take(edit, value);
 }
@@ -118,9 +121,11 @@ std::string_view letters_of(const Parameter& row) {
 ui::Edit vector_row(const RowBuild& b) {
     glm::dvec3 value = b.value<glm::dvec3>();
     std::span<const double> standards;
-    if (b.options.standard != nullptr) standards = std::span(&b.in<glm::dvec3>(b.options.standard)[0], 3);
+    if (b.saved != nullptr) standards = std::span(&b.in<glm::dvec3>(b.saved)[0], 3);
+    ui::ParamOptions options = options_of(b);
+    if (b.options.standard != nullptr) options.initials = std::span(&b.in<glm::dvec3>(b.options.standard)[0], 3);
     const ui::Edit edit =
-        ui::vector_param(b.ui, b.name(), std::span(&value[0], 3), options_of(b), standards, letters_of(b.row));
+        ui::vector_param(b.ui, b.name(), std::span(&value[0], 3), options, standards, letters_of(b.row));
     return b.take(edit, value);
 }
 
@@ -210,14 +215,13 @@ ui::Edit field(const RowBuild& b) {
 }
 
 /// Backspace, from the field, which has the keyboard; a text has it for itself.
-bool resets(const RowBuild& b, ui::Node& node) {
-    if (b.is_text() || b.options.standard == nullptr) return false;
+void take_resets(const RowBuild& b, ui::Node& node) {
+    if (b.is_text() || (b.saved == nullptr && b.options.standard == nullptr)) return;
     node.sense = node.sense | ui::Sense::erase;
-    bool asked = false;
     b.ui.events_of(node.id, [&](const ui::Event& event) {
-        asked |= event.kind == ui::EventKind::key && event.key == ui::Key::backspace;
+        if (event.kind != ui::EventKind::key || event.key != ui::Key::backspace) return;
+        b.reset_to(has(event.mods, ui::Mods::shift) ? b.options.standard : b.saved);
     });
-    return asked;
 }
 
 /// Name and field, for what has no label with a dot and a lock of its own.
@@ -241,8 +245,8 @@ ui::Edit field_row(const RowBuild& b) {
     ui.draw_with<draw_name>(name, NameLook{shown, changed, b.options.locked});
     const std::ptrdiff_t before = &ui.last() - &ui.parent();
     const ui::Edit edit = field(b);
-    const bool asked = resets(b, (&ui.parent())[before + 1]);
-    if (asked || (r.pressed && r.clicks == 2)) b.reset();
+    take_resets(b, (&ui.parent())[before + 1]);
+    if (r.pressed && r.clicks == 2) b.reset_to(b.saved);
     ui.close();
     return edit;
 }
@@ -283,7 +287,10 @@ ui::ParamOptions param_options(const Parameter& row) {
 
 ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options) {
-    const RowBuild b{ui, editor, row, owner, options};
+    editor.tuning().follow();
+    const void* saved = options.saved;
+    if (saved == nullptr) saved = owner(const_cast<document::Content&>(editor.tuning().saved()));  // only read
+    const RowBuild b{ui, editor, row, owner, options, saved};
     if (b.now() == nullptr) return {};
     const std::ptrdiff_t before = &ui.last() - &ui.parent();
     const ui::Edit edit = any_row(b);

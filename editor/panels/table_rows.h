@@ -5,8 +5,8 @@
 //     panels::table_row(ui, editor, *scene_table().find_row("seed"), scene, {.name = "Seed"});
 //
 // A row is called as the parameter is; its tooltip has the help and what is allowed. Where it starts a step of the history, that is
-// called after it, too, or "Camera: Eye" with a prefix. With a standard it has a dot while it differs; Backspace or a double click
-// on the name goes back. All panels make their rows here: those of the preset panel have locks and menus added (preset_rows.h).
+// called after it, too, or "Camera: Eye" with a prefix. It has a dot while it differs from what was saved; Backspace or a double
+// click on the name goes back to that, Shift+Backspace or the menu to the default. All panels make their rows here: those of the preset panel have locks and menus added (preset_rows.h).
 #pragma once
 
 #include <functional>
@@ -27,7 +27,8 @@ struct TableRowOptions {
     std::string_view prefix = {};         ///< of the undo step's name
     std::string_view step = {};           ///< the undo step's whole name, in place of prefix and name
     std::string_view tip = {};            ///< in place of the parameter's own
-    const void* standard = nullptr;       ///< a struct like the owner, with the values to go back to
+    const void* standard = nullptr;       ///< a struct like the owner, with the defaults
+    const void* saved = nullptr;          ///< the same, as saved; null: where the owner lies in what was saved
     double maximum = 0;                   ///< above `minimum`: a soft maximum nearer than the parameter's
     double minimum = 0;                   ///< and minimum, when there is a soft maximum
     bool locked = false;                  ///< shown with a lock

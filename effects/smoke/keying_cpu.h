@@ -1,4 +1,4 @@
-// The CPU reference of shaders/keying.glsl and edges.glsl, line for line. tests/parity/keying_test.cpp holds them
+// The CPU reference of shaders/keying.glsl, window.glsl and edges.glsl, line for line. tests/parity/keying_test.cpp holds them
 // together. Pure functions, any thread. Code values 0..255.
 #pragma once
 
@@ -6,6 +6,7 @@
 #include <glm/glm.hpp>
 
 #include "smoke/keying.h"
+#include "smoke/window.h"
 
 namespace lapfx::smoke {
 
@@ -54,6 +55,25 @@ inline float shade(float y, float alpha) {
 
 inline float vary_alpha(float alpha, float noise, float strength) {
     return unit(alpha * (1.0f + strength * noise));
+}
+
+inline float eased(float x) {
+    const float t = unit(x);
+    return t * t * (3.0f - 2.0f * t);
+}
+
+/// 1 where a place of the clip, pixels, may be smoke, 0 where the crop or a mask takes it out.
+inline float window_at(const Window& window, glm::vec2 position) {
+    const glm::vec2 before = position - window.low, behind = window.high - position;
+    float share = eased(before.x / window.fades.x) * eased(before.y / window.fades.y) *
+                  eased(behind.x / window.fades.z) * eased(behind.y / window.fades.w);
+    for (int i = 0; i < window.masks; ++i) {
+        const glm::vec4 mask = window.mask[static_cast<std::size_t>(i)];
+        const glm::vec2 beyond =
+            glm::max(glm::max(glm::vec2(mask) - position, position - glm::vec2(mask.z, mask.w)), 0.0f);
+        share *= eased(glm::length(beyond) / window.softness);
+    }
+    return share;
 }
 
 inline constexpr glm::vec2 edge_directions[8] = {

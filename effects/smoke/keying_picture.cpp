@@ -87,18 +87,27 @@ void upsample_row(const std::uint8_t* chroma, glm::ivec2 half, int y, int width,
     }
 }
 
-/// `plane` as it is `offset` pixels away, in one row: bilinear, clamped to the edge.
-void moved_row(const std::vector<float>& plane, glm::ivec2 size, int y, glm::vec2 offset, float* __restrict row) {
+/// Whole pixels, `high` excluded.
+struct Part {
+    glm::ivec2 low, high;
+};
+
+/// `plane` as it is `offset` pixels away, in one row: bilinear, clamped to the edges of `part`.
+void moved_row(const std::vector<float>& plane, glm::ivec2 size, const Part& part, int y, glm::vec2 offset,
+               float* __restrict row) {
     const glm::vec2 first = glm::floor(offset), f = offset - first;
-    const auto line = [&](int index) { return plane.data() + at(size, {0, std::clamp(index, 0, size.y - 1)}); };
+    const auto line = [&](int index) {
+        return plane.data() + at(size, {0, std::clamp(index, part.low.y, part.high.y - 1)});
+    };
     const float *a = line(y + static_cast<int>(first.y)), *b = line(y + static_cast<int>(first.y) + 1);
     const float wa = 1.0f - f.y, wb = f.y, left = 1.0f - f.x, right = f.x;
     const int dx = static_cast<int>(first.x);
     const auto clamped = [&](int x) {
-        const int l = std::clamp(x + dx, 0, size.x - 1), r = std::clamp(x + dx + 1, 0, size.x - 1);
+        const int l = std::clamp(x + dx, part.low.x, part.high.x - 1);
+        const int r = std::clamp(x + dx + 1, part.low.x, part.high.x - 1);
         row[x] = left * (wa * a[l] + wb * b[l]) + right * (wa * a[r] + wb * b[r]);
     };
-    const int from = std::clamp(-dx, 0, size.x), to = std::clamp(size.x - 1 - dx, from, size.x);
+    const int from = std::clamp(part.low.x - dx, 0, size.x), to = std::clamp(part.high.x - 1 - dx, from, size.x);
     for (int x = 0; x < from; ++x) clamped(x);
     const float *al = a + dx, *bl = b + dx;
     for (int x = from; x < to; ++x)
@@ -109,18 +118,29 @@ void moved_row(const std::vector<float>& plane, glm::ivec2 size, int y, glm::vec
 /// Keys rows of a frame, as they are some way off.
 class RowKeyer {
   public:
-    RowKeyer(const KeyingFrame& frame, const Keying& key)
+    RowKeyer(const KeyingFrame& frame, const Keying& key, const SmokeClip& clip)
         : frame_(frame),
           key_(key),
+          windowed_(smoke::has_window(clip)),
+          window_(smoke::window_of(clip, frame.size)),
+          part_(windowed_ && window_.fills_view ? Part{window_.low, window_.high} : Part{{0, 0}, frame.size}),
           chroma_(key.chroma_high > 0.0f),
           luma_row_(static_cast<std::size_t>(frame.size.x)),
           cb_row_(luma_row_.size()),
           cr_row_(luma_row_.size()) {}
 
     void key(int y, glm::vec2 offset, float* __restrict out) {
+        if (frame_.opacity.empty())
+            key_codes(y, offset, out);
+        else
+            moved_row(frame_.opacity, frame_.size, part_, y, offset, out);
+        if (windowed_) look_through_window(y, offset, out);
+    }
+
+  private:
+    void key_codes(int y, glm::vec2 offset, float* __restrict out) {
         const int width = frame_.size.x;
-        if (!frame_.opacity.empty()) return moved_row(frame_.opacity, frame_.size, y, offset, out);
-        moved_row(frame_.luma, frame_.size, y, offset, luma_row_.data());
+        moved_row(frame_.luma, frame_.size, part_, y, offset, luma_row_.data());
         const float* __restrict luma = luma_row_.data();
         const float flip = key_.dark > 0.5f ? -1.0f : 1.0f, base = key_.dark > 0.5f ? 255.0f : 0.0f;
         const float scale = 1.0f / std::max(key_.luma_high - key_.luma_low, 1e-3f);
@@ -129,8 +149,8 @@ class RowKeyer {
             out[x] = std::min(std::max(value, 0.0f), 1.0f);
         }
         if (!chroma_) return;
-        moved_row(frame_.cb, frame_.size, y, offset, cb_row_.data());
-        moved_row(frame_.cr, frame_.size, y, offset, cr_row_.data());
+        moved_row(frame_.cb, frame_.size, part_, y, offset, cb_row_.data());
+        moved_row(frame_.cr, frame_.size, part_, y, offset, cr_row_.data());
         const glm::vec2 center = key_.key_chroma;
         const float reach = 1.0f / std::max(key_.chroma_high - key_.chroma_low, 1e-3f);
         for (int x = 0; x < width; ++x) {
@@ -140,10 +160,25 @@ class RowKeyer {
             out[x] *= std::min(std::max(value, 0.0f), 1.0f);
         }
     }
+    /// Haze is drawn within its part alone, where looking beyond its edges gives what is at them; outside it is nothing here.
+    void look_through_window(int y, glm::vec2 offset, float* __restrict out) {
+        for (int x = 0; x < frame_.size.x; ++x) {
+            const glm::vec2 here = glm::vec2(x, y) + 0.5f;
+            glm::vec2 position = here + offset;
+            if (window_.fills_view) {
+                const bool inside =
+                    glm::all(glm::greaterThan(here, window_.low)) && glm::all(glm::lessThan(here, window_.high));
+                position = inside ? glm::clamp(position, window_.low + 0.5f, window_.high - 0.5f) : here;
+            }
+            out[x] *= smoke::window_at(window_, position);
+        }
+    }
 
-  private:
     const KeyingFrame& frame_;
     const Keying& key_;
+    bool windowed_;
+    smoke::Window window_;
+    Part part_;
     bool chroma_;
     std::vector<float> luma_row_, cb_row_, cr_row_;
 };
@@ -166,7 +201,7 @@ Image picture_of(glm::ivec2 size) {
 class Light {
   public:
     Light(const KeyingFrame& frame, const KeyingLook& look)
-        : frame_(frame), key_(smoke::keying_of(look.keying, look.polarity)) {}
+        : frame_(frame), key_(smoke::keying_of(look.keying, look.clip.polarity)) {}
 
     /// As own_light() in shaders/smoke.glsl.
     glm::vec3 operator()(std::size_t i) const {
@@ -280,13 +315,13 @@ bool KeyingReader::read(int frame, KeyingFrame& into, const std::atomic<bool>* s
     return good;
 }
 
-void keyed_opacity(const KeyingFrame& frame, const KeyingParameters& keying, ClipPolarity polarity,
+void keyed_opacity(const KeyingFrame& frame, const KeyingParameters& keying, const SmokeClip& clip,
                    std::vector<float>& opacity) {
-    const Keying key = smoke::keying_of(keying, polarity);
+    const Keying key = smoke::keying_of(keying, clip.polarity);
     const auto choke = static_cast<float>(keying.choke), feather = static_cast<float>(keying.feather);
     const auto width = static_cast<std::size_t>(frame.size.x);
     opacity.resize(area(frame.size));
-    RowKeyer keyer(frame, key);
+    RowKeyer keyer(frame, key, clip);
     std::vector<float> scratch(width), moved(width);
     for (int y = 0; y < frame.size.y; ++y) {
         float* row = opacity.data() + at(frame.size, {0, y});

@@ -1,9 +1,11 @@
 #include "smoke/layer_gpu.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "gl/srgb.h"
 #include "smoke/keying.h"
+#include "smoke/window.h"
 
 namespace lapfx::smoke {
 
@@ -28,6 +30,19 @@ void set_code_rows(LayerBlock& block, const ColorMatrix* matrix) {
     for (glm::length_t row = 0; row < 3; ++row) block.code_rows[row].w = added[row];
 }
 
+void set_window(LayerBlock& block, const Layer& layer, glm::ivec2 size) {
+    const Window window = window_of(layer.clip != nullptr ? *layer.clip : SmokeClip{}, size);
+    block.window = glm::vec4(window.low, window.high);
+    block.fades = window.fades;
+    block.mask_count = glm::vec4(static_cast<float>(window.masks), window.softness, 0.0f, 0.0f);
+    std::copy(window.mask.begin(), window.mask.end(), block.masks);
+    const glm::vec2 low = window.low / glm::vec2(size), high = window.high / glm::vec2(size);
+    if (window.fills_view)
+        block.part = glm::vec4(low, high - low);
+    else
+        block.part = layer.mirrored ? glm::vec4(1.0f - high.x, low.y, 1.0f - low.x, high.y) : glm::vec4(low, high);
+}
+
 }  // namespace
 
 LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
@@ -48,6 +63,7 @@ LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
         glm::vec4(0.5f * size / glm::vec2(format.chroma_size()), static_cast<float>(layer.below), 0.0f);
     block.color = glm::vec4(gl::to_linear(glm::vec3(medium.color)), 0.0f);
     block.extinction = glm::vec4(glm::vec3(medium.extinction), 0.0f);
+    set_window(block, layer, format.size);
     return block;
 }
 

@@ -19,11 +19,12 @@ struct Layer {
     ClipFrame frame;
     const KeyingParameters* keying = nullptr;
     ClipPolarity polarity = ClipPolarity::light;
-    bool mirrored = false;  ///< left and right exchanged
-    float angle = 0.0f;     ///< radians, haze only: a plume is turned by its corners
-    double density = 1.0;   ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
-    double time = 0.0;      ///< s, for the noise drift
-    double below = 1.0;     ///< plume: how much of the clip's height lies below where its smoke starts, 0..1
+    const SmokeClip* clip = nullptr;  ///< its crop, fade and masks hold; null: the whole frame
+    bool mirrored = false;            ///< left and right exchanged
+    float angle = 0.0f;               ///< radians, haze only: a plume is turned by its corners
+    double density = 1.0;  ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
+    double time = 0.0;     ///< s, for the noise drift
+    double below = 1.0;    ///< plume: how much of the clip's height lies below where its smoke starts, 0..1
     std::uint32_t seed = 0;
 };
 
@@ -34,8 +35,11 @@ struct alignas(256) LayerBlock {
     glm::vec4 luma_chroma, key, vary, amount, turn, tile, chroma_scale;
     glm::vec4 corners[4];
     glm::vec4 color, extinction;
+    glm::vec4 window, fades, part;
+    glm::vec4 masks[most_masks];
+    glm::vec4 mask_count;
 };
-static_assert(sizeof(LayerBlock) == 256);
+static_assert(sizeof(LayerBlock) == 512 && most_masks == 12);
 
 /// `extra`: unevenness of haze, softness of a plume, mm.
 LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra);

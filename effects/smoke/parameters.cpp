@@ -29,6 +29,7 @@
 //   about 55, 82, 96, bluish grey before a red cavity. The smoke itself is lit by lamp and tissue, a warm grey of 96, 83, 99
 //   where nothing shows through. Red passes more than blue, so extinction rises from red to blue.
 #include "preset/tables.h"
+#include "preset/text.h"
 
 namespace lapfx::preset {
 
@@ -114,6 +115,12 @@ constexpr Parameter clip_rows[] = {
     number<&S::rotation>(
         "rotation", "Rotation", {0, 180, 1, "degrees"},
         "The clip is turned by a seeded angle, at most this much either way, about where its smoke starts."),
+    number<&S::edge_fade>(
+        "edge_fade", "Edge fade", {0, 0.5, 0.01, "of the smaller side"},
+        "How far smoke fades to nothing at the edges of the frame, or of what is left of it by the crop, and around "
+        "masks, so that no straight line shows. It is whole where the smoke starts. Haze fills the view up to its "
+        "edges: it "
+        "fades around masks alone."),
 };
 
 constexpr Rule clip_rules[] = {
@@ -124,7 +131,53 @@ constexpr Rule clip_rules[] = {
      }},
 };
 
+constexpr Range cut{0, 0.9, 0.005, "of the frame"};
+
+using C = ClipCrop;
+constexpr Parameter crop_rows[] = {
+    number<&C::left>("left", "Left", cut, "What is left out at the left, of the frame's width."),
+    number<&C::top>("top", "Top", cut, "What is left out at the top, of the frame's height."),
+    number<&C::right>("right", "Right", cut, "What is left out at the right, of the frame's width."),
+    number<&C::bottom>("bottom", "Bottom", cut, "What is left out at the bottom, of the frame's height."),
+};
+
+std::string all_cut(double one, double other) {
+    constexpr double most = 0.95;
+    if (one + other <= most) return {};
+    return number_text(one) + " and " + number_text(other) +
+           " at the other side leave less than a twentieth of the frame";
+}
+
+constexpr Rule crop_rules[] = {
+    {"left",
+     [](const void* owner) {
+         const C& c = *static_cast<const C*>(owner);
+         return all_cut(c.left, c.right);
+     }},
+    {"top",
+     [](const void* owner) {
+         const C& c = *static_cast<const C*>(owner);
+         return all_cut(c.top, c.bottom);
+     }},
+};
+
+constexpr Range place{0, 1, 0.005, "of the frame"};
+
+using M = ClipMask;
+constexpr Parameter mask_rows[] = {
+    number<&M::x>("x", "X", place, "The mask's left edge, of the frame's width from the left."),
+    number<&M::y>("y", "Y", place, "The mask's upper edge, of the frame's height from the top."),
+    number<&M::width>("width", "Width", place, "The mask's width, of the frame's."),
+    number<&M::height>("height", "Height", place, "The mask's height, of the frame's."),
+};
+
 constexpr Table clip_tables[] = {
+    table<&S::crop>("crop", "Crop",
+                    "What is left out of the frame at its sides, such as black bars: it keys to nothing. A plume keeps "
+                    "its place and size, haze shows what is left as large as the view.",
+                    {crop_rows, {}, crop_rules}),
+    list<&S::masks, most_masks>(
+        "masks", "Masks", "Garbage mask: rectangles of the frame that key to nothing, such as a logo.", {mask_rows}),
     optional<&S::own_keying>(table<&S::keying>("keying", "Own keying",
                                                "Keying of this clip alone; without it the preset's keying holds.",
                                                {keying_rows, {}, keying_rules})),

@@ -169,6 +169,7 @@ Layer Smoke::layer(std::size_t clip, double time) const noexcept {
     return {.frame = {},
             .keying = &keying_for(parameters_.clips[clip], parameters_),
             .polarity = parameters_.clips[clip].polarity,
+            .clip = &parameters_.clips[clip],
             .time = time};
 }
 
@@ -192,7 +193,7 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
         Layer drawn = layer(clip, time);
         drawn.mirrored = clip_turn(settings, seed).mirrored;
         drawn.seed = seed;
-        drawn.below = 1.0 - settings.source_y;
+        drawn.below = 1.0 - settings.crop.bottom - settings.source_y;
         const glm::vec4 bounds = view_bounds(corners, view.projection);
         add_shown(*shown, drawn, state.density * settings.weight,
                   [&](const Layer& one) { gpu_.plume(one, corners, bounds); });

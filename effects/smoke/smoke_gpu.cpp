@@ -6,6 +6,7 @@
 
 #include "gl/srgb.h"
 #include "lapfx/error.h"
+#include "smoke/window.h"
 
 namespace lapfx::smoke {
 
@@ -61,16 +62,17 @@ SmokeGpu::SmokeGpu(SmokeResolution resolution, bool timings)
     role(ClipRole::haze).resolve = gl::Program("resolve.vert", "resolve.frag");
 }
 
-unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, bool is_turned, const KeyingParameters& k) {
-    return (is_turned ? turned : 0u) | (layout == Layout::planar ? planar : 0u) | (has_alpha ? alpha : 0u) |
-           (k.chroma_high > 0.0 || k.spill > 0.0 ? chroma : 0u) | (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) |
-           (k.noise_strength > 0.0 ? noise : 0u);
+unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, bool is_turned, bool windowed, const KeyingParameters& k) {
+    return (is_turned ? turned : 0u) | (windowed ? window : 0u) | (layout == Layout::planar ? planar : 0u) |
+           (has_alpha ? alpha : 0u) | (k.chroma_high > 0.0 || k.spill > 0.0 ? chroma : 0u) |
+           (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) | (k.noise_strength > 0.0 ? noise : 0u);
 }
 
 void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
     std::string defines = "#define LAPFX_LAYERS " + std::to_string(count) + "\n";
     constexpr std::pair<unsigned, const char*> names[] = {{planar, "PLANAR"}, {alpha, "ALPHA"}, {chroma, "CHROMA"},
-                                                          {edges, "EDGES"},   {noise, "NOISE"}, {turned, "TURNED"}};
+                                                          {edges, "EDGES"},   {noise, "NOISE"}, {turned, "TURNED"},
+                                                          {window, "WINDOW"}};
     for (const auto& [bit, name] : names)
         if ((variant & bit) != 0u) defines += std::string("#define LAPFX_") + name + "\n";
     if (resolution_ == SmokeResolution::screen) defines += "#define LAPFX_DIRECT\n";
@@ -83,7 +85,7 @@ void SmokeGpu::prepare(const SmokeClip& clip, Layout layout, bool has_alpha, con
                        int count) {
     const ClipRole which = clip.role;
     const bool is_turned = which == ClipRole::haze && clip.rotation > 0.0;
-    const unsigned variant = variant_of(layout, has_alpha, is_turned, keying);
+    const unsigned variant = variant_of(layout, has_alpha, is_turned, has_window(clip), keying);
     for (int together = 1; together <= (draws_together(which) ? std::min(count, most_together) : 1); together *= 2)
         if (!role(which).programs[program_index(together)][variant]) compile(which, together, variant);
 }
@@ -131,7 +133,8 @@ void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) n
 
 void SmokeGpu::add(ClipRole which, const Layer& layer, LayerBlock block) noexcept {
     const PictureFormat& format = layer.frame.format;
-    const unsigned variant = variant_of(format.layout, format.alpha, layer.angle != 0.0f, *layer.keying);
+    const unsigned variant = variant_of(format.layout, format.alpha, layer.angle != 0.0f,
+                                        layer.clip != nullptr && has_window(*layer.clip), *layer.keying);
     const float aspect = static_cast<float>(format.size.x) / static_cast<float>(format.size.y);
     const NoiseTiles::Grid grid =
         (variant & noise) != 0u ? NoiseTiles::grid(*layer.keying, aspect, layer.time) : NoiseTiles::Grid{};

@@ -48,7 +48,16 @@ class SmokeGpu {
     const gl::Timer& timer() const { return timer_; }
 
   private:
-    enum Variant : unsigned { planar = 1, alpha = 2, chroma = 4, edges = 8, noise = 16, turned = 32, variants = 64 };
+    enum Variant : unsigned {
+        planar = 1,
+        alpha = 2,
+        chroma = 4,
+        edges = 8,
+        noise = 16,
+        turned = 32,
+        window = 64,
+        variants = 128
+    };
     static constexpr int most_together = 4;  ///< haze layers in one draw call: bounded by 16 texture units
     struct Drawn {
         unsigned variant;
@@ -79,7 +88,7 @@ class SmokeGpu {
     };
     struct HostTarget;
 
-    static unsigned variant_of(Layout layout, bool alpha, bool turned, const KeyingParameters& keying);
+    static unsigned variant_of(Layout layout, bool alpha, bool turned, bool windowed, const KeyingParameters& keying);
     void compile(ClipRole role, int count, unsigned variant);
     const gl::Program* program(ClipRole role, int count, unsigned variant) noexcept;
     void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;

@@ -12,6 +12,18 @@ constexpr int looked_at = 24;  // pictures: a loop's smoke has gone through its 
 
 }  // namespace
 
+void KeyingSuggestion::apply(SmokeClip& clip) const {
+    clip.own_keying = true;
+    clip.keying.luma_low = keying.luma_low, clip.keying.luma_high = keying.luma_high;
+    clip.keying.key_color = keying.key_color;
+    clip.keying.chroma_low = keying.chroma_low, clip.keying.chroma_high = keying.chroma_high;
+    clip.keying.spill = keying.spill;
+    clip.polarity = polarity;
+    if (crop != ClipCrop{}) clip.crop = crop;
+    if (edge_fade > 0.0) clip.edge_fade = std::max(clip.edge_fade, edge_fade);
+    if (clip.masks.empty()) clip.masks = masks;
+}
+
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip) {
     smoke::Decoder decoder(clip, smoke::Layout::rgb);
     const smoke::ClipInfo& info = decoder.info();

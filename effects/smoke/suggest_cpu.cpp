@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "smoke/keying_cpu.h"
+#include "smoke/suggest_study.h"
 
 namespace lapfx::smoke {
 
@@ -17,24 +18,16 @@ constexpr int block_edge = 8;              // pixels: a macroblock's quarter, so
 constexpr glm::ivec2 most_blocks{64, 48};  // looked at in a picture
 constexpr float border = 0.125f;           // of the picture, on each side
 constexpr float border_weight = 3.0f;      // smoke is rarely there
-constexpr float same = 4.0f;               // code values within which a block's mean is the background's
-constexpr float around = 16.0f;        // code values: beyond `same` and within this, a plain background leaves a gap
-constexpr float least_chroma = 24.0f;  // code values from grey, from which on a background is keyed by chroma
-constexpr float still = 3.0f;          // code values within which a block's mean does not change
-constexpr std::size_t enough_pictures = 6;  // to tell what stands still
-constexpr double noise_share = 0.99;        // of the background's pixels, that the lower threshold takes off
-constexpr float off_tint = 28.0f;           // code values of chroma that neither smoke nor spill has
-constexpr double haze_range = 128.0;        // code values that lumas of haze which fills the view lie within
-constexpr double faint = 24.0;              // code values
-constexpr float hard_step = 48.0f;          // code values from pixel to pixel that smoke does not have
+constexpr double noise_share = 0.99;       // of the background's pixels, that the lower threshold takes off
+constexpr float off_tint = 28.0f;          // code values of chroma that neither smoke nor spill has
+constexpr double haze_range = 128.0;       // code values that lumas of haze which fills the view lie within
+constexpr double faint = 24.0;             // code values
+constexpr float edge_opacity = 0.08f;      // at an edge of the picture, that shows as a line
+constexpr double proposed_fade = 0.06;     // of the smaller side: as wide as a wisp
+constexpr float hard_step = 48.0f;         // code values from pixel to pixel that smoke does not have
 
 glm::vec3 to_vec(glm::u8vec3 code) {
     return glm::vec3(code);
-}
-
-/// Luma and chroma apart: as far as a keyer sees it.
-float difference(glm::vec3 a, glm::vec3 b) {
-    return std::max(std::abs(luma(a) - luma(b)), glm::distance(chroma(a), chroma(b)));
 }
 
 std::string percent(double share) {
@@ -84,114 +77,6 @@ class Histogram {
     std::array<std::size_t, 360> bins_{};  // 360: chroma distances reach 361
     std::size_t count_ = 0;
 };
-
-/// One block in one picture.
-struct Block {
-    glm::vec3 mean{0.0f};  ///< R'G'B'
-    float weight = 1.0f;
-    bool background = false;
-};
-
-enum class Place { changing, quiet, mark };
-
-/// What the survey is worked out from, step by step.
-struct Study {
-    std::size_t blocks = 0;     ///< a picture
-    int edge = 0;               ///< of a block, pixels
-    std::size_t pixels = 0;     ///< a block
-    std::vector<Block> all;     ///< picture after picture
-    std::vector<Place> places;  ///< a block's, over time
-    glm::vec3 background{0.0f};
-    bool plain = true;           ///< there is one; otherwise black is assumed
-    double share = 0.0;          ///< that is background
-    double concentration = 0.0;  ///< of what is like the background, what is just like it
-    double marks = 0.0;          ///< share of the picture
-
-    std::size_t pictures() const { return blocks > 0 ? all.size() / blocks : 0; }
-    const Block& at(std::size_t picture, std::size_t block) const { return all[picture * blocks + block]; }
-};
-
-/// The colour in whose neighbourhood most blocks lie: a coarse histogram, then the mean of ever closer ones.
-glm::vec3 crowded_colour(std::span<const Block> blocks) {
-    constexpr int cells = 32;  // a side: 8 code values each
-    std::vector<float> histogram(cells * cells * cells);
-    const auto at = [&](int r, int g, int b) -> float& {
-        return histogram[static_cast<std::size_t>((r * cells + g) * cells + b)];
-    };
-    for (const Block& block : blocks) {
-        const glm::ivec3 c = glm::min(glm::ivec3(block.mean / 8.0f), cells - 1);
-        at(c.r, c.g, c.b) += block.weight;
-    }
-    float best = -1.0f;
-    glm::vec3 colour(0.0f);
-    for (int r = 0; r < cells; ++r)
-        for (int g = 0; g < cells; ++g)
-            for (int b = 0; b < cells; ++b) {
-                float sum = 0.0f;  // of 2 x 2 x 2 cells, so that a border between them splits nothing
-                for (int n = 0; n < 8; ++n)
-                    sum += at(std::min(r + (n & 1), cells - 1), std::min(g + (n >> 1 & 1), cells - 1),
-                              std::min(b + (n >> 2), cells - 1));
-                if (sum > best) best = sum, colour = 8.0f * glm::vec3(r + 1, g + 1, b + 1);
-            }
-    for (const float radius : {16.0f, 12.0f, 8.0f, 6.0f, 4.0f, 3.0f, 3.0f}) {
-        glm::vec3 sum(0.0f);
-        float weight = 0.0f;
-        for (const Block& block : blocks)
-            if (difference(block.mean, colour) <= radius) sum += block.weight * block.mean, weight += block.weight;
-        if (weight > 0.0f) colour = sum / weight;
-    }
-    return colour;
-}
-
-/// Which blocks are like the colour that is taken for the background, and how plain that is.
-void mark_background(Study& s) {
-    double total = 0.0, just = 0.0, like = 0.0;
-    for (Block& block : s.all) {
-        const float apart = difference(block.mean, s.background);
-        block.background = apart <= same;
-        total += 1.0;
-        if (block.background) just += 1.0;
-        if (apart <= around) like += 1.0;
-    }
-    s.share = just / std::max(total, 1.0);
-    s.concentration = just / std::max(like, 1.0);
-}
-
-void find_background(Study& s) {
-    s.background = crowded_colour(s.all);
-    mark_background(s);
-    s.plain = s.concentration >= 0.5 && s.share >= 0.05;
-    if (s.plain) return;
-    // Haze that fills the view, most likely filmed before black; or no clip for keying at all.
-    s.background = glm::vec3(0.0f);
-    mark_background(s);
-}
-
-/// What a block shows over time: background always, always the same other thing, or what changes.
-void find_places(Study& s) {
-    s.places.assign(s.blocks, Place::changing);
-    for (std::size_t b = 0; b < s.blocks; ++b) {
-        bool quiet = true, never = true;
-        glm::vec3 low(255.0f), high(0.0f);
-        for (std::size_t p = 0; p < s.pictures(); ++p) {
-            const Block& block = s.at(p, b);
-            (block.background ? never : quiet) = false;
-            low = glm::min(low, block.mean), high = glm::max(high, block.mean);
-        }
-        const glm::vec3 range = high - low;
-        if (quiet)
-            s.places[b] = Place::quiet;
-        else if (never && s.pictures() >= enough_pictures && std::max({range.r, range.g, range.b}) <= still)
-            s.places[b] = Place::mark;
-    }
-    s.marks = static_cast<double>(std::count(s.places.begin(), s.places.end(), Place::mark)) /
-              static_cast<double>(std::max<std::size_t>(s.blocks, 1));
-    // What fills much of the picture and hardly moves is smoke at rest, or no mark at any rate.
-    if (s.marks > 0.1) {
-        std::replace(s.places.begin(), s.places.end(), Place::mark, Place::changing);
-        s.marks = 0.0;
-    }
-}
 
 /// Calls body(pixels, block) for the blocks of all pictures.
 template <class Body>
@@ -247,6 +132,8 @@ class Suggester {
             by_chroma(found);
         else
             by_luma(found);
+        found.masks = masks_of(s_);
+        if (reaches_edges(found)) found.edge_fade = proposed_fade;
         judge(found);
         for (double* threshold :
              {&found.keying.luma_low, &found.keying.luma_high, &found.keying.chroma_low, &found.keying.chroma_high})
@@ -308,21 +195,27 @@ class Suggester {
         smoke_.hard_edges = share(hard, pairs);
     }
 
-    /// Luma beyond the background at which smoke is whole. Whole smoke piles up at one luma; of thin smoke there is the less
-    /// the brighter it is.
-    double whole(double assumed, bool& seen) const {
+    /// Luma beyond the background at which smoke is whole. Smoke of one opacity piles up at one luma; of thin smoke there is the
+    /// less the brighter it is. `most`: what no smoke is beyond.
+    double whole(double assumed, double most, KeyingSuggestion& found) const {
         const double brightest = smoke_.amount.quantile(0.995);
         const double top = smoke_.amount.within(0.85 * brightest, 1.02 * brightest);
         const double below = smoke_.amount.within(0.68 * brightest, 0.85 * brightest);
-        seen = brightest > 32.0 && smoke_.amount.count() > 1000 && top > 1.2 * below;
-        return seen ? smoke_.amount.peak(0.8 * brightest, brightest + 4.0, 5.0) : std::max(assumed, brightest);
+        found.whole_smoke_seen = brightest > 32.0 && smoke_.amount.count() > 1000 && top > 1.2 * below;
+        found.least_opacity = std::min(brightest / most, 1.0);
+        if (!found.whole_smoke_seen) return std::max(assumed, brightest);
+        const double level = smoke_.amount.peak(0.8 * brightest, brightest + 4.0, 5.0);
+        found.least_opacity = std::min(level / most, 1.0);
+        if (dark_) return level;  // soot is rare: what is grey all over before something bright hides it
+        // As bright as white it has the least opacity; whole, the least brightness. In the middle the error is least at worst.
+        return level / (0.5 * (1.0 + found.least_opacity));
     }
 
     void by_luma(KeyingSuggestion& found) {
         const double base = static_cast<double>(dark_ ? 255.0f - luma(s_.background) : luma(s_.background));
         const double end = dark_ ? 255.0 - assumed_black : assumed_white;
         found.polarity = dark_ ? ClipPolarity::dark : ClipPolarity::light;
-        const double reach = whole(std::max(end - base, 16.0), found.whole_smoke_seen);
+        const double reach = whole(std::max(end - base, 16.0), std::max(255.0 - base, 16.0), found);
         found.keying.luma_low = std::min(base + noise_, 253.0);
         found.keying.luma_high = std::clamp(base + reach - noise_, found.keying.luma_low + 2.0, 255.0);
         found.keying.chroma_low = found.keying.chroma_high = found.keying.spill = 0.0;
@@ -336,6 +229,22 @@ class Suggester {
         found.keying.chroma_low = std::min(noise_, 0.4 * whole);
         found.keying.chroma_high = whole - found.keying.chroma_low;
         found.keying.spill = 1.0;
+    }
+
+    /// Whether there is smoke, as keyed, at the edges of what the crop leaves.
+    bool reaches_edges(const KeyingSuggestion& found) const {
+        if (!s_.plain) return false;
+        const Keying key = keying_of(found.keying, found.polarity);
+        const glm::ivec2 near = s_.low + s_.pitch, far = s_.high - s_.edge - s_.pitch;
+        std::size_t all = 0, smoky = 0;
+        for (std::size_t b = 0; b < s_.blocks; ++b) {
+            const glm::ivec2 at = s_.corners[b];
+            const bool outermost = at.x < near.x || at.y < near.y || at.x > far.x || at.y > far.y;
+            if (!outermost || s_.places[b] == Place::mark) continue;
+            for (std::size_t p = 0; p < s_.pictures(); ++p)
+                all += 1, smoky += key_alpha(s_.at(p, b).mean, key) > edge_opacity ? 1u : 0u;
+        }
+        return smoky * 200 > all;
     }
 
     /// Confidence, and what a person should know, the worst first.
@@ -364,7 +273,16 @@ class Suggester {
         doubt(reach < faint, 0.4, "what is before the background hardly differs from it");
         doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8,
               "thick smoke is not seen, so its luma is assumed");
-        doubt(s_.marks > 0.0, 0.9, "a mark that never moves covers " + percent(s_.marks) + " and is keyed as smoke");
+        const double middle = 0.5 * (1.0 + found.least_opacity);
+        doubt(
+            found.whole_smoke_seen && !coloured_ && !dark_ && middle < 0.98, middle,
+            "the thickest smoke is of one brightness, which does not tell whether it is dim or thin: its opacity is " +
+                percent(found.least_opacity) + " to 100 %, " + percent(middle) + " is taken");
+        doubt(s_.marks > 0.0, found.masks.empty() ? 0.9 : 1.0,
+              "a mark that never moves covers " + percent(s_.marks) +
+                  (found.masks.empty() ? " and is keyed as smoke" : " and is masked"));
+        doubt(s_.low != glm::ivec2(0) || s_.high != s_.size, 1.0, "bars beside the picture are cropped");
+        doubt(found.edge_fade > 0.0, 1.0, "smoke reaches the picture's edges and is faded there");
         found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
     }
 
@@ -411,6 +329,7 @@ void KeyingSurvey::add(glm::ivec2 size, std::span<const std::uint8_t> rgb) {
     assert(size.x > 0 && size.y > 0 && (size_ == size || pictures_.empty()));
     const auto width = static_cast<std::size_t>(size.x);
     assert(rgb.size() >= 3 * width * static_cast<std::size_t>(size.y));
+    bars_.add(size, rgb);
     if (pictures_.empty()) {
         size_ = size;
         edge_ = std::min({block_edge, size.x, size.y});
@@ -429,24 +348,41 @@ void KeyingSurvey::add(glm::ivec2 size, std::span<const std::uint8_t> rgb) {
 
 KeyingSuggestion KeyingSurvey::suggest() const {
     if (pictures_.empty()) return {.reason = "no picture to look at"};
+    const ClipCrop crop = bars_.crop();
     Study study;
-    study.blocks = corners_.size();
     study.edge = edge_;
     study.pixels = static_cast<std::size_t>(edge_ * edge_);
-    const glm::vec2 margin = border * glm::vec2(size_);
-    for (const auto& picture : pictures_)
-        for (std::size_t b = 0; b < study.blocks; ++b) {
+    study.size = size_;
+    study.low = glm::ivec2(glm::round(glm::dvec2(size_) * glm::dvec2(crop.left, crop.top)));
+    study.high = size_ - glm::ivec2(glm::round(glm::dvec2(size_) * glm::dvec2(crop.right, crop.bottom)));
+    study.pitch = glm::max(size_ / most_blocks - edge_, 1);
+    std::vector<std::size_t> kept;
+    for (std::size_t b = 0; b < corners_.size(); ++b)
+        if (glm::all(glm::greaterThanEqual(corners_[b], study.low)) &&
+            glm::all(glm::lessThanEqual(corners_[b] + edge_, study.high)))
+            kept.push_back(b), study.corners.push_back(corners_[b]);
+    study.blocks = kept.size();
+    const glm::vec2 margin = border * glm::vec2(study.high - study.low);
+    std::vector<std::vector<glm::u8vec3>> pictures;
+    for (const auto& picture : pictures_) {
+        auto& blocks = pictures.emplace_back();
+        blocks.reserve(kept.size() * study.pixels);
+        for (const std::size_t b : kept) {
+            const auto block = std::span(picture).subspan(b * study.pixels, study.pixels);
+            blocks.insert(blocks.end(), block.begin(), block.end());
             glm::vec3 sum(0.0f);
-            for (std::size_t i = 0; i < study.pixels; ++i) sum += to_vec(picture[b * study.pixels + i]);
-            const glm::vec2 middle = glm::vec2(corners_[b]) + 0.5f * static_cast<float>(edge_);
-            const bool inside = middle.x > margin.x && middle.y > margin.y &&
-                                middle.x < static_cast<float>(size_.x) - margin.x &&
-                                middle.y < static_cast<float>(size_.y) - margin.y;
+            for (const glm::u8vec3 pixel : block) sum += to_vec(pixel);
+            const glm::vec2 middle = glm::vec2(corners_[b] - study.low) + 0.5f * static_cast<float>(edge_);
+            const glm::vec2 far = glm::vec2(study.high - study.low) - margin;
+            const bool inside = middle.x > margin.x && middle.y > margin.y && middle.x < far.x && middle.y < far.y;
             study.all.push_back({sum / static_cast<float>(study.pixels), inside ? 1.0f : border_weight});
         }
+    }
     find_background(study);
     find_places(study);
-    return Suggester(study, pictures_).work_out();
+    KeyingSuggestion found = Suggester(study, pictures).work_out();
+    found.crop = crop;
+    return found;
 }
 
 }  // namespace lapfx::smoke

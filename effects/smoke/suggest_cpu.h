@@ -7,9 +7,12 @@
 // 3. A coloured background is keyed by chroma alone. Smoke is near to grey, so whole smoke lies as far from the key as grey
 //    does: |key|, whatever its light. That needs no guess.
 // 4. Black, grey and white are keyed by luma. How bright whole smoke is shows only where there is some: then lumas crowd at
-//    their upper end, and there is the upper threshold. Thin smoke does not tell; then `assumed_white` (or, for dark smoke,
-//    `assumed_black`) is taken, or what is brighter.
-// 5. What stands still and is not background (a mark of the maker) is left out of all this, and told.
+//    their upper end. Luma is opacity times brightness: that end is whole smoke which is dim, or thin smoke which is bright, and
+//    nothing in the clip tells which. No smoke is brighter than white, so its opacity is at least that of white smoke; the
+//    middle between that and 1 is taken, and the bounds are told. Thin smoke does not pile up; then `assumed_white` (or, for
+//    dark smoke, `assumed_black`) is taken, or what is brighter.
+// 5. What stands still and is not background (a mark of the maker) is left out of all this, and told; so are bars beside the
+//    picture (bars_cpu.h). A mark with background around it gets a mask.
 #pragma once
 
 #include <cstdint>
@@ -17,6 +20,7 @@
 #include <vector>
 
 #include "lapfx/suggest.h"
+#include "smoke/bars_cpu.h"
 
 namespace lapfx::smoke {
 
@@ -37,6 +41,7 @@ class KeyingSurvey {
 
   private:
     glm::ivec2 size_{0};
+    BarSurvey bars_;
     std::vector<glm::ivec2> corners_;                 ///< of the blocks that are looked at, pixels
     int edge_ = 0;                                    ///< pixels
     std::vector<std::vector<glm::u8vec3>> pictures_;  ///< pixels of the blocks, block after block

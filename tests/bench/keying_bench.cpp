@@ -2,6 +2,10 @@
 // known.
 //
 //     lapfx_bench_keying [--json FILE]
+//     lapfx_bench_keying --suggested [FOLDER]
+//
+// The second form shows what is suggested alone, on more takes, and those of FOLDER: clips that bring their own opacity
+// (WebM), whose smoke is laid before the same backgrounds.
 //
 // Solved smoke over black, green, blue and grey, with sensor noise, through x264 and back. Each keyer is told the background's
 // colour. The others run with their defaults, and with the best of a search over their two thresholds that is given the truth:
@@ -265,23 +269,103 @@ void run_all(Bench& bench, const std::filesystem::path& folder) {
         }
 }
 
+/// All of the smoke `share` times as opaque, its light with it.
+Smoke thinned(Smoke smoke, float share) {
+    for (clips::Picture& picture : smoke)
+        for (std::size_t n = 0; n < picture.alpha.size(); ++n) picture.alpha[n] *= share, picture.value[n] *= share;
+    return smoke;
+}
+
+/// Frames of a clip that brings its own opacity: its luma and that, over black.
+Smoke smoke_of(const std::filesystem::path& file) {
+    KeyingReader reader(file);
+    if (!reader.report().alpha) throw std::runtime_error(file.string() + ": brings no opacity");
+    KeyingFrame frame;
+    Smoke smoke;
+    constexpr int wanted = 12;
+    for (int i = 0; i < wanted; ++i) {
+        if (!reader.read(i * (reader.report().frames - 1) / (wanted - 1), frame)) continue;
+        const glm::ivec2 size = frame.size - frame.size % 2;  // x264 takes no odd ones
+        clips::Picture& picture = smoke.emplace_back(size.x, size.y);
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x) {
+                const auto from = static_cast<std::size_t>(y * frame.size.x + x),
+                           to = static_cast<std::size_t>(y * size.x + x);
+                picture.alpha[to] = frame.opacity[from];
+                picture.value[to] = std::clamp(frame.luma[from] / 255.0f, 0.0f, frame.opacity[from]);
+            }
+    }
+    return smoke;
+}
+
+/// What is found where the smoke is thickest, against what is there: the mean over the thickest hundredth.
+std::pair<double, double> peaks(const Frames& found, const Smoke& smoke) {
+    std::vector<float> all;
+    for (const clips::Picture& picture : smoke) all.insert(all.end(), picture.alpha.begin(), picture.alpha.end());
+    const auto rank = all.begin() + static_cast<std::ptrdiff_t>(0.99 * static_cast<double>(all.size()));
+    std::nth_element(all.begin(), rank, all.end());
+    double is = 0.0, should = 0.0, n = 0.0;
+    for (std::size_t i = 0; i < std::min(found.size(), smoke.size()); ++i)
+        for (std::size_t at = 0; at < smoke[i].alpha.size(); ++at)
+            if (smoke[i].alpha[at] >= *rank)
+                is += static_cast<double>(found[i].ptr<float>()[at]), should += static_cast<double>(smoke[i].alpha[at]),
+                    n += 1.0;
+    return {is / n, should / n};
+}
+
+void show_suggested(const std::string& folder, const std::filesystem::path& scratch) {
+    const Smoke shaded = test::solve_smoke({.cells = 80, .frames = 8});
+    std::vector<std::pair<std::string, Smoke>> takes = {{"solved, even", test::evenly_lit(shaded, 0.8f)},
+                                                        {"solved, thick", test::evenly_lit(shaded, 0.8f, 6.0f)},
+                                                        {"solved, thick, bright", test::evenly_lit(shaded, 1.0f, 6.0f)},
+                                                        {"solved, shaded", shaded}};
+    if (!folder.empty())
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(folder))
+            if (entry.path().extension() == ".webm" && entry.path().filename().string().starts_with("smoke"))
+                takes.emplace_back(entry.path().parent_path().filename() / entry.path().filename(),
+                                   smoke_of(entry.path()));
+    for (std::size_t i = 0, own = takes.size(); i < own; ++i)
+        takes.emplace_back(takes[i].first + " at .85", thinned(takes[i].second, 0.85f));
+    for (const auto& [name, smoke] : takes)
+        for (const auto& [on, background] : {std::pair{"black", glm::vec3(0.0f)},
+                                             {"grey", glm::vec3(96.0f)},
+                                             {"green", glm::vec3(0.0f, 177.0f, 64.0f)},
+                                             {"blue", glm::vec3(20.0f, 60.0f, 200.0f)}}) {
+            Clip clip{name, background, &smoke, scratch / "clip.mp4", {}, {}};
+            test::record_smoke(clip.file, smoke, {.background = background, .sensor_noise = 2.0f});
+            for (const cv::Mat& frame : test::read_frames(clip.file)) clip.planar.push_back(with_smooth_chroma(frame));
+            const KeyingSuggestion s = suggest_keying(clip.file);
+            const Frames found = by_ours(clip.planar, keying_of(s.keying, s.polarity));
+            const test::AlphaError error = test::alpha_error(found, smoke);
+            const auto [is, should] = peaks(found, smoke);
+            std::printf("%-44s %-6s error %.3f, in smoke %.3f; peak %.2f for %.2f; %3.0f %% sure; %s\n", name.c_str(),
+                        on, error.frame, error.smoke, is, should, 100.0 * s.confidence, s.reason.c_str());
+            std::fflush(stdout);
+        }
+}
+
 }  // namespace
 }  // namespace lapfx::smoke
 
 int main(int argc, char** argv) {
     const bool to_file = argc == 3 && std::strcmp(argv[1], "--json") == 0;
-    if (argc != 1 && !to_file) {
-        std::fprintf(stderr, "usage: lapfx_bench_keying [--json FILE]\n");
+    const bool suggested = (argc == 2 || argc == 3) && std::strcmp(argv[1], "--suggested") == 0;
+    if (argc != 1 && !to_file && !suggested) {
+        std::fprintf(stderr, "usage: lapfx_bench_keying [--json FILE | --suggested [FOLDER]]\n");
         return 2;
     }
     std::string name = (std::filesystem::temp_directory_path() / "lapfx-keying-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) return 1;
     int code = 0;
     try {
-        lapfx::smoke::Bench bench;
-        lapfx::smoke::run_all(bench, name);
-        bench.print_ratios();
-        if (to_file) bench.write(argv[2]);
+        if (suggested) {
+            lapfx::smoke::show_suggested(argc == 3 ? argv[2] : "", name);
+        } else {
+            lapfx::smoke::Bench bench;
+            lapfx::smoke::run_all(bench, name);
+            bench.print_ratios();
+            if (to_file) bench.write(argv[2]);
+        }
     } catch (const std::exception& error) {
         std::fprintf(stderr, "lapfx_bench_keying: %s\n", error.what());
         code = 1;

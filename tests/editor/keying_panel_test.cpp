@@ -132,11 +132,14 @@ TEST_F(KeyingPanel, ChromaCirclesAreDragged) {
 
 TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     open_clip(green_clip());
+    const KeyingParameters shared = keying();
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
     ASSERT_EQ(steps(), 1U);
     EXPECT_EQ(editor().document.steps()[0].name, "Suggest keying");
-    EXPECT_GT(keying().chroma_high, 20.0);
-    EXPECT_GT(keying().key_color.g, keying().key_color.r + 0.3);
+    const KeyingParameters& own = editor().keying().keying();
+    EXPECT_GT(own.chroma_high, 20.0);
+    EXPECT_GT(own.key_color.g, own.key_color.r + 0.3);
+    EXPECT_EQ(keying().chroma_high, shared.chroma_high) << "the other clips keep theirs";
     ASSERT_TRUE(editor().keying().suggestion());
     const std::string told = ui().dump();
     EXPECT_NE(told.find("% sure"), std::string::npos) << "told in place";
@@ -144,11 +147,46 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     EXPECT_NE(told.find(" code values; smoke is told by its colour"), std::string::npos) << "with its unit";
     EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
     EXPECT_EQ(told.find("code values, keyed by"), std::string::npos);
-    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For all clips (")) << "the shared keying";
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip alone")) << "and says so";
+    ui().click(panel + "Bench/Thresholds/Use for all").frame();
+    EXPECT_GT(keying().chroma_high, 20.0) << "for all is a second choice";
+    EXPECT_FALSE(editor().keying().clip()->own_keying);
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For all clips ("));
+    ASSERT_EQ(steps(), 2U);
     ui().click(panel + "Bench/Thresholds/Dismiss");
     EXPECT_FALSE(editor().keying().suggestion());
     editor().document.undo();
+    editor().document.undo();
     EXPECT_EQ(keying().chroma_high, 0.0);
+    EXPECT_FALSE(editor().keying().clip()->own_keying);
+}
+
+TEST_F(KeyingPanel, SourceCropAndMasksAreHandlesOnTheSourcePicture) {
+    const std::string source = panel + "Bench/Source/";
+    const auto clip = [&] { return editor().document.preset().smoke.clips[editor().clip]; };
+    const SmokeClip before = clip();
+    ui().drag(source + "Source", {-30, -20});
+    EXPECT_LT(clip().source_x, before.source_x);
+    EXPECT_LT(clip().source_y, before.source_y);
+    ASSERT_EQ(steps(), 1U);
+    EXPECT_EQ(editor().document.steps()[0].name, "Source");
+    ui().drag(source + "Crop top", {0, 25});
+    EXPECT_GT(clip().crop.top, 0.02);
+    EXPECT_EQ(clip().crop.bottom, 0.0);
+    ASSERT_EQ(steps(), 2U);
+    ui().click(panel + "Bench/Thresholds/Frame/Add mask").frame();
+    ASSERT_EQ(clip().masks.size(), 1U);
+    ui().drag(source + "Mask 1", {20, 10});
+    EXPECT_GT(clip().masks[0].x, 0.4);
+    EXPECT_NEAR(clip().masks[0].width, 0.2, 1e-9) << "moved whole";
+    const double wide = clip().masks[0].width;
+    ui().drag(source + "Mask 1 lower right", {15, 0});
+    EXPECT_GT(clip().masks[0].width, wide);
+    editor().document.undo();
+    EXPECT_NEAR(clip().masks[0].width, wide, 1e-9);
+    ui().frame().key(ui::Key::del);
+    ui().frame();
+    EXPECT_TRUE(clip().masks.empty()) << "Delete takes it out";
 }
 
 TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {

@@ -128,6 +128,26 @@ TEST_F(KeyingParity, Shade) {
     test::expect_near(inputs, cpu, gpu(inputs), 0, 1e-5, "shade");
 }
 
+/// Where crop, fade and masks leave smoke, and that what they take out is nothing.
+TEST_F(KeyingParity, Window) {
+    const test::GpuFunction gpu({"window.glsl"},
+                                "vec4(lapfx_inside(a.xy, u_0, u_1) * lapfx_outside(a.xy, u_2, a.z), 0.0, 0.0, 0.0)");
+    SmokeClip clip;
+    clip.crop = {.left = 0.1, .top = 0.2, .right = 0.05, .bottom = 0.15};
+    clip.source_x = 0.3, clip.source_y = 0.8;
+    clip.masks = {{.x = 0.5, .y = 0.45, .width = 0.2, .height = 0.1}};
+    for (const double fade : {0.0, 0.1, 0.5}) {
+        clip.edge_fade = fade;
+        const Window window = window_of(clip, {64, 48});
+        std::vector<glm::vec4> inputs, cpu;
+        for (float x = -4.25f; x < 70.0f; x += 0.5f)
+            for (float y = -4.25f; y < 52.0f; y += 0.5f) inputs.emplace_back(x, y, window.softness, 0.0f);
+        for (const glm::vec4& i : inputs) cpu.emplace_back(window_at(window, glm::vec2(i)));
+        test::expect_near(inputs, cpu, gpu(inputs, {glm::vec4(window.low, window.high), window.fades, window.mask[0]}),
+                          0, 1e-4, "fade " + std::to_string(fade));
+    }
+}
+
 /// Opacity of a made-up clip, as a function of the place: steep and round.
 float blobs(glm::vec2 p) {
     return unit(0.5f + 0.7f * std::sin(0.31f * p.x) * std::cos(0.23f * p.y));

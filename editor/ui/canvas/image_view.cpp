@@ -178,6 +178,7 @@ ImageViewResult image_view(Ui& ui, std::string_view label, const Picture& pictur
         for (const Corner& corner : corners) result.region |= edit_corner(ui, view, corner, *region);
         look.region = *region;
     }
+    if (options.over != nullptr) options.over(ui, view_of(state, area, size), options.over_with);
     Node& whole = ui.parent();
     ui.draw_with<draw_image>(whole, look);
     whole.draw_over = draw_readout_over;

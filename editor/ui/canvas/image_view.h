@@ -2,6 +2,7 @@
 #pragma once
 
 #include "ui/canvas/pixels.h"
+#include "ui/canvas/view.h"
 
 namespace lapfx::ui {
 
@@ -21,6 +22,9 @@ struct ImageViewOptions {
     int decimals = 1;         ///< of values that are not whole
     /// In place of pixel_text(): what a value means here.
     std::string_view (*text_of)(Ui& ui, const glm::vec4& value) = nullptr;
+    /// Builds what lies over the picture, handles for one, as children of the view; `with` is `over_with`.
+    void (*over)(Ui& ui, const View& view, void* with) = nullptr;
+    void* over_with = nullptr;
     std::string_view tip = {};
     Size width = grow(), height = grow();
 };

@@ -17,10 +17,10 @@ constexpr float chord_width = 11;                                     // em
 constexpr float sheet_column = 19, sheet_gap = 2, sheet_padding = 1;  // em
 
 /// Of the UI itself; they cannot be bound otherwise.
-constexpr SheetLine fixed_keys[] = {{"Next field", "Tab"},        {"Field before", "Shift+Tab"},
-                                    {"Next panel", "F6"},         {"Press, choose", "Enter"},
-                                    {"Close, give up", "Esc"},    {"Menu of what has the keyboard", "Menu"},
-                                    {"Undo in a text", "Ctrl+Z"}, {"Standard value", "Backspace"}};
+constexpr SheetLine fixed_keys[] = {
+    {"Next field", "Tab"},        {"Field before", "Shift+Tab"}, {"Next panel", "F6"},
+    {"Press, choose", "Enter"},   {"Close, give up", "Esc"},     {"Menu of what has the keyboard", "Menu"},
+    {"Undo in a text", "Ctrl+Z"}, {"Saved value", "Backspace"},  {"Default value", "Shift+Backspace"}};
 
 struct EditorState {
     std::string query;

@@ -8,7 +8,7 @@
 // ever; Shift goes a tenth as fast, Ctrl goes by steps, both by tenths of a step; else the roundest number within half a pixel is
 // taken. Esc or the right button puts the value back. A double click on the field, Enter, or what a number or an expression
 // begins with opens it for one, with units; Tab takes it and opens the next. Backspace, under the pointer or with the focus, and
-// a double click on the label go back to the standard. Arrows step, Shift by tenths, Page keys by ten; Ctrl+Home and Ctrl+End go
+// a double click on the label go back to the standard, Shift+Backspace to the default. Arrows step, Shift by tenths, Page keys by ten; Ctrl+Home and Ctrl+End go
 // to the ends. The wheel steps with Ctrl; without it only when the field has the focus and nothing was scrolled for half a
 // second. Ctrl+C and Ctrl+V copy and paste. What is not a number is refused. Angles and shares: see angle() and percent().
 #pragma once

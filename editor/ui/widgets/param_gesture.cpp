@@ -190,7 +190,8 @@ void NumberGesture::keys(NumberState& s, const Response& r) {
         const bool command = has(event.mods, Mods::command);
         if (const double count = steps_of(event.key); count != 0) return step(s, event, count);
         if (event.key == Key::enter) open(s);
-        if ((event.key == Key::backspace || event.key == Key::del) && o_.standard) once(s, *o_.standard);
+        const std::optional<double>& back = has(event.mods, Mods::shift) ? o_.initial : o_.standard;
+        if ((event.key == Key::backspace || event.key == Key::del) && back) once(s, *back);
         const ParamLimits ends = limits_of(o_, std::nan(""));
         if (event.key == Key::home && command) once(s, ends.low);
         if (event.key == Key::end && command) once(s, ends.high);

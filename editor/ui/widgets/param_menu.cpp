@@ -28,6 +28,8 @@ Edit value_items(Ui& ui, double& value, const ParamOptions& o) {
     Edit edit;
     if (menu_item(ui, "Reset", {.icon = Icon::reset, .shortcut = "Backspace", .enabled = !is_standard(o, shown)}))
         edit = put(value, o, *o.standard);
+    if (o.initial && menu_item(ui, "Default value", {.shortcut = "Shift+Backspace", .enabled = shown != *o.initial}))
+        edit = put(value, o, *o.initial);
     if (menu_item(ui, "Copy", {.icon = Icon::copy, .shortcut = "Ctrl+C"})) copy_number(ui, o, shown);
     if (menu_item(ui, "Paste", {.shortcut = "Ctrl+V", .enabled = ui.clipboard() != nullptr})) {
         if (const auto pasted = number_to_paste(ui, o, shown)) edit = put(value, o, *pasted);

@@ -106,6 +106,7 @@ void place_handle(Ui& ui, Node& node, float from, float to) {
 
 ParamOptions with_standard(ParamOptions o, std::span<const double> standards, std::size_t i) {
     if (i < standards.size()) o.standard = standards[i];
+    if (i < o.initials.size()) o.initial = o.initials[i];
     return o;
 }
 

@@ -4,6 +4,7 @@
 
 #include <limits>
 #include <optional>
+#include <span>
 
 #include "ui/core/event.h"
 #include "ui/core/node.h"
@@ -20,9 +21,11 @@ struct ParamOptions {
     std::string_view unit = {};  ///< as in ExpressionContext
     std::string_view zero = {};  ///< shown in place of 0, for what that stands for: "automatic"
     ValueScale scale = ValueScale::linear;
-    double smallest = 0;                  ///< as in ValueRange
-    std::optional<double> standard = {};  ///< the default, or the preset's value
-    int decimals = -1;                    ///< -1: those of the step, and up to two more where the value needs them
+    double smallest = 0;                    ///< as in ValueRange
+    std::optional<double> standard = {};    ///< what the dot compares with and Backspace goes back to: the saved value
+    std::optional<double> initial = {};     ///< the default, that Shift+Backspace goes to
+    std::span<const double> initials = {};  ///< the same of each number of a range or a vector
+    int decimals = -1;                      ///< -1: those of the step, and up to two more where the value needs them
     std::string_view tip = {};
     double display = 1;  ///< shown is the value times this: 180/pi for an angle kept in rad
     bool integer = false;

@@ -5,7 +5,7 @@
 //     lapfx::KeyingFrame frame;
 //     reader.read(12, frame);
 //     std::vector<float> opacity;
-//     lapfx::keyed_opacity(frame, preset.smoke.keying, clip.polarity, opacity);
+//     lapfx::keyed_opacity(frame, preset.smoke.keying, clip, opacity);
 //     const lapfx::Image matte = lapfx::matte_picture(frame.size, opacity);
 //
 // Pictures have rows from the top, RGBA. Code values 0..255. Any thread; a reader one at a time. No GL.
@@ -65,14 +65,14 @@ class KeyingReader {
 /// What smoke is made of it.
 struct KeyingLook {
     KeyingParameters keying{};
-    ClipPolarity polarity = ClipPolarity::light;
+    SmokeClip clip{};  ///< its polarity, crop, fade at the edges and masks hold; its own keying does not
     glm::dvec3 color{0.62, 0.62, 0.68};     ///< of plume or haze, sRGB
     glm::dvec3 extinction{0.85, 1.0, 1.1};  ///< of plume or haze
     double density = 1.0;                   ///< 1 is as keyed
 };
 
-/// 0..1 for each pixel, choke and feather done: a clip's own opacity, else keyed.
-void keyed_opacity(const KeyingFrame& frame, const KeyingParameters& keying, ClipPolarity polarity,
+/// 0..1 for each pixel, choke and feather done: a clip's own opacity, else keyed; nothing where crop and masks of `clip` are.
+void keyed_opacity(const KeyingFrame& frame, const KeyingParameters& keying, const SmokeClip& clip,
                    std::vector<float>& opacity);
 /// Light of the smoke itself in a pixel, linear, 1 where it is grey: the clip's tint, and its shading where it brings its opacity.
 glm::vec3 smoke_light(const KeyingFrame& frame, const KeyingLook& look, glm::ivec2 pixel);
@@ -89,7 +89,7 @@ Image composite_picture(const KeyingFrame& frame, const KeyingLook& look, std::s
 
 inline Image matte_picture(const KeyingFrame& frame, const KeyingLook& look) {
     std::vector<float> opacity;
-    keyed_opacity(frame, look.keying, look.polarity, opacity);
+    keyed_opacity(frame, look.keying, look.clip, opacity);
     return matte_picture(frame.size, opacity);
 }
 

@@ -104,7 +104,20 @@ enum class ClipPolarity { light, dark };
 enum class ClipStart { seeded, beginning };
 enum class ClipMirror { seeded, off, on };
 
-/// One smoke video and how it is used.
+/// What is left out at each side of a clip, fractions of its frame's width and height: bars that were put around the picture.
+struct ClipCrop {
+    double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
+    friend bool operator==(const ClipCrop&, const ClipCrop&) = default;
+};
+
+/// A rectangle of a clip's frame where nothing is smoke: a garbage mask. Fractions of the frame, from its upper left corner.
+struct ClipMask {
+    double x = 0.0, y = 0.0, width = 0.1, height = 0.1;
+    friend bool operator==(const ClipMask&, const ClipMask&) = default;
+};
+inline constexpr std::size_t most_masks = 12;  ///< of a clip
+
+/// One smoke video and how it is used. Places are those of its whole frame, whatever is cropped.
 struct SmokeClip {
     std::string file;
     ClipRole role = ClipRole::plume;
@@ -119,8 +132,11 @@ struct SmokeClip {
     ClipStart start = ClipStart::seeded;
     ClipMirror mirror = ClipMirror::seeded;
     double rotation = 0.0;    ///< degrees, at most, either way; the angle is seeded
+    double edge_fade = 0.0;   ///< of the frame's smaller side: how far smoke fades at cropped edges and masks
     bool own_keying = false;  ///< `keying` takes the place of the preset's for this clip
     KeyingParameters keying{};
+    ClipCrop crop{};
+    std::vector<ClipMask> masks{};
 };
 
 /// Source smoke at the tool tip.

@@ -1,15 +1,17 @@
 // Keying thresholds for a clip, from what its histogram shows: the editor's "Suggest" and `lapfx inspect --keying`.
 //
 //     lapfx::KeyingSuggestion found = lapfx::suggest_keying("plume.mp4");  // throws lapfx::Error: not a clip
-//     if (found.confidence > 0.5) clip.keying = found.keying, clip.polarity = found.polarity;
+//     if (found.confidence > 0.5) found.apply(clip);
 //     else log(found.reason);
 //
 // How it decides: effects/smoke/suggest_cpu.h. Any thread; no GL.
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <glm/glm.hpp>
 #include <string>
+#include <vector>
 
 #include "lapfx/preset.h"
 
@@ -22,11 +24,34 @@ struct KeyingSuggestion {
     double confidence = 0.0;        ///< 0..1; below 0.5 a person should look first
     double background_noise = 0.0;  ///< code values by which the background strays, 99 % of it
     double background_share = 0.0;  ///< of the clip's area over time, 0..1
-    bool whole_smoke_seen = false;  ///< smoke that hides all is in the clip; otherwise its luma is assumed
+    bool whole_smoke_seen =
+        false;  ///< much of the smoke is of one opacity, perhaps whole; otherwise its luma is assumed
+    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keyed by luma, what it is taken
+    /// for lies in the middle between this and 1. 1 where that is known: keyed by colour.
+    double least_opacity = 1.0;
+    ClipCrop crop{};                ///< bars beside the picture, that smoke would end at in a straight line
+    double edge_fade = 0.0;         ///< more than 0 where smoke reaches the picture's edges
+    std::vector<ClipMask> masks{};  ///< marks of the maker, where smoke is rarely
     std::string reason;             ///< what was found, one line for people
+
+    /// Into what a clip has of it: keying of its own, polarity, crop, fade and masks. Choke, feather and noise stay; so does what
+    /// a person has drawn where nothing was found.
+    void apply(SmokeClip& clip) const;
 };
 
 /// From about 24 frames over the whole clip. Throws Error (bad_input) for what is not a clip.
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip);
+
+struct SourceSuggestion {
+    glm::dvec2 place{0.5, 0.92};  ///< for source_x and source_y of the clip: fractions of its frame
+    bool found = false;           ///< there is smoke; otherwise `place` is the default
+    bool begins =
+        false;  ///< the clip begins without smoke and shows where it comes from; otherwise the plume's root is taken
+};
+
+/// Where a clip's smoke starts, the place that is put on the tool tip: with keying as suggested, from about 56 frames. How:
+/// effects/smoke/source_cpu.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it early: Error (runtime),
+/// or any place.
+SourceSuggestion suggest_source(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace lapfx

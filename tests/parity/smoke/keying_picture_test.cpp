@@ -12,6 +12,7 @@ namespace {
 struct Case {
     const char* clip;
     KeyingParameters keying;
+    SmokeClip window{};
 };
 
 std::vector<Case> cases() {
@@ -25,9 +26,16 @@ std::vector<Case> cases() {
     KeyingParameters luma{.luma_low = 20, .luma_high = 180, .noise_strength = 0};
     KeyingParameters edges = luma;
     edges.choke = 2.5, edges.feather = 1.5;
-    return {{"plume_thick.mp4", luma},
-            {"wisps_thin.mp4", edges},
-            {"plume_green.mp4", green},
+    // The fade reaches the middle of the view, which is compared; the masks lie there.
+    SmokeClip faded;
+    faded.crop = {.left = 0.04, .top = 0.03, .right = 0.05, .bottom = 0.02};
+    faded.edge_fade = 0.45;
+    faded.source_y = 0.5;
+    faded.masks = {{.x = 0.45, .y = 0.4, .width = 0.05, .height = 0.08},
+                   {.x = 0.55, .y = 0.6, .width = 0.2, .height = 0.03}};
+    return {{"plume_thick.mp4", luma},         {"plume_thick.mp4", luma, faded},
+            {"plume_thick.mp4", edges, faded}, {"plume_green_alpha.mp4", edges, faded},
+            {"wisps_thin.mp4", edges},         {"plume_green.mp4", green},
             {"plume_green_alpha.mp4", luma}};
 }
 
@@ -71,8 +79,8 @@ class KeyingPictureParity : public SmokeGpuTest {
             plume_corners({.anchor = {0.0f, 0.0f, -focus}, .extent = {wide, tall}, .source = {0.5f, 0.5f}});
         SmokeGpu gpu(SmokeResolution::screen, false);
         return draw(gpu, [&] {
-            gpu.plume({.frame = clip.frame(), .keying = &tested.keying, .density = 1.0}, filling,
-                      glm::vec4(0.0f, 0.0f, 1.0f, 1.0f));
+            gpu.plume({.frame = clip.frame(), .keying = &tested.keying, .clip = &tested.window, .density = 1.0},
+                      filling, glm::vec4(0.0f, 0.0f, 1.0f, 1.0f));
         });
     }
 
@@ -114,7 +122,7 @@ TEST_F(KeyingPictureParity, CompositeIsThePlumeAsDrawn) {
         ASSERT_TRUE(reader.read(number, frame));
         ASSERT_EQ(frame.size, size);
         std::vector<float> opacity;
-        keyed_opacity(frame, tested.keying, ClipPolarity::light, opacity);
+        keyed_opacity(frame, tested.keying, tested.window, opacity);
         EXPECT_GT(*std::max_element(opacity.begin(), opacity.end()), 0.3f) << tested.clip << " has smoke";
 
         KeyingLook look{.keying = tested.keying, .color = {0.0, 0.0, 0.0}, .extinction = plume.extinction};

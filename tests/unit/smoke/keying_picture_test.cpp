@@ -76,7 +76,7 @@ TEST(KeyingPicture, OpacityIsThatOfTheReference) {
             const KeyingFrame frame = random_frame(size, tested.alpha);
             const smoke::Keying key = smoke::keying_of(tested.keying, tested.polarity);
             std::vector<float> opacity;
-            keyed_opacity(frame, tested.keying, tested.polarity, opacity);
+            keyed_opacity(frame, tested.keying, {.file = {}, .polarity = tested.polarity}, opacity);
             for (int y = 0; y < size.y; ++y)
                 for (int x = 0; x < size.x; ++x)
                     ASSERT_NEAR(opacity[static_cast<std::size_t>(y * size.x + x)],
@@ -115,8 +115,8 @@ TEST(KeyingPicture, MatteIsTheRampBetweenTheThresholds) {
         EXPECT_EQ(matte.pixels[4 * i], expected[i]) << i;
         EXPECT_EQ(matte.pixels[4 * i + 3], 255);
     }
-    const Image dark =
-        matte_picture(steps(), {.keying = {.luma_low = 50, .luma_high = 150}, .polarity = ClipPolarity::dark});
+    const Image dark = matte_picture(
+        steps(), {.keying = {.luma_low = 50, .luma_high = 150}, .clip = {.file = {}, .polarity = ClipPolarity::dark}});
     EXPECT_EQ(dark.pixels[0], 255);
     EXPECT_EQ(dark.pixels[4 * 5], 0);
 }
@@ -126,7 +126,7 @@ TEST(KeyingPicture, SmokeIsLaidOverItsBackground) {
         .keying = {.luma_low = 0, .luma_high = 200}, .color = {0.5, 0.5, 0.5}, .extinction = {1, 1, 1}};
     std::vector<float> opacity;
     const KeyingFrame frame = steps();
-    keyed_opacity(frame, look.keying, look.polarity, opacity);
+    keyed_opacity(frame, look.keying, look.clip, opacity);
     const Image red{.width = 1, .height = 1, .pixels = {200, 10, 10, 255}, .name = ""};
     const Image over = composite_picture(frame, look, opacity, red);
     EXPECT_EQ(over.pixels[0], 200);

@@ -73,12 +73,13 @@ class SuggestFromFile : public testing::Test {
 };
 
 TEST_F(SuggestFromFile, EvenlyLitSmokeOnBlackIsKeyedTo3Percent) {
-    const Smoke dim = dim_plume();
-    for (const Smoke& smoke : {plume(), thick_plume(), wisps(), dim})
+    // What is dim could as well be thin: it is taken for the middle.
+    const Smoke dim = dim_plume(), thick = thick_plume();
+    for (const Smoke& smoke : {plume(), thick, wisps(), dim})
         for (const float noise : {0.0f, 3.0f}) {
             const Result r = suggest(smoke, {.background = black, .sensor_noise = noise});
             EXPECT_LE(r.error.frame, 0.03);
-            EXPECT_LE(r.error.smoke, smoke[0].value == dim[0].value ? 0.12 : 0.04);
+            EXPECT_LE(r.error.smoke, smoke[0].value == dim[0].value || smoke[0].value == thick[0].value ? 0.12 : 0.04);
             EXPECT_EQ(r.found.polarity, ClipPolarity::light);
             EXPECT_EQ(r.found.keying.chroma_high, 0.0) << "black has no chroma to key by";
             EXPECT_GT(r.found.confidence, 0.5);
@@ -102,7 +103,7 @@ TEST_F(SuggestFromFile, ColouredAndGreyBackgroundsKeyLikeBlackAndGreen) {
     EXPECT_LE(on_blue.error.smoke, 0.06);
     EXPECT_GT(on_blue.found.keying.chroma_high, 60.0);
     const Result on_grey = suggest(thick_plume(), {.background = grey, .sensor_noise = 2.0f});
-    EXPECT_LE(on_grey.error.smoke, 0.04);
+    EXPECT_LE(on_grey.error.smoke, 0.18) << "dim or thin: before grey that is 52 to 100 %";
     EXPECT_EQ(on_grey.found.polarity, ClipPolarity::light);
     EXPECT_GT(on_grey.found.keying.luma_low, luma(grey));
     // The same smoke is darker than white.
@@ -146,17 +147,92 @@ float ball(glm::ivec2 at, int picture, float peak) {
     return std::min(peak * std::max(1.0f - r * r, 0.0f), 1.0f);
 }
 
-TEST(SuggestKeying, ThickSmokeGivesItsOwnLumaAndThinSmokeTheAssumedOne) {
-    const auto smoke = [](float peak) {
-        return suggest_for([=](glm::ivec2 at, int n) { return glm::vec3(170.0f * ball(at, n, peak)); });
+/// Luma is opacity times brightness: smoke of one luma all over is dim and whole, or bright and thin. What it is taken for lies
+/// between, and is as far from the one as from the other.
+TEST(SuggestKeying, SmokeOfOneLumaIsTakenForTheMiddleOfWhatItCanBe) {
+    const auto smoke = [](float level, float base) {
+        return suggest_for([=](glm::ivec2 at, int n) { return glm::vec3(base + (level - base) * ball(at, n, 3.0f)); });
     };
-    const KeyingSuggestion thick = smoke(3.0f), thin = smoke(0.6f);
-    EXPECT_TRUE(thick.whole_smoke_seen);
-    EXPECT_NEAR(thick.keying.luma_high, 170.0, 4.0);
+    for (const float base : {0.0f, 60.0f, 96.0f})
+        for (const float level : {150.0f, 170.0f, 216.0f}) {
+            const KeyingSuggestion s = smoke(level, base);
+            const double least = static_cast<double>((level - base) / (255.0f - base));  // as bright as white
+            EXPECT_TRUE(s.whole_smoke_seen);
+            EXPECT_NEAR(s.least_opacity, least, 0.03) << base << ' ' << level;
+            const float found = key_alpha(glm::vec3(level), keying_of(s.keying, s.polarity));
+            EXPECT_NEAR(found, 0.5 * (1.0 + least), 0.03) << base << ' ' << level;
+            EXPECT_THAT(s.reason, HasSubstr("dim or thin"));
+        }
+    // An opacity of .85 of smoke as white as it comes, which counted as 1.
+    EXPECT_LT(key_alpha(glm::vec3(0.85f * 255.0f), keying_of(smoke(0.85f * 255.0f, 0.0f).keying, ClipPolarity::light)),
+              0.94f);
+}
+
+TEST(SuggestKeying, ThinSmokeGivesTheAssumedLuma) {
+    const KeyingSuggestion thin =
+        suggest_for([](glm::ivec2 at, int n) { return glm::vec3(170.0f * ball(at, n, 0.6f)); });
     EXPECT_FALSE(thin.whole_smoke_seen);
     EXPECT_NEAR(thin.keying.luma_high, assumed_white, 4.0);
-    EXPECT_GT(thick.confidence, thin.confidence);
     EXPECT_THAT(thin.reason, HasSubstr("assumed"));
+}
+
+/// Smoke with clear strips at the left and the right: `share` of the picture.
+KeyingSuggestion nearly_full(glm::vec3 background, float share) {
+    const glm::ivec2 size(192, 128);
+    return suggest_for(
+        [=](glm::ivec2 at, int n) {
+            const float margin = 0.5f * share * static_cast<float>(size.x);
+            const float x = static_cast<float>(at.x), near = std::min(x, static_cast<float>(size.x) - x) - margin;
+            const float wave = 0.5f + 0.5f * std::sin(0.11f * x + 0.7f * static_cast<float>(n)) *
+                                          std::cos(0.09f * static_cast<float>(at.y) - 0.5f * static_cast<float>(n));
+            return glm::mix(background, glm::vec3(225.0f),
+                            glm::clamp(0.2f * near, 0.0f, 1.0f) * (0.35f + 0.65f * wave));
+        },
+        8, size);
+}
+
+TEST(SuggestKeying, ABackgroundThatHardlyShowsIsFound) {
+    for (const glm::vec3 background : {black, green, blue, grey}) {
+        const KeyingSuggestion s = nearly_full(background, 0.1f);
+        EXPECT_LT(s.background_share, 0.1);
+        EXPECT_LT(glm::distance(s.keying.key_color * 255.0, glm::dvec3(background)), 6.0) << background.x << s.reason;
+        const Keying key = keying_of(s.keying, s.polarity);
+        EXPECT_LT(key_alpha(background, key), 0.03f);
+        EXPECT_NEAR(key_alpha(glm::mix(background, glm::vec3(225.0f), 0.5f), key), 0.5f, 0.12f);
+    }
+}
+
+/// A ball before `background` that drifts through bars at the top and the bottom.
+KeyingSuggestion barred(glm::vec3 background, int bar) {
+    const glm::ivec2 size(160, 128);
+    return suggest_for(
+        [=](glm::ivec2 at, int n) {
+            if (at.y < bar || at.y >= size.y - bar) return black;
+            const glm::vec2 middle(40.0f + 10.0f * static_cast<float>(n), 20.0f + 11.0f * static_cast<float>(n));
+            const float r = glm::distance(glm::vec2(at), middle) / 45.0f;
+            return glm::mix(background, glm::vec3(220.0f), 0.8f * std::max(1.0f - r * r, 0.0f));
+        },
+        8, size);
+}
+
+TEST(SuggestKeying, BarsAreCroppedAndSmokeAtEdgesFades) {
+    for (const glm::vec3 background : {black, green}) {
+        const KeyingSuggestion s = barred(background, 12);
+        EXPECT_NEAR(s.crop.top * 128.0, 13.5, 1.6) << s.reason;
+        EXPECT_NEAR(s.crop.bottom * 128.0, 13.5, 1.6);
+        EXPECT_EQ(s.crop.left, 0.0);
+        EXPECT_EQ(s.crop.right, 0.0);
+        EXPECT_GT(s.edge_fade, 0.0) << "smoke ends at the bars";
+        EXPECT_THAT(s.reason, HasSubstr("bars beside the picture are cropped"));
+        EXPECT_LT(glm::distance(s.keying.key_color * 255.0, glm::dvec3(background)), 6.0) << "bars are no background";
+        const KeyingSuggestion without = barred(background, 0);
+        EXPECT_EQ(without.crop, ClipCrop{}) << without.reason;
+    }
+    // Smoke that stays away from the edges and ends by itself.
+    const KeyingSuggestion away =
+        suggest_for([](glm::ivec2 at, int n) { return glm::vec3(200.0f * ball(at, n, 0.8f)); }, 8, {120, 110});
+    EXPECT_EQ(away.crop, ClipCrop{}) << away.reason;
+    EXPECT_EQ(away.edge_fade, 0.0);
 }
 
 TEST(SuggestKeying, TheLowerThresholdFollowsTheNoise) {
@@ -191,6 +267,33 @@ TEST(SuggestKeying, AMarkThatNeverMovesIsToldAndDoesNotCount) {
     EXPECT_THAT(marked(true).reason, HasSubstr("a mark that never moves"));
     EXPECT_THAT(marked(false).reason, testing::Not(HasSubstr("mark")));
     EXPECT_EQ(marked(true).keying.luma_high, marked(false).keying.luma_high);
+    ASSERT_EQ(marked(true).masks.size(), 1u);
+    const ClipMask mask = marked(true).masks[0];
+    EXPECT_LE(mask.x * 96.0, 80.0);
+    EXPECT_GE((mask.x + mask.width) * 96.0, 88.0);
+    EXPECT_LE(mask.y * 64.0, 48.0);
+    EXPECT_GE((mask.y + mask.height) * 64.0, 56.0);
+    EXPECT_LT(mask.width * mask.height, 0.1);
+    EXPECT_TRUE(marked(false).masks.empty());
+}
+
+TEST(SuggestKeying, ASuggestionGoesIntoItsClipAlone) {
+    SmokeClip clip;
+    clip.keying.choke = 3.0;
+    clip.masks = {{0.1, 0.2, 0.3, 0.4}};
+    KeyingSuggestion found;
+    found.keying.luma_high = 150.0;
+    found.polarity = ClipPolarity::dark;
+    found.crop.top = 0.1;
+    found.masks = {{0.0, 0.0, 0.1, 0.1}};
+    found.apply(clip);
+    EXPECT_TRUE(clip.own_keying);
+    EXPECT_EQ(clip.keying.luma_high, 150.0);
+    EXPECT_EQ(clip.keying.choke, 3.0) << "not suggested";
+    EXPECT_EQ(clip.polarity, ClipPolarity::dark);
+    EXPECT_EQ(clip.crop.top, 0.1);
+    EXPECT_EQ(clip.masks.size(), 1u);
+    EXPECT_EQ(clip.masks[0].x, 0.1) << "drawn by a person";
 }
 
 TEST(SuggestKeying, WhatIsNotSmokeBeforeAPlainBackgroundGivesNoConfidence) {

@@ -1,0 +1,329 @@
+#include "panels/clip_shapes.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "app/keying_bench.h"
+#include "panels/clip_parameters.h"
+#include "panels/parts.h"
+#include "panels/table_rows.h"
+#include "ui/canvas/drag_handle.h"
+#include "ui/widgets/basic.h"
+#include "ui/widgets/section.h"
+
+namespace lapfx::panels {
+
+namespace {
+
+using document::Content;
+
+constexpr double least_side = 0.005;  // of the frame, that a mask has
+constexpr double most_cut = 0.95;     // as the table's rule has it
+constexpr double finest = 1e-4;       // of the frame: what is dragged is not kept finer
+
+double rounded(double fraction) {
+    return std::round(fraction / finest) * finest;
+}
+
+/// What is drawn below the handles, px of the screen.
+struct ShapesLook {
+    ui::Rect whole, kept;
+    std::array<ui::Rect, most_masks + 1> masks;
+    int count;
+    bool cropped;
+};
+
+ui::Rect rect_of(const ui::View& view, glm::dvec2 low, glm::dvec2 high) {
+    const glm::dvec2 size(view.size);
+    const glm::vec2 from(view.to_screen(low * size)), to(view.to_screen(high * size));
+    return {from.x, from.y, to.x - from.x, to.y - from.y};
+}
+
+void draw_shapes(ui::Painter& painter, const ui::Node&, const ShapesLook& look) {
+    const ui::Theme& t = painter.theme();
+    const ui::Color shade = with_alpha(t.canvas, 0.6F);
+    if (look.cropped) {
+        const ui::Rect &w = look.whole, &k = look.kept;
+        painter.fill({w.x, w.y, w.w, k.y - w.y}, shade);
+        painter.fill({w.x, k.bottom(), w.w, w.bottom() - k.bottom()}, shade);
+        painter.fill({w.x, k.y, k.x - w.x, k.h}, shade);
+        painter.fill({k.right(), k.y, w.right() - k.right(), k.h}, shade);
+    }
+    painter.frame(look.kept, ui::canvas_ink(t, 0.5F), painter.hairline());
+    for (int i = 0; i < look.count; ++i) {
+        const ui::Rect& mask = look.masks[static_cast<std::size_t>(i)];
+        painter.fill(mask, with_alpha(t.error, 0.35F));
+        painter.frame(mask, ui::canvas_ink(t), painter.hairline());
+    }
+}
+
+struct DragMemory {
+    glm::dvec2 start{0};
+    bool changed = false;
+};
+
+/// One gesture of a handle that stands for a place of the frame, 0..1.
+template <typename Clamp>
+ui::Edit edit_place(ui::Ui& ui, const ui::View& view, const ui::HandleMoves& moves, const Clamp& clamp,
+                    glm::dvec2& place) {
+    ui::Edit edit;
+    if (moves.id == 0) return edit;
+    DragMemory& memory = ui.memory<DragMemory>(moves.id);
+    const glm::dvec2 size(view.size), before = place;
+    if (moves.steps != glm::dvec2(0)) {
+        // Shift is the large step here: there is nothing finer than a pixel.
+        const double stride = std::abs(moves.steps.x) + std::abs(moves.steps.y) < 1 ? 100 : 1;
+        place = clamp(place + glm::dvec2(moves.steps.x, -moves.steps.y) * stride / size);
+        return place != before ? ui::Edit::once() : edit;
+    }
+    if (moves.dragged) {
+        const glm::dvec2 at = view.to_picture(moves.to + view.area.at()) / size;
+        place = clamp({rounded(at.x), rounded(at.y)});
+        edit.changed = place != before;
+        if (edit.changed && !memory.changed) memory.start = before, edit.began = true;
+        memory.changed |= edit.changed;
+    }
+    if (memory.changed && moves.released) edit.committed = true;
+    if (memory.changed && moves.cancelled) place = memory.start, edit.cancelled = true, edit.changed = true;
+    if (moves.released || moves.cancelled) memory.changed = false;
+    return edit;
+}
+
+class Shapes {
+  public:
+    Shapes(ui::Ui& ui, app::Editor& editor, const ui::View& view)
+        : ui_(ui), editor_(editor), view_(view), number_(editor.clip), clip_(*editor.keying().clip()) {}
+
+    void build() {
+        app::BenchLook& look = editor_.keying().look;
+        ShapesLook shown{
+            .whole = view_.rect(), .kept = {}, .masks = {}, .count = 0, .cropped = clip_.crop != ClipCrop{}};
+        shown.kept = rect_of(view_, {clip_.crop.left, clip_.crop.top}, {1 - clip_.crop.right, 1 - clip_.crop.bottom});
+        for (const ClipMask& mask : clip_.masks)
+            if (shown.count < static_cast<int>(most_masks))
+                shown.masks[static_cast<std::size_t>(shown.count++)] =
+                    rect_of(view_, {mask.x, mask.y}, {mask.x + mask.width, mask.y + mask.height});
+        ui::Node& below = ui_.leaf(ui::Role::none, "##shapes",
+                                   look.draws_mask ? ui::Sense::hover | ui::Sense::press : ui::Sense::none);
+        below.size[0] = ui::fraction(1), below.size[1] = ui::fraction(1);
+        below.placed = true;
+        below.placement = ui_.arena().make(ui::Placement{});
+        if (look.draws_mask) draw_mask(below, shown);
+        ui_.draw_with<draw_shapes>(below, shown);
+        if (look.draws_mask) return;
+        crop_handles();
+        for (std::size_t i = 0; i < clip_.masks.size(); ++i) mask_handles(i);
+        if (clip_.role == ClipRole::plume) source_handle();
+    }
+
+  private:
+    ui::HandleMoves handle(std::string_view label, std::string_view tip, glm::dvec2 place, ui::Cursor cursor) {
+        const glm::vec2 at = glm::vec2(view_.to_screen(place * glm::dvec2(view_.size))) - view_.area.at();
+        const ui::HandleMoves moves = ui::put_handle(ui_, {.label = label, .tip = tip, .at = at, .cursor = cursor});
+        char text[64];
+        std::snprintf(text, sizeof text, "%.1f %% from the left, %.1f %% from the top", 100 * place.x, 100 * place.y);
+        ui_.last().text = ui_.copy(text);
+        return moves;
+    }
+    void knob(ui::Color color, float size) {
+        ui_.draw_with<ui::draw_knob>(ui_.last(), ui::KnobLook{.color = color, .size = glm::vec2(size)});
+    }
+    template <typename F>
+    void take(const ui::Edit& edit, std::string_view step, const F& set) {
+        editor_.document.take(edit, step, [&](Content& c) {
+            if (number_ < c.preset.smoke.clips.size()) set(c.preset.smoke.clips[number_]);
+        });
+    }
+    const SmokeClip& saved() const { return saved_clip(editor_, number_); }
+
+    void source_handle() {
+        glm::dvec2 place(clip_.source_x, clip_.source_y);
+        const ui::HandleMoves moves = handle(
+            "Source", "Where the smoke starts: this place of the clip is put on the tool tip", place, ui::Cursor::move);
+        knob(ui_.theme().accent, 1.0F);
+        ui::Edit edit = edit_place(
+            ui_, view_, moves, [](glm::dvec2 p) { return glm::clamp(p, 0.0, 1.0); }, place);
+        if (const glm::dvec2 back(saved().source_x, saved().source_y); moves.reset && back != place)
+            place = back, edit = ui::Edit::once();
+        take(edit, "Source", [&](SmokeClip& c) { c.source_x = place.x, c.source_y = place.y; });
+    }
+
+    void crop_handles() {
+        edge("Crop left", &ClipCrop::left, &ClipCrop::right, 0, false);
+        edge("Crop top", &ClipCrop::top, &ClipCrop::bottom, 1, false);
+        edge("Crop right", &ClipCrop::right, &ClipCrop::left, 0, true);
+        edge("Crop bottom", &ClipCrop::bottom, &ClipCrop::top, 1, true);
+    }
+    /// In the middle of a side; it moves across it alone.
+    void edge(std::string_view label, double ClipCrop::*side, double ClipCrop::*other, int axis, bool far) {
+        const ClipCrop& crop = clip_.crop;
+        glm::dvec2 place(0.5 * (crop.left + 1 - crop.right), 0.5 * (crop.top + 1 - crop.bottom));
+        const auto of = [&](double cut) { return far ? 1 - cut : cut; };
+        place[axis] = of(crop.*side);
+        const ui::HandleMoves moves = handle(label, "What lies outside of this edge is left out", place,
+                                             axis == 0 ? ui::Cursor::resize_x : ui::Cursor::resize_y);
+        knob(ui::canvas_ink(ui_.theme()), 0.6F);
+        const double most = std::min(0.9, std::max(most_cut - crop.*other, 0.0));
+        const glm::dvec2 still = place;
+        ui::Edit edit = edit_place(
+            ui_, view_, moves,
+            [&](glm::dvec2 p) {
+                glm::dvec2 kept = still;
+                kept[axis] = of(std::clamp(of(p[axis]), 0.0, most));
+                return kept;
+            },
+            place);
+        double cut = rounded(of(place[axis]));
+        if (moves.reset && saved().crop.*side != crop.*side && saved().crop.*side <= most)
+            cut = saved().crop.*side, edit = ui::Edit::once();
+        take(edit, label, [&](SmokeClip& c) { c.crop.*side = cut; });
+    }
+
+    void mask_handles(std::size_t index) {
+        const ClipMask mask = clip_.masks[index];
+        const std::string_view name = ui_.join({"Mask ", ui_.copy(std::to_string(index + 1))});
+        const glm::dvec2 low(mask.x, mask.y), high = low + glm::dvec2(mask.width, mask.height);
+        const auto set = [&](const ui::Edit& edit, glm::dvec2 from, glm::dvec2 to) {
+            take(edit, name, [&](SmokeClip& c) {
+                if (index < c.masks.size()) c.masks[index] = {from.x, from.y, to.x - from.x, to.y - from.y};
+            });
+        };
+        glm::dvec2 corner = low;
+        const glm::dvec2 least(least_side);
+        bool removed = false;
+        const auto moves_of = [&](std::string_view part, glm::dvec2 at) {
+            const ui::HandleMoves moves = handle(
+                ui_.join({name, part}), "A mask: what is in it is no smoke. Delete takes it out", at, ui::Cursor::move);
+            knob(ui::canvas_ink(ui_.theme()), part.empty() ? 0.8F : 0.6F);
+            removed |= moves.reset;
+            return moves;
+        };
+        ui::Edit edit = edit_place(
+            ui_, view_, moves_of(" upper left", low),
+            [&](glm::dvec2 p) { return glm::clamp(p, glm::dvec2(0), high - least); }, corner);
+        set(edit, corner, high);
+        corner = high;
+        edit = edit_place(
+            ui_, view_, moves_of(" lower right", high),
+            [&](glm::dvec2 p) { return glm::clamp(p, low + least, glm::dvec2(1)); }, corner);
+        set(edit, low, corner);
+        const glm::dvec2 half = 0.5 * (high - low);
+        corner = low + half;
+        edit = edit_place(
+            ui_, view_, moves_of("", corner), [&](glm::dvec2 p) { return glm::clamp(p, half, 1.0 - half); }, corner);
+        set(edit, corner - half, corner + half);
+        if (removed)
+            editor_.document.change("Remove mask", [&](Content& c) {
+                auto& masks = c.preset.smoke.clips[number_].masks;
+                if (index < masks.size()) masks.erase(masks.begin() + static_cast<std::ptrdiff_t>(index));
+            });
+    }
+
+    /// A drag makes one; it is the last of the gesture that counts.
+    void draw_mask(ui::Node& node, ShapesLook& shown) {
+        const ui::Response r = ui_.respond(node);
+        if (r.hovered) ui_.set_cursor(ui::Cursor::crosshair);
+        if (!r.held && !r.released) return;
+        const auto place = [&](glm::vec2 at) {
+            return glm::clamp(view_.to_picture(at) / glm::dvec2(view_.size), 0.0, 1.0);
+        };
+        const glm::dvec2 a = place(r.pressed_at), b = place(r.pointer), low = glm::min(a, b), high = glm::max(a, b);
+        if (r.held) {
+            shown.masks[static_cast<std::size_t>(shown.count++)] = rect_of(view_, low, high);
+            return;
+        }
+        editor_.keying().look.draws_mask = false;
+        if (r.cancelled || high.x - low.x < least_side || high.y - low.y < least_side) return;
+        if (clip_.masks.size() >= most_masks) return;
+        editor_.document.change("Add mask", [&](Content& c) {
+            c.preset.smoke.clips[number_].masks.push_back(
+                {rounded(low.x), rounded(low.y), rounded(high.x - low.x), rounded(high.y - low.y)});
+        });
+    }
+
+    ui::Ui& ui_;
+    app::Editor& editor_;
+    const ui::View& view_;
+    std::size_t number_;
+    const SmokeClip clip_;  ///< as it was when this was built: edits come one at a time
+};
+
+void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
+    app::BenchLook& look = editor.keying().look;
+    const std::size_t count = editor.keying().clip()->masks.size();
+    {
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        ui.push_disabled(count >= most_masks);
+        if (ui::button(
+                ui, "Draw mask",
+                {.tip = "Drag a rectangle on the source picture: what is in it is no smoke", .on = look.draws_mask})) {
+            look.draws_mask = !look.draws_mask;
+            look.shapes = true;
+            if (!look.grid) look.view = static_cast<int>(app::BenchView::source);
+        }
+        if (ui::button(ui, "Add mask",
+                       {.icon = ui::Icon::plus, .tip = "One in the middle, to be moved where it is wanted"}))
+            editor.document.change("Add mask", [&](Content& c) {
+                c.preset.smoke.clips[number].masks.push_back({.x = 0.4, .y = 0.4, .width = 0.2, .height = 0.2});
+            });
+        ui.pop_disabled();
+    }
+    static const ClipMask standard;
+    const Table& table = *clip_table().find("masks");
+    for (std::size_t i = 0; i < editor.keying().clip()->masks.size(); ++i) {
+        ui.push_seed(i);
+        const std::string_view name = ui.join({"Mask ", ui.copy(std::to_string(i + 1))});
+        {
+            const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+            ui::label(ui, name, {.width = ui::grow()});
+            if (ui::icon_button(ui, ui::Icon::cross, "Remove mask", {.quiet = true}))
+                editor.document.change("Remove mask", [&](Content& c) {
+                    auto& masks = c.preset.smoke.clips[number].masks;
+                    masks.erase(masks.begin() + static_cast<std::ptrdiff_t>(i));
+                });
+        }
+        const OwnerOf owner = [number, i](Content& c) -> void* {
+            auto& clips = c.preset.smoke.clips;
+            return number < clips.size() && i < clips[number].masks.size() ? &clips[number].masks[i] : nullptr;
+        };
+        const auto& saved = saved_clip(editor, number).masks;
+        table_rows(ui, editor, table, owner,
+                   {.prefix = name, .standard = &standard, .saved = i < saved.size() ? &saved[i] : &standard});
+        ui.pop_seed();
+    }
+}
+
+}  // namespace
+
+void ClipShapes::build(ui::Ui& ui, const ui::View& view, void* with) {
+    app::Editor& editor = static_cast<ClipShapes*>(with)->editor;
+    if (editor.keying().clip() == nullptr || view.area.empty() || !editor.keying().look.shapes) return;
+    Shapes(ui, editor, view).build();
+}
+
+void frame_rows(ui::Ui& ui, app::Editor& editor) {
+    const ui::Section section(ui, "Frame");
+    if (!section) return;
+    const std::size_t number = editor.clip;
+    static const SmokeClip standard;
+    const SmokeClip& saved = saved_clip(editor, number);
+    ui::toggle(ui, "Handles on the source", editor.keying().look.shapes,
+               {.tip = "Source, crop and masks can be dragged on the source picture"});
+    const OwnerOf clip = [number](Content& c) -> void* {
+        return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
+    };
+    const OwnerOf crop = [number](Content& c) -> void* {
+        return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number].crop : nullptr;
+    };
+    for (const char* key : {"source_x", "source_y"})
+        table_row(ui, editor, *clip_table().find_row(key), clip, {.standard = &standard, .saved = &saved});
+    ui::command_button(ui, editor.commands, "clip.source");
+    for (const Parameter& row : clip_table().find("crop")->rows)
+        table_row(ui, editor, row, crop,
+                  {.name = ui.join({"Crop ", row.key}), .standard = &standard.crop, .saved = &saved.crop});
+    table_row(ui, editor, *clip_table().find_row("edge_fade"), clip, {.standard = &standard, .saved = &saved});
+    mask_rows(ui, editor, number);
+}
+
+}  // namespace lapfx::panels

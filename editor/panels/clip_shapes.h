@@ -1,0 +1,21 @@
+// Places of the selected clip's frame: where its smoke starts, what is cropped, and its masks; as handles on the source picture of
+// the keying bench, and as rows.
+#pragma once
+
+#include "app/editor.h"
+#include "ui/canvas/view.h"
+
+namespace lapfx::panels {
+
+/// For ImageViewOptions::over. Arrows move a handle by a pixel of the clip, Shift by ten; Delete, Backspace and a double click put
+/// the source or an edge back to what was saved, and take a mask out.
+struct ClipShapes {
+    app::Editor& editor;
+    /// `with`: a ClipShapes.
+    static void build(ui::Ui& ui, const ui::View& view, void* with);
+};
+
+/// Crop, edge fade and masks as numbers, and what makes masks.
+void frame_rows(ui::Ui& ui, app::Editor& editor);
+
+}  // namespace lapfx::panels

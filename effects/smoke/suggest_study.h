@@ -1,0 +1,60 @@
+// What pictures of a clip are made of: background, what changes, and what stands still. Of small blocks. Pure; any thread.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <glm/glm.hpp>
+#include <span>
+#include <vector>
+
+#include "lapfx/preset.h"
+#include "smoke/keying.h"
+
+namespace lapfx::smoke {
+
+inline constexpr float least_chroma = 24.0f;  // code values from grey, from which on a background is keyed by chroma
+
+/// Luma and chroma apart: as far as a keyer sees it.
+inline float difference(glm::vec3 a, glm::vec3 b) {
+    return std::max(std::abs(luma(a) - luma(b)), glm::distance(chroma(a), chroma(b)));
+}
+
+/// One block in one picture.
+struct Block {
+    glm::vec3 mean{0.0f};  ///< R'G'B'
+    float weight = 1.0f;
+    bool background = false;
+};
+
+enum class Place { changing, quiet, mark };
+
+/// What the survey is worked out from, step by step.
+struct Study {
+    std::size_t blocks = 0;           ///< a picture
+    int edge = 0;                     ///< of a block, pixels
+    glm::ivec2 size{0};               ///< of the frame
+    glm::ivec2 low{0}, high{0};       ///< of it, what the crop leaves
+    glm::ivec2 pitch{0};              ///< from block to block
+    std::vector<glm::ivec2> corners;  ///< upper left, of the blocks
+    std::size_t pixels = 0;           ///< a block
+    std::vector<Block> all;           ///< picture after picture
+    std::vector<Place> places;        ///< a block's, over time
+    glm::vec3 background{0.0f};
+    bool plain = true;           ///< there is one; otherwise black is assumed
+    double share = 0.0;          ///< that is background
+    double concentration = 0.0;  ///< of what is like the background, what is just like it
+    double marks = 0.0;          ///< share of the picture
+
+    std::size_t pictures() const { return blocks > 0 ? all.size() / blocks : 0; }
+    const Block& at(std::size_t picture, std::size_t block) const { return all[picture * blocks + block]; }
+};
+
+/// Which blocks are background, and its colour. Not the most frequent colour, but the likeliest of the frequent ones: smoke may
+/// fill nearly all of a clip. Without a plain one black is taken.
+void find_background(Study& study);
+/// What each block shows over time.
+void find_places(Study& study);
+/// Rectangles around marks that stand before the background, fractions of the frame; the largest first.
+std::vector<ClipMask> masks_of(const Study& study);
+
+}  // namespace lapfx::smoke
