@@ -20,15 +20,18 @@ std::string lower_extension(const fs::path& path) {
 }
 
 void open_scene(Opened& opened, const fs::path& file) {
-    opened.content.scene = load_scene(file);
-    opened.content.preset = preset_of(opened.content.scene);
+    Scene& scene = opened.content.scene = load_scene(file);
+    // As the document has them: what is loaded early is then what it asks for.
+    scene.folder = document::folder_of(file);
+    opened.content.preset = preset_of(scene);
     opened.scene_file = file;
-    opened.preset_file =
-        opened.content.scene.preset.empty() ? fs::path() : opened.content.scene.folder / opened.content.scene.preset;
+    opened.preset_file = scene.preset.empty() ? fs::path() : (scene.folder / scene.preset).lexically_normal();
+    if (!scene.preset.empty()) opened.content.preset.folder = document::folder_of(opened.preset_file);
 }
 
 void open_preset(Opened& opened, const fs::path& file) {
     opened.content.preset = load_preset(file);
+    opened.content.preset.folder = document::folder_of(file);
     opened.preset_file = file;
 }
 
