@@ -68,8 +68,15 @@ std::vector<std::filesystem::path> PreparedOrgan::files() const {
 bool PreparedOrgan::made_for(const Scene& scene) const {
     const SceneOrgan& organ = state_->organ_source;
     const SceneTool& tool = state_->tool_source;
-    return state_->folder == scene.folder && organ.file == scene.organ.file && organ.scale == scene.organ.scale &&
-           organ.rotation == scene.organ.rotation && tool.file == scene.tool.file && tool.scale == scene.tool.scale;
+    // The same file, however it is named and from wherever.
+    const auto same_file = [&](const std::string& made, const std::string& wanted) {
+        if (made.empty() || wanted.empty()) return made == wanted;
+        return std::filesystem::absolute(state_->folder / made).lexically_normal() ==
+               std::filesystem::absolute(scene.folder / wanted).lexically_normal();
+    };
+    return same_file(organ.file, scene.organ.file) && organ.scale == scene.organ.scale &&
+           organ.rotation == scene.organ.rotation && same_file(tool.file, scene.tool.file) &&
+           tool.scale == scene.tool.scale;
 }
 
 std::size_t PreparedOrgan::memory() const {

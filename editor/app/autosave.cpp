@@ -79,9 +79,12 @@ void Autosave::update(double now) {
     if (const std::uint64_t state = this->state(); state != seen_) {
         seen_ = state;
         const bool unsaved = editor_.document.unsaved();
-        if (unsaved && std::isinf(due_)) due_ = now + wait;
+        if (unsaved) {
+            if (std::isinf(due_)) latest_ = now + wait;
+            due_ = std::min(now + pause, latest_);
+        }
         // Saved: what is kept says so at once, or a crash would offer work that is on the disk.
-        if (!unsaved && unsaved_ && written_) due_ = now;
+        if (!unsaved && unsaved_ && written_) due_ = latest_ = now;
         if (!unsaved && !written_) due_ = never;
         if (!unsaved && unsaved_) {
             for (document::LeftBehind& left : recovered_) {
@@ -95,14 +98,14 @@ void Autosave::update(double now) {
         }
         unsaved_ = unsaved;
     }
-    if (std::exchange(soon_, false) && unsaved_) due_ = now;
+    if (std::exchange(soon_, false) && unsaved_) due_ = latest_ = now;
     if (now >= due_) write(now);
 }
 
 void Autosave::write(double now) {
     due_ = never;
     if (writer_.busy()) {  // a slow disk: the next one holds this as well
-        due_ = now + 1;
+        due_ = latest_ = now + 1;
         return;
     }
     written_ = true;
@@ -114,7 +117,7 @@ void Autosave::write(double now) {
         },
         [this, now](const std::vector<Fault>& faults) {
             failed(faults.empty() ? "unknown" : faults.front().text());
-            due_ = now + wait;
+            due_ = latest_ = now + wait;
         });
 }
 

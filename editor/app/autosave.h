@@ -1,6 +1,6 @@
 // What is not saved yet, kept in the user's state folder, and offered again after a crash.
 //
-// Kept 5 s after a change, when something went wrong, and once more when it has been saved. Written on a thread of its own. What
+// Kept when nothing has been changed for 2 s, 5 s after the first change at the latest, when something went wrong, and once more when it has been saved. Written on a thread of its own. What
 // is kept goes when the editor ends with everything saved or given up by choice (end()); after a crash it stays, and find() of the
 // next editor offers it. What was recovered stays as well, until the recovered work is saved.
 #pragma once
@@ -19,7 +19,8 @@ class Editor;
 
 class Autosave {
   public:
-    static constexpr double wait = 5;  ///< s from a change until it is kept
+    static constexpr double pause = 2;  ///< s without another change until it is kept
+    static constexpr double wait = 5;   ///< s from a change until it is kept at the latest
 
     explicit Autosave(Editor& editor);
     ~Autosave();
@@ -62,7 +63,7 @@ class Autosave {
     document::KeepFolder folder_;  ///< of the writer's thread, but when nothing runs there
     std::uint64_t seen_ = 0;       ///< state() when it was last looked at
     bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;
-    double due_ = std::numeric_limits<double>::infinity();
+    double due_ = std::numeric_limits<double>::infinity(), latest_ = due_;  ///< s; of what changes again and again
     std::vector<Offer> offers_;
     std::vector<document::LeftBehind> recovered_;
     Jobs writer_;  ///< last: its thread ends first

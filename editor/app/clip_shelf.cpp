@@ -242,22 +242,6 @@ bool ClipShelf::is_outside(const ClipFacts& facts) const {
 
 // --- adding ----------------------------------------------------------------------------------------------------------------
 
-/// Whether some clip is found in the preset's folder only.
-bool ClipShelf::needs_folder() const {
-    const Preset& preset = editor_.document.preset();
-    return std::any_of(preset.smoke.clips.begin(), preset.smoke.clips.end(), [&](const SmokeClip& clip) {
-        return !fs::path(clip.file).is_absolute() && fs::exists(preset.folder / clip.file);
-    });
-}
-
-/// How the preset, as it lies now, names this file.
-std::string ClipShelf::name_of(const fs::path& file) const {
-    for (const fs::path& folder : editor_.options().clip_folders)
-        if (file.parent_path() == folder) return file.filename().string();
-    const std::string inside = within(file, editor_.document.preset().folder);
-    return inside.empty() ? file.string() : inside;
-}
-
 void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
     if (files.empty()) return;
     cancel_work();
@@ -297,16 +281,13 @@ void ClipShelf::take_found(const std::vector<std::string>& files, const std::vec
     if (files.empty()) return;
     for (auto file = files.rbegin(); file != files.rend(); ++file) editor_.settings().note_recent(*file);
     document::Document& document = editor_.document;
-    // Where no other clip depends on it, the folder is that of the new ones: they are seen at once.
-    const fs::path folder = fs::path(files[0]).parent_path();
-    const bool elsewhere = fs::path(name_of(files[0])).is_absolute();
-    if (elsewhere && !needs_folder()) document.edit([&](document::Content& c) { c.preset.folder = folder; });
     if (replace) {
         if (*replace >= document.preset().smoke.clips.size()) return;
         return document.change("Replace clip", [&](document::Content& c) {
             SmokeClip& clip = c.preset.smoke.clips[*replace];
-            clip.file = name_of(files[0]);
+            clip.file = files[0];
             clip.in = clip.out = 0;  // of another file
+            document.gather_clips(c.preset);
         });
     }
     std::size_t added = 0;
@@ -315,10 +296,11 @@ void ClipShelf::take_found(const std::vector<std::string>& files, const std::vec
                         for (const std::string& file : files) {
                             if (c.preset.smoke.clips.size() >= most_clips) break;
                             SmokeClip& clip = c.preset.smoke.clips.emplace_back();
-                            clip.file = name_of(file);
+                            clip.file = file;
                             take_source(clip, sources[added]);  // a new clip is a plume
                             ++added;
                         }
+                        document.gather_clips(c.preset);
                     });
     if (added > 0) editor_.clip = document.preset().smoke.clips.size() - 1;
     if (added < files.size())
@@ -335,9 +317,10 @@ void ClipShelf::copy_beside() {
         if (outside(i)) from[clips[i].file] = of(i).path;
     copy(from, to, [this, to](const std::map<std::string, std::string>& names) {
         editor_.document.change("Copy clips beside the preset", [&](document::Content& c) {
-            c.preset.folder = to;
             for (SmokeClip& clip : c.preset.smoke.clips)
-                if (const auto name = names.find(clip.file); name != names.end()) clip.file = name->second;
+                if (const auto name = names.find(clip.file); name != names.end())
+                    clip.file = (to / name->second).string();
+            editor_.document.gather_clips(c.preset);
         });
     });
 }
@@ -349,11 +332,11 @@ void ClipShelf::copy_to(const fs::path& folder, std::function<void()> then) {
     for (std::size_t i = 0; i < clips.size(); ++i)
         if (std::find(needed.begin(), needed.end(), clips[i].file) != needed.end()) from[clips[i].file] = of(i).path;
     copy(from, folder, [this, folder, then = std::move(then)](const std::map<std::string, std::string>& names) {
-        // Whole paths: saving makes them fit the preset's new folder, whatever the former one was.
         editor_.document.change("Copy clips", [&](document::Content& c) {
             for (SmokeClip& clip : c.preset.smoke.clips)
                 if (const auto name = names.find(clip.file); name != names.end())
                     clip.file = (folder / name->second).string();
+            editor_.document.gather_clips(c.preset);
         });
         then();
     });

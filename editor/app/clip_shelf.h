@@ -87,8 +87,6 @@ class ClipShelf {
                     std::optional<std::size_t> replace);
     void copy(const std::map<std::string, std::filesystem::path>& from, const std::filesystem::path& to,
               std::function<void(const std::map<std::string, std::string>&)> taken);
-    std::string name_of(const std::filesystem::path& file) const;
-    bool needs_folder() const;
     bool is_outside(const ClipFacts& facts) const;
     void follow();
 

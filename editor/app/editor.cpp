@@ -1,6 +1,9 @@
 #include "app/editor.h"
 
+#include <glad/gl.h>
+
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <tuple>
 
@@ -14,6 +17,7 @@
 #include "app/layouts.h"
 #include "app/meter.h"
 #include "app/open.h"
+#include "app/orbit.h"
 #include "app/organ_choice.h"
 #include "app/reference.h"
 #include "app/settings.h"
@@ -154,14 +158,13 @@ Shot Editor::shot() const {
     SceneCamera camera = document.scene().camera;
     if (!looking.endoscope) {
         // The lamp is at the camera: nearer than the scene's the picture would burn out, and an endoscope turns it down, too.
-        const double nearer = glm::distance(looking.camera.eye, looking.camera.target) /
-                              std::max(glm::distance(camera.eye, camera.target), 1.0);
+        const double nearer = nearness(camera, looking.camera);
         const double exposure = camera.exposure * std::clamp(nearer * nearer, 0.05, 4.0);
         camera = looking.camera;
         camera.exposure = exposure;
         camera.vignette = 0;
     }
-    return {.time = timeline.time, .camera = camera, .overlay = looking.overlay};
+    return {.time = timeline.time, .camera = camera, .overlay = looking.overlay, .scale = scene_scale()};
 }
 
 /// A tool in the hand needs time, and may be held beyond the end; else play goes round, or stops.
@@ -205,7 +208,9 @@ void Editor::update(double now) {
     jobs.take();
     if (now_ >= 0) advance(std::clamp(now - now_, 0.0, still_longest));
     now_ = now;
-    hold.update(*this, ui_ != nullptr && ui_->held() != 0);
+    const bool held = ui_ != nullptr && ui_->held() != 0;
+    if (held && playing()) touch(now);  // also while the pointer rests: the next movement is to be seen at once
+    hold.update(*this, held);
     tidy_gesture();
     tidy_selection();
     tidy_eyedropper();
@@ -243,14 +248,33 @@ void Editor::follow() {
     if (told() != before && ui_ != nullptr) ui_->wake("the preview");
 }
 
+double Editor::clock() const {
+    if (options_.clock) return options_.clock();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
 bool Editor::draw() {
     follow();
-    if (options_.exact) return draw_pictures();
+    return options_.exact ? draw_pictures() : draw_in_turn();
+}
+
+bool Editor::draw_in_turn() {
+    const bool working = pace_.touched(now_);
+    if (!working && options_.software) pace_.expect(meter_->scene.seconds());
+    if (!pace_.due(now_)) {
+        if (ui_ != nullptr) ui_->wake("the scene's turn");
+        return false;
+    }
+    const double begin = clock();
     meter_->scene.begin();
     const bool drawn = draw_pictures();
     meter_->scene.end();
     meter_->frame(now_, playing(), drawn);
-    return drawn;
+    if (!drawn) return false;
+    // Without a GPU the work is done where it is waited for: here, so that it is known, and not in what the panels draw.
+    if (working && options_.software) glFinish();
+    pace_.drawn(now_, now_ + clock() - begin);
+    return true;
 }
 
 bool Editor::wants_frame() const {

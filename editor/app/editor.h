@@ -19,6 +19,7 @@
 
 #include "app/jobs.h"
 #include "app/preview_host.h"
+#include "app/scene_pace.h"
 #include "app/tool_hold.h"
 #include "document/document.h"
 #include "document/folders.h"
@@ -53,6 +54,7 @@ struct EditorOptions {
     bool exact = false;
     std::string renderer;                        ///< GL_RENDERER, for the status bar
     bool software = false;                       ///< no GPU
+    std::function<double()> clock{};             ///< s, for what pictures cost; empty: this computer's
     ui::FileSystem* files = nullptr;             ///< of file dialogs; null: this computer's
     std::shared_ptr<EarlyLoad> early = nullptr;  ///< of the document that will be opened first
 };
@@ -140,13 +142,18 @@ class Editor {
     // --- a frame ----------------------------------------------------------------------------------------------------
     /// Once before each frame: time goes on, results of jobs are applied. `now`: s, any origin.
     void update(double now);
+    /// A person does something, at the `now` of the update() that follows: what is drawn without a GPU makes room.
+    void touch(double now) { pace_.touch(now); }
     /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
     void set_ui(ui::Ui& ui);
     ui::Ui& ui() { return *ui_; }
     /// Once after each frame: draws what the panels asked for. Gives whether a picture has changed, so that the window has to be
     /// drawn although its list is the same.
     bool draw();
-    Shot shot() const;  ///< of the viewport, as it is now
+    Shot shot() const;                                                             ///< of the viewport, as it is now
+    double scene_scale() const { return options_.exact ? 1 : pace_.scale(now_); }  ///< Shot::scale
+    /// When a scene that was drawn coarsely, to make room, is to be drawn whole, s; infinite: it is.
+    double whole_at() const { return pace_.whole_at(); }
     bool playing() const { return timeline.speed != 0; }
     double duration() const;  ///< s, of the scene
     void seek(double time);
@@ -164,6 +171,8 @@ class Editor {
     void advance(double seconds);
     void follow();
     bool draw_pictures();
+    bool draw_in_turn();
+    double clock() const;
     void tidy_gesture();
     void tidy_selection();
     void tidy_eyedropper();
@@ -186,6 +195,7 @@ class Editor {
     std::unique_ptr<Meter> meter_;
     std::function<void(const std::vector<std::string>&)> file_asked_;
     double now_ = -1;
+    ScenePace pace_;
     bool closing_ = false, closed_ = false;
     // As they were at the last update().
     std::size_t events_before_ = 0;

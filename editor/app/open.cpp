@@ -26,14 +26,18 @@ fs::path preset_file_of(const Scene& scene) {
 }
 
 void open_scene(Opened& opened, const fs::path& file) {
-    opened.content.scene = load_scene(file);
-    opened.content.preset = preset_of(opened.content.scene);
+    Scene& scene = opened.content.scene = load_scene(file);
+    // As the document has them: what is loaded early is then what it asks for.
+    scene.folder = document::folder_of(file);
+    opened.content.preset = preset_of(scene);
     opened.scene_file = file;
-    opened.preset_file = preset_file_of(opened.content.scene);
+    opened.preset_file = preset_file_of(scene);
+    if (!scene.preset.empty()) opened.content.preset.folder = document::folder_of(opened.preset_file);
 }
 
 void open_preset(Opened& opened, const fs::path& file) {
     opened.content.preset = load_preset(file);
+    opened.content.preset.folder = document::folder_of(file);
     opened.preset_file = file;
 }
 

@@ -74,4 +74,8 @@ SceneCamera frame(const OrganReport& organ) {
     return camera;
 }
 
+double nearness(const SceneCamera& from, const SceneCamera& seen) {
+    return glm::distance(seen.eye, seen.target) / std::max(glm::distance(from.eye, from.target), 1.0);
+}
+
 }  // namespace lapfx::app

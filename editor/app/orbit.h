@@ -21,6 +21,9 @@ void zoom_at(SceneCamera& camera, double factor, const glm::dvec3& place);
 /// Looks at `place` from the same side and distance.
 void center_on(SceneCamera& camera, const glm::dvec3& place);
 
+/// How far `seen` is from what it looks at, as a part of how far `from` is: what light that comes along is farther away by.
+double nearness(const SceneCamera& from, const SceneCamera& seen);
+
 /// Where an instrument enters so that it is seen from the right, as in a picture of two ports; mm.
 glm::dvec3 port_for(const SceneCamera& camera);
 

@@ -28,7 +28,10 @@ std::string key_of(const Scene& scene) {
     key.organ.color = SceneOrgan().color;  // live
     key.tool.file = scene.tool.file;
     key.tool.scale = scene.tool.scale;
-    return write_scene(key) + scene.folder.string();
+    // However they are named, and from wherever.
+    for (std::string* file : {&key.organ.file, &key.tool.file})
+        if (!file->empty()) *file = std::filesystem::absolute(scene.folder / *file).lexically_normal().string();
+    return write_scene(key);
 }
 
 std::string text_of(const Preset& preset) {
@@ -166,10 +169,11 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
         }
     };
     organ_files_ = organ->files();
-    Preset bare = wanted_.preset;
+    const Preset whole = document::mended(wanted_.preset, good_);
+    Preset bare = whole;
     bare.smoke.clips.clear();
-    const bool known = options_.clip_cache->knows(wanted_.preset, options_.clip_folders);
-    if (!(known && make(wanted_.preset)) && !make(bare) && !make({})) return false;
+    const bool known = options_.clip_cache->knows(whole, options_.clip_folders);
+    if (!(known && make(whole)) && !make(bare)) return false;
     organ_ = organ;
     ++organ_version_;
     overlay_ = options_.overlay;
@@ -179,30 +183,32 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
 }
 
 void PreviewHost::follow_preset() {
-    const Preset& preset = wanted_.preset;
-    std::string text = text_of(preset);
+    std::string text = text_of(wanted_.preset);
     if (!preview_ || text == preset_text_) return;
     changed_ = true;
     preset_text_ = std::move(text);
+    // One value that cannot be shown keeps no other from being seen.
+    const Preset preset = document::mended(wanted_.preset, good_);
     if (!options_.clip_cache->knows(preset, options_.clip_folders)) {
         look_through_clips();
-        return show_parameters();
+        return show_parameters(preset);
     }
     if (clips_job_) std::exchange(clips_job_, nullptr)->cancel();
     try {
         preview_->set_preset(preset);
-        preset_faults_.clear();
+        good_ = preset;
+        preset_faults_ = check(preset_table(), &wanted_.preset);
     } catch (const Error& error) {
         preset_faults_ = error.faults();
-        show_parameters();
+        show_parameters(preset);
     }
 }
 
 /// The clips that play go on; all else is live.
-void PreviewHost::show_parameters() {
+void PreviewHost::show_parameters(const Preset& preset) {
     try {
-        preview_->set_parameters(wanted_.preset);
-        if (clips_job_) preset_faults_.clear();
+        preview_->set_parameters(preset);
+        if (clips_job_) preset_faults_ = check(preset_table(), &wanted_.preset);
     } catch (const Error& error) {
         preset_faults_ = error.faults();
     }
@@ -356,15 +362,27 @@ bool PreviewHost::draw_into(const Target& target, const Shot& wanted, Shot& last
     Shot shot = wanted;
     if (organ_job_ && drawn != 0) shot.camera = last.camera;
     if (std::exchange(changed_, false)) ++revision_;
-    const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay;
+    const bool same = shot.time == last.time && same_camera(shot.camera, last.camera) && shot.overlay == last.overlay &&
+                      shot.scale <= last.scale;
     if (same && drawn == revision_ && !tool_on_ && !late()) return false;
     if (std::exchange(overlay_, shot.overlay) != shot.overlay) preview_->set_overlay(shot.overlay);
     preview_->set_camera(shot.camera);
-    preview_->draw(shot.time, target.size(), target.framebuffer());
+    if (shot.scale < 1)
+        draw_stretched(target, shot);
+    else
+        preview_->draw(shot.time, target.size(), target.framebuffer());
     last = shot;
     drawn = revision_;
     unchecked_ = true;
     return true;
+}
+
+void PreviewHost::draw_stretched(const Target& target, const Shot& shot) {
+    const glm::ivec2 to = target.size();
+    small_.resize(glm::max(glm::ivec2(glm::round(glm::dvec2(to) * shot.scale)), glm::ivec2(1)));
+    preview_->draw(shot.time, small_.size(), small_.framebuffer());
+    glBlitNamedFramebuffer(small_.framebuffer(), target.framebuffer(), 0, 0, small_.size().x, small_.size().y, 0, 0,
+                           to.x, to.y, GL_COLOR_BUFFER_BIT, GL_LINEAR);
 }
 
 bool PreviewHost::late() const {

@@ -26,6 +26,7 @@ struct Shot {
     double time = 0;  ///< s
     SceneCamera camera;
     Overlay overlay = Overlay::none;
+    double scale = 1;  ///< of the picture's width and height: below 1 it is drawn so much smaller, and stretched
 };
 
 /// Another place to draw it into, of a size of its own, and what was drawn there last.
@@ -68,8 +69,8 @@ class PreviewHost {
     PreviewHost& operator=(const PreviewHost&) = delete;
 
     /// Shows the document from the next draw() on, or when what it needs is loaded; with PreviewOptions::wait_for_clips that is
-    /// waited for. What cannot be shown (a preset whose values contradict each other, a clip or an organ that is gone) leaves what
-    /// was there before, and is told by the faults below.
+    /// waited for. What cannot be shown (values that contradict each other, a clip or an organ that is gone) stays what it was
+    /// before, all else is shown, and the faults below tell of it.
     void follow(const document::Document& document);
     /// Makes room for pictures of this size, px; picture() is another one then. Before the list that shows it is drawn.
     void resize(glm::ivec2 size);
@@ -138,8 +139,9 @@ class PreviewHost {
     void follow_preset();
     void follow_scene();
     void look_through_clips();
-    void show_parameters();
+    void show_parameters(const Preset& preset);
     bool draw_into(const Target& target, const Shot& shot, Shot& last, std::uint64_t& drawn);
+    void draw_stretched(const Target& target, const Shot& shot);
     void push_sample(double time, glm::dvec3 place, bool touching);
 
     PreviewOptions options_;
@@ -149,12 +151,13 @@ class PreviewHost {
     std::shared_ptr<const PreparedOrgan> organ_;  ///< that is shown
     std::uint64_t organ_version_ = 0;
     std::unique_ptr<Preview> preview_;
-    Target target_;
+    Target target_, small_;                             ///< that is shown; that is stretched to it
     std::uint64_t followed_ = 0;                        ///< version of the document
     document::Content wanted_;                          ///< of that
     bool stale_ = false;                                ///< it has to be looked at once more
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
     std::string scene_text_, preset_text_;
+    Preset good_;             ///< that was shown last; it breaks no rule
     std::string organ_key_;   ///< of the organ that was asked for last
     std::string clips_text_;  ///< of the preset whose clips are looked through
     std::vector<std::filesystem::path> organ_files_;

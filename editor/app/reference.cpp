@@ -269,7 +269,10 @@ ui::Picture Reference::compared_reference() const {
 
 bool Reference::draw() {
     if (!compares_ || copy_.target.texture() == 0) return false;
-    const Shot shot{.time = editor_.timeline.time, .camera = editor_.document.scene().camera, .overlay = Overlay::none};
+    const Shot shot{.time = editor_.timeline.time,
+                    .camera = editor_.document.scene().camera,
+                    .overlay = Overlay::none,
+                    .scale = editor_.scene_scale()};
     const bool first = copy_.revision == 0;
     if (!editor_.preview.draw_into(copy_, shot)) return false;
     if (first) editor_.ui().wake("the preview beside the reference");  // it may have been built without

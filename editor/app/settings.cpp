@@ -21,6 +21,7 @@ constexpr std::size_t longest_file = std::size_t{1} << 20U;
 constexpr double settle = 1;  // s without another change before it is written
 constexpr std::string_view shown_layout = "(shown)";
 constexpr float least_scale = 0.75F, most_scale = 3;
+constexpr std::int64_t most_screen = 1 << 20;  // of any desktop
 
 /// Reads one key after the other; one of the wrong type is told, and left as it was.
 class Reader {
@@ -52,6 +53,22 @@ class Reader {
         value.clear();
         for (const auto& [name, item] : j->items())
             if (expect(item.is_string(), key, "an object of strings") && value.size() < most) value[name] = item;
+    }
+    void place(const char* key, WindowPlace& value) {
+        const Json* j = find(key);
+        if (j == nullptr || !expect(j->is_object(), key, "an object")) return;
+        const auto whole = [&](const char* name) {
+            const auto found = j->find(name);
+            return found != j->end() && found->is_number_integer()
+                       ? std::clamp(found->get<std::int64_t>(), -most_screen, most_screen)
+                       : most_screen + 1;
+        };
+        const std::int64_t x = whole("x"), y = whole("y"), width = whole("width"), height = whole("height");
+        const bool good = std::max({x, y, width, height}) <= most_screen && width > 0 && height > 0;
+        if (!expect(good, key, "x, y, width and height, whole numbers of screen units")) return;
+        const auto maximized = j->find("maximized");
+        value = {.area = {.at = {x, y}, .size = {width, height}},
+                 .maximized = maximized != j->end() && maximized->is_boolean() && maximized->get<bool>()};
     }
     void object(const char* key, std::string& value) {
         if (const Json* j = find(key); j != nullptr && expect(j->is_object(), key, "an object")) value = j->dump();
@@ -133,6 +150,7 @@ void Settings::apply(const std::string& text) {
     reader.flag("half_resolution", half_resolution);
     reader.flag("hint_seen", hint_seen);
     reader.number("scale", scale, least_scale, most_scale);
+    reader.place("window", window);
     reader.list("recent", recent, most_recent);
     std::erase_if(recent, [&](const std::string& name) {
         const bool whole = fs::path(name).is_absolute();
@@ -181,6 +199,7 @@ Settings::State Settings::state(Editor& e) const {
             .half_resolution = half_resolution,
             .hint_seen = hint_seen,
             .scale = scale,
+            .window = window,
             .recent = recent,
             .favourites = favourites,
             .file_folders = e.file_dialog.recent(),
@@ -200,6 +219,12 @@ std::string Settings::text(Editor& e) const {
     json["version"] = 1;
     json["light"] = light;
     json["scale"] = std::round(scale * 1000.0) / 1000.0;
+    if (window)
+        json["window"] = {{"x", window.area.at.x},
+                          {"y", window.area.at.y},
+                          {"width", window.area.size.x},
+                          {"height", window.area.size.y},
+                          {"maximized", window.maximized}};
     json["reduced_motion"] = reduced_motion;
     json["half_resolution"] = half_resolution;
     json["hint_seen"] = hint_seen;
@@ -222,10 +247,10 @@ void Settings::update(Editor& editor, double now) {
     // Comparing costs next to nothing; copies are made when something has changed.
     const bool same = written_.light == light && written_.reduced_motion == reduced_motion &&
                       written_.half_resolution == half_resolution && written_.hint_seen == hint_seen &&
-                      written_.scale == scale && written_.recent == recent && written_.favourites == favourites &&
-                      written_.file_folders == editor.file_dialog.recent() && written_.last_folders == last_folders_ &&
-                      written_.preset_folders == preset_folders && written_.preset_stars == preset_stars &&
-                      written_.layout_name == editor.layouts().name() &&
+                      written_.scale == scale && written_.window == window && written_.recent == recent &&
+                      written_.favourites == favourites && written_.file_folders == editor.file_dialog.recent() &&
+                      written_.last_folders == last_folders_ && written_.preset_folders == preset_folders &&
+                      written_.preset_stars == preset_stars && written_.layout_name == editor.layouts().name() &&
                       written_.shown == editor.layouts().arranged() && written_.commands == editor.commands.version() &&
                       written_.own_layouts == editor.layouts().version();
     if (same) {

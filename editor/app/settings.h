@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/window_place.h"
 #include "document/folders.h"
 #include "ui/widgets/dock_layout.h"
 
@@ -28,6 +29,7 @@ class Settings {
     bool reduced_motion = false;
     bool half_resolution = false;     ///< of the view
     bool hint_seen = false;           ///< the three lines of the first run
+    WindowPlace window;               ///< where it was last
     std::vector<std::string> recent;  ///< files, the newest first
     /// Keys of parameters that are listed first: what Halic et al. tune.
     std::vector<std::string> favourites = {"smoke.keying.luma_low", "bleeding.noise_scale", "bleeding.speed",
@@ -58,6 +60,7 @@ class Settings {
     struct State {
         bool light = false, reduced_motion = false, half_resolution = false, hint_seen = false;
         float scale = 0;
+        WindowPlace window;
         std::vector<std::string> recent, favourites, file_folders, preset_folders, preset_stars;
         std::map<std::string, std::string> last_folders;
         std::string layout_name;

@@ -39,10 +39,7 @@ void Snapshots::move(const std::filesystem::path& from, const std::filesystem::p
 }
 
 Preset Snapshots::preset(std::size_t slot) const {
-    Preset preset = all_[slot]->preset;
-    // A document without a file lies nowhere yet: then the snapshot brings its folder along.
-    if (const auto& folder = editor_.document.preset().folder; !folder.empty()) editor_.document.move(preset, folder);
-    return preset;
+    return all_[slot]->preset;
 }
 
 void Snapshots::show(std::size_t slot) {
@@ -63,20 +60,14 @@ void Snapshots::show(std::size_t slot) {
     editor_.document.change(name, [&](document::Content& c) { c.preset = preset(slot); });
 }
 
-std::string Snapshots::text_of(std::size_t slot) const {
-    return all_[slot] ? write_preset(preset(slot)) : std::string();
-}
-
 bool Snapshots::shown(std::size_t slot) const {
     const std::uint64_t version = editor_.document.version();
     if (compared_document_ != version || compared_ != version_) {
         compared_document_ = version;
         compared_ = version_;
         same_.fill(false);
-        bool any = false;
-        for (const auto& snapshot : all_) any |= snapshot.has_value();
-        const std::string now = any ? write_preset(editor_.document.preset()) : std::string();
-        for (std::size_t i = 0; i < count; ++i) same_[i] = all_[i] && text_of(i) == now;
+        for (std::size_t i = 0; i < count; ++i)
+            same_[i] = all_[i] && document::same(all_[i]->preset, editor_.document.preset());
     }
     return same_[slot];
 }

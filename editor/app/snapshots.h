@@ -55,8 +55,6 @@ class Snapshots {
     std::uint64_t version() const { return version_; }
 
   private:
-    std::string text_of(std::size_t slot) const;
-
     Editor& editor_;
     std::array<std::optional<Snapshot>, count> all_;
     std::optional<Preset> before_;  ///< a snapshot was shown

@@ -23,13 +23,18 @@ namespace {
 
 struct Options {
     std::vector<std::string> files;
-    std::string screenshot, dump, dump_on_close, layout, size = "1440x900", theme = "", backend = "auto";
+    std::string screenshot, dump, dump_on_close, layout, size, theme = "", backend = "auto";
     double at = -1;
     float scale = 0;
     bool statistics = false;
 };
 
+constexpr glm::ivec2 standard_size{1440, 900};
 constexpr double sample_moment = 6;  // s of the sample scene, when there is blood and smoke
+
+glm::ivec2 size_of(const Options& o) {
+    return o.size.empty() ? standard_size : parse_size(o.size);
+}
 
 /// Before there is a window: a file that cannot be opened is told on the command line.
 app::Opened open_all(const std::vector<std::string>& files) {
@@ -54,7 +59,7 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
 
 /// The editor as a picture, and the tree of its widgets.
 void write_files(const Options& o) {
-    const glm::ivec2 size = parse_size(o.size);
+    const glm::ivec2 size = size_of(o);
     if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
         throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
     for (const std::string& file : {o.screenshot, o.dump}) {
@@ -84,7 +89,7 @@ void show_window(const Options& o) {
     const auto early = app::load_early(opened.content.scene, opened.content.preset, clip_folders());
     ui::ImageStore images;
     window::UiWindow window({.title = "lapfx",
-                             .size = parse_size(o.size),
+                             .size = size_of(o),
                              .scale = o.scale,
                              .images = &images,
                              .log = o.statistics ? &std::cerr : nullptr});
@@ -108,12 +113,17 @@ void show_window(const Options& o) {
     for (const std::string& file : o.files) settings.note_recent(file);
     if (o.scale <= 0) window.set_scale(settings.scale);
     float scale = settings.scale;
+    if (o.size.empty()) window.put(settings.window);
     editor->files().note_opened();
     editor->autosave().find();
     if (o.at < 0) editor->timeline.speed = 1;  // what it is about is seen at once
+    double touched = -1;                       // s: the last input that the editor knows of
     const window::UiProgram program{.update =
                                         [&](double now) {
                                             if (o.scale <= 0) follow_scale(window, settings, scale);
+                                            settings.window = window.place();
+                                            if (window.last_input() > touched) editor->touch(now);
+                                            touched = window.last_input();
                                             editor->meter().ui = window.statistics().ui_seconds;
                                             editor->update(now);
                                             window.set_title(editor->files().title());
@@ -159,7 +169,9 @@ void add_edit(CLI::App& app) {
                      "A scene or preset (.json), an organ (.glb, .gltf, .obj, .ply, .stl, .off), a smoke video or "
                      "image, numbered images (smoke_%04d.png)");
     verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window");
-    verb->add_option("--size", o->size, "WxH in pixels; of a window, at scale 1")->capture_default_str();
+    verb->add_option(
+        "--size", o->size,
+        "WxH in pixels; of a window, at scale 1. Without it a window is as it was left, a picture 1440x900");
     verb->add_option("--layout", o->layout, "How panels are arranged: Tune, Key, Compare, Stage, or one of your own");
     verb->add_option("--theme", o->theme, "dark or light");
     verb->add_option("--at", o->at, "Time it stands at, s")->check(finite_number())->check(CLI::Range(0.0, 86400.0));
@@ -176,10 +188,6 @@ void add_edit(CLI::App& app) {
     verb->add_flag("--statistics", o->statistics, "A line on stderr for every frame that the window makes, and why");
     verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });
-    // `lapfx` alone opens the sample scene.
-    app.callback([&app] {
-        if (app.get_subcommands().empty()) run({});
-    });
 }
 
 }  // namespace lapfx::commands

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapfx/clip.h"
 #include "lapfx/file.h"
 
 namespace lapfx::document {
@@ -16,6 +17,39 @@ void move_scene(Scene& scene, const fs::path& folder) {
     for (std::string* path : {&scene.organ.file, &scene.tool.file, &scene.reference.file, &scene.preset})
         *path = moved_path(*path, scene.folder, folder);
     scene.folder = folder;
+}
+
+/// Absolute, in one spelling: what a document is opened with may be relative to where the program was started.
+fs::path normal(const fs::path& path) {
+    if (path.empty()) return path;
+    const fs::path whole = fs::absolute(path).lexically_normal();
+    return whole.has_filename() ? whole : whole.parent_path();
+}
+
+/// Where a document lies: a bare file name was read from where the program was started.
+fs::path normal_folder(const fs::path& folder, const fs::path& file) {
+    return folder.empty() && !file.empty() ? folder_of(file) : normal(folder);
+}
+
+/// Also a sequence, whose name with its % no file has.
+bool is_there(const fs::path& whole) {
+    try {
+        (void)find_clip(whole.filename().string(), whole.parent_path(), {});
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
+}
+
+bool lies_in(const fs::path& whole, const fs::path& folder) {
+    const fs::path relative = whole.lexically_relative(folder);
+    return !folder.empty() && !relative.empty() && *relative.begin() != "..";
+}
+
+/// The clip's file, or its name where it is none in the preset's folder.
+fs::path whole_clip(const std::string& file, const fs::path& folder) {
+    const fs::path whole = (folder / file).lexically_normal();
+    return is_there(whole) ? whole : fs::path(file);
 }
 
 [[noreturn]] void fail_reading_back(const fs::path& file) {
@@ -45,19 +79,22 @@ std::string moved_path(const std::string& file, const fs::path& from, const fs::
     const fs::path path = file;
     std::error_code error;
     const fs::path whole = path.is_absolute() ? path : from / path;
-    if (!path.is_absolute() && (from.empty() || !fs::exists(whole, error))) return file;
+    if (!path.is_absolute() && (from.empty() || !is_there(whole))) return file;
     const fs::path relative = fs::proximate(whole, to, error);
     return error || relative.empty() ? fs::absolute(whole).string() : relative.generic_string();
 }
 
 std::string Document::moved_clip(const std::string& file, const fs::path& from, const fs::path& to) const {
     const std::string moved = moved_path(file, from, to);
-    const fs::path whole = to / moved, name = whole.filename();
-    const auto shipped = [&](const fs::path& folder) {
+    const fs::path whole = to / moved;
+    return is_shipped(whole) ? whole.filename().string() : moved;
+}
+
+bool Document::is_shipped(const fs::path& clip) const {
+    return std::any_of(clip_folders_.begin(), clip_folders_.end(), [&](const fs::path& folder) {
         std::error_code error;
-        return fs::equivalent(folder / name, whole, error);
-    };
-    return std::any_of(clip_folders_.begin(), clip_folders_.end(), shipped) ? name.string() : moved;
+        return fs::equivalent(folder, clip.parent_path(), error);
+    });
 }
 
 void Document::move(Preset& preset, const fs::path& folder) const {
@@ -65,42 +102,88 @@ void Document::move(Preset& preset, const fs::path& folder) const {
     preset.folder = folder;
 }
 
+void Document::gather_clips(Preset& preset) const {
+    std::vector<fs::path> whole;  // of each clip; empty: it stays a bare name
+    fs::path above;               // of all of them
+    for (const SmokeClip& clip : preset.smoke.clips) {
+        fs::path path = whole_clip(clip.file, preset.folder);
+        if (path.is_absolute() && is_shipped(path)) path = path.filename();
+        if (path.is_absolute()) {
+            const fs::path folder = path.parent_path();
+            if (above.empty()) above = folder;
+            while (!lies_in(folder, above)) above = above.parent_path();
+        }
+        whole.push_back(std::move(path));
+    }
+    const fs::path home = preset_file_.empty() ? preset.folder : folder_of(preset_file_);
+    for (const fs::path& folder : {home, preset.folder})
+        if (!above.empty() && lies_in(above, folder)) {
+            above = folder;
+            break;
+        }
+    preset.folder = above.empty() ? home : above;
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        preset.smoke.clips[i].file =
+            (whole[i].is_absolute() ? whole[i].lexically_relative(preset.folder) : whole[i]).generic_string();
+}
+
+bool same(const Preset& a, const Preset& b) {
+    if (a.folder == b.folder) return write_preset(a) == write_preset(b);
+    const auto resolved = [](Preset preset) {
+        for (SmokeClip& clip : preset.smoke.clips) clip.file = whole_clip(clip.file, preset.folder).generic_string();
+        return write_preset(preset);
+    };
+    return resolved(a) == resolved(b);
+}
+
 bool same(const Content& a, const Content& b) {
-    return write_scene(a.scene) == write_scene(b.scene) && write_preset(a.preset) == write_preset(b.preset);
+    return a.scene.folder == b.scene.folder && write_scene(a.scene) == write_scene(b.scene) && same(a.preset, b.preset);
 }
 
 Document::Document() : saved_scene_(write_scene(content_.scene)), saved_preset_(write_preset(content_.preset)) {}
 
 void Document::open(Content content, fs::path scene_file, fs::path preset_file) {
+    scene_file_ = normal(scene_file);
+    preset_file_ = normal(preset_file);
     content_ = std::move(content);
-    scene_file_ = std::move(scene_file);
-    preset_file_ = std::move(preset_file);
+    content_.scene.folder = normal_folder(content_.scene.folder, scene_file_);
+    content_.preset.folder = normal_folder(content_.preset.folder, preset_file_);
     saved_scene_ = write_scene(content_.scene);
     saved_preset_ = write_preset(content_.preset);
+    saved_scene_folder_ = content_.scene.folder;
+    saved_preset_folder_ = content_.preset.folder;
     note_disk();
     forget_steps();
 }
 
 void Document::open_preset(Preset preset, fs::path preset_file) {
     if (open_) cancel();
+    preset_file_ = normal(preset_file);
     content_.preset = std::move(preset);
-    preset_file_ = std::move(preset_file);
+    content_.preset.folder = normal_folder(content_.preset.folder, preset_file_);
     preset_disk_ = OnDisk::of(preset_file_);
     saved_preset_ = write_preset(content_.preset);
+    saved_preset_folder_ = content_.preset.folder;
     forget_steps();
 }
 
 void Document::recover(Recovered r) {
     if (!r.scene_unsaved) r.scene_in_file = r.content.scene;
     if (!r.preset_unsaved) r.preset_in_file = r.content.preset;
-    scene_file_ = std::move(r.scene_file);
-    preset_file_ = std::move(r.preset_file);
+    scene_file_ = normal(r.scene_file);
+    preset_file_ = normal(r.preset_file);
+    for (Scene* scene : {&r.content.scene, r.scene_in_file ? &*r.scene_in_file : nullptr})
+        if (scene != nullptr) scene->folder = normal_folder(scene->folder, scene_file_);
+    for (Preset* preset : {&r.content.preset, r.preset_in_file ? &*r.preset_in_file : nullptr})
+        if (preset != nullptr) preset->folder = normal_folder(preset->folder, preset_file_);
     scene_disk_ = r.scene_disk;
     preset_disk_ = r.preset_disk;
     saved_scene_ = r.scene_in_file ? write_scene(*r.scene_in_file) : std::string();
     saved_preset_ = r.preset_in_file ? write_preset(*r.preset_in_file) : std::string();
     content_ = {.scene = r.scene_in_file.value_or(r.content.scene),
                 .preset = r.preset_in_file.value_or(r.content.preset)};
+    saved_scene_folder_ = content_.scene.folder;
+    saved_preset_folder_ = content_.preset.folder;
     forget_steps();
     change("Recovered work", [&](Content& c) { c = std::move(r.content); });
 }
@@ -155,10 +238,10 @@ void Document::cancel() {
 }
 
 void Document::set(const Content& content) {
+    // Which preset's file the scene was saved with is no part of what is undone.
+    const std::string preset = moved_path(content_.scene.preset, content_.scene.folder, content.scene.folder);
     content_ = content;
-    // Where the documents lie is no part of what is undone: they may have been saved elsewhere since.
-    if (!scene_file_.empty()) move_scene(content_.scene, folder_of(scene_file_));
-    if (!preset_file_.empty()) move(content_.preset, folder_of(preset_file_));
+    content_.scene.preset = preset;
     touched();
 }
 
@@ -178,21 +261,40 @@ void Document::go_to(std::size_t done) {
     while (done_ < done) redo();
 }
 
+/// What a file in this folder would say.
+std::string Document::text_in(const Scene& scene, const fs::path& folder) const {
+    if (folder.empty() || scene.folder == folder) return write_scene(scene);
+    Scene moved = scene;
+    move_scene(moved, folder);
+    return write_scene(moved);
+}
+
+std::string Document::text_in(const Preset& preset, const fs::path& folder) const {
+    if (folder.empty() || preset.folder == folder) return write_preset(preset);
+    Preset moved = preset;
+    move(moved, folder);
+    return write_preset(moved);
+}
+
 void Document::compare() const {
     if (compared_ == version_) return;
     compared_ = version_;
-    scene_differs_ = write_scene(content_.scene) != saved_scene_;
-    preset_differs_ = write_preset(content_.preset) != saved_preset_;
+    scene_differs_ = text_in(content_.scene, saved_scene_folder_) != saved_scene_;
+    preset_differs_ = text_in(content_.preset, saved_preset_folder_) != saved_preset_;
 }
 
 void Document::reload(Preset preset) {
+    preset.folder = normal_folder(preset.folder, preset_file_);
     saved_preset_ = write_preset(preset);
+    saved_preset_folder_ = preset.folder;
     preset_disk_ = OnDisk::of(preset_file_);
     change("Reload preset", [&](Content& c) { c.preset = std::move(preset); });
 }
 
 void Document::reload(Scene scene) {
+    scene.folder = normal_folder(scene.folder, scene_file_);
     saved_scene_ = write_scene(scene);
+    saved_scene_folder_ = scene.folder;
     scene_disk_ = OnDisk::of(scene_file_);
     change("Reload scene", [&](Content& c) { c.scene = std::move(scene); });
 }
@@ -215,9 +317,10 @@ void Document::save_preset(const fs::path& file) {
     const std::string text = write_preset(moved);
     if (write_preset(load_preset(file)) != text) fail_reading_back(file);
     content_.preset = std::move(moved);
-    preset_file_ = file;
+    preset_file_ = normal(file);
     preset_disk_ = OnDisk::of(file);
     saved_preset_ = text;
+    saved_preset_folder_ = content_.preset.folder;
     touched();
 }
 
@@ -231,9 +334,10 @@ void Document::save_scene(const fs::path& file) {
     const std::string text = write_scene(moved);
     if (write_scene(load_scene(file)) != text) fail_reading_back(file);
     content_.scene = std::move(moved);
-    scene_file_ = file;
+    scene_file_ = normal(file);
     scene_disk_ = OnDisk::of(file);
     saved_scene_ = text;
+    saved_scene_folder_ = content_.scene.folder;
     touched();
 }
 

@@ -4,7 +4,8 @@
 //     document.take(edit, "Speed", [&](Content& c) { c.preset.bleeding.speed = speed; });  // a widget's gesture: one step
 //     document.undo();
 //
-// A step is the whole content before and after: both are small, and undo is then as simple as it can be. Values may break a
+// A step is the whole content before and after: both are small, and undo is then as simple as it can be. Files are named from
+// the folder that the scene or the preset has, and both are one value: nothing but writing a file names them anew. Values may break a
 // rule between them while they are edited (faults()); they are kept, and told. UI thread.
 #pragma once
 
@@ -26,8 +27,13 @@ struct Content {
     Preset preset;
 };
 
-/// Whether both would be written as the same files.
+/// Whether both would be written as the same files; clips are the same when their files are, however each names them.
 bool same(const Content& a, const Content& b);
+bool same(const Preset& a, const Preset& b);
+
+/// `wanted` without what breaks a rule: such values, or where that is not enough all of their group, are as in `good`, which breaks
+/// none; so is a clip that `good` has in the same place, and others are left out. For showing all that can be shown.
+Preset mended(Preset wanted, const Preset& good);
 
 /// What lies on the disk under a document's name, to tell when another program has written there.
 struct OnDisk {
@@ -64,7 +70,7 @@ class Document {
     /// Grows with every change, also undone ones; for those who follow.
     std::uint64_t version() const { return version_; }
 
-    /// Another content from these files (empty: none yet); what was done before is forgotten.
+    /// Another content from these files (empty: none yet), whose folders become absolute; what was done before is forgotten.
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
     /// Another preset on the same scene; whether that one is saved stays what it is.
     void open_preset(Preset preset, std::filesystem::path preset_file = {});
@@ -126,6 +132,9 @@ class Document {
     void set_clip_folders(std::vector<std::filesystem::path> folders) { clip_folders_ = std::move(folders); }
     /// The same preset for another folder: its clips are found from there.
     void move(Preset& preset, const std::filesystem::path& folder) const;
+    /// Names all clips, some of which may be whole paths, from one folder that holds them: where the preset's file lies if that
+    /// does, else the deepest. What lies outside of the preset's file is asked about when that is saved.
+    void gather_clips(Preset& preset) const;
     const std::filesystem::path& scene_file() const { return scene_file_; }
     const std::filesystem::path& preset_file() const { return preset_file_; }
     bool scene_unsaved() const;  ///< differs from what was opened or saved
@@ -159,6 +168,9 @@ class Document {
     void touched() { ++version_; }
     void set(const Content& content);
     void forget_steps();
+    std::string text_in(const Scene& scene, const std::filesystem::path& folder) const;
+    std::string text_in(const Preset& preset, const std::filesystem::path& folder) const;
+    bool is_shipped(const std::filesystem::path& clip) const;
     std::string moved_clip(const std::string& file, const std::filesystem::path& from,
                            const std::filesystem::path& to) const;
 
@@ -173,8 +185,9 @@ class Document {
     Content before_;
     std::filesystem::path scene_file_, preset_file_;
     OnDisk scene_disk_, preset_disk_;
-    std::string saved_scene_, saved_preset_;  ///< their texts
-    mutable std::uint64_t compared_ = 0;      ///< version for which the two below hold
+    std::string saved_scene_, saved_preset_;                          ///< their texts
+    std::filesystem::path saved_scene_folder_, saved_preset_folder_;  ///< that names in those are relative to
+    mutable std::uint64_t compared_ = 0;                              ///< version for which the two below hold
     mutable bool scene_differs_ = false, preset_differs_ = false;
     void compare() const;
 };

@@ -56,9 +56,10 @@ void add_edit_commands(app::Editor& editor) {
                          .title = "Redo",
                          .group = "Edit",
                          .chord = {key_of('Z'), Mods::command | Mods::shift},
+                         .other = {key_of('Y'), Mods::command},
                          .run = [&editor] { editor.document.redo(); },
                          .enabled = [&editor] { return editor.document.can_redo(); },
-                         .tip = "Does again what was undone last"});
+                         .tip = "Does again what was undone last; Ctrl+Y as well"});
 }
 
 }  // namespace lapfx::panels

@@ -435,7 +435,7 @@ class ViewPanel {
         if (!editor_.preview.organ_faults().empty())
             organ_fault(editor_.preview.organ_faults().front());
         else if (!editor_.preview.preset_faults().empty())
-            preset_fault(editor_.preview.preset_faults().front());
+            preset_fault(editor_.preview.preset_faults());
     }
 
     void organ_fault(const Fault& fault) {
@@ -460,13 +460,16 @@ class ViewPanel {
             editor_.document.undo();
     }
 
-    /// The picture is still that of the values before.
-    void preset_fault(const Fault& fault) {
+    /// The picture shows all but what is wrong.
+    void preset_fault(const std::vector<Fault>& faults) {
         const ui::Panel panel(ui_, "Preset fault", {.width = ui::fit(), .height = ui::fit(), .padding = 0.6F});
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
         const ui::Row row(ui_);
-        ui::label(ui_, "The picture still shows the former values:", {.tone = ui::Tone::warning});
-        ui::label(ui_, fault.text(), {.tone = ui::Tone::error});
+        ui::label(ui_, "Shown without this:", {.tone = ui::Tone::warning});
+        ui::label(ui_, faults.front().text(), {.tone = ui::Tone::error});
+        if (faults.size() > 1)
+            ui::label(ui_, ui_.join({"and ", ui_.copy(std::to_string(faults.size() - 1)), " more"}),
+                      {.tone = ui::Tone::error});
         if (editor_.document.can_undo() &&
             ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
             editor_.document.undo();
@@ -508,6 +511,9 @@ void use_view(app::Editor& editor) {
     editor.document.change("Endoscope's place", [&](document::Content& c) {
         const SceneCamera& seen = editor.looking.camera;
         SceneCamera& camera = c.scene.camera;
+        // The lamp is at the camera: it is turned down where that comes nearer, as the free view already shows it.
+        c.scene.light.focus_distance =
+            std::clamp(c.scene.light.focus_distance * app::nearness(camera, seen), 1.0, 2000.0);
         camera.eye = seen.eye, camera.target = seen.target, camera.up = seen.up;
         camera.field_of_view = seen.field_of_view;
     });

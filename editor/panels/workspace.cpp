@@ -62,6 +62,7 @@ void workspace(ui::Ui& ui, app::Editor& editor) {
     keys_sheet(ui, editor);
     editor.toasts.build(ui);
     if (editor.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
+    if (const double at = editor.whole_at(); at < ui::never) ui.wake_at(at, "the scene as a whole");
 }
 
 }  // namespace lapfx::panels

@@ -2,8 +2,10 @@
 
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <ostream>
+#include <vector>
 
 namespace lapfx::window {
 
@@ -143,7 +145,10 @@ void UiWindow::connect() {
         of(window).screen_scale_ = x;
         of(window).set_scale(of(window).chosen_scale_);
     });
+    glfwSetWindowPosCallback(w, [](GLFWwindow* window, int, int) { of(window).moved_ = true; });
+    glfwSetWindowMaximizeCallback(w, [](GLFWwindow* window, int) { of(window).moved_ = true; });
     glfwSetFramebufferSizeCallback(w, [](GLFWwindow* window, int, int) {
+        of(window).moved_ = true;
         of(window).measure();
         of(window).want("size");
     });
@@ -172,7 +177,7 @@ void UiWindow::measure() {
 void UiWindow::push(ui::Event event, const char* reason) {
     event.mods = mods_;
     event.at = pointer_;
-    event.time = glfwGetTime();
+    event.time = last_input_ = glfwGetTime();
     ui_.push(std::move(event));
     want(reason);
 }
@@ -243,6 +248,34 @@ void UiWindow::set_scale(float scale) {
     if (next == scale_) return;
     scale_ = next;
     want("scale");
+}
+
+app::WindowPlace UiWindow::place() {
+    if (!std::exchange(moved_, false)) return place_;
+    GLFWwindow* w = window_.get();
+    place_.maximized = glfwGetWindowAttrib(w, GLFW_MAXIMIZED) == GLFW_TRUE;
+    if (place_.maximized || iconified_) return place_;
+    app::ScreenArea& area = place_.area;
+    glfwGetWindowPos(w, &area.at.x, &area.at.y);
+    glfwGetWindowSize(w, &area.size.x, &area.size.y);
+    return place_;
+}
+
+void UiWindow::put(const app::WindowPlace& place) {
+    int count = 0;
+    GLFWmonitor** all = glfwGetMonitors(&count);
+    std::vector<app::ScreenArea> monitors(static_cast<std::size_t>(std::max(count, 0)));
+    for (std::size_t i = 0; i < monitors.size(); ++i) {
+        app::ScreenArea& m = monitors[i];
+        glfwGetMonitorWorkarea(all[i], &m.at.x, &m.at.y, &m.size.x, &m.size.y);
+    }
+    place_ = app::fitted(place, monitors);
+    if (!place_) return;
+    GLFWwindow* w = window_.get();
+    glfwSetWindowSize(w, place_.area.size.x, place_.area.size.y);
+    glfwSetWindowPos(w, place_.area.at.x, place_.area.at.y);
+    if (place_.maximized) glfwMaximizeWindow(w);
+    measure();
 }
 
 void UiWindow::close() {

@@ -16,6 +16,7 @@
 #include <string>
 #include <string_view>
 
+#include "app/window_place.h"
 #include "lapfx/context.h"
 #include "ui/core/ui.h"
 #include "ui/gl/renderer.h"
@@ -112,6 +113,11 @@ class UiWindow {
     /// What the user has chosen by Ctrl+= and its likes or set_scale(), for the settings; 0: nothing.
     float chosen_scale() const { return chosen_scale_; }
     void set_title(const std::string& title);
+    /// Where it is; while it is maximised or not shown, where it was before. Where it was put by put(), as far as monitors allow.
+    app::WindowPlace place();
+    void put(const app::WindowPlace& place);
+    /// s: when the pointer, a key or a wheel did something last; negative: never yet.
+    double last_input() const { return last_input_; }
     /// While a job runs the window looks for its results four times a second at least, whatever becomes of its wake().
     void set_busy(bool busy) { busy_ = busy; }
     /// As ui::Renderer::reload; the next frame is drawn with them.
@@ -162,10 +168,11 @@ class UiWindow {
     glm::dvec2 px_per_unit_{1};  ///< GLFW's screen coordinates to px
     bool iconified_ = false;
     bool stale_ = true;  ///< what is on the screen is not the last picture
-    bool busy_ = false, in_frame_ = false;
+    bool busy_ = false, in_frame_ = false, moved_ = true;
     const char* reason_ = "start";  ///< why a frame is wanted; null: it is not
     std::atomic<bool> woken_ = false;
-    double wake_at_ = ui::never, last_frame_ = -1;
+    double wake_at_ = ui::never, last_frame_ = -1, last_input_ = -1;
+    app::WindowPlace place_;  ///< when it was last looked at
     void* queued_ = nullptr;  ///< fence after the last swap
 
     ui::Mods mods_ = ui::Mods::none;

@@ -61,7 +61,7 @@ DensityMap::DensityMap(const Organ& organ, int image) {
     const Image& pixels = organ.images[static_cast<std::size_t>(image)];
     auto source = std::make_shared<Source>();
     source->size = {pixels.width, pixels.height};
-    values_.assign(pixels.pixels.size() / 4, Density(0));
+    values_ = std::make_shared<const std::vector<Density>>(pixels.pixels.size() / 4, Density(0));
     if (!pixels.pixels.empty()) {
         source->layout = layout_of(organ, image);
         source->convert(pixels, factor_of(organ, image));
@@ -71,7 +71,7 @@ DensityMap::DensityMap(const Organ& organ, int image) {
 
 std::size_t DensityMap::memory() const {
     return source_->layout.used.size() + source_->redness.size() * sizeof(std::int16_t) +
-           source_->lab.size() * sizeof(glm::u8vec3) + values_.size() * sizeof(Density);
+           source_->lab.size() * sizeof(glm::u8vec3) + values_->size() * sizeof(Density);
 }
 
 void DensityMap::Source::convert(const Image& image, const glm::vec3& factor) {
@@ -171,8 +171,10 @@ void DensityMap::set(const VesselParameters& p, const organ::Stages& stages) {
     side_by_side([&] { planes[0] = smooth(vessels); }, [&] { planes[1] = smooth(fat); });
     stages.reach(0.9);
     for (cv::Mat& plane : planes) plane.convertTo(plane, CV_8U, 255.0);
-    cv::Mat both(size, CV_8UC2, values_.data());
+    auto values = std::make_shared<std::vector<Density>>(values_->size());
+    cv::Mat both(size, CV_8UC2, values->data());
     cv::merge(planes, 2, both);
+    values_ = std::move(values);
 }
 
 void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) const {
@@ -201,8 +203,9 @@ void DensityMap::count(const VesselParameters& p, TissueHistogram& histogram) co
 }
 
 glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
-    if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values_.empty()) return glm::vec2(0.0f);
+    if (!(std::isfinite(uv.x) && std::isfinite(uv.y)) || values_->empty()) return glm::vec2(0.0f);
     const TextureLayout& layout = source_->layout;
+    const std::vector<Density>& values = *values_;
     const glm::ivec2 size = source_->size;
     const glm::vec2 inside = layout.repeats ? uv - glm::floor(uv) : glm::clamp(uv, 0.0f, 1.0f);
     const glm::vec2 at = inside * glm::vec2(size) - 0.5f;
@@ -213,7 +216,7 @@ glm::vec2 DensityMap::sample(glm::vec2 uv) const noexcept {
     };
     const auto texel = [&](int x, int y) {
         return glm::vec2(
-            values_[within(low.y, y, size.y) * static_cast<std::size_t>(size.x) + within(low.x, x, size.x)]);
+            values[within(low.y, y, size.y) * static_cast<std::size_t>(size.x) + within(low.x, x, size.x)]);
     };
     return glm::mix(glm::mix(texel(0, 0), texel(1, 0), part.x), glm::mix(texel(0, 1), texel(1, 1), part.x), part.y) /
            255.0f;

@@ -5,7 +5,8 @@
 //     map.set(preset.vessels);
 //     const glm::vec2 here = map.sample(uv);   // vessels, fat
 //
-// One thread at a time for set(); sample() from any thread in between. Copies share what no parameter changes.
+// One thread at a time for set(); sample() from any thread in between. Copies share what no parameter changes, and the map until
+// one of them is set.
 #pragma once
 
 #include <cstdint>
@@ -50,7 +51,7 @@ class DensityMap {
     void count(const VesselParameters& parameters, TissueHistogram& histogram) const;
 
     glm::ivec2 size() const { return source_->size; }
-    std::span<const Density> values() const { return values_; }  ///< rows from the top; the size of the image
+    std::span<const Density> values() const { return *values_; }  ///< rows from the top; the size of the image
     const TextureLayout& layout() const { return source_->layout; }
     std::size_t memory() const;  ///< bytes
     /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN: 0.
@@ -73,7 +74,7 @@ class DensityMap {
     };
 
     std::shared_ptr<const Source> source_;
-    std::vector<Density> values_;
+    std::shared_ptr<const std::vector<Density>> values_;
     bool shows_vessels_ = false;
 };
 

@@ -83,7 +83,13 @@ def is_video(folder, name, size, frames):
 
 
 USAGE = [
-    Case("usage: no such verb", ("paint",), 2, says="paint"),
+    Case("usage: no such verb", ("paint",), 2, says=r'^lapfx: "paint" is neither a command nor a file; nearest is '),
+    Case("usage: nearest verb", ("rendr", "scene.json", "-o", "out.png"), 2, says="nearest is render"),
+    Case("usage: a file alone is edited", ("scene.json", "--size", "640x480", "--backend", "osmesa", "--screenshot",
+         "out.png"), 0, leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (640, 480))),
+    Case("usage: options alone are of edit", ("--size", "640x480", "--theme", "pink"), 2, says="pink"),
+    Case("usage: a missing file alone", ("nowhere.json",), 2, "nowhere.json"),
+    Case("usage: help by its name", ("help", "render"), 0, prints=r"(?s).*--size.*--fps.*"),
     Case("usage: no such option", ("--paint",), 2, says="--paint"),
     Case("usage: help", ("--help",), 0, prints=r"(?s).*render.*"),
     Case("usage: version", ("--version",), 0, prints=r".*\d+\.\d+\.\d+\n"),

@@ -145,8 +145,10 @@ TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {
     drop(write_clip(elsewhere / "smoke.avi", 5).string());
     EXPECT_TRUE(editor().keying().shelf.outside(3));
     drop(write_clip(third / "smoke.avi", 5).string());  // the folder is needed by the other one now
-    EXPECT_EQ(clips()[4].file, (third / "smoke.avi").string());
-    EXPECT_NE(ui().dump().find("is an absolute path"), std::string::npos) << "told in place";
+    EXPECT_EQ(editor().document.preset().folder / clips()[4].file, third / "smoke.avi");
+    EXPECT_EQ(editor().document.preset().folder / clips()[3].file, elsewhere / "smoke.avi");
+    EXPECT_TRUE(editor().preview.preset_faults().empty()) << "both are seen at once";
+    EXPECT_TRUE(editor().keying().shelf.outside(4));
     ui().click(panel + "Selected clip/Copy clips beside the preset").frame().frame();
     EXPECT_EQ(last_step().name, "Copy clips beside the preset");
     EXPECT_FALSE(editor().keying().shelf.any_outside());
@@ -157,6 +159,41 @@ TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {
     EXPECT_EQ(editor().preview.preview()->clips().size(), 5U);
     editor().document.save_preset(home / "mine.json");
     EXPECT_EQ(load_preset(home / "mine.json").smoke.clips.size(), 5U);
+}
+
+TEST_F(ClipsPanel, UndoKeepsAClipThatWasJustAddedAndTheViewGoesOn) {
+    const fs::path clip = write_clip(folder() / "one.avi", 5);
+    drop(clip.string());
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
+    ui().frame();
+    ui().key('Z', ui::Mods::command).frame();
+    ASSERT_EQ(clips().size(), 4U);
+    EXPECT_EQ(editor().document.preset().folder / clips()[3].file, clip);
+    EXPECT_TRUE(editor().document.preset_faults().empty());
+    EXPECT_TRUE(editor().preview.preset_faults().empty());
+    EXPECT_EQ(editor().preview.preview()->clips().size(), 4U);
+    ui().key('Z', ui::Mods::command).frame();
+    EXPECT_EQ(names(), sample);
+    EXPECT_FALSE(editor().document.unsaved());
+    ui().key('Z', ui::Mods::command | ui::Mods::shift).frame();
+    EXPECT_EQ(editor().document.preset().folder / clips()[3].file, clip);
+}
+
+TEST_F(ClipsPanel, WhatCannotBeShownFreezesNothingElse) {
+    const fs::path clip = write_clip(folder() / "one.avi", 5);
+    layout("Tune");
+    editor().document.change("Add", [&](document::Content& c) {
+        c.preset.smoke.clips.push_back({.file = clip.string()});  // as no preset may name it
+        c.preset.smoke.keying.luma_low = 255;
+    });
+    const Image before = picture(6);
+    ui().frame();
+    EXPECT_NE(ui().dump().find("Shown without this:"), std::string::npos);
+    EXPECT_NE(ui().dump().find("luma_low"), std::string::npos) << "which value it is";
+    EXPECT_TRUE(ui().exists("**/Preset fault/Undo")) << "and how to get out";
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 60; });
+    EXPECT_GT(differing(before, picture(6)), 100U);
+    EXPECT_EQ(editor().preview.preview()->clips().size(), 3U);
 }
 
 TEST_F(ClipsPanel, InAndOutAreARangeOfTheClip) {

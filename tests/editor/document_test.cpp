@@ -469,16 +469,63 @@ TEST_F(EditorDocument, SettingsThatCannotBeKeptAreToldOnce) {
     }
 }
 
+TEST_F(EditorDocument, WorkIsKeptInAPauseAndFiveSecondsBehindAtMost) {
+    own_preset();
+    app::Autosave& autosave = editor().autosave();
+    double now = 1000, kept = 0;
+    for (; now < 1008 && kept == 0; now += 0.5) {
+        editor().document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = 0.001 * now; });
+        autosave.update(now);
+        if (autosave.due() > 1e9) kept = now;
+    }
+    EXPECT_EQ(kept, 1000 + app::Autosave::wait) << "while changes go on";
+    set_speed(7.5);
+    autosave.update(now);
+    EXPECT_EQ(autosave.due(), now + app::Autosave::pause) << "and again after the next one";
+}
+
+TEST_F(EditorDocument, CtrlYRedoesAsWell) {
+    set_speed(7.5);
+    ui().key('Z', Mods::command).frame();
+    ASSERT_NE(speed(), 7.5);
+    ui().key('Y', Mods::command).frame();
+    EXPECT_EQ(speed(), 7.5);
+    ui().key('Z', Mods::command).frame();
+    ui().key('Z', Mods::command | Mods::shift).frame();
+    EXPECT_EQ(speed(), 7.5);
+    ui().key('Z', Mods::command).frame();
+    editor().commands.bind(editor().commands.index_of("view.vessels"), {key_of('Y'), Mods::command});
+    ui().key('Y', Mods::command).frame();
+    EXPECT_NE(speed(), 7.5) << "who binds it has it";
+    EXPECT_EQ(editor().looking.overlay, Overlay::vessels);
+}
+
+TEST_F(EditorDocument, TheWindowsPlaceOutlivesTheEditor) {
+    const app::WindowPlace place{.area = {.at = {-40, 20}, .size = {1200, 700}}, .maximized = true};
+    editor().settings().window = place;
+    ui().frame().frame(2).frame(2);
+    start();
+    EXPECT_EQ(editor().settings().window, place);
+    const fs::path file = folder() / "config" / "settings.json";
+    for (const char* wrong : {R"({"window": 5})", R"({"window": {"x": 1, "y": 2, "width": 0, "height": 5}})",
+                              R"({"window": {"x": 1, "y": 2, "width": 1e300, "height": 5}})"}) {
+        std::ofstream(file) << wrong;
+        start();
+        EXPECT_FALSE(editor().settings().window) << wrong;
+        EXPECT_EQ(editor().toasts.size(), 1U) << wrong;
+    }
+}
+
 TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     own_preset();
     ui().key('A', Mods::shift).frame();
     set_speed(7.5);
     app::Autosave& autosave = editor().autosave();
     autosave.update(1000);
-    EXPECT_EQ(autosave.due(), 1000 + app::Autosave::wait);
-    autosave.update(1000 + app::Autosave::wait / 2);
+    EXPECT_EQ(autosave.due(), 1000 + app::Autosave::pause);
+    autosave.update(1001.5);
     EXPECT_FALSE(fs::exists(folder() / "state" / "autosave"));
-    autosave.update(1000 + app::Autosave::wait);
+    autosave.update(1000 + app::Autosave::pause);
     start();  // without end(): as after a crash
     editor().autosave().find();
     ui().frame().frame();

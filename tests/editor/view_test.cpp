@@ -181,6 +181,69 @@ TEST_F(ViewPanelTest, ThisViewBecomesTheEndoscope) {
     EXPECT_EQ(editor().document.steps().size(), 1U);
 }
 
+double mean_luma(const Image& image) {
+    double sum = 0;
+    for (std::size_t i = 0; i < image.pixels.size(); i += 4)
+        sum += 0.2126 * image.pixels[i] + 0.7152 * image.pixels[i + 1] + 0.0722 * image.pixels[i + 2];
+    return sum / static_cast<double>(image.pixels.size() / 4);
+}
+
+TEST_F(ViewPanelTest, TheLampComesAlongWithTheEndoscope) {
+    editor().document.change("No round picture", [](document::Content& c) { c.scene.camera.vignette = 0; });
+    const double focus = editor().document.scene().light.focus_distance;
+    for (const double nearer : {0.3, 0.6, 1.5}) {
+        editor().looking.camera = editor().document.scene().camera;
+        SceneCamera& free = editor().looking.camera;
+        free.eye = free.target + nearer * (free.eye - free.target);
+        editor().looking.endoscope = false;
+        const double seen = mean_luma(picture(0));
+        editor().commands.run("view.use_view");
+        EXPECT_NEAR(editor().document.scene().light.focus_distance, nearer * focus, 1e-9);
+        EXPECT_NEAR(mean_luma(picture(0)), seen, 0.08 * seen) << nearer << ", but for what the lamp does not light";
+        editor().document.undo();
+        EXPECT_EQ(editor().document.scene().light.focus_distance, focus) << "in the same step";
+    }
+}
+
+TEST_F(ViewPanelTest, PanelsGoOnWhileTheSceneIsSlow) {
+    int asked = 0;
+    clock = [&] { return 0.5 * ++asked; };  // every picture of the scene takes half a second
+    start({1440, 900}, false);
+    open_sample();
+    editor().jobs.finish();
+    ui().frame().frame();
+    editor().jobs.finish();
+    ui().frame().frame();
+    editor().timeline.speed = 1;
+    ui().press("**/Bleeding/Speed");
+    const int before = asked;
+    double last = editor().document.preset().bleeding.speed;
+    int shown = 0;
+    for (int i = 0; i < 30; ++i) {
+        ui().drag_by({4, 0});
+        const double now = editor().document.preset().bleeding.speed;
+        EXPECT_EQ(ui().value("**/Bleeding/Speed"), now) << "the row shows what was just dragged";
+        shown += now != last ? 1 : 0;
+        last = now;
+    }
+    EXPECT_GE(shown, 25);
+    EXPECT_LE(asked - before, 2 * 4) << "of 120 frames the scene had a turn every second";
+    EXPECT_LT(editor().whole_at(), 1e9) << "what is seen meanwhile has fewer pixels";
+    ui().release();
+    editor().timeline.speed = 0;
+    editor().seek(6);
+    ui().frame().frame(1).frame(1);
+    EXPECT_GT(editor().whole_at(), 1e9);
+    const Image whole = editor().preview.read();
+    EXPECT_EQ(differing(whole, picture(6), 0), 0U);
+    clock = {};
+    const double speed = editor().document.preset().bleeding.speed;
+    start();
+    open_sample();
+    editor().document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
+    EXPECT_EQ(whole.width, picture(6).width) << "of the view's own size";
+}
+
 TEST_F(ViewPanelTest, AnOrganThatIsGoneIsToldInPlaceWithTheWayOut) {
     editor().document.change("Organ", [](document::Content& c) { c.scene.organ.file = "gone.glb"; });
     ui().frame().frame();

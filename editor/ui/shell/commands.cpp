@@ -152,8 +152,11 @@ bool CommandTable::run(std::size_t index) {
 }
 
 bool CommandTable::press(Key key, Mods mods) {
-    const auto index = bound_to({key, mods});
-    return index && run(*index);
+    const Chord chord{key, mods};
+    if (const auto index = bound_to(chord)) return run(*index);
+    const auto entry = std::find_if(entries_.begin(), entries_.end(),
+                                    [&](const Entry& e) { return e.command.other && e.command.other == chord; });
+    return entry != entries_.end() && run(static_cast<std::size_t>(entry - entries_.begin()));
 }
 
 std::optional<std::size_t> CommandTable::bound_to(const Chord& chord) const {

@@ -40,6 +40,7 @@ struct Command {
     std::string title{};  ///< "Save"
     std::string group{};  ///< "File"
     Chord chord{};        ///< standard; may be none
+    Chord other{};        ///< runs it, too, as long as no command is bound to it; for what other programs have there
     Icon icon = Icon::none;
     std::function<void()> run{};
     std::function<bool()> enabled{};  ///< empty: always

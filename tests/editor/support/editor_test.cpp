@@ -39,6 +39,7 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
                                                                         .exact = exact,
                                                                         .renderer = "test",
                                                                         .software = true,
+                                                                        .clock = clock,
                                                                         .files = nullptr});
     panels::add_commands(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,

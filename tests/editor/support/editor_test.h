@@ -12,6 +12,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "app/editor.h"
@@ -30,6 +31,8 @@ class EditorTest : public GpuTest {
     void open_sample();  ///< samples/lagb.scene.json, standing at 0 s
     void open(const std::vector<std::string>& files);
     void layout(std::string_view name);
+
+    std::function<double()> clock;  ///< of the editor that start() makes: EditorOptions::clock
 
     app::Editor& editor() { return *editor_; }
     ui::Harness& ui() { return *ui_; }

@@ -98,16 +98,161 @@ TEST_F(DocumentFiles, UndoAfterSavingElsewhereStillFindsClips) {
     EXPECT_EQ(document_.preset().smoke.clips[0].file, "first/clips/a.mp4");
     document_.undo();
     EXPECT_EQ(document_.preset().bleeding.speed, BleedingParameters{}.speed);
-    EXPECT_EQ(document_.preset().smoke.clips[0].file, "first/clips/a.mp4");
-    EXPECT_EQ(document_.preset().folder, folder_);
+    const auto found = [&] { return document_.preset().folder / document_.preset().smoke.clips[0].file; };
+    EXPECT_EQ(found(), in("first/clips/a.mp4"));
     document_.redo();
+    EXPECT_EQ(found(), in("first/clips/a.mp4"));
     EXPECT_FALSE(document_.preset_unsaved());
+    document_.save_preset(in("p.json"));
     EXPECT_EQ(document_.clips_outside(in("second")), std::vector<std::string>{"first/clips/a.mp4"});
     EXPECT_THROW(document_.save_preset(in("second/p.json")), Error);
     EXPECT_EQ(document_.preset_file(), in("p.json"));
     document_.set_clip_folders({in("first/clips")});
     document_.save_preset(in("second/p.json"));
     EXPECT_EQ(document_.preset().smoke.clips[0].file, "a.mp4") << "found on the search path";
+}
+
+/// However files are named, and from wherever: undo and redo give back every letter, and what was not touched is not unsaved.
+TEST_F(DocumentFiles, AValueIsWhatItWasThroughUndoAndRedo) {
+    fs::create_directories(in("home/clips"));
+    for (const char* name : {"home/organ.obj", "home/clips/a.avi", "tool.obj", "home/smoke_01.png"})
+        std::ofstream(in(name)) << "x";
+    Content content;
+    content.scene.organ.file = "./organ.obj";
+    content.scene.tool.file = "../tool.obj";
+    content.scene.reference.file = in("nowhere.mp4").string();
+    content.scene.preset = "clips/../p.json";
+    for (const char* file : {"./clips/a.avi", "clips//a.avi", "smoke_%02d.png", "gone.avi", "plume.mp4"})
+        content.preset.smoke.clips.push_back({.file = file});
+    for (const bool has_files : {true, false})
+        for (const fs::path& home : {in("home"), fs::relative(in("home")), in("home") / "", fs::path()}) {
+            content.scene.folder = content.preset.folder = home;
+            Document document;
+            document.set_clip_folders({in("home/clips")});
+            document.open(content, has_files ? home / "s.json" : fs::path(), has_files ? home / "p.json" : fs::path());
+            const Content opened = document.content();
+            EXPECT_FALSE(document.unsaved());
+            document.change("Speed", [](Content& c) { c.preset.bleeding.speed = 7; });
+            document.change("Seed", [](Content& c) { c.scene.seed = 7; });
+            const Content changed = document.content();
+            document.begin("Given up");
+            document.edit([](Content& c) { c.preset.bleeding.speed = 8; });
+            document.cancel();
+            const auto expect = [&](const Content& wanted, const char* when) {
+                EXPECT_EQ(write_scene(document.scene()), write_scene(wanted.scene)) << when << " in " << home;
+                EXPECT_EQ(write_preset(document.preset()), write_preset(wanted.preset)) << when << " in " << home;
+                EXPECT_EQ(document.scene().folder, wanted.scene.folder) << when;
+                EXPECT_EQ(document.preset().folder, wanted.preset.folder) << when;
+            };
+            expect(changed, "cancelled");
+            document.undo();
+            document.undo();
+            expect(opened, "undone");
+            EXPECT_FALSE(document.unsaved()) << home;
+            document.go_to(2);
+            expect(changed, "redone");
+        }
+}
+
+TEST_F(DocumentFiles, AClipFromElsewhereOutlivesUndo) {
+    for (const char* made : {"home", "elsewhere", "third", "shipped"}) fs::create_directories(in(made));
+    for (const char* name : {"shipped/plume.mp4", "elsewhere/a.avi", "third/b.avi", "home/own.avi"})
+        std::ofstream(in(name)) << "x";
+    const auto add = [&](const fs::path& file) {
+        document_.change("Add clip", [&](Content& c) {
+            c.preset.smoke.clips.push_back({.file = file.string()});
+            document_.gather_clips(c.preset);
+        });
+    };
+    const auto found = [&](std::size_t i) {
+        return document_.preset().folder / document_.preset().smoke.clips[i].file;
+    };
+    document_.set_clip_folders({in("shipped")});
+    for (const bool has_file : {true, false}) {
+        Content content;
+        content.preset.folder = in("home");
+        content.preset.smoke.clips = {{.file = "plume.mp4"}};
+        document_.open(content, {}, has_file ? in("home/p.json") : fs::path());
+        add(in("elsewhere/a.avi"));
+        EXPECT_EQ(found(1), in("elsewhere/a.avi"));
+        document_.change("Speed", [](Content& c) { c.preset.bleeding.speed = 7; });
+        document_.undo();
+        EXPECT_EQ(document_.preset().smoke.clips[1].file, "a.avi");
+        EXPECT_EQ(document_.preset().folder, in("elsewhere"));
+        EXPECT_TRUE(document_.preset_faults().empty());
+        add(in("third/b.avi"));
+        add(in("home/own.avi"));
+        add(in("shipped/plume.mp4"));
+        EXPECT_EQ(document_.preset().folder, folder_) << "the deepest that holds all";
+        EXPECT_EQ(found(1), in("elsewhere/a.avi"));
+        EXPECT_EQ(found(2), in("third/b.avi"));
+        EXPECT_EQ(found(3), in("home/own.avi"));
+        EXPECT_EQ(document_.preset().smoke.clips[4].file, "plume.mp4") << "that came with the program";
+        EXPECT_TRUE(document_.preset_faults().empty());
+        EXPECT_EQ(document_.clips_outside(in("home")).size(), 2U);
+        while (document_.can_undo()) document_.undo();
+        EXPECT_FALSE(document_.unsaved());
+        EXPECT_EQ(document_.preset().folder, in("home"));
+    }
+}
+
+TEST_F(DocumentFiles, AClipOfTheSameNameElsewhereIsAnotherOne) {
+    for (const char* made : {"a", "b"}) {
+        fs::create_directories(in(made));
+        std::ofstream(in(made) / "smoke.avi") << made;
+    }
+    Content content;
+    content.preset.smoke.clips = {{.file = "smoke.avi"}};
+    content.preset.folder = in("a");
+    document_.open(content, {}, in("a/p.json"));
+    document_.change("Replace clip", [&](Content& c) {
+        c.preset.smoke.clips[0].file = in("b/smoke.avi").string();
+        document_.gather_clips(c.preset);
+    });
+    EXPECT_EQ(document_.done(), 1U);
+    EXPECT_TRUE(document_.preset_unsaved());
+    Preset same_clip = document_.preset();
+    same_clip.folder = folder_;
+    same_clip.smoke.clips[0].file = "b/smoke.avi";
+    EXPECT_TRUE(same(same_clip, document_.preset()));
+}
+
+TEST_F(DocumentFiles, ASceneStaysSavedWhicheverPresetItWasSavedWith) {
+    Content content;
+    content.scene.organ.file = "organ.obj";
+    document_.open(content);
+    document_.change("Speed", [](Content& c) { c.preset.bleeding.speed = 7; });
+    document_.save_preset(in("p.json"));
+    document_.save_scene(in("s.json"));
+    document_.undo();
+    EXPECT_FALSE(document_.scene_unsaved());
+    document_.redo();
+    EXPECT_FALSE(document_.unsaved());
+    EXPECT_EQ(document_.scene().folder / document_.scene().preset, in("p.json"));
+}
+
+TEST(DocumentMended, OneValueThatCannotBeKeepsNoOtherFromBeingSeen) {
+    Preset good;
+    good.folder = "/home";
+    good.smoke.clips = {{.file = "a.avi", .weight = 2}, {.file = "b.avi"}};
+    ASSERT_TRUE(check(preset_table(), &good).empty());
+    Preset wanted = good;
+    EXPECT_EQ(write_preset(mended(wanted, good)), write_preset(wanted)) << "nothing is wrong";
+    wanted.bleeding.speed = 7;
+    wanted.bleeding.max_extent = -1;
+    wanted.smoke.keying.luma_high = 0;  // below luma_low, which is blamed
+    wanted.smoke.clips[0].weight = -1;
+    wanted.smoke.clips[1].weight = 3;
+    wanted.smoke.clips.push_back({.file = "../c.avi"});
+    ASSERT_GE(check(preset_table(), &wanted).size(), 4U);
+    const Preset shown = mended(wanted, good);
+    EXPECT_TRUE(check(preset_table(), &shown).empty());
+    EXPECT_EQ(shown.bleeding.speed, 7);
+    EXPECT_EQ(shown.bleeding.max_extent, good.bleeding.max_extent);
+    EXPECT_EQ(shown.smoke.keying.luma_high, good.smoke.keying.luma_high);
+    ASSERT_EQ(shown.smoke.clips.size(), 2U) << "the one that cannot be is left out";
+    EXPECT_EQ(shown.smoke.clips[0].weight, 2);
+    EXPECT_EQ(shown.smoke.clips[1].weight, 3);
 }
 
 TEST_F(DocumentFiles, AFileThatCannotBeWrittenStaysAndSoDoesTheWork) {

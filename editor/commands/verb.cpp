@@ -1,0 +1,69 @@
+#include "commands/verb.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <numeric>
+#include <string_view>
+#include <utility>
+
+#include "lapfx/error.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+constexpr std::size_t longest_verb = 32;  // a word that is longer is like none of them
+
+/// Letters to be put in, left out or replaced to make `b` of `a`.
+std::size_t difference(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t corner = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t replaced = corner + (a[i] == b[j] ? 0 : 1);
+            corner = row[j + 1];
+            row[j + 1] = std::min({replaced, row[j] + 1, corner + 1});
+        }
+    }
+    return row.back();
+}
+
+bool could_be_file(const std::string& word) {
+    std::error_code error;
+    return word.find_first_of("./%") != std::string::npos || std::filesystem::exists(word, error);
+}
+
+Error unknown_verb(const std::string& word, std::span<const std::string> verbs) {
+    const std::string shown = word.substr(0, longest_verb);
+    const auto nearest = std::min_element(verbs.begin(), verbs.end(), [&](const auto& a, const auto& b) {
+        return difference(shown, a) < difference(shown, b);
+    });
+    return {Failure::bad_input, Fault{.file = "",
+                                      .place = "",
+                                      .reason = "\"" + shown + "\" is neither a command nor a file; nearest is " +
+                                                *nearest + " (see lapfx --help)"}};
+}
+
+}  // namespace
+
+std::vector<std::string> with_verb(std::vector<std::string> arguments, std::span<const std::string> verbs) {
+    const auto is_verb = [&](const std::string& word) {
+        return std::find(verbs.begin(), verbs.end(), word) != verbs.end();
+    };
+    if (arguments.empty()) return {"edit"};
+    const std::string first = arguments.front();
+    if (first == "help") {
+        if (arguments.size() == 1) return {"--help"};
+        if (!is_verb(arguments[1])) throw unknown_verb(arguments[1], verbs);
+        return {arguments[1], "--help"};
+    }
+    for (const char* own : {"-h", "--help", "--version"})
+        if (first == own) return arguments;
+    if (is_verb(first)) return arguments;
+    if (!first.starts_with('-') && !could_be_file(first)) throw unknown_verb(first, verbs);
+    arguments.insert(arguments.begin(), "edit");
+    return arguments;
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,50 @@
+#include "commands/verb.h"
+
+#include <gmock/gmock.h>
+
+#include "lapfx/error.h"
+
+namespace lapfx::commands {
+namespace {
+
+using testing::ElementsAre;
+
+const std::vector<std::string> verbs{"edit", "render", "sheet", "inspect", "check"};
+
+std::string refused(const std::vector<std::string>& arguments) {
+    try {
+        (void)with_verb(arguments, verbs);
+    } catch (const Error& error) {
+        EXPECT_EQ(error.failure(), Failure::bad_input);
+        return error.faults().front().text();
+    }
+    return "taken";
+}
+
+TEST(Verb, FilesAndOptionsAloneAreForTheEditor) {
+    EXPECT_THAT(with_verb({}, verbs), ElementsAre("edit"));
+    EXPECT_THAT(with_verb({"liver.glb", "smoke.mp4"}, verbs), ElementsAre("edit", "liver.glb", "smoke.mp4"));
+    EXPECT_THAT(with_verb({"--size", "800x600"}, verbs), ElementsAre("edit", "--size", "800x600"));
+    EXPECT_THAT(with_verb({"/tmp", "x"}, verbs), ElementsAre("edit", "/tmp", "x"))
+        << "the editor tells what is no file";
+}
+
+TEST(Verb, AVerbStaysWhatItIs) {
+    EXPECT_THAT(with_verb({"render", "edit", "-o", "x.png"}, verbs), ElementsAre("render", "edit", "-o", "x.png"));
+    EXPECT_THAT(with_verb({"--help"}, verbs), ElementsAre("--help"));
+    EXPECT_THAT(with_verb({"--version"}, verbs), ElementsAre("--version"));
+    EXPECT_THAT(with_verb({"help"}, verbs), ElementsAre("--help"));
+    EXPECT_THAT(with_verb({"help", "sheet"}, verbs), ElementsAre("sheet", "--help"));
+}
+
+TEST(Verb, AWrongOneIsToldWithTheNearest) {
+    EXPECT_EQ(refused({"rendr", "x.json"}),
+              "\"rendr\" is neither a command nor a file; nearest is render (see lapfx --help)");
+    EXPECT_EQ(refused({"chekc"}), "\"chekc\" is neither a command nor a file; nearest is check (see lapfx --help)");
+    EXPECT_EQ(refused({"help", "shet"}),
+              "\"shet\" is neither a command nor a file; nearest is sheet (see lapfx --help)");
+    EXPECT_NE(refused({std::string(1 << 20, 'x')}), "taken") << "a hostile one costs no minutes";
+}
+
+}  // namespace
+}  // namespace lapfx::commands
