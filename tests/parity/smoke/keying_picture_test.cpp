@@ -29,10 +29,10 @@ std::vector<Case> cases() {
     // The fade reaches the middle of the view, which is compared; the masks lie there.
     SmokeClip faded;
     faded.crop = {.left = 0.04, .top = 0.03, .right = 0.05, .bottom = 0.02};
-    faded.edge_fade = 0.45;
+    faded.edge_fade = 0.3;
     faded.source_y = 0.5;
-    faded.masks = {{.x = 0.45, .y = 0.4, .width = 0.05, .height = 0.08},
-                   {.x = 0.55, .y = 0.6, .width = 0.2, .height = 0.03}};
+    faded.masks = {{.x = 0.3, .y = 0.3, .width = 0.04, .height = 0.06},
+                   {.x = 0.62, .y = 0.55, .width = 0.1, .height = 0.03}};
     return {{"plume_thick.mp4", luma},         {"plume_thick.mp4", luma, faded},
             {"plume_thick.mp4", edges, faded}, {"plume_green_alpha.mp4", edges, faded},
             {"wisps_thin.mp4", edges},         {"plume_green.mp4", green},
