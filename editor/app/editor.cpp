@@ -84,7 +84,13 @@ void Editor::bring(const std::vector<std::string>& files) {
     std::vector<std::string> documents, organs, videos;
     for (const std::string& file : files) {
         const bool written = std::filesystem::path(file).extension() == ".json";
-        (written ? documents : is_organ_name(file) ? organs : videos).push_back(file);
+        std::vector<std::string>& kind = written ? documents : is_organ_name(file) ? organs : videos;
+        try {
+            if (&kind == &videos) kind_of(file);  // throws where it is neither a video nor a picture
+            kind.push_back(file);
+        } catch (const Error& error) {
+            tell(error);
+        }
     }
     if (!documents.empty()) open(documents);
     if (!organs.empty()) open_organ(organs.front());

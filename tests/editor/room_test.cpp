@@ -77,7 +77,7 @@ TEST_F(RoomTest, TheMainPictureOfEveryLayoutIsLargeEnough) {
             const std::string what = name + " at " + std::to_string(to.scale) + ", " + std::to_string(to.size.x) +
                                      " x " + std::to_string(to.size.y);
             EXPECT_GE(picture.w, 11 * em) << what;
-            EXPECT_GE(picture.h, 5 * em) << what;
+            EXPECT_GE(picture.h, 4.5F * em) << what;
         }
     }
 }

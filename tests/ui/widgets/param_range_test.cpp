@@ -180,7 +180,7 @@ TEST(VectorParam, ItsNumbersAreCalledWhatTheyAre) {
     EXPECT_FALSE(ui.exists("Extinction/X"));
 }
 
-TEST(Param, ZeroIsShownAsWhatItStandsFor) {
+TEST(VectorParam, ZeroIsShownAsWhatItStandsFor) {
     double scale = 0;
     Harness ui([&](Ui& u) {
         Column column(u, {.width = px(640)});
