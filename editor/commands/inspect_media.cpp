@@ -5,6 +5,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "commands/inspect.h"
+#include "commands/progress.h"
 #include "lapfx/clip.h"
 #include "lapfx/error.h"
 
@@ -19,6 +20,17 @@ namespace {
 /// No word of OpenCV's on stderr: the fault says it.
 void silence_opencv() {
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+}
+
+/// Every frame is decoded: what a file says of itself may not be so.
+int decodable_frames(const std::filesystem::path& file) {
+    constexpr int steps = 100;
+    Progress progress("decoding " + file.filename().string(), steps);
+    int done = 0;
+    return count_decodable_frames(file, [&](double share) {
+        for (; done < static_cast<int>(share * steps); ++done) progress.step();
+        return true;
+    });
 }
 
 }  // namespace
@@ -41,6 +53,7 @@ void inspect_image(const std::filesystem::path& file) {
 
 void inspect_video(const std::filesystem::path& file) {
     const ClipReport report = report_clip(file);
+    const int decodable = decodable_frames(file);
     const auto number = [](const char* format, double value) {
         char text[64];
         std::snprintf(text, sizeof text, format, value);
@@ -50,7 +63,8 @@ void inspect_video(const std::filesystem::path& file) {
               << "  size                " << report.size.x << "x" << report.size.y << '\n'
               << "  frames per second   " << number("%.6g", report.frames_per_second)
               << (report.variable_frame_rate ? ", the mean of a variable rate\n" : "\n")  //
-              << "  frames              " << report.frames << '\n'
+              << "  frames              " << report.frames
+              << (decodable == report.frames ? "\n" : ", of which " + std::to_string(decodable) + " can be decoded\n")
               << "  duration            " << number("%.3f s", report.duration) << '\n'
               << "  codec               " << report.codec << '\n'
               << "  pixel format        " << report.pixel_format << (report.alpha ? ", with opacity\n" : "\n");

@@ -43,6 +43,15 @@ ClipReport report_clip(const std::filesystem::path& path) {
     return smoke::report_of(smoke::Decoder(path, smoke::Layout::planar, maximum_frames).info());
 }
 
+int count_decodable_frames(const std::filesystem::path& path, const Progress& progress) {
+    try {
+        smoke::Decoder decoder(path, smoke::Layout::planar, maximum_frames);
+        return decoder.count_decodable(organ::Stages(progress));
+    } catch (const organ::Stopped&) {
+        throw Error(Failure::runtime, Fault{.file = path.string(), .place = "", .reason = "was not read to its end"});
+    }
+}
+
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> folders) {
     return smoke::find_clip(file, preset_folder, folders);

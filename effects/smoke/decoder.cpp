@@ -86,6 +86,7 @@ struct Decoder::State {
     void look_through(int maximum_frames, const organ::Stages& stages);
     void open_known(const ClipInfo& known);
     void describe(const AVFrame& frame, const ClipIndex& found);
+    int count_decodable(const organ::Stages& stages);
     bool brings_opacity();
     Step decode_to(int index, const std::atomic<bool>* stop);
     Step decode_image(int index, const std::atomic<bool>* stop);
@@ -136,6 +137,16 @@ void Decoder::State::look_through(int maximum_frames, const organ::Stages& stage
     describe(*shown.frame, *found);
     if (sequence) reader.reset();
     info.alpha = has_alpha(shown.frame->format) && brings_opacity();
+}
+
+int Decoder::State::count_decodable(const organ::Stages& stages) {
+    const int frames = info.frame_count();
+    int count = 0;
+    for (int at = 0; at < frames; ++at) {
+        if (decode_to(at, nullptr) == Step::frame && shown.number == at) ++count;
+        stages.reach(static_cast<double>(at + 1) / frames);
+    }
+    return count;
 }
 
 void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
@@ -292,6 +303,10 @@ const ClipInfo& Decoder::info() const {
 
 PictureFormat Decoder::format() const {
     return {.size = state_->size, .layout = state_->layout, .alpha = state_->info.alpha};
+}
+
+int Decoder::count_decodable(const organ::Stages& stages) {
+    return state_->count_decodable(stages);
 }
 
 void Decoder::scale_to(glm::ivec2 size) {

@@ -59,6 +59,8 @@ class Decoder {
 
     const ClipInfo& info() const;
     PictureFormat format() const;
+    /// How many frames can be decoded: all are, in order. Throws organ::Stopped.
+    int count_decodable(const organ::Stages& stages);
     /// Pictures are of this size from now on, whatever the file's.
     void scale_to(glm::ivec2 size);
 

@@ -12,12 +12,13 @@
 #include <string>
 
 #include "lapfx/preset.h"
+#include "lapfx/progress.h"
 
 namespace lapfx {
 
 struct ClipReport {
-    glm::ivec2 size{0};  ///< pixels; a rotation that the file asks for is not applied
-    int frames = 0;
+    glm::ivec2 size{0};                ///< pixels; a rotation that the file asks for is not applied
+    int frames = 0;                    ///< that the file holds; those that cannot be decoded repeat the one before
     double duration = 0.0;             ///< s, the last frame's time included
     double frames_per_second = 0.0;    ///< mean
     bool variable_frame_rate = false;  ///< some frames are shown for longer than others
@@ -30,6 +31,10 @@ struct ClipReport {
 /// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local file, a
 /// playlist, not a video that can be decoded, a side over 8192 pixels.
 ClipReport report_clip(const std::filesystem::path& path);
+
+/// How many of ClipReport::frames can be decoded. Decodes them all: takes as long as that takes. Throws Error: bad_input as
+/// report_clip(), runtime when `progress` stopped it.
+int count_decodable_frames(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Where the clip `file` of a preset lies: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
 /// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file` and where it was looked for.

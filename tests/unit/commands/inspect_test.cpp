@@ -81,6 +81,20 @@ TEST_F(InspectCommand, VideoAndImage) {
               "grey.png: image\n  size                5x3\n  channels            grey, 16 bit\n");
 }
 
+TEST_F(InspectCommand, FramesThatCannotBeDecodedAreTold) {
+    write_video("clip.avi");
+    std::string bytes = read_text(folder.path() / "clip.avi");
+    const std::size_t second = bytes.find("\xff\xd8", bytes.find("\xff\xd8") + 2);  // where a JPEG begins
+    ASSERT_NE(second, std::string::npos);
+    const std::size_t third = bytes.find("\xff\xd8", second + 2);
+    ASSERT_NE(third, std::string::npos);
+    bytes.replace(second, third - second - 16, third - second - 16, '\0');
+    folder.write("clip.avi", bytes);
+    const Result result = run("clip.avi");
+    EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("  frames              5, of which 4 can be decoded\n"), std::string::npos) << result.out;
+}
+
 TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {
     folder.write("cube.obj", cube_obj);
     folder.write("empty.glb", "");

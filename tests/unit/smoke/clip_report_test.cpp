@@ -33,6 +33,16 @@ TEST_F(ClipReportTest, VariableRatesAndRoundedTimesAreToldApart) {
     EXPECT_NEAR(uneven.frames_per_second, 27.0, 0.1);
 }
 
+TEST_F(ClipReportTest, FramesThatCanBeDecodedAreCountedUnlessStopped) {
+    const std::filesystem::path clip = test::write_clip(folder / "c.avi", 7, {80, 32}, 12.5);
+    std::vector<double> shares;
+    EXPECT_EQ(count_decodable_frames(clip, [&](double share) { return shares.push_back(share), true; }), 7);
+    EXPECT_EQ(shares.back(), 1.0);
+    EXPECT_EQ(test::faults_of([&] { count_decodable_frames(clip, [](double share) { return share < 0.5; }); },
+                              Failure::runtime),
+              std::vector{clip.string() + ": was not read to its end"});
+}
+
 TEST_F(ClipReportTest, WhatIsNoVideoIsAFault) {
     EXPECT_EQ(test::faults_of([&] { report_clip(folder / "none.avi"); }),
               std::vector{(folder / "none.avi").string() + ": no such file"});

@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "lapfx/clip.h"
 #include "unit/smoke/decoder_support.h"
 
 namespace lapfx::smoke {
@@ -324,6 +325,7 @@ TEST_F(CodecTest, AFrameThatFailsIsTheOneBefore) {
     }
     EXPECT_GE(broken, 1);
     EXPECT_LE(broken, 3);
+    EXPECT_EQ(count_decodable_frames(clip), 30 - broken);
 }
 
 TEST_F(CodecTest, AnotherSizeMidwayIsScaledToTheFirst) {

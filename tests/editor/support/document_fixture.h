@@ -1,0 +1,38 @@
+// A preset of its own, open in the whole editor, and what is asked about it.
+#pragma once
+
+#include "app/files.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+
+class EditorDocument : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+    }
+    void set_speed(double speed) {
+        editor().document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
+        ui().frame();
+    }
+    double speed() { return editor().document.preset().bleeding.speed; }
+    /// A preset of the test's own, open and saved.
+    std::filesystem::path own_preset(const std::string& name = "own.json") {
+        const std::filesystem::path file = folder() / name;
+        Preset preset;
+        preset.name = "own";
+        save_preset(preset, file);
+        open({file.string()});
+        return file;
+    }
+    void say(const std::string& answer) { ui().click("**/" + answer).frame(); }
+    bool asked(const std::string& title) {
+        ui().frame();
+        return editor().files().question() != nullptr &&
+               editor().files().question()->title.find(title) != std::string::npos;
+    }
+};
+
+}  // namespace lapfx::test
