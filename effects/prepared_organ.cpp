@@ -10,7 +10,8 @@ namespace lapfx {
 namespace {
 
 // Of the time that it all takes, for a textured organ.
-constexpr double loaded = 0.3, tool_loaded = 0.35;
+constexpr double loaded = 0.3, refined = 0.35, tool_loaded = 0.4;
+constexpr double split = 0.1;  // of that for one that is loaded
 
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& data) {
@@ -26,6 +27,11 @@ std::size_t bytes_of(const Organ& organ) {
 
 std::filesystem::path path_of(const Scene& scene, const std::string& file, const std::string& place) {
     return named_path(scene.folder, file, Reach::anywhere, "", place);
+}
+
+RefinedOrgan refined_of(Organ organ, const organ::Stages& stages) {
+    const organ::RefinePlan plan = organ::plan_refine(organ, stages.part(0.0, 0.0));
+    return organ::refine(std::move(organ), plan, stages);
 }
 
 /// Runs work that Stopped may end.
@@ -91,13 +97,14 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
         made->organ_source = scene.organ;
         made->tool_source = scene.tool;
         made->folder = scene.folder;
-        RefinedOrgan fine = refine(organ::load(path_of(scene, scene.organ.file, "/organ/file"),
-                                               {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
-                                               stages.part(0.0, loaded)));
+        RefinedOrgan fine = refined_of(
+            organ::load(path_of(scene, scene.organ.file, "/organ/file"),
+                        {.scale = scene.organ.scale, .rotation = scene.organ.rotation}, stages.part(0.0, loaded)),
+            stages.part(loaded, refined));
         made->organ = std::move(fine.organ);
         if (!scene.tool.file.empty())
             made->tool = organ::load(path_of(scene, scene.tool.file, "/tool/file"),
-                                     {.scale = scene.tool.scale, .rotation = {}}, stages.part(loaded, tool_loaded));
+                                     {.scale = scene.tool.scale, .rotation = {}}, stages.part(refined, tool_loaded));
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
                                                               std::move(fine.midpoints));
         return made;
@@ -109,9 +116,10 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
     return unless_stopped([&] {
         const organ::Stages stages(progress);
         auto made = std::make_unique<PreparedOrgan::State>();
-        RefinedOrgan fine = refine(std::move(organ));
+        RefinedOrgan fine = refined_of(std::move(organ), stages.part(0.0, split));
         made->organ = std::move(fine.organ);
-        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages, std::move(fine.midpoints));
+        made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(split, 1.0),
+                                                              std::move(fine.midpoints));
         return made;
     });
 }

@@ -237,7 +237,12 @@ bool ClipShelf::is_outside(const ClipFacts& facts) const {
     if (facts.path.empty()) return false;
     for (const fs::path& folder : editor_.options().clip_folders)
         if (facts.path.parent_path() == folder) return false;
-    return within(facts.path, home()).empty();
+    const auto real = [](const fs::path& path) {
+        std::error_code error;
+        fs::path found = fs::weakly_canonical(path, error);
+        return error ? path : found;
+    };
+    return within(real(facts.path), real(home())).empty();
 }
 
 // --- adding ----------------------------------------------------------------------------------------------------------------

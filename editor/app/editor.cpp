@@ -137,6 +137,7 @@ void Editor::forget_document(bool scene_too) {
     keying_->shelf.cancel_work();
     keying_->shelf.forget_refused();
     keying_->cancel_suggesting();
+    keying_->cancel_finding_source();
     keying_->forget_suggestion();
     snapshots_->forget_before();
     if (!scene_too) return;
@@ -276,7 +277,10 @@ bool Editor::draw_in_turn() {
     const bool drawn = draw_pictures();
     meter_->scene.end();
     meter_->frame(now_, playing(), drawn);
-    if (!drawn) return false;
+    if (!drawn) {
+        pace_.left_out(now_);
+        return false;
+    }
     // Without a GPU the work is done where it is waited for: here, so that it is known, and not in what the panels draw.
     if (working && options_.software) glFinish();
     pace_.drawn(now_, now_ + clock() - begin);

@@ -54,6 +54,11 @@ std::string name_of_file(const fs::path& file) {
     return name;
 }
 
+/// Of a document that nobody has called anything yet.
+std::string_view new_name(bool scene) {
+    return scene ? "New scene" : "New preset";
+}
+
 /// What the document on the disk is called; empty: there is none.
 std::string name_in(const fs::path& file, bool scene) {
     if (file.empty()) return {};
@@ -155,8 +160,8 @@ void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene
          .lines = unsaved_words(),
          .answers = {
              {.label = std::string(both ? "Save all" : "Save") + (names ? " as..." : ""),
-              .tip = names ? "Asks for names and saves, then goes on. When that fails, everything stays as it is."
-                           : "Saves them, then goes on. When that fails, everything stays as it is.",
+              .tip = names ? "Asks for names and saves, then continues. When that fails, everything stays as it is."
+                           : "Saves them, then continues. When that fails, everything stays as it is.",
               .act = save_first,
               .standard = true},
              {.label = "Discard", .tip = "Continues without saving. The changes are lost.", .act = then},
@@ -301,30 +306,29 @@ void Files::save_to(Kind kind, const fs::path& to, Then then) {
                      {.label = "Cancel", .cancel = true}}});
 }
 
-/// A document that was never given a name of its own is called as its new file is. Gives whether it was renamed, a step.
-bool Files::rename_for(Kind kind, const fs::path& to) {
+/// A document that was never given a name of its own is called as its new file is.
+std::string Files::name_for(Kind kind, const fs::path& to) const {
     const bool scene = kind == Kind::scene;
     const fs::path& before = file(kind);
-    document::Document& d = editor_.document;
-    if (to == before) return false;
+    const document::Document& d = editor_.document;
     const std::string& now = scene ? d.scene().name : d.preset().name;
-    if (!now.empty() && now != name_in(before, scene)) return false;
-    const std::string name = name_of_file(to);
-    if (name == now) return false;
-    d.change("Name", [&](document::Content& c) { (scene ? c.scene.name : c.preset.name) = name; });
-    return true;
+    const bool own = !now.empty() && now != new_name(scene) && now != name_in(before, scene);
+    return own || to == before ? now : name_of_file(to);
 }
 
 void Files::write(Kind kind, const fs::path& to, const Then& then) {
     const fs::path before = file(kind);
-    const bool renamed = rename_for(kind, to);
+    using Named = document::Document::Named;
+    const Named what = kind == Kind::scene ? Named::scene : Named::preset;
+    const std::string name = what == Named::scene ? editor_.document.scene().name : editor_.document.preset().name;
+    if (const std::string wanted = name_for(kind, to); wanted != name) editor_.document.rename(what, wanted);
     try {
         if (kind == Kind::scene)
             editor_.document.save_scene(to);
         else
             editor_.document.save_preset(to);
     } catch (const Error& error) {
-        if (renamed) editor_.document.undo();
+        editor_.document.rename(what, name);
         relock();
         return ask_failed(kind, to, error.faults(), then);
     }
@@ -380,11 +384,11 @@ void Files::make_new() {
         } catch (const Error& error) {
             editor_.tell(error);  // an empty scene then: an organ is loaded into it
         }
-        fresh.content.scene.name = "New scene";
+        fresh.content.scene.name = new_name(true);
         fresh.content.scene.preset.clear();
         fresh.content.scene.reference = {};
         fresh.content.scene.events.clear();
-        fresh.content.preset.name = "New preset";
+        fresh.content.preset.name = new_name(false);
         become(std::move(fresh), {}, {.scene = true});
     };
     if (editor_.document.unsaved()) return ask_unsaved("Save changes before starting a new scene?", begin, {});
@@ -516,8 +520,7 @@ void Files::become(Opened opened, const std::vector<std::string>& files, Kinds k
     } else {
         if (kinds.preset) d.open_preset(opened.content.preset, opened.preset_file);
         // Organs and clips are changes like others: they are undone.
-        if (!kinds.preset && !d.preset_file().empty())
-            d.move(opened.content.preset, document::folder_of(d.preset_file()));
+        if (!kinds.preset && !document::same(opened.content.preset, d.preset())) d.gather_clips(opened.content.preset);
         d.change("Open " + fs::path(files.front()).filename().string(),
                  [&](document::Content& c) { c = std::move(opened.content); });
     }
@@ -554,7 +557,7 @@ void Files::ask_running(Then then) {
     ask({.title = in_marks(editor_.exports().name()) + " is being exported",
          .text =
              "Closing stops the export. Nothing of it is written, and a file of that name that was there before stays.",
-         .answers = {{.label = "Stop it and close", .tip = "The export is given up.", .act = stop},
+         .answers = {{.label = "Stop it and close", .tip = "The export is cancelled.", .act = stop},
                      {.label = "Keep exporting", .tip = "The editor stays open.", .standard = true, .cancel = true}}});
 }
 
@@ -562,12 +565,13 @@ const std::string& Files::title() {
     const document::Document& d = editor_.document;
     if (title_version_ == d.version()) return title_;
     title_version_ = d.version();
-    const auto part = [](const fs::path& file, const std::string& name, const char* otherwise, bool unsaved) {
-        const std::string called = !file.empty() ? file.filename().string() : name.empty() ? otherwise : name;
+    const auto part = [](const fs::path& file, const std::string& name, std::string_view otherwise, bool unsaved) {
+        const std::string called =
+            !file.empty() ? file.filename().string() : std::string(name.empty() ? otherwise : name);
         return called + (unsaved ? "*" : "");
     };
-    title_ = part(d.preset_file(), d.preset().name, "New preset", d.preset_unsaved()) + " - " +
-             part(d.scene_file(), d.scene().name, "New scene", d.scene_unsaved()) + " - lapfx";
+    title_ = part(d.preset_file(), d.preset().name, new_name(false), d.preset_unsaved()) + " - " +
+             part(d.scene_file(), d.scene().name, new_name(true), d.scene_unsaved()) + " - lapfx";
     return title_;
 }
 

@@ -89,7 +89,7 @@ class Files {
     void save(Kind kind, Then then);
     void save_as(Kind kind, Then then);
     void save_to(Kind kind, const std::filesystem::path& file, Then then);
-    bool rename_for(Kind kind, const std::filesystem::path& file);
+    std::string name_for(Kind kind, const std::filesystem::path& to) const;
     void write(Kind kind, const std::filesystem::path& file, const Then& then);
     struct Kinds {
         bool scene = false, preset = false;

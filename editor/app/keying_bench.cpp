@@ -8,6 +8,7 @@
 #include "app/editor.h"
 #include "app/parameters.h"
 #include "app/pick_color.h"
+#include "document/tables.h"
 
 namespace lapfx::app {
 
@@ -175,6 +176,7 @@ KeyingBench::KeyingBench(Editor& editor)
     : shelf(editor),
       editor_(editor),
       work_(std::make_shared<BenchWork>()),
+      requested_(std::make_unique<Request>()),
       vectors_(editor.images),
       waves_(editor.images) {}
 
@@ -211,18 +213,18 @@ double KeyingBench::standing_at() const {
     return std::min(look.time.value_or(0.4 * duration), duration);
 }
 
-KeyingBench::Request KeyingBench::request() const {
-    Request wanted;
+const KeyingBench::Request& KeyingBench::request() const {
+    Request& wanted = *requested_;
     const SmokeClip* one = clip();
     const ClipFacts& facts = shelf.of(editor_.clip);
-    if (one == nullptr || !facts.known) return wanted;
+    if (one == nullptr || !facts.known) return wanted = {};
     const SmokeParameters& smoke = editor_.document.preset().smoke;
     const bool plume = one->role == ClipRole::plume;
     wanted.path = facts.path;
-    wanted.look = {.keying = keying(),
-                   .clip = *one,
-                   .color = plume ? smoke.plume.color : smoke.haze.color,
-                   .extinction = plume ? smoke.plume.extinction : smoke.haze.extinction};
+    wanted.look.keying = keying();
+    wanted.look.clip = *one;
+    wanted.look.color = plume ? smoke.plume.color : smoke.haze.color;
+    wanted.look.extinction = plume ? smoke.plume.extinction : smoke.haze.extinction;
     wanted.time = standing_at();
     if (look.follow) {
         const double end = one->out > one->in ? std::min(one->out, facts.report.duration) : facts.report.duration;
@@ -230,7 +232,7 @@ KeyingBench::Request KeyingBench::request() const {
         wanted.time = one->in + std::fmod(editor_.timeline.time * one->speed, length);
     }
     wanted.behind = look.behind;
-    if (look.behind == Behind::preview) wanted.backdrop = backdrop_;
+    wanted.backdrop = look.behind == Behind::preview ? backdrop_ : nullptr;
     return wanted;
 }
 
@@ -241,12 +243,15 @@ bool KeyingBench::stale() const {
             editor_.preview.picture() != 0);
 }
 
-/// The picture of the frame before is that of now once time has stood still for a frame.
+/// The picture of the frame before is that of now once time has stood still for a frame. One that was drawn with fewer pixels
+/// is not taken: it is drawn whole in a moment.
 void KeyingBench::follow_backdrop() {
     const double now = editor_.timeline.time;
     const bool stands = now == time_before_ && !editor_.playing();
+    const bool whole = std::isinf(editor_.whole_at());
     time_before_ = now;
-    if (look.behind != Behind::preview || !stands || backdrop_time_ == now || editor_.preview.picture() == 0) return;
+    if (look.behind != Behind::preview || !stands || !whole || backdrop_time_ == now || editor_.preview.picture() == 0)
+        return;
     backdrop_ = std::make_shared<const Image>(editor_.preview.read());
     backdrop_time_ = now;
 }
@@ -267,7 +272,7 @@ void KeyingBench::update(double now) {
     shown_ = std::exchange(wanted_, false);
     if (!shown_ || job_) return;
     follow_backdrop();
-    const Request wanted = request();
+    const Request& wanted = request();
     if (asked_ && *asked_ == wanted) return;
     start(wanted);
 }
@@ -351,6 +356,11 @@ void KeyingBench::cancel_suggesting() {
     suggesting_.reset();
 }
 
+void KeyingBench::cancel_finding_source() {
+    if (finding_source_) finding_source_->cancel();
+    finding_source_.reset();
+}
+
 void KeyingBench::forget_suggestion() {
     suggestion_.reset();
     suggestion_changes_.clear();
@@ -403,7 +413,7 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
         changes += (changes.empty() ? "" : ", ") + more;
     const std::size_t many = sharing(), all = now.clips.size();
     const std::string_view own =
-        clip_before.own_keying ? "For this clip alone: " : "For this clip alone, in a keying of its own now: ";
+        clip_before.own_keying ? "For this clip only: " : "For this clip only (it now has its own keying): ";
     const std::string for_whom = clip.own_keying ? std::string(own)
                                  : many == all   ? "For all clips (" + std::to_string(all) + "): "
                                                  : "For " + std::to_string(many) + " of " + std::to_string(all) +
@@ -412,7 +422,7 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
     suggestion_undoes_ = !changes.empty() || clip.own_keying != clip_before.own_keying;
     suggestion_changes_ = !changes.empty()     ? for_whom + changes
                           : suggestion_undoes_ ? for_whom + "the same values"
-                                               : "Nothing changed: it was so already";
+                                               : "Nothing changed: these thresholds were set already";
 }
 
 void KeyingBench::suggest_for_all() {
@@ -449,6 +459,7 @@ void KeyingBench::suggest(For whose) {
         const auto& clips = editor_.document.preset().smoke.clips;
         if (number >= clips.size() || clips[number].file != file) return;
         suggestion_ = found;
+        suggestion_->reason = document::with_shown_units(found.reason);
         suggested_for_ = file;
         suggested_clip_ = number;
         put_suggestion(found, number, whose);

@@ -104,10 +104,11 @@ class KeyingBench {
     /// Where the clip's smoke starts, by a job; one undo step.
     void find_source();
     const std::shared_ptr<Job>& finding_source() const { return finding_source_; }
+    void cancel_finding_source();
     /// Of the clip that is selected, as long as nobody has selected another one.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
     static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
-    /// What it changed, and for whom: "For this clip alone: Luma low 16 to 31". Empty once the document has changed again.
+    /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed again.
     std::string_view suggestion_changes() const;
     /// The document as it is now came of it: undo takes it back.
     bool suggestion_undoes() const { return suggestion_undoes_ && !suggestion_changes().empty(); }
@@ -122,7 +123,7 @@ class KeyingBench {
     friend class BenchWork;
     struct Request;
     struct Result;
-    Request request() const;
+    const Request& request() const;  ///< for what is seen now
     void follow_backdrop();
     void start(const Request& request);
     void take(Result& result);
@@ -135,7 +136,8 @@ class KeyingBench {
     bool wanted_ = false, shown_ = false;
     std::shared_ptr<BenchWork> work_;
     std::shared_ptr<Job> job_;
-    std::unique_ptr<Request> asked_;  ///< last
+    std::unique_ptr<Request> asked_;      ///< last
+    std::unique_ptr<Request> requested_;  ///< by request(), in every frame: its texts and lists keep their room
     std::shared_ptr<const Image> backdrop_;
     double backdrop_time_ = -1, time_before_ = -1;
 

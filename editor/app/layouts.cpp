@@ -96,15 +96,21 @@ void Layouts::fit_window(glm::vec2 ems) {
         stacked_ = true;
         return show(std::move(shown));
     }
-    // What was closed, opened or brought to the front meanwhile is so there as well.
+    const DockLayout stack = shown;
+    shown = arranged();
     stacked_ = false;
-    const DockLayout stack = std::exchange(shown, std::move(wide_));
-    for (const std::string& panel : stack.closed) shown.close(panel);
-    for (const ui::DockNode& node : stack.nodes)
-        for (const std::string& panel : node.tabs)
-            if (shown.find(panel) < 0) shown.show(panel);
     for (const ui::DockNode& node : stack.nodes)
         if (node.leaf() && !node.tabs.empty()) shown.show(node.tabs[static_cast<std::size_t>(node.active)]);
+}
+
+const DockLayout& Layouts::arranged() const {
+    if (!stacked_) return shown;
+    for (const std::string& panel : shown.closed)
+        if (wide_.find(panel) >= 0) wide_.close(panel);
+    for (const ui::DockNode& node : shown.nodes)
+        for (const std::string& panel : node.tabs)
+            if (wide_.find(panel) < 0) wide_.show(panel);
+    return wide_;
 }
 
 std::vector<std::string> Layouts::names() const {

@@ -25,8 +25,8 @@ class Layouts {
     /// main one in front, until the window is larger again.
     void fit_window(glm::vec2 ems);
     bool stacked() const { return stacked_; }
-    /// As it is, or will be again, in a window with room.
-    const ui::DockLayout& arranged() const { return stacked_ ? wide_ : shown; }
+    /// As it is, or will be again, in a window with room, with what has been closed and opened in a small one.
+    const ui::DockLayout& arranged() const;
     const std::string& name() const { return name_; }
     /// Whether the panel is in front of its tabs.
     bool seen(std::string_view panel) const;
@@ -47,7 +47,7 @@ class Layouts {
   private:
     void show(ui::DockLayout layout);
 
-    ui::DockLayout wide_;  ///< while it is stacked
+    mutable ui::DockLayout wide_;  ///< while it is stacked; arranged() brings it up to date
     bool stacked_ = false;
     std::uint32_t version_ = 0;
     std::string name_;

@@ -58,25 +58,26 @@ void open_organ(Opened& opened, const fs::path& file) {
     opened.scene_file.clear();
 }
 
-/// A smoke video becomes the plume; the haze stays.
+/// A smoke video becomes the plume; the haze stays, wherever its clips lie.
 void open_clip(Opened& opened, const fs::path& file) {
     const bool numbered =
         file.filename().string().find('%') != std::string::npos;  // the preview tells if none is there
     if (!numbered && !fs::exists(file))
         throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = "no such file"});
     Preset& preset = opened.content.preset;
-    preset.folder = fs::absolute(file).parent_path();
     auto& clips = preset.smoke.clips;
     std::erase_if(clips, [](const SmokeClip& clip) { return clip.role == ClipRole::plume; });
-    clips.insert(clips.begin(), {.file = file.filename().string()});
+    clips.insert(clips.begin(), {.file = fs::absolute(file).lexically_normal().string()});
+    document::gather_clips(preset, preset.folder, {});
     opened.preset_file.clear();
 }
 
 /// Whether it begins as texts do, and no video or picture does: printable characters alone.
 bool is_text(const fs::path& file) {
     std::error_code error;
+    if (!fs::is_regular_file(file, error)) return false;  // asked first: opening a pipe would wait for its writer
     std::ifstream in(file, std::ios::binary);
-    if (!in || !fs::is_regular_file(file, error)) return false;
+    if (!in) return false;
     std::string begin(4096, '\0');
     in.read(begin.data(), static_cast<std::streamsize>(begin.size()));
     begin.resize(static_cast<std::size_t>(in.gcount()));

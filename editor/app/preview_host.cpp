@@ -208,6 +208,10 @@ void PreviewHost::follow_preset() {
 void PreviewHost::show_parameters(const Preset& preset) {
     try {
         preview_->set_parameters(preset);
+        Preset shown = preset;
+        shown.folder = good_.folder;
+        shown.smoke.clips = good_.smoke.clips;
+        good_ = std::move(shown);
         if (clips_job_) preset_faults_ = check(preset_table(), &wanted_.preset);
     } catch (const Error& error) {
         preset_faults_ = error.faults();

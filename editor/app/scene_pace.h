@@ -30,6 +30,8 @@ class ScenePace {
     double scale(double now) const { return touched(now) ? steps[step_] : 1; }
     /// A picture has been drawn, with scale(begin).
     void drawn(double begin, double end);
+    /// It was its turn at `now`, and nothing had to be drawn: at rest, what was drawn with fewer pixels is not seen any more.
+    void left_out(double now) { coarse_ = coarse_ && touched(now); }
     /// When a picture that was drawn with fewer pixels is to be drawn whole, s; infinite: it is.
     double whole_at() const { return coarse_ ? touched_ + rest : std::numeric_limits<double>::infinity(); }
 

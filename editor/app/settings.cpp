@@ -154,7 +154,7 @@ void Settings::apply(const std::string& text) {
     reader.list("recent", recent, most_recent);
     std::erase_if(recent, [&](const std::string& name) {
         const bool whole = fs::path(name).is_absolute();
-        if (!whole) faults.push_back("/recent: \"" + name + "\" is no whole path");
+        if (!whole) faults.push_back("/recent: \"" + name + "\" is not an absolute path");
         return !whole;
     });
     reader.list("favourites", favourites, most_listed);

@@ -116,8 +116,8 @@ void Tuning::follow() {
     for (const Fault& fault : told) clips.push_back(fault.reason);
     if (followed_ != document.version()) {
         followed_ = document.version();
-        if (!document.scene_unsaved()) saved_.scene = document.scene();
-        follow_standard();
+        follow_saved();
+        follow_saved_clips();
         follow_values();
     }
     follow_faults();
@@ -135,25 +135,51 @@ void Tuning::follow_favourites() {
     }
 }
 
-void Tuning::follow_standard() {
-    const std::string& text = editor_.document.saved_preset_text();
-    if (text == standard_text_) return;
-    standard_text_ = text;
-    try {
-        saved_.preset = text.empty() ? Preset{} : parse_preset(text, "as saved");
-    } catch (const Error&) {
-        saved_.preset = editor_.document.preset();  // opened with faults, from an autosave: as it came
+void Tuning::follow_saved() {
+    const document::Document& document = editor_.document;
+    if (const std::string& text = document.saved_preset_text(); text != saved_preset_text_) {
+        saved_preset_text_ = text;
+        try {
+            saved_.preset = text.empty() ? Preset{} : parse_preset(text, "as saved");
+        } catch (const Error&) {
+            saved_.preset = document.preset();  // opened with faults, from an autosave: as it came
+        }
+    }
+    saved_.preset.folder = document.saved_preset_folder();
+    if (const std::string& text = document.saved_scene_text(); text != saved_scene_text_) {
+        saved_scene_text_ = text;
+        try {
+            saved_.scene = text.empty() ? Scene{} : parse_scene(text, "as saved");
+        } catch (const Error&) {
+            saved_.scene = document.scene();
+        }
+    }
+    if (!document.scene_unsaved()) saved_.scene = document.scene();  // its files may be named from another folder now
+}
+
+void Tuning::follow_saved_clips() {
+    const Preset &now = editor_.document.preset(), &saved = saved_.preset;
+    // Where both name them from one folder the disk need not be asked.
+    const auto files = [asks = now.folder != saved.folder](const Preset& preset) {
+        std::vector<std::filesystem::path> all;
+        for (const SmokeClip& clip : preset.smoke.clips)
+            all.push_back(asks ? document::real_clip(clip.file, preset.folder) : std::filesystem::path(clip.file));
+        return all;
+    };
+    const auto present = files(now);
+    auto before = files(saved);
+    saved_clips_.assign(present.size(), no_entry);
+    for (std::size_t i = 0; i < present.size(); ++i) {
+        const auto found = std::find(before.begin(), before.end(), present[i]);
+        if (found == before.end() || found->empty()) continue;
+        saved_clips_[i] = static_cast<std::size_t>(found - before.begin());
+        found->clear();  // the next one of that name is the next one saved
     }
 }
 
 const SmokeClip* Tuning::saved_clip(std::size_t number) const {
-    const auto& clips = editor_.document.preset().smoke.clips;
-    if (number >= clips.size()) return nullptr;
-    const auto same = [&](const SmokeClip& clip) { return clip.file == clips[number].file; };
-    auto before = std::count_if(clips.begin(), clips.begin() + static_cast<std::ptrdiff_t>(number), same);
-    for (const SmokeClip& clip : saved_.preset.smoke.clips)
-        if (same(clip) && before-- == 0) return &clip;
-    return nullptr;
+    if (number >= saved_clips_.size() || saved_clips_[number] == no_entry) return nullptr;
+    return &saved_.preset.smoke.clips[saved_clips_[number]];
 }
 
 void Tuning::follow_values() {

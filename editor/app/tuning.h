@@ -42,7 +42,8 @@ class Tuning {
     const Preset& standard() const { return saved_.preset; }
     /// Scene and preset as they were opened or saved: what the dot of a row compares with and Backspace goes back to.
     const document::Content& saved() const { return saved_; }
-    /// What was saved of this clip, wherever it stood in the list then: the same file, as often named before it. Null: it is new.
+    /// What was saved of this clip, wherever it stood in the list then: the same file, as often used before it, however the
+    /// folder of either names it. Null: it is new.
     const SmokeClip* saved_clip(std::size_t number) const;
     /// What is wrong with it; empty: nothing.
     const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
@@ -91,7 +92,8 @@ class Tuning {
     };
     static std::size_t index_of(const ParameterGroup& group);
     void follow_favourites();
-    void follow_standard();
+    void follow_saved();
+    void follow_saved_clips();
     void follow_values();
     void follow_faults();
 
@@ -102,8 +104,9 @@ class Tuning {
     std::vector<std::string> other_faults_, favourite_keys_;
     std::vector<std::size_t> favourites_;
     std::uint64_t followed_ = 0;
-    std::string standard_text_;
+    std::string saved_preset_text_, saved_scene_text_;
     document::Content saved_;
+    std::vector<std::size_t> saved_clips_;  ///< of each clip, its number among the saved ones; no_entry: it is new
     std::vector<std::string> clip_faults_;
 };
 

@@ -46,9 +46,12 @@ class SceneFiles {
 
 void check_scene(const Scene& scene, const std::string& name) {
     SceneFiles files(scene, name);
-    files.open("/organ/file", scene.organ.file, [&](const auto& file) { load_organ(file); });
+    files.open("/organ/file", scene.organ.file, [&](const auto& file) {
+        load_organ(file, {.scale = scene.organ.scale, .rotation = scene.organ.rotation});
+    });
     if (!scene.tool.file.empty())
-        files.open("/tool/file", scene.tool.file, [&](const auto& file) { load_organ(file); });
+        files.open("/tool/file", scene.tool.file,
+                   [&](const auto& file) { load_organ(file, {.scale = scene.tool.scale}); });
     if (!scene.preset.empty())
         files.open("/preset", scene.preset,
                    [&](const auto& file) { check_clips(load_preset(file), file.string(), clip_folders()); });

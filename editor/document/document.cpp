@@ -31,10 +31,11 @@ fs::path normal_folder(const fs::path& folder, const fs::path& file) {
     return folder.empty() && !file.empty() ? folder_of(file) : normal(folder);
 }
 
-/// Also a sequence, whose name with its % no file has.
+/// Also a sequence, whose name with its % no file has. A whole path may lie behind a symbolic link and hold any character.
 bool is_there(const fs::path& whole) {
+    if (!whole.has_filename() || whole.native().find('\0') != std::string::npos) return false;
     try {
-        (void)find_clip(whole.filename().string(), whole.parent_path(), {});
+        (void)find_clip(fs::absolute(whole).string(), {}, {});
         return true;
     } catch (const Error&) {
         return false;
@@ -46,10 +47,36 @@ bool lies_in(const fs::path& whole, const fs::path& folder) {
     return !folder.empty() && !relative.empty() && *relative.begin() != "..";
 }
 
+/// With symbolic links followed; of a sequence those of its folder. As it is where that is not allowed.
+fs::path real(const fs::path& path) {
+    std::error_code error;
+    fs::path found = fs::weakly_canonical(path, error);
+    return error ? path : found;
+}
+
 /// The clip's file, or its name where it is none in the preset's folder.
 fs::path whole_clip(const std::string& file, const fs::path& folder) {
     const fs::path whole = (folder / file).lexically_normal();
     return is_there(whole) ? whole : fs::path(file);
+}
+
+/// "case:3.glb" would read as a URL.
+std::string as_path(std::string name) {
+    return name.find(':') < name.find('/') ? "./" + name : name;
+}
+
+bool is_in_one_of(const std::vector<fs::path>& folders, const fs::path& file) {
+    return std::any_of(folders.begin(), folders.end(), [&](const fs::path& folder) {
+        std::error_code error;
+        return fs::equivalent(folder, file.parent_path(), error);
+    });
+}
+
+/// As it is spelled if that is allowed in this folder, else by where it really lies, which is inside.
+std::string name_within(const fs::path& whole, const fs::path& folder) {
+    const bool spelled = lies_in(whole, folder) && lies_in(real(whole), real(folder));
+    const fs::path name = spelled ? whole.lexically_relative(folder) : real(whole).lexically_relative(real(folder));
+    return as_path(name.generic_string());
 }
 
 [[noreturn]] void fail_reading_back(const fs::path& file) {
@@ -81,20 +108,43 @@ std::string moved_path(const std::string& file, const fs::path& from, const fs::
     const fs::path whole = path.is_absolute() ? path : from / path;
     if (!path.is_absolute() && (from.empty() || !is_there(whole))) return file;
     const fs::path relative = fs::proximate(whole, to, error);
-    return error || relative.empty() ? fs::absolute(whole).string() : relative.generic_string();
+    return error || relative.empty() ? fs::absolute(whole).string() : as_path(relative.generic_string());
+}
+
+fs::path real_clip(const std::string& file, const fs::path& folder) {
+    const fs::path whole = whole_clip(file, folder);
+    return whole.is_absolute() ? real(whole) : whole;
+}
+
+void gather_clips(Preset& preset, const fs::path& home, const std::vector<fs::path>& shipped) {
+    std::vector<fs::path> whole;  // of each clip; not absolute: it stays a bare name
+    fs::path above;               // of all of them
+    for (const SmokeClip& clip : preset.smoke.clips) {
+        fs::path path = whole_clip(clip.file, preset.folder);
+        if (path.is_absolute() && is_in_one_of(shipped, path)) path = path.filename();
+        if (path.is_absolute()) {
+            const fs::path folder = real(path).parent_path();
+            if (above.empty()) above = folder;
+            while (!lies_in(folder, above)) above = above.parent_path();
+        }
+        whole.push_back(std::move(path));
+    }
+    fs::path gathered = above.empty() ? home : above;
+    for (const fs::path& folder : {home, preset.folder})
+        if (!above.empty() && !folder.empty() && lies_in(above, real(folder))) {
+            gathered = folder;
+            break;
+        }
+    for (std::size_t i = 0; i < whole.size(); ++i)
+        preset.smoke.clips[i].file =
+            whole[i].is_absolute() ? name_within(whole[i], gathered) : whole[i].generic_string();
+    preset.folder = gathered;
 }
 
 std::string Document::moved_clip(const std::string& file, const fs::path& from, const fs::path& to) const {
     const std::string moved = moved_path(file, from, to);
     const fs::path whole = to / moved;
-    return is_shipped(whole) ? whole.filename().string() : moved;
-}
-
-bool Document::is_shipped(const fs::path& clip) const {
-    return std::any_of(clip_folders_.begin(), clip_folders_.end(), [&](const fs::path& folder) {
-        std::error_code error;
-        return fs::equivalent(folder, clip.parent_path(), error);
-    });
+    return is_in_one_of(clip_folders_, whole) ? whole.filename().string() : moved;
 }
 
 void Document::move(Preset& preset, const fs::path& folder) const {
@@ -103,34 +153,13 @@ void Document::move(Preset& preset, const fs::path& folder) const {
 }
 
 void Document::gather_clips(Preset& preset) const {
-    std::vector<fs::path> whole;  // of each clip; empty: it stays a bare name
-    fs::path above;               // of all of them
-    for (const SmokeClip& clip : preset.smoke.clips) {
-        fs::path path = whole_clip(clip.file, preset.folder);
-        if (path.is_absolute() && is_shipped(path)) path = path.filename();
-        if (path.is_absolute()) {
-            const fs::path folder = path.parent_path();
-            if (above.empty()) above = folder;
-            while (!lies_in(folder, above)) above = above.parent_path();
-        }
-        whole.push_back(std::move(path));
-    }
-    const fs::path home = preset_file_.empty() ? preset.folder : folder_of(preset_file_);
-    for (const fs::path& folder : {home, preset.folder})
-        if (!above.empty() && lies_in(above, folder)) {
-            above = folder;
-            break;
-        }
-    preset.folder = above.empty() ? home : above;
-    for (std::size_t i = 0; i < whole.size(); ++i)
-        preset.smoke.clips[i].file =
-            (whole[i].is_absolute() ? whole[i].lexically_relative(preset.folder) : whole[i]).generic_string();
+    document::gather_clips(preset, preset_file_.empty() ? preset.folder : folder_of(preset_file_), clip_folders_);
 }
 
 bool same(const Preset& a, const Preset& b) {
     if (a.folder == b.folder) return write_preset(a) == write_preset(b);
     const auto resolved = [](Preset preset) {
-        for (SmokeClip& clip : preset.smoke.clips) clip.file = whole_clip(clip.file, preset.folder).generic_string();
+        for (SmokeClip& clip : preset.smoke.clips) clip.file = real_clip(clip.file, preset.folder).generic_string();
         return write_preset(preset);
     };
     return resolved(a) == resolved(b);
@@ -252,6 +281,23 @@ void Document::undo() {
 
 void Document::redo() {
     if (can_redo()) set(steps_[done_++].after);
+}
+
+void Document::rename(Named what, const std::string& name) {
+    commit();
+    const auto name_of = [what](Content& c) -> std::string& {
+        return what == Named::scene ? c.scene.name : c.preset.name;
+    };
+    const std::string before = name_of(content_);
+    const auto rename = [&](Content& c) {
+        if (name_of(c) == before) name_of(c) = name;
+    };
+    rename(content_);
+    for (Step& step : steps_) {
+        rename(step.before);
+        rename(step.after);
+    }
+    touched();
 }
 
 void Document::go_to(std::size_t done) {

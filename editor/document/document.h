@@ -50,6 +50,12 @@ std::filesystem::path folder_of(const std::filesystem::path& file);
 /// How a document in `to` has to name what one in `from` calls `file`. Names without a folder are looked up on the search path and
 /// stay what they are unless the file lies beside the old document.
 std::string moved_path(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to);
+/// The file of a clip that a preset in this folder names, symbolic links followed; its name where no such file lies there. Looks at
+/// the disk.
+std::filesystem::path real_clip(const std::string& file, const std::filesystem::path& folder);
+/// Names all clips, some of which may be whole paths, from one folder that holds them, symbolic links followed: `home` if it
+/// does, else the preset's own, else the deepest. Those in `shipped`, the folders of the search path, get bare names.
+void gather_clips(Preset& preset, const std::filesystem::path& home, const std::vector<std::filesystem::path>& shipped);
 
 /// One thing that was done.
 struct Step {
@@ -126,21 +132,28 @@ class Document {
     const std::vector<Step>& steps() const { return steps_; }
     std::size_t done() const { return done_; }
     void go_to(std::size_t done);  ///< undoes or redoes until so many are in effect
+    enum class Named { scene, preset };
+    /// Called so from now on, in what was done and undone as well: it is no step, and undoing others keeps the name.
+    void rename(Named what, const std::string& name);
 
     // --- files -----------------------------------------------------------------------------------------------------
     /// Where bare names of clips are looked up: a clip that lies there is named so, wherever the preset goes.
     void set_clip_folders(std::vector<std::filesystem::path> folders) { clip_folders_ = std::move(folders); }
     /// The same preset for another folder: its clips are found from there.
     void move(Preset& preset, const std::filesystem::path& folder) const;
-    /// Names all clips, some of which may be whole paths, from one folder that holds them: where the preset's file lies if that
-    /// does, else the deepest. What lies outside of the preset's file is asked about when that is saved.
+    /// The same, from where the preset's file lies if that folder holds them. What lies outside of it is asked about when the
+    /// preset is saved.
     void gather_clips(Preset& preset) const;
     const std::filesystem::path& scene_file() const { return scene_file_; }
     const std::filesystem::path& preset_file() const { return preset_file_; }
     bool scene_unsaved() const;  ///< differs from what was opened or saved
     bool preset_unsaved() const;
     bool unsaved() const { return scene_unsaved() || preset_unsaved(); }
-    const std::string& saved_preset_text() const { return saved_preset_; }  ///< as it was opened or saved
+    /// As they were opened or saved, with names from these folders; empty: they have no file, or it could not be read.
+    const std::string& saved_scene_text() const { return saved_scene_; }
+    const std::string& saved_preset_text() const { return saved_preset_; }
+    const std::filesystem::path& saved_scene_folder() const { return saved_scene_folder_; }
+    const std::filesystem::path& saved_preset_folder() const { return saved_preset_folder_; }
     /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is committed.
     /// Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens with.
     void save_preset(const std::filesystem::path& file);
@@ -170,7 +183,6 @@ class Document {
     void forget_steps();
     std::string text_in(const Scene& scene, const std::filesystem::path& folder) const;
     std::string text_in(const Preset& preset, const std::filesystem::path& folder) const;
-    bool is_shipped(const std::filesystem::path& clip) const;
     std::string moved_clip(const std::string& file, const std::filesystem::path& from,
                            const std::filesystem::path& to) const;
 

@@ -84,7 +84,7 @@ Json parsed(std::string text) {
 fs::path file_at(const Json& json, const std::string& what, std::vector<std::string>& told) {
     const fs::path file = fs::path(text_at(json, "file")).lexically_normal();
     if (file.empty() || (file.is_absolute() && file.extension() == ".json")) return file;
-    told.push_back(what + " /file: \"" + file.string() + "\" is no whole path of a .json file");
+    told.push_back(what + " /file: \"" + file.string() + "\" is not an absolute path of a .json file");
     return {};
 }
 
@@ -96,7 +96,7 @@ Document read_document(const Table& table, const Json& json, const std::string& 
     for (const std::string& fault : read_what_can_be(table, &document, text)) told.push_back(what + ' ' + fault);
     document.folder = fs::path(text_at(json, "folder")).lexically_normal();
     if (!document.folder.empty() && !document.folder.is_absolute()) {
-        told.push_back(what + " /folder: \"" + document.folder.string() + "\" is no whole path");
+        told.push_back(what + " /folder: \"" + document.folder.string() + "\" is not an absolute path");
         document.folder.clear();
     }
     return document;

@@ -111,8 +111,10 @@ std::string value_text(const Parameter& row, const void* owner, bool exact, cons
     }
 }
 
+constexpr std::string_view code_values = "code values", of_255 = "of 255";
+
 std::string with_unit(std::string text, const Parameter& row) {
-    return row.unit.empty() ? text : text + ' ' + std::string(row.unit);
+    return row.unit.empty() ? text : text + ' ' + std::string(shown_unit(row));
 }
 
 std::optional<glm::dvec3> color_from(const Json& json) {
@@ -288,6 +290,16 @@ Spot find(const Table& root, void* document, std::string_view pointer) {
         }
     }
     return at;
+}
+
+std::string_view shown_unit(const Parameter& row) {
+    return row.unit == code_values ? of_255 : row.unit;
+}
+
+std::string with_shown_units(std::string text) {
+    for (std::size_t at = 0; (at = text.find(code_values, at)) != std::string::npos;)
+        text.replace(at, code_values.size(), of_255);
+    return text;
 }
 
 std::string text_of(const Parameter& row, const void* owner) {

@@ -163,7 +163,7 @@ class Comparison {
             d.before = exact_text_of(row, before);
             d.after = exact_text_of(row, after);
         }
-        d.unit = std::string(row.unit);
+        d.unit = std::string(shown_unit(row));
         found.push_back(std::move(d));
     }
 

@@ -23,7 +23,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t block = std::size_t{1} << 20;  // bytes copied at once
-constexpr int highest_first = 999;                   // number of a sequence's first image
 
 Fault clip_fault(std::size_t index, const std::string& reason) {
     return {.file = "", .place = "/smoke/clips/" + std::to_string(index) + "/file", .reason = reason};
@@ -32,31 +31,6 @@ Fault clip_fault(std::size_t index, const std::string& reason) {
 bool is_file(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error);
-}
-
-/// The images of "plume_%04d.png", as they are counted when it is played: from the lowest number on, without a gap.
-std::vector<fs::path> sequence_files(const fs::path& pattern) {
-    const std::string name = pattern.filename().string();
-    const std::size_t percent = name.find('%');
-    if (percent == std::string::npos || name.find('%', percent + 1) != std::string::npos) return {};
-    std::size_t end = percent + 1;
-    int digits = 1;
-    if (end + 1 < name.size() && name[end] == '0' && name[end + 1] >= '1' && name[end + 1] <= '9') {
-        digits = name[end + 1] - '0';
-        end += 2;
-    }
-    if (end >= name.size() || name[end] != 'd') return {};
-    const auto file = [&](int number) {
-        std::string text = std::to_string(number);
-        if (text.size() < static_cast<std::size_t>(digits))
-            text.insert(0, static_cast<std::size_t>(digits) - text.size(), '0');
-        return pattern.parent_path() / (name.substr(0, percent) + text + name.substr(end + 1));
-    };
-    int first = 0;
-    while (first <= highest_first && !is_file(file(first))) ++first;
-    std::vector<fs::path> files;
-    for (int i = first; is_file(file(i)); ++i) files.push_back(file(i));
-    return files;
 }
 
 /// Of a clip; what is no name of a video or picture says nothing.
@@ -92,6 +66,29 @@ fs::path plain(const fs::path& folder) {
     std::error_code error;
     const fs::path whole = fs::absolute(folder, error).lexically_normal();
     return whole.has_filename() ? whole : whole.parent_path();
+}
+
+bool same_material(const Material& a, const Material& b) {
+    return a.name == b.name && a.base_color == b.base_color && a.roughness == b.roughness &&
+           a.normal_scale == b.normal_scale && a.base_color_image == b.base_color_image &&
+           a.normal_image == b.normal_image && a.double_sided == b.double_sided;
+}
+
+/// Whether all that is drawn of them is the same, and called the same.
+bool same_organ(const Organ& a, const Organ& b) {
+    const auto same_part = [](const Part& x, const Part& y) {
+        return x.name == y.name && x.first_index == y.first_index && x.index_count == y.index_count &&
+               x.material == y.material;
+    };
+    const auto same_image = [](const Image& x, const Image& y) {
+        return x.width == y.width && x.height == y.height && x.pixels == y.pixels;
+    };
+    const auto same = [](const auto& x, const auto& y, const auto& equal) {
+        return std::equal(x.begin(), x.end(), y.begin(), y.end(), equal);
+    };
+    return a.positions == b.positions && a.normals == b.normals && a.uvs == b.uvs && a.colors == b.colors &&
+           a.indices == b.indices && same(a.parts, b.parts, same_part) &&
+           same(a.materials, b.materials, same_material) && same(a.images, b.images, same_image);
 }
 
 class Writer {
@@ -144,13 +141,16 @@ class Writer {
     /// What the preset calls it then: the same file once, another of the same name beside it as "plume-2.mp4".
     std::string plan_clip(const ClipFiles& found) {
         std::error_code error;
-        const fs::path real = fs::weakly_canonical(found.files.front(), error);
+        // Images are known by their pattern: the first of them may be a clip of its own, and start another sequence.
+        const fs::path& first = found.files.front();
+        const fs::path real = found.sequence ? fs::weakly_canonical(first.parent_path(), error) / found.name
+                                             : fs::weakly_canonical(first, error);
         if (const auto known = clips_.find(real); known != clips_.end()) return known->second;
         const std::string extension = clip_extension(found.name), before = found.name.substr(0, found.name.find('%'));
         std::string name =
             clip_names_.give(found.sequence ? before + "frames" : found.name, found.sequence ? "" : extension);
         if (!found.sequence) {
-            pieces_.push_back({.to = fs::path("clips") / name, .from = found.files.front(), .bytes = {}});
+            pieces_.push_back({.to = fs::path("clips") / name, .from = first, .bytes = {}});
         } else {
             // In a folder of their own, counted anew.
             for (std::size_t i = 0; i < found.files.size(); ++i) {
@@ -248,11 +248,7 @@ class Writer {
 
     void check_mesh(const Mesh& mesh) const {
         if (mesh.file.empty()) return;
-        const Organ& a = mesh.organ;
-        const Organ b = load_organ(beside_.path() / mesh.file, mesh.options);
-        const auto same_image = [](const Image& x, const Image& y) { return x.pixels == y.pixels; };
-        if (a.positions != b.positions || a.indices != b.indices || a.uvs != b.uvs ||
-            !std::equal(a.images.begin(), a.images.end(), b.images.begin(), b.images.end(), same_image))
+        if (!same_organ(mesh.organ, load_organ(beside_.path() / mesh.file, mesh.options)))
             fail(target_ / mesh.file, "the copy is not the same organ; did its files change meanwhile?");
     }
 
@@ -308,7 +304,7 @@ class Writer {
     Mesh organ_, tool_;
     std::vector<Piece> pieces_;
     OwnNames clip_names_;
-    std::map<fs::path, std::string> clips_;  ///< what they are called now, by where they lie
+    std::map<fs::path, std::string> clips_;  ///< what they are called now, by where the file or the pattern lies
     std::vector<std::size_t> images_;        ///< pieces, of sequences: the preset's check opens the first one alone
     double total_ = 0, copied_ = 0;          ///< bytes
 };
@@ -323,12 +319,13 @@ ClipFiles clip_files(const std::string& clip, const fs::path& preset_folder,
         const auto lies_in = [&](const fs::path& folder) { return folder / clip == path; };
         found.name = path.filename().string();
         found.shipped = path != preset_folder / clip && std::any_of(clip_folders.begin(), clip_folders.end(), lies_in);
-        found.sequence = !is_file(path);
-        found.files = found.sequence ? sequence_files(path) : std::vector<fs::path>{path};
-        found.fault = found.files.empty() ? '"' + clip + "\": no such clip" : "";
+        found.files = clip_images(path);
+        found.sequence = !found.files.empty();
+        if (!found.sequence) found.files.push_back(path);
     } catch (const Error& error) {
-        const std::string& reason = error.faults().front().reason;
-        found.fault = reason.starts_with("no such clip") ? '"' + clip + "\": no such clip" : reason;
+        std::string reason = error.faults().front().reason;
+        if (reason.starts_with("no such clip")) reason = "no such clip";
+        found.fault = reason.starts_with('"') ? reason : '"' + clip + "\": " + reason;
     }
     return found;
 }

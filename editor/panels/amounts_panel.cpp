@@ -109,7 +109,7 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
         return ui::label(ui, "The amounts of this scene are being computed.", {.tone = ui::Tone::dim});
     ui::label(ui, "Computing the amounts of this scene was stopped.", {.tone = ui::Tone::dim});
     const ui::Row row(ui);
-    if (ui::button(ui, "Work out", {.tip = "Begins again; any change of the scene does, too"}))
+    if (ui::button(ui, "Compute again", {.tip = "Begins again; any change of the scene does, too"}))
         editor.amounts().again();
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "app/tuning.h"
 #include "lapfx/prepared_organ.h"
 #include "lapfx/tissue.h"
 #include "panels/table_rows.h"
@@ -96,11 +97,12 @@ void* vessels_of(document::Content& content) {
 
 void levels(ui::Ui& ui, app::Editor& editor, const Band& band, std::span<const std::uint32_t> bins) {
     const V& now = editor.document.preset().vessels;
-    static const V standard;
+    editor.tuning().follow();
+    const V& saved = editor.tuning().saved().preset.vessels;
     ui::Levels levels{.low = now.*band.low, .high = now.*band.high};
     const ui::HistogramResult result =
         ui::histogram(ui, band.name, {.bins = bins, .minimum = band.minimum, .maximum = band.maximum}, &levels,
-                      {.reset = {.low = standard.*band.low, .high = standard.*band.high},
+                      {.reset = {.low = saved.*band.low, .high = saved.*band.high},
                        .step = band.step,
                        .clip_share = 1,
                        .unit = band.unit,

@@ -58,6 +58,23 @@ void draw_shapes(ui::Painter& painter, const ui::Node&, const ShapesLook& look) 
     }
 }
 
+/// Of the clip what handles are made of, as it was before any of them was moved: edits come one at a time.
+struct ShapesBefore {
+    ClipCrop crop;
+    ClipRole role;
+    glm::dvec2 source;
+    std::array<ClipMask, most_masks> masks{};
+    std::size_t count;
+
+    explicit ShapesBefore(const SmokeClip& clip)
+        : crop(clip.crop),
+          role(clip.role),
+          source(clip.source_x, clip.source_y),
+          count(std::min(clip.masks.size(), most_masks)) {
+        std::copy_n(clip.masks.begin(), count, masks.begin());
+    }
+};
+
 struct DragMemory {
     glm::dvec2 start{0};
     bool changed = false;
@@ -100,10 +117,11 @@ class Shapes {
         ShapesLook shown{
             .whole = view_.rect(), .kept = {}, .masks = {}, .count = 0, .cropped = clip_.crop != ClipCrop{}};
         shown.kept = rect_of(view_, {clip_.crop.left, clip_.crop.top}, {1 - clip_.crop.right, 1 - clip_.crop.bottom});
-        for (const ClipMask& mask : clip_.masks)
-            if (shown.count < static_cast<int>(most_masks))
-                shown.masks[static_cast<std::size_t>(shown.count++)] =
-                    rect_of(view_, {mask.x, mask.y}, {mask.x + mask.width, mask.y + mask.height});
+        for (std::size_t i = 0; i < clip_.count; ++i) {
+            const ClipMask& mask = clip_.masks[i];
+            shown.masks[static_cast<std::size_t>(shown.count++)] =
+                rect_of(view_, {mask.x, mask.y}, {mask.x + mask.width, mask.y + mask.height});
+        }
         ui::Node& below = ui_.leaf(ui::Role::none, "##shapes",
                                    look.draws_mask ? ui::Sense::hover | ui::Sense::press : ui::Sense::none);
         below.size[0] = ui::fraction(1), below.size[1] = ui::fraction(1);
@@ -113,7 +131,7 @@ class Shapes {
         ui_.draw_with<draw_shapes>(below, shown);
         if (look.draws_mask) return;
         crop_handles();
-        for (std::size_t i = 0; i < clip_.masks.size(); ++i) mask_handles(i);
+        for (std::size_t i = 0; i < clip_.count; ++i) mask_handles(i);
         if (clip_.role == ClipRole::plume) source_handle();
     }
 
@@ -138,9 +156,10 @@ class Shapes {
     const SmokeClip& saved() const { return saved_clip(editor_, number_); }
 
     void source_handle() {
-        glm::dvec2 place(clip_.source_x, clip_.source_y);
-        const ui::HandleMoves moves = handle(
-            "Source", "Where the smoke starts: this place of the clip is put on the tool tip", place, ui::Cursor::move);
+        glm::dvec2 place = clip_.source;
+        const ui::HandleMoves moves =
+            handle("Source", "Where the smoke starts: this place of the clip is placed at the instrument's tip", place,
+                   ui::Cursor::move);
         knob(ui_.theme().accent, 1.0F);
         ui::Edit edit = edit_place(
             ui_, view_, moves, [](glm::dvec2 p) { return glm::clamp(p, 0.0, 1.0); }, place);
@@ -193,8 +212,9 @@ class Shapes {
         const glm::dvec2 least(least_side);
         bool removed = false;
         const auto moves_of = [&](std::string_view part, glm::dvec2 at) {
-            const ui::HandleMoves moves = handle(
-                ui_.join({name, part}), "A mask: what is in it is no smoke. Delete takes it out", at, ui::Cursor::move);
+            const ui::HandleMoves moves =
+                handle(ui_.join({name, part}), "Mask: nothing inside it counts as smoke. Delete removes it", at,
+                       ui::Cursor::move);
             knob(ui::canvas_ink(ui_.theme()), part.empty() ? 0.8F : 0.6F);
             removed |= moves.reset;
             return moves;
@@ -224,7 +244,7 @@ class Shapes {
     void draw_mask(ui::Node& node, ShapesLook& shown) {
         const ui::Response r = ui_.respond(node);
         if (r.hovered) ui_.set_cursor(ui::Cursor::crosshair);
-        if (!r.held && !r.released) return;
+        if (!r.held && !r.released && !r.cancelled) return;
         const auto place = [&](glm::vec2 at) {
             return glm::clamp(view_.to_picture(at) / glm::dvec2(view_.size), 0.0, 1.0);
         };
@@ -235,7 +255,7 @@ class Shapes {
         }
         editor_.keying().look.draws_mask = false;
         if (r.cancelled || high.x - low.x < least_side || high.y - low.y < least_side) return;
-        if (clip_.masks.size() >= most_masks) return;
+        if (clip_.count >= most_masks) return;
         editor_.document.change("Add mask", [&](Content& c) {
             c.preset.smoke.clips[number_].masks.push_back(
                 {rounded(low.x), rounded(low.y), rounded(high.x - low.x), rounded(high.y - low.y)});
@@ -246,7 +266,12 @@ class Shapes {
     app::Editor& editor_;
     const ui::View& view_;
     std::size_t number_;
-    const SmokeClip clip_;  ///< as it was when this was built: edits come one at a time
+    const ShapesBefore clip_;
+};
+
+/// Which clip a mask is drawn on.
+struct MaskDrawing {
+    std::size_t clip = 0;
 };
 
 void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
@@ -254,16 +279,18 @@ void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
     const std::size_t count = editor.keying().clip()->masks.size();
     {
         const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-        ui.push_disabled(count >= most_masks);
-        if (ui::button(
-                ui, "Draw mask",
-                {.tip = "Drag a rectangle on the source picture: what is in it is no smoke", .on = look.draws_mask})) {
+        ui.push_disabled(count >= most_masks && !look.draws_mask);  // what is on can always be switched off
+        if (ui::button(ui, "Draw mask",
+                       {.tip = "Drag a rectangle on the source picture: nothing inside it counts as smoke",
+                        .on = look.draws_mask})) {
             look.draws_mask = !look.draws_mask;
             look.shapes = true;
             if (!look.grid) look.view = static_cast<int>(app::BenchView::source);
         }
+        ui.pop_disabled();
+        ui.push_disabled(count >= most_masks);
         if (ui::button(ui, "Add mask",
-                       {.icon = ui::Icon::plus, .tip = "One in the middle, to be moved where it is wanted"}))
+                       {.icon = ui::Icon::plus, .tip = "Adds a mask in the middle; drag it into place"}))
             editor.document.change("Add mask", [&](Content& c) {
                 c.preset.smoke.clips[number].masks.push_back({.x = 0.4, .y = 0.4, .width = 0.2, .height = 0.2});
             });
@@ -300,6 +327,13 @@ void ClipShapes::build(ui::Ui& ui, const ui::View& view, void* with) {
     app::Editor& editor = static_cast<ClipShapes*>(with)->editor;
     if (editor.keying().clip() == nullptr || view.area.empty() || !editor.keying().look.shapes) return;
     Shapes(ui, editor, view).build();
+}
+
+void follow_mask_drawing(ui::Ui& ui, app::Editor& editor) {
+    bool& on = editor.keying().look.draws_mask;
+    std::size_t& clip = ui.memory<MaskDrawing>(ui.id_of("mask drawing")).clip;
+    on &= clip == editor.clip && !ui.key_down(ui::Key::escape);
+    clip = editor.clip;
 }
 
 void frame_rows(ui::Ui& ui, app::Editor& editor) {

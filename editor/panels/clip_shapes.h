@@ -15,6 +15,9 @@ struct ClipShapes {
     static void build(ui::Ui& ui, const ui::View& view, void* with);
 };
 
+/// Esc, or another clip, ends the drawing of a mask. Once a frame, by the keying panel.
+void follow_mask_drawing(ui::Ui& ui, app::Editor& editor);
+
 /// Crop, edge fade and masks as numbers, and what makes masks.
 void frame_rows(ui::Ui& ui, app::Editor& editor);
 

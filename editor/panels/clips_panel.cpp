@@ -40,7 +40,8 @@ std::string playing_text(const ClipStatus& status) {
     std::string text = share >= 100 ? "all of it in graphics memory"
                                     : std::to_string(share) + " % in graphics memory, the rest comes as it plays";
     if (status.misses > 0)
-        text += ", " + std::to_string(status.misses) + (status.misses == 1 ? " frame" : " frames") + " came too late";
+        text += ", " + std::to_string(status.misses) +
+                (status.misses == 1 ? " frame was shown late" : " frames were shown late");
     if (status.broken > 0) text += ", " + std::to_string(status.broken) + " broken frames";
     return text;
 }
@@ -158,7 +159,8 @@ void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t n
     const Parameter& row = *clip_table().find_row("weight");
     double weight = clips_of(editor)[number].weight;
     ui::ParamOptions options = param_options(row);
-    options.standard = 1.0;
+    options.standard = saved_clip(editor, number).weight;
+    options.initial = SmokeClip{}.weight;
     options.width = ui::px(ui.em(weight_width));
     const ui::Edit edit = ui::number_field(ui, "Weight", weight, options);
     editor.document.take(edit, "Weight", [&](Content& c) { c.preset.smoke.clips[number].weight = weight; });
@@ -427,7 +429,7 @@ void add_clip_commands(app::Editor& editor) {
         "clip.suggest", "Suggest keying", {ui::key_of('K'), Mods::command}, Icon::star,
         [&editor] { editor.keying().suggest(); },
         [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
-        "Thresholds for the selected clip out of what its pictures hold, with bars and logos");
+        "Finds thresholds, bars and logos for the selected clip");
     add(
         "clip.suggest_all", "Suggest keying for all clips", {}, Icon::star,
         [&editor] { editor.keying().suggest(app::KeyingBench::For::all); },
@@ -436,7 +438,7 @@ void add_clip_commands(app::Editor& editor) {
     add(
         "clip.source", "Find the smoke's source", {}, Icon::star, [&editor] { editor.keying().find_source(); },
         [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().finding_source(); },
-        "Where in the frame the selected clip's smoke starts: the place that is put on the tool tip");
+        "Where in the frame the selected clip's smoke starts: the place that is placed at the instrument's tip");
     editor.commands.add({.id = "clip.eyedropper",
                          .title = "Eyedropper",
                          .group = "Clip",

@@ -4,6 +4,7 @@
 #include <array>
 #include <cstdio>
 
+#include "app/tuning.h"
 #include "panels/table_rows.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
@@ -101,25 +102,31 @@ class EventForm {
             app::stretch_stay(events, stay_, stay_.start, stay_.start + value);
         });
     }
-    template <typename F>
-    void number(std::string_view name, std::string_view key, double value, bool counts, F&& set) {
+    /// What was saved of it: events have no names, one of the same action and time is taken for it. Null: it is new.
+    const ToolContact* saved() const {
+        editor_.tuning().follow();
+        const std::vector<ToolContact>& events = editor_.tuning().saved().scene.events;
+        const auto found = std::find_if(events.begin(), events.end(), [&](const ToolContact& event) {
+            return event.action == first_.action && event.time == first_.time;
+        });
+        return found != events.end() ? &*found : nullptr;
+    }
+    void number(std::string_view name, std::string_view key, double ToolContact::*member, bool counts) {
+        double value = first_.*member;
+        const ToolContact* const before = saved();
+        const double initial = ToolContact{}.*member;
         ui_.push_disabled(!counts);
         ui::ParamOptions o = options(key, key == "power" ? 1 : 3);
-        o.standard = 1;
+        o.standard = before != nullptr ? before->*member : initial;
+        o.initial = initial;
         const ui::Edit edit = ui::param(ui_, name, value, o);
         ui_.pop_disabled();
         take(edit, ui_.join({"Event ", key}), [&](std::vector<ToolContact>& events) {
-            for (const std::size_t i : stay_.events) set(events[i], value);
+            for (const std::size_t i : stay_.events) events[i].*member = value;
         });
     }
-    void power() {
-        number("Power", "power", first_.power, app::is_hot(stay_.action),
-               [](ToolContact& e, double v) { e.power = v; });
-    }
-    void strength() {
-        number("Strength", "strength", first_.strength, app::is_cutting(stay_.action),
-               [](ToolContact& e, double v) { e.strength = v; });
-    }
+    void power() { number("Power", "power", &ToolContact::power, app::is_hot(stay_.action)); }
+    void strength() { number("Strength", "strength", &ToolContact::strength, app::is_cutting(stay_.action)); }
     void pieces() {
         if (stay_.events.size() < 2) return;
         char text[48];

@@ -472,13 +472,18 @@ void low(ui::Ui& ui, app::Editor& editor, const ui::Rect& room) {
 void keying_panel(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
     bench.show();
+    follow_mask_drawing(ui, editor);
     if (bench.stale()) ui.wake_at(ui.time(), "the keying bench follows");
     const ui::Rect room = ui.rect_before(ui.parent().id);
     const bool narrow = room.w < ui.em(52);
     if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
     const float width = room.w > 0 ? std::max(1.0F, room.w - 2 * ui.em(0.6F)) : 0.0F;
+    if (room.h > 0 && room.h < ui.em(low_bench)) {
+        const ui::Column close_together(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
+        tools(ui, editor, width);
+        return low(ui, editor, room);
+    }
     tools(ui, editor, width);
-    if (room.h > 0 && room.h < ui.em(low_bench)) return low(ui, editor, room);
     ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {

@@ -136,10 +136,7 @@ class RowBuilder {
         const bool locked = tuning_.locked(index_), favourite = tuning_.favourite(index_);
         ui::Clipboard* const clipboard = ui_.clipboard();
         if (ui::menu_item(ui_, "Reset", {.icon = ui::Icon::reset, .enabled = changed})) tuning_.reset(index_);
-        if (!range() && ui::menu_item(ui_, "Default value", {.enabled = !entry_.same(preset(), initial())}))
-            editor_.document.change("Default of " + std::string(title_), [&](document::Content& c) {
-                row_.set(entry_.owner(c.preset), row_.get(entry_.owner(initial())));
-            });
+        put_default();
         if (ui::menu_item(ui_, "Copy", {.icon = ui::Icon::copy, .enabled = clipboard != nullptr}))
             clipboard->set(tuning_.copy(index_));
         if (ui::menu_item(ui_, "Paste", {.enabled = clipboard != nullptr})) tuning_.paste(clipboard->get(), index_);
@@ -151,6 +148,18 @@ class RowBuilder {
         }
         if (ui::menu_item(ui_, "Favourite", {.icon = ui::Icon::star, .checked = favourite}))
             tuning_.mark_favourite(index_, !favourite);
+    }
+
+    /// Of both ends where it is a range.
+    void put_default() {
+        const ParameterEntry* const upper = range() ? &app::parameters()[entry_.high] : nullptr;
+        const bool differs =
+            !entry_.same(preset(), initial()) || (upper != nullptr && !upper->same(preset(), initial()));
+        if (!ui::menu_item(ui_, "Default value", {.shortcut = "Shift+Backspace", .enabled = differs})) return;
+        editor_.document.change("Default of " + std::string(title_), [&](document::Content& c) {
+            for (const ParameterEntry* entry : {&entry_, upper})
+                if (entry != nullptr) entry->row->set(entry->owner(c.preset), entry->row->get(entry->owner(initial())));
+        });
     }
 
     void put_fault(std::size_t index) {

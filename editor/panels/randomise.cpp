@@ -24,8 +24,6 @@ const app::ParameterGroup*& asked_for(ui::Ui& ui) {
     return ui.memory<const app::ParameterGroup*>(ui::hash_bytes(0, "randomise group"));
 }
 
-}  // namespace
-
 /// "14 values changed by up to 10 % (seed 7): Speed, Max extent, Noise scale and 11 more".
 std::string told(const app::Tuning& tuning, std::uint64_t seed, const std::vector<document::Difference>& changed) {
     const auto percent = static_cast<int>(std::lround(100 * tuning.strength));
@@ -35,6 +33,18 @@ std::string told(const app::Tuning& tuning, std::uint64_t seed, const std::vecto
     if (changed.size() > most_named) text += " and " + std::to_string(changed.size() - most_named) + " more";
     return text;
 }
+
+void take_back(app::Editor& editor, std::uint64_t step) {
+    const document::Document& d = editor.document;
+    if (d.done() > 0 && d.steps()[d.done() - 1].id == step) return editor.document.undo();
+    const bool done = std::any_of(d.steps().begin(), d.steps().begin() + static_cast<std::ptrdiff_t>(d.done()),
+                                  [&](const document::Step& s) { return s.id == step; });
+    editor.toasts.add({.kind = ui::ToastKind::warning,
+                       .text = done ? "Not undone: other changes came after it. The History panel goes back to it"
+                                    : "It is undone already"});
+}
+
+}  // namespace
 
 void randomise(app::Editor& editor, const app::ParameterGroup* group) {
     const Preset before = editor.document.preset();
@@ -46,11 +56,7 @@ void randomise(app::Editor& editor, const app::ParameterGroup* group) {
     const std::uint64_t step = editor.document.steps()[editor.document.done() - 1].id;
     editor.toasts.add({.text = told(editor.tuning(), seed, document::differences(before, editor.document.preset())),
                        .action = "Undo",
-                       .act =
-                           [&editor, step] {
-                               const document::Document& d = editor.document;
-                               if (d.done() > 0 && d.steps()[d.done() - 1].id == step) editor.document.undo();
-                           },
+                       .act = [&editor, step] { take_back(editor, step); },
                        .seconds = 8});
 }
 

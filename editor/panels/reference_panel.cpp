@@ -8,6 +8,7 @@
 #include "app/layouts.h"
 #include "app/open.h"
 #include "app/pick_color.h"
+#include "app/tuning.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/canvas/image_view.h"
@@ -241,6 +242,7 @@ void frame_field(ui::Ui& ui, Reference& reference) {
 
 void offset_field(ui::Ui& ui, app::Editor& editor) {
     double offset = editor.document.scene().reference.offset;
+    editor.tuning().follow();
     const ui::Edit edit = ui::number_field(ui, "Offset", offset,
                                            ui::seconds({.minimum = -10,
                                                         .maximum = 10,
@@ -248,7 +250,8 @@ void offset_field(ui::Ui& ui, app::Editor& editor) {
                                                         .hard_maximum = 86'400,
                                                         .step = 0.01,
                                                         .unit = "s",
-                                                        .standard = 0.0,
+                                                        .standard = editor.tuning().saved().scene.reference.offset,
+                                                        .initial = SceneReference{}.offset,
                                                         .tip = "Time in the reference when the scene starts",
                                                         .width = ui::px(ui.em(offset_width))}));
     editor.document.take(edit, "Reference offset", [&](document::Content& c) { c.scene.reference.offset = offset; });

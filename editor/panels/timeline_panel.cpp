@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "app/events.h"
+#include "app/tuning.h"
 #include "panels/event_form.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
@@ -299,6 +300,9 @@ class TimelinePanel {
         const Parameter& row = *scene_table().find_row("duration");
         ui::ParamOptions options = param_options(row);
         options.maximum = 60;
+        editor_.tuning().follow();
+        options.standard = editor_.tuning().saved().scene.duration;
+        options.initial = Scene{}.duration;
         options.width = ui::px(ui_.em(duration_width));
         const ui::Edit edit = ui::number_field(ui_, "Duration", value, ui::seconds(options));
         editor_.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });

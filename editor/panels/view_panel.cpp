@@ -112,6 +112,13 @@ void show_whole(app::Editor& editor) {
         show_organ_whole(editor);
 }
 
+/// Of any picture that is seen; asked in every frame, so without looking for the pointer.
+bool can_show_whole(app::Editor& editor) {
+    const app::Layouts& layouts = editor.layouts();
+    return editor.preview.ready() || (layouts.seen("Keying") && editor.keying().ready()) ||
+           (layouts.seen("Reference") && editor.reference().video() != nullptr);
+}
+
 class ViewPanel {
   public:
     ViewPanel(ui::Ui& ui, app::Editor& editor)
@@ -211,7 +218,7 @@ class ViewPanel {
     void overlay_choice() {
         int chosen = static_cast<int>(editor_.looking.overlay);
         if (ui::combo(ui_, "Overlay", chosen, overlay_names,
-                      {.tip = "Colours the organ by what decides where it bleeds, but is not seen itself",
+                      {.tip = "Colours the organ by vessels, fat or bleeding tendency",
                        .width = ui::px(ui_.em(choice_width))}))
             editor_.looking.overlay = static_cast<Overlay>(chosen);
     }
@@ -465,7 +472,7 @@ class ViewPanel {
         const ui::Panel panel(ui_, "Preset fault", {.width = ui::fit(), .height = ui::fit(), .padding = 0.6F});
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});
         const ui::Row row(ui_);
-        ui::label(ui_, "Shown without this:", {.tone = ui::Tone::warning});
+        ui::label(ui_, "Not shown because of a fault:", {.tone = ui::Tone::warning});
         ui::label(ui_, faults.front().text(), {.tone = ui::Tone::error});
         if (faults.size() > 1)
             ui::label(ui_, ui_.join({"and ", ui_.copy(std::to_string(faults.size() - 1)), " more"}),
@@ -539,7 +546,7 @@ void add_view_commands(app::Editor& editor) {
                          .group = "View",
                          .chord = {Key::home, Mods::none},
                          .run = [&editor] { show_whole(editor); },
-                         .enabled = [&editor] { return editor.preview.ready(); },
+                         .enabled = [&editor] { return can_show_whole(editor); },
                          .tip = "All of the organ, from the front. Over another picture: all of that"});
     editor.commands.add({.id = "view.endoscope",
                          .title = "Endoscope view",

@@ -81,7 +81,7 @@ void add_window_commands(app::Editor& editor) {
                          .title = "All notices...",
                          .group = "Window",
                          .run = [&editor] { editor.toasts.open_log(editor.ui()); },
-                         .tip = "Everything that was told since the program started, the newest first"});
+                         .tip = "All notices since the program started, the newest first"});
     editor.commands.add({.id = "window.palette",
                          .title = "Command palette",
                          .group = "Window",

@@ -298,12 +298,10 @@ std::vector<OrderedJson*> with_files(OrderedJson& document, const char* list) {
 std::string pack_buffer(const OrderedJson& buffer, const std::string& file, Packing& packing) {
     const std::string uri = text_member(buffer, "uri"), place = "/buffers";
     const std::filesystem::path path = named_path(packing.folder(), percent_decoded(uri), Reach::inside, file, place);
-    Bytes bytes = read_file(path, file, place + ": " + uri);
-    const auto length = buffer.find("byteLength");
-    if (length == buffer.end() || !length->is_number_unsigned() || *length > bytes.size())
-        refuse(file, place, uri + " is not as long as it should be");
-    bytes.resize(*length);  // more of it is no part of the organ
-    return packing.add(path, ".bin", std::move(bytes));
+    OrderedJson length = buffer.value("byteLength", OrderedJson());
+    if (length.is_number_float()) make_whole(length);
+    if (!length.is_number_unsigned()) refuse(file, place, uri + " has no byteLength");
+    return packing.add_buffer(path, length.get<std::size_t>(), file, place, uri);
 }
 
 std::string pack_image(const OrderedJson& image, Packing& packing) {

@@ -27,16 +27,16 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// The file name behind the options of a map statement: "-s 1 1 1 -bm 0.5 my texture.png".
-std::string map_file(std::istringstream& line, float& bump) {
-    std::string word, rest;
+/// Up to the file name behind the options of a map statement: "-s 1 1 1 -bm 0.5 my texture.png".
+void skip_options(std::istringstream& line, float& bump) {
+    std::string word;
     std::streampos before = line.tellg();
     while (line >> word && word.size() > 1 && word[0] == '-' && std::isalpha(static_cast<unsigned char>(word[1]))) {
         const int values = word == "-mm" ? 2 : word == "-o" || word == "-s" || word == "-t" ? 3 : 1;
         for (int i = 0; i < values; ++i) {
             before = line.tellg();
             std::string value;
-            if (!(line >> value)) return {};
+            if (!(line >> value)) return;  // it names no file
             // -o, -s and -t may have fewer numbers than three.
             const bool number = !value.empty() && value.find_first_not_of("+-.0123456789eE") == std::string::npos;
             if (i > 0 && values == 3 && !number) {
@@ -49,8 +49,18 @@ std::string map_file(std::istringstream& line, float& bump) {
     }
     line.clear();
     line.seekg(before);
+}
+
+/// The file name that follows them.
+std::string map_name(std::istringstream& line) {
+    std::string rest;
     std::getline(line, rest);
     return trimmed(rest.substr(0, rest.find(" #")));  // a comment, not a "#" within the name
+}
+
+std::string map_file(std::istringstream& line, float& bump) {
+    skip_options(line, bump);
+    return map_name(line);
 }
 
 /// Relative to the OBJ. Of a path that leads elsewhere, which was right on the machine that wrote it, the last name is looked
@@ -121,7 +131,8 @@ class Library {
             material.normal_image = image(map_file(words, material.normal_scale));
         } else if (key == "map_bump" || key == "bump" || key == "map_normal") {
             float strength = 1.0f;
-            bump(material, map_file(words, strength), strength);
+            const std::string name = map_file(words, strength);  // which sets the strength
+            bump(material, name, strength);
         }
     }
 
@@ -130,46 +141,57 @@ class Library {
         if (material.normal_image >= 0) return;
         const int index = image(name);
         if (index < 0) return;
-        const Image& pixels = organ_.images[static_cast<std::size_t>(index)];
+        const auto [known, is_new] = is_normal_map_.try_emplace(index, false);
+        if (is_new) {
+            known->second = is_normal_map(organ_.images[static_cast<std::size_t>(index)]);
+            if (!known->second)
+                organ_.warnings.push_back("texture " + name + " is a height map; only normal maps are read");
+        }
+        if (!known->second) return;
+        material.normal_image = index;
+        material.normal_scale = strength;
+    }
+
+    static bool is_normal_map(const Image& pixels) {
         std::size_t bluish = 0, count = 0;
         for (std::size_t i = 0; i + 3 < pixels.pixels.size(); i += 4 * 61, ++count)
             bluish += pixels.pixels[i + 2] > pixels.pixels[i] + 20;
-        if (bluish * 2 > count) {
-            material.normal_image = index;
-            material.normal_scale = strength;
-        } else {
-            organ_.warnings.push_back("texture " + name + " is a height map; only normal maps are read");
-        }
+        return bluish * 2 > count;
     }
 
+    /// -1: there is none. Each file is read once, whatever its names, and told of once.
     int image(const std::string& name) {
         if (name.empty()) return -1;
         if (const auto known = images_.find(name); known != images_.end()) return known->second;
         int& index = images_[name] = -1;
-        Image image;
-        image.name = name;
-        std::string fault;
+        const auto leave_out = [&](const std::string& fault) {
+            organ_.warnings.push_back("texture " + name + ": " + fault + "; it is left out");
+        };
         try {
             const fs::path path = texture_path(folder_, name);
-            if (const auto same = by_path_.find(path); same != by_path_.end()) return index = same->second;
-            fault = decode_texture(path, name, image);
+            const auto [same, is_new] = by_path_.try_emplace(path, -1);
+            if (!is_new) return index = same->second;
+            Image image;
+            image.name = name;
+            const std::string fault = decode_texture(path, name, image);
             (fault.empty() ? organ_.files : organ_.unread_files).push_back(path);
+            if (!fault.empty()) {
+                leave_out(fault);
+                return -1;
+            }
+            organ_.images.push_back(std::move(image));
+            return index = same->second = static_cast<int>(organ_.images.size()) - 1;
         } catch (const Error& error) {
-            fault = error.faults().front().reason;
-        }
-        if (!fault.empty()) {
-            organ_.warnings.push_back("texture " + name + ": " + fault + "; it is left out");
+            leave_out(error.faults().front().reason);
             return -1;
         }
-        organ_.images.push_back(std::move(image));
-        by_path_[organ_.files.back()] = static_cast<int>(organ_.images.size()) - 1;
-        return index = static_cast<int>(organ_.images.size()) - 1;
     }
 
     fs::path folder_;
     RawOrgan& organ_;
     std::map<std::string, int> images_;
     std::map<fs::path, int> by_path_;
+    std::map<int, bool> is_normal_map_;  ///< of images that "bump" names
     int current_ = -1;
 };
 
@@ -177,12 +199,16 @@ class Library {
 
 void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder, RawOrgan& organ) {
     Library library(folder, organ);
+    std::set<std::string> names;
+    std::set<fs::path> paths;
     for (const std::string& name : libraries) {
+        if (!names.insert(name).second) continue;
         const auto leave_out = [&](const std::string& reason) {
             organ.warnings.push_back("material library " + name + ": " + reason);
         };
         try {
             const fs::path path = named_path(folder, name);
+            if (!paths.insert(path).second) continue;
             try {
                 const Bytes bytes = read_file(path, name);
                 const std::size_t before = organ.materials.size();
@@ -208,18 +234,22 @@ std::string pack_mtl(const std::string& text, Packing& packing) {
     bool any = false;
     std::istringstream lines(text);
     for (std::string line; std::getline(lines, line);) {
-        line = trimmed(line.substr(0, line.find('#')));
+        line = trimmed(line);
         std::istringstream words(line);
         std::string key;
-        if (!(words >> key)) continue;
+        if (!(words >> key) || key[0] == '#') continue;
         key = lower(key);
         any |= key == "newmtl";
-        if (key == "newmtl" || plain.contains(key)) out += line + '\n';
+        // A name may hold a "#", but numbers end there.
+        if (key == "newmtl") out += line + '\n';
+        if (plain.contains(key)) out += trimmed(line.substr(0, line.find('#'))) + '\n';
         if (!key.starts_with("map_") && !maps.contains(key)) continue;
         float unused = 1.0F;
-        const std::string name = map_file(words, unused);
+        skip_options(words, unused);
+        const std::streamoff options_end = words.tellg();
+        const std::string name = map_name(words);
         if (name.empty()) continue;
-        const std::string options = line.substr(0, line.size() - name.size());
+        const std::string options = line.substr(0, static_cast<std::size_t>(options_end)) + ' ';
         try {
             const std::string packed = packing.add_picture(texture_path(packing.folder(), name));
             if (!packed.empty()) out += options + packed + '\n';

@@ -35,8 +35,8 @@ bool read_number(std::string_view word, float& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
     // A number too small for a float is as good as 0.
-    if (code == std::errc::result_out_of_range && word.find_first_of("eE") != std::string_view::npos &&
-        word[word.find_first_of("eE") + 1] == '-')
+    const auto has = [&](const char* part) { return word.find(part) != std::string_view::npos; };
+    if (code == std::errc::result_out_of_range && (has("e-") || has("E-")))
         value = 0.0f;
     else if (code != std::errc())
         return false;
@@ -178,6 +178,10 @@ class Reader {
 };
 
 }  // namespace
+
+std::string_view library_of(std::string_view line) {
+    return next_word(line) == "mtllib" ? trimmed(line) : std::string_view();
+}
 
 ObjText read_obj_text(std::string_view source) {
     Reader reader;

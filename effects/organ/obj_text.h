@@ -30,4 +30,7 @@ struct ObjText {
 /// of others: such a vertex lies at infinity, such a face is counted as unreadable.
 ObjText read_obj_text(std::string_view source);
 
+/// What a whole line names if it is the statement mtllib, as read_obj_text() takes it; empty: it names none.
+std::string_view library_of(std::string_view line);
+
 }  // namespace lapfx::organ

@@ -1,6 +1,11 @@
 #include "organ/openmesh_formats.h"
 
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "organ/openmesh_reader.h"
 
@@ -50,38 +55,126 @@ RawOrgan organ_of(const Soup& soup) {
     return organ;
 }
 
-/// OpenMesh keeps those facets of an STL from us two of whose corners are one, and none else.
-RawOrgan organ_of(const Soup& soup, std::size_t facets) {
-    RawOrgan organ = organ_of(soup);
-    organ.without_area = facets - std::min(facets, soup.faces());
-    return organ;
+/// One facet of a binary STL: normal, three corners, two bytes.
+std::array<glm::vec3, 3> corners_at(const std::string& stl, std::size_t facet) {
+    std::array<glm::vec3, 3> corners;
+    std::memcpy(corners.data(), stl.data() + stl_header + facet * stl_triangle + sizeof(glm::vec3), sizeof corners);
+    return corners;
 }
 
-/// "outer loop" opens the corners of a facet in a text STL.
-std::size_t count_loops(std::string_view text) {
-    const std::string_view word = "outer";
-    std::size_t count = 0;
-    const auto same = [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; };
-    for (auto at = text.begin();; at += static_cast<std::ptrdiff_t>(word.size()), ++count) {
-        at = std::search(at, text.end(), word.begin(), word.end(), same);
-        if (at == text.end()) return count;
+void set_corners(std::string& stl, std::size_t facet, const std::array<glm::vec3, 3>& corners) {
+    std::memcpy(stl.data() + stl_header + facet * stl_triangle + sizeof(glm::vec3), corners.data(), sizeof corners);
+}
+
+/// OpenMesh joins corners with an ordered map, which a NaN would spoil, and keeps those facets from us two of whose corners are
+/// one. What is not finite becomes so large that mend() leaves the facet out for that, and another number at each corner.
+void replace_not_finite(std::string& stl, std::size_t facets) {
+    constexpr float huge = 1e30f;
+    for (std::size_t facet = 0; facet < facets; ++facet) {
+        std::array<glm::vec3, 3> corners = corners_at(stl, facet);
+        bool all_finite = true;
+        for (std::size_t i = 0; i < 3; ++i)
+            for (int axis = 0; axis < 3; ++axis) {
+                float& value = corners[i][axis];
+                if (std::abs(value) < huge) continue;  // false for NaN as well
+                value = huge * static_cast<float>(i + 1);
+                all_finite = false;
+            }
+        if (all_finite) continue;
+        for (std::size_t i = 1; i < 3; ++i)
+            if (corners[i] == corners[0] || corners[i] == corners[i - 1])
+                corners[i].x = huge * static_cast<float>(i + 1);
+        set_corners(stl, facet, corners);
     }
 }
 
-/// OpenMesh joins vertices with an ordered map, which a NaN would spoil.
-std::string without_nan(const Bytes& bytes, std::size_t triangles) {
-    std::string text(text_of(bytes).substr(0, stl_header + triangles * stl_triangle));
-    for (std::size_t t = 0; t < triangles; ++t)
-        for (std::size_t value = 3; value < 12; ++value) {
-            char* at = text.data() + stl_header + t * stl_triangle + value * sizeof(float);
-            float number = 0;
-            std::memcpy(&number, at, sizeof number);
-            if (std::isfinite(number)) continue;
-            number = 1e30f;
-            std::memcpy(at, &number, sizeof number);
-        }
-    return text;
+/// `stl` is a whole binary one.
+RawOrgan read_facets(const std::string& file, std::string stl, std::size_t facets) {
+    if (facets > maximum_triangles) refuse(file, "", "has more than 20 million triangles");
+    replace_not_finite(stl, facets);
+    Soup soup;
+    if (!read_with_openmesh(OpenMeshFormat::stl_binary, stl, soup)) refuse(file, "", "cannot be read as STL");
+    RawOrgan organ = organ_of(soup);
+    organ.without_area = facets - std::min(facets, soup.faces());  // that it has kept from us
+    return organ;
 }
+
+std::string_view next_word(std::string_view& line) {
+    constexpr std::string_view spaces = " \t\v\f";
+    line.remove_prefix(std::min(line.find_first_not_of(spaces), line.size()));
+    const std::string_view word = line.substr(0, line.find_first_of(spaces));
+    line.remove_prefix(word.size());
+    return word;
+}
+
+bool is_word(std::string_view word, std::string_view lower) {
+    return std::equal(word.begin(), word.end(), lower.begin(), lower.end(),
+                      [](char a, char b) { return std::tolower(static_cast<unsigned char>(a)) == b; });
+}
+
+/// NaN: it is none.
+float number_of(std::string_view word) {
+    if (word.starts_with('+')) word.remove_prefix(1);
+    float value = 0.0f;
+    const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
+    const bool tiny = code == std::errc::result_out_of_range &&
+                      (word.find("e-") != std::string_view::npos || word.find("E-") != std::string_view::npos);
+    if (tiny) value = 0.0f;
+    return (code == std::errc() || tiny) && end == word.data() + word.size() ? value
+                                                                             : std::numeric_limits<float>::quiet_NaN();
+}
+
+/// A text STL as a binary one. OpenMesh's reader of the text is not asked: it takes the three lines behind any "outer" for corners,
+/// also behind one in the name of the solid, and what is no number for 0. A corner that is missing, or no number, is NaN here.
+class BinaryOf {
+  public:
+    explicit BinaryOf(std::string_view text) {
+        while (!text.empty()) {
+            line(text.substr(0, text.find_first_of("\r\n")));
+            text.remove_prefix(std::min(text.find_first_of("\r\n"), text.size() - 1) + 1);
+        }
+        end_facet();
+        const auto count = static_cast<std::uint32_t>(facets_);
+        std::memcpy(stl_.data() + stl_header - sizeof count, &count, sizeof count);
+    }
+    std::size_t facets() const { return facets_; }
+    std::string take() { return std::move(stl_); }
+
+  private:
+    void line(std::string_view rest) {
+        std::string_view word = next_word(rest);
+        for (const char* key : {"solid", "endsolid", "end"})
+            if (is_word(word, key)) return;  // the rest is a name
+        for (; !word.empty(); word = next_word(rest)) {
+            if (is_word(word, "outer")) {
+                end_facet();
+                within_ = true;
+            } else if (is_word(word, "vertex")) {
+                glm::vec3 corner;
+                for (int axis = 0; axis < 3; ++axis) corner[axis] = number_of(next_word(rest));
+                if (within_ && known_ < 3) corners_[known_++] = corner;
+            }
+        }
+    }
+
+    void end_facet() {
+        if (!within_) return;
+        for (; known_ < 3; ++known_) corners_[known_] = glm::vec3(std::numeric_limits<float>::quiet_NaN());
+        if (facets_ < maximum_triangles) {  // more are refused
+            stl_.resize(stl_.size() + stl_triangle, '\0');
+            set_corners(stl_, facets_, corners_);
+        }
+        ++facets_;
+        within_ = false;
+        known_ = 0;
+    }
+
+    std::string stl_ = std::string(stl_header, '\0');
+    std::size_t facets_ = 0;
+    std::array<glm::vec3, 3> corners_{};
+    std::size_t known_ = 0;  ///< of the corners
+    bool within_ = false;    ///< a facet
+};
 
 RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_t triangles) {
     const std::size_t need = stl_header + triangles * stl_triangle;
@@ -89,21 +182,15 @@ RawOrgan read_binary_stl(const std::string& file, const Bytes& bytes, std::size_
         refuse(file, "",
                "truncated: " + std::to_string(triangles) + " triangles need " + std::to_string(need) +
                    " bytes, the file has " + std::to_string(bytes.size()));
-    if (triangles > maximum_triangles) refuse(file, "", "has more than 20 million triangles");
-    Soup soup;
-    if (!read_with_openmesh(OpenMeshFormat::stl_binary, without_nan(bytes, triangles), soup))
-        refuse(file, "", "cannot be read as STL");
-    return organ_of(soup, triangles);
+    return read_facets(file, std::string(text_of(bytes).substr(0, need)), triangles);
 }
 
 RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
-    std::string text(text_of(bytes));
-    if (text.find('\0') != std::string::npos) refuse(file, "", "is neither a binary nor a text STL");
+    const std::string_view text = text_of(bytes);
+    if (text.find('\0') != std::string_view::npos) refuse(file, "", "is neither a binary nor a text STL");
     if (!ends_whole(text)) refuse(file, "", "truncated: the file ends within a facet");
-    replace_words_for_not_finite(text);
-    Soup soup;
-    if (!read_with_openmesh(OpenMeshFormat::stl_ascii, text, soup)) refuse(file, "", "cannot be read as STL");
-    return organ_of(soup, count_loops(text));
+    BinaryOf binary(text);
+    return read_facets(file, binary.take(), binary.facets());
 }
 
 }  // namespace

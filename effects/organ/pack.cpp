@@ -7,6 +7,7 @@
 #include "lapfx/file.h"
 #include "organ/image.h"
 #include "organ/load.h"
+#include "organ/raw.h"
 
 namespace lapfx {
 
@@ -59,29 +60,49 @@ std::string OwnNames::give(const fs::path& wanted, std::string_view extension) {
     stem.erase(0, stem.find_first_not_of('.'));
     if (stem.empty()) stem = "file";
     std::string name = stem + std::string(extension);
-    for (int i = 2; !taken_.insert(lower(name)).second; ++i)
-        name = stem + '-' + std::to_string(i) + std::string(extension);
+    int& number = numbers_.try_emplace(lower(name), 1).first->second;
+    while (!taken_.insert(lower(name)).second) name = stem + '-' + std::to_string(++number) + std::string(extension);
     return name;
 }
 
-std::string organ::Packing::add(const fs::path& file, std::string_view extension, Bytes bytes) {
-    if (const auto known = known_.find(file); known != known_.end()) return known->second;
-    const std::string name = names_.give(file.filename(), extension);
-    known_.emplace(file, name);
-    files.push_back({.name = name, .bytes = std::move(bytes)});
-    return name;
+std::optional<std::string> organ::Packing::known(PackedKind kind, const fs::path& file) const {
+    const auto found = known_.find({kind, file});
+    if (found == known_.end()) return std::nullopt;
+    return found->second ? files[*found->second].name : "";
+}
+
+std::string organ::Packing::add(PackedKind kind, const fs::path& file, std::string_view extension, Bytes bytes) {
+    known_[{kind, file}] = files.size();
+    files.push_back({.name = names_.give(file.filename(), extension), .bytes = std::move(bytes)});
+    return files.back().name;
 }
 
 std::string organ::Packing::add_picture(const fs::path& file) {
+    if (const auto name = known(PackedKind::picture, file)) return *name;
     try {
         Bytes bytes = read_file(file, file.string());
         Image decoded;
-        if (!decode_image(bytes, decoded).empty()) return {};
-        const std::string_view extension = picture_extension(bytes);
-        return add(file, extension, std::move(bytes));
-    } catch (const Error&) {
-        return {};  // loading tells why
+        if (decode_image(bytes, decoded).empty()) {
+            const std::string_view extension = picture_extension(bytes);
+            return add(PackedKind::picture, file, extension, std::move(bytes));
+        }
+    } catch (const Error&) {  // loading tells why
     }
+    leave_out(PackedKind::picture, file);
+    return {};
+}
+
+std::string organ::Packing::add_buffer(const fs::path& file, std::size_t length, const std::string& mesh,
+                                       const std::string& place, const std::string& what) {
+    const auto found = known_.find({PackedKind::buffer, file});
+    PackedFile* const packed = found != known_.end() && found->second ? &files[*found->second] : nullptr;
+    if (packed && packed->bytes.size() >= length) return packed->name;
+    Bytes bytes = read_file(file, mesh, place + ": " + what);
+    if (length > bytes.size()) refuse(mesh, place, what + " is not as long as it should be");
+    bytes.resize(length);  // more of it is no part of the organ
+    if (!packed) return add(PackedKind::buffer, file, ".bin", std::move(bytes));
+    packed->bytes = std::move(bytes);  // it was named by a buffer that takes less of it
+    return packed->name;
 }
 
 std::vector<PackedFile> pack_organ(const fs::path& path) {
@@ -91,7 +112,7 @@ std::vector<PackedFile> pack_organ(const fs::path& path) {
     if (format == organ::Format::unknown) organ::refuse_format(file);
     organ::Packing packing(path.parent_path());
     // First, so that it has the best name; what it names follows from it.
-    const std::string name = packing.add(path, mesh_extension(format, bytes), {});
+    const std::string name = packing.add(organ::PackedKind::mesh, path, mesh_extension(format, bytes), {});
     if (format == organ::Format::obj) bytes = organ::pack_obj(bytes, packing);
     if (format == organ::Format::gltf) bytes = organ::pack_gltf(bytes, file, packing);
     packing.files.front().bytes = std::move(bytes);

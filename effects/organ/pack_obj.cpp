@@ -1,42 +1,29 @@
 // An OBJ that names the libraries that are packed with it; all other lines are as they were.
+#include <map>
 #include <string>
 #include <string_view>
 
 #include "lapfx/error.h"
 #include "lapfx/file.h"
+#include "organ/obj_text.h"
 #include "organ/pack.h"
 
 namespace lapfx::organ {
 
 namespace {
 
-std::string trimmed(std::string_view text) {
-    constexpr std::string_view spaces = " \t\r\v\f";
-    const std::size_t first = text.find_first_not_of(spaces);
-    if (first == std::string_view::npos) return {};
-    return std::string(text.substr(first, text.find_last_not_of(spaces) - first + 1));
-}
-
-/// What a line of the statement mtllib names; empty: it is another one.
-std::string library_of(std::string_view line) {
-    constexpr std::string_view key = "mtllib";
-    const std::string text = trimmed(line.substr(0, line.find('#')));
-    return text.size() > key.size() && text.starts_with(key) &&
-                   std::string_view(" \t").find(text[key.size()]) != std::string_view::npos
-               ? trimmed(std::string_view(text).substr(key.size()))
-               : "";
-}
-
 /// Its name in the pack; empty: it is none that can be read.
 std::string pack_library(const std::string& name, Packing& packing) {
     try {
         const std::filesystem::path path = named_path(packing.folder(), name);
+        if (const auto known = packing.known(PackedKind::library, path)) return *known;
+        packing.leave_out(PackedKind::library, path);  // unless it reads well
         const Bytes bytes = read_file(path, name);
         const std::string text = pack_mtl(std::string(bytes.begin(), bytes.end()), packing);
-        return text.empty() ? "" : packing.add(path, ".mtl", Bytes(text.begin(), text.end()));
-    } catch (const Error&) {
-        return {};  // loading tells why
+        if (!text.empty()) return packing.add(PackedKind::library, path, ".mtl", Bytes(text.begin(), text.end()));
+    } catch (const Error&) {  // loading tells why
     }
+    return {};
 }
 
 /// Up to the end of a line, of all that go on after a backslash; `joined` is what they say together.
@@ -63,13 +50,17 @@ Bytes pack_obj(const Bytes& bytes, Packing& packing) {
     Bytes out;
     out.reserve(bytes.size());
     const auto put = [&](std::string_view text) { out.insert(out.end(), text.begin(), text.end()); };
+    std::map<std::string, std::string> names;  ///< of libraries in the pack, by what they were called
     for (std::string joined; !rest.empty();) {
         const std::string_view statement = next_statement(rest, joined);
-        const std::string library = library_of(joined);
-        if (library.empty())
+        const std::string library(library_of(joined));
+        if (library.empty()) {
             put(statement);
-        else if (const std::string name = pack_library(library, packing); !name.empty())
-            put("mtllib " + name + '\n');
+            continue;
+        }
+        const auto [known, is_new] = names.try_emplace(library);
+        if (is_new) known->second = pack_library(library, packing);
+        if (!known->second.empty()) put("mtllib " + known->second + '\n');
     }
     return out;
 }

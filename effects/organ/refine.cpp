@@ -3,6 +3,8 @@
 // seam parts them: the copies of a point count as one place.
 #include "organ/refine.h"
 
+#include <algorithm>
+#include <cmath>
 #include <unordered_map>
 
 #include "organ/weld.h"
@@ -91,19 +93,27 @@ glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& otherwise) {
     return length > 1e-6f ? direction / length : otherwise;
 }
 
+/// Progress is told of, and stopping asked for, every 65,536 triangles.
+constexpr std::size_t indices_between_stages = std::size_t{3} << 16;
+
 class Refiner {
   public:
     Refiner(RefinedOrgan& out, double length) : organ_(out.organ), midpoints_(out.midpoints), limit_(length * length) {
         places_ = places_of(organ_);
     }
 
-    void run(std::size_t triangles) {
+    void run(std::size_t triangles, const organ::Stages& stages) {
         const std::vector<std::uint32_t> before = std::move(organ_.indices);
         indices_.reserve(3 * triangles);
+        std::size_t told = 0;
         for (Part& part : organ_.parts) {
             const auto first = static_cast<std::uint32_t>(indices_.size());
-            for (std::uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3)
+            for (std::uint32_t i = part.first_index; i + 2 < part.first_index + part.index_count; i += 3) {
                 split({before[i], before[i + 1], before[i + 2]});
+                if (indices_.size() < told) continue;
+                stages.reach(std::min(1.0, static_cast<double>(indices_.size()) / static_cast<double>(3 * triangles)));
+                told = indices_.size() + indices_between_stages;
+            }
             part.first_index = first;
             part.index_count = static_cast<std::uint32_t>(indices_.size()) - first;
         }
@@ -161,9 +171,29 @@ class Refiner {
         known_;  // the vertices that a midpoint lies between, the smaller first
 };
 
+/// How many triangles there are at least once no edge is longer than a length: none of them is larger than the one whose three
+/// edges are as long as that, and each piece of a triangle's longest edge belongs to another one.
+class AtLeast {
+  public:
+    void add(const Corners& p) {
+        const double longest = std::sqrt(std::max({squared(p[0], p[1]), squared(p[1], p[2]), squared(p[2], p[0])}));
+        const double area =
+            0.5 * glm::length(glm::cross(glm::dvec3(p[1]) - glm::dvec3(p[0]), glm::dvec3(p[2]) - glm::dvec3(p[0])));
+        if (!std::isfinite(longest) || !std::isfinite(area)) return;  // it stays as it is
+        longest_ += longest;
+        area_ += area;
+    }
+    double triangles(double length) const {
+        return std::max(longest_ / length, area_ / (0.25 * std::sqrt(3.0) * length * length));
+    }
+
+  private:
+    double longest_ = 0.0, area_ = 0.0;  // mm, mm2: of all that were added
+};
+
 }  // namespace
 
-organ::RefinePlan organ::plan_refine(const Organ& organ) {
+organ::RefinePlan organ::plan_refine(const Organ& organ, const Stages& stages) {
     RefinePlan plan{.triangles = organ.triangle_count()};
     // First as the vertices lie: the usual organ is fine, and joining its vertices takes longer than looking.
     std::vector<std::size_t> coarse;
@@ -174,10 +204,17 @@ organ::RefinePlan organ::plan_refine(const Organ& organ) {
     }
     if (coarse.empty()) return plan;
     plan.splits = true;
+    stages.reach(0.0);
     const std::vector<glm::vec3> places = places_of(organ);
+    AtLeast at_least;
+    for (const std::size_t t : coarse) at_least.add(corners_of(organ, places, t));
+    const std::size_t most = coarse.size() + most_added;
     for (;; plan.length *= 1.25) {
+        // Not for the first length: what lies too far out for floats between its ends is less than at_least says.
+        if (plan.bounded() && at_least.triangles(plan.length) > static_cast<double>(most)) continue;
+        stages.reach(0.0);
+        ++plan.counts;
         std::size_t made = 0;
-        const std::size_t most = coarse.size() + most_added;
         for (std::size_t i = 0; i < coarse.size() && made <= most; ++i)
             made += count(corners_of(organ, places, coarse[i]), plan.length * plan.length, most - made);
         if (made > most) continue;
@@ -186,9 +223,9 @@ organ::RefinePlan organ::plan_refine(const Organ& organ) {
     }
 }
 
-RefinedOrgan organ::refine(Organ organ, const RefinePlan& plan) {
+RefinedOrgan organ::refine(Organ organ, const RefinePlan& plan, const Stages& stages) {
     RefinedOrgan refined{.organ = std::move(organ), .midpoints = {}};
-    if (plan.splits) Refiner(refined, plan.length).run(plan.triangles);
+    if (plan.splits) Refiner(refined, plan.length).run(plan.triangles, stages);
     return refined;
 }
 

@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "lapfx/refine.h"
+#include "organ/stages.h"
 
 namespace lapfx::organ {
 
@@ -17,10 +18,11 @@ struct RefinePlan {
     double length = longest_wanted;                           ///< mm; edges longer than this are split
     std::size_t triangles = 0;                                ///< that there are then
     bool splits = false;                                      ///< there is anything to split
+    int counts = 0;                                           ///< lengths for which triangles were counted
     bool bounded() const { return length > longest_wanted; }  ///< most_added would not have done for longest_wanted
 };
-RefinePlan plan_refine(const Organ& organ);
-RefinedOrgan refine(Organ organ, const RefinePlan& plan);
+RefinePlan plan_refine(const Organ& organ, const Stages& stages = {});
+RefinedOrgan refine(Organ organ, const RefinePlan& plan, const Stages& stages = {});
 
 /// An organ that is fine enough for blood: the one that was given, or a copy whose long triangles are split.
 class FineOrgan {

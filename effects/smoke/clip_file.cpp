@@ -15,13 +15,15 @@ namespace {
 constexpr int maximum_first = 999;  // number of a sequence's first image
 constexpr int maximum_digits = 9;   // of a number in a sequence
 constexpr int maximum_images = 1'000'000;
+constexpr const char* is_directory = "is a directory; a video file is needed";
+constexpr const char* not_plain = "is not a plain file";
 
 void require_plain_file(const fs::path& path) {
     std::error_code error;
     const auto status = fs::status(path, error);
     if (!fs::exists(status)) throw bad_clip(path, "no such file");
-    if (fs::is_directory(status)) throw bad_clip(path, "is a directory; a video file is needed");
-    if (!fs::is_regular_file(status)) throw bad_clip(path, "is not a plain file");
+    if (fs::is_directory(status)) throw bad_clip(path, is_directory);
+    if (!fs::is_regular_file(status)) throw bad_clip(path, not_plain);
     if (fs::file_size(path, error) == 0) throw bad_clip(path, "is empty");
 }
 
@@ -91,6 +93,13 @@ std::optional<ImageSequence> find_sequence(const fs::path& pattern, int maximum)
     return sequence;
 }
 
+std::vector<fs::path> sequence_images(const fs::path& pattern) {
+    std::vector<fs::path> images;
+    if (const auto sequence = find_sequence(pattern, maximum_images))
+        for (int i = 0; i < sequence->count; ++i) images.push_back(sequence->file(i));
+    return images;
+}
+
 namespace {
 
 /// Where a preset's own folder would have it. A name from its file stays inside; a whole path is never one, but what a host
@@ -112,7 +121,10 @@ void require_inside(const ImageSequence& sequence, const std::string& file, cons
 fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::span<const fs::path> search_path) {
     std::error_code error;
     const fs::path own = own_path(file, preset_folder);
-    if (fs::exists(own, error)) return own;
+    if (is_file(own)) return own;
+    // What is in the way of a file or of a sequence's name is neither played nor passed over for the next folder.
+    if (fs::is_directory(own, error)) throw bad_clip(file, is_directory);
+    if (fs::exists(own, error)) throw bad_clip(file, not_plain);
     if (const auto sequence = find_sequence(own, maximum_images)) {
         require_inside(*sequence, file, preset_folder);
         return own;
@@ -120,7 +132,7 @@ fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::
     std::string looked_in = (preset_folder.empty() ? fs::path(".") : preset_folder).string();
     if (fs::path(file).filename() == fs::path(file))
         for (const fs::path& folder : search_path) {
-            if (fs::exists(folder / file, error) || find_sequence(folder / file, 1)) return folder / file;
+            if (is_file(folder / file) || find_sequence(folder / file, 1)) return folder / file;
             looked_in += ", " + (folder.empty() ? fs::path(".") : folder).string();
         }
     throw bad_clip(file, "no such clip; looked in " + looked_in);

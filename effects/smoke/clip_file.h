@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lapfx/error.h"
 
@@ -12,7 +13,8 @@ namespace lapfx::smoke {
 
 /// The clip `file` of a preset: inside the preset's folder, or a bare name on the search path. The name of an image sequence
 /// ("plume_%04d.png") is found where its first image is.
-/// Throws Error (bad_input) that names `file` and where it was looked for.
+/// Throws Error (bad_input) that names `file`: where it was looked for, or that a directory or no plain file has its name in the
+/// preset's folder.
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> search_path);
 
@@ -33,6 +35,9 @@ struct ImageSequence {
 /// What a name with one "%d" or "%04d" stands for: the files from the lowest number in 0..999 on, at most `maximum`. None when
 /// there is a file of just that name, when it is no such pattern, or when no image is there.
 std::optional<ImageSequence> find_sequence(const std::filesystem::path& pattern, int maximum);
+
+/// The images of such a name, in their order; none when it is none.
+std::vector<std::filesystem::path> sequence_images(const std::filesystem::path& pattern);
 
 constexpr const char* not_decodable = "is not a video that can be decoded";
 

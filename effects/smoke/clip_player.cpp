@@ -74,9 +74,10 @@ int ClipPlayer::Head::step() const {
 
 ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& times) noexcept {
     Head& place = heads_[static_cast<std::size_t>(head)];
+    // A clip that is to stay on the GPU needs all of its frames, and pipeline sends none ahead that could be shown for two cycles.
+    const bool skips = scheme_ == Scheme::buffered || scheme_ == Scheme::buffered_planar;
+    if (policy == Policy::skip && !skips) policy = Policy::latest;
     place.ask(index, policy);
-    // A clip that is to stay on the GPU needs all of its frames: none is skipped.
-    if (scheme_ == Scheme::resident && policy == Policy::skip) policy = Policy::latest;
     return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
                                        : streamed_frame(place, index, policy, times);
 }

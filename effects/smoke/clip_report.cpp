@@ -57,6 +57,10 @@ std::filesystem::path find_clip(const std::string& file, const std::filesystem::
     return smoke::find_clip(file, preset_folder, folders);
 }
 
+std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path) {
+    return smoke::sequence_images(path);
+}
+
 void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders) {
     std::vector<Fault> faults;
     for (std::size_t i = 0; i < preset.smoke.clips.size(); ++i) {

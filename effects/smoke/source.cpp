@@ -36,7 +36,7 @@ smoke::OpacityGrid reduced(const std::vector<float>& opacity, glm::ivec2 size) {
 
 SourceSuggestion suggest_source(const std::filesystem::path& file, const std::atomic<bool>* stop) {
     SmokeClip clip;
-    suggest_keying(file).apply(clip);
+    suggest_keying(file, stop).apply(clip);
     clip.edge_fade = 0.0;  // that is for what is drawn: smoke that comes in at an edge starts there
     KeyingReader reader(file, stop);
     KeyingFrame frame;

@@ -1,6 +1,7 @@
 // Suggesting for a file: what decoding has to do with it.
 #include <algorithm>
 
+#include "lapfx/error.h"
 #include "smoke/decoder.h"
 #include "smoke/suggest_cpu.h"
 
@@ -20,19 +21,26 @@ void KeyingSuggestion::apply(SmokeClip& clip) const {
     clip.keying.spill = keying.spill;
     clip.polarity = polarity;
     if (crop != ClipCrop{}) clip.crop = crop;
-    if (edge_fade > 0.0) clip.edge_fade = std::max(clip.edge_fade, edge_fade);
-    if (clip.masks.empty()) clip.masks = masks;
+    // Haze fills the view: there is no edge within it to fade.
+    if (clip.role == ClipRole::plume) clip.edge_fade = std::max(clip.edge_fade, edge_fade);
+    for (const ClipMask& mask : masks)
+        if (clip.masks.size() < most_masks && std::find(clip.masks.begin(), clip.masks.end(), mask) == clip.masks.end())
+            clip.masks.push_back(mask);
 }
 
-KeyingSuggestion suggest_keying(const std::filesystem::path& clip) {
-    smoke::Decoder decoder(clip, smoke::Layout::rgb);
+KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop) {
+    smoke::Decoder decoder = smoke::open_stoppable(clip, smoke::Layout::rgb, smoke::Decoder::most_frames, stop);
     const smoke::ClipInfo& info = decoder.info();
     smoke::KeyingSurvey survey;
     smoke::Picture picture;
     const int wanted = std::min(info.frame_count(), looked_at);
     for (int i = 0; i < wanted; ++i) {
         const auto index = static_cast<int>((2L * i + 1) * info.frame_count() / (2L * wanted));
-        if (!decoder.read(index, picture)) continue;  // broken: the one before has been looked at
+        const bool read = decoder.read(index, picture, stop);
+        if (stop != nullptr && *stop)
+            throw Error(Failure::runtime,
+                        Fault{.file = clip.string(), .place = "", .reason = "was not read to its end"});
+        if (!read) continue;  // broken: the one before has been looked at
         survey.add(info.size, {picture.bytes.data(), decoder.format().color_bytes()});
     }
     KeyingSuggestion found = survey.suggest();

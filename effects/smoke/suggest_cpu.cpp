@@ -282,7 +282,7 @@ class Suggester {
               "a mark that never moves covers " + percent(s_.marks) +
                   (found.masks.empty() ? " and is keyed as smoke" : " and is masked"));
         doubt(s_.low != glm::ivec2(0) || s_.high != s_.size, 1.0, "bars beside the picture are cropped");
-        doubt(found.edge_fade > 0.0, 1.0, "smoke reaches the picture's edges and is faded there");
+        doubt(found.edge_fade > 0.0, 1.0, "smoke reaches the picture's edges and fades there, in a plume");
         found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
     }
 

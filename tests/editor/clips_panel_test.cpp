@@ -3,6 +3,7 @@
 
 #include "app/files.h"
 #include "app/keying_bench.h"
+#include "app/tuning.h"
 #include "editor/support/editor_test.h"
 #include "support/clips.h"
 
@@ -50,6 +51,21 @@ TEST_F(ClipsPanel, WeightIsDraggedInTheListInOneStep) {
     EXPECT_NE(clips()[0].weight, 1.0);
     EXPECT_EQ(editor().document.done(), 1U);
     EXPECT_EQ(last_step().name, "Weight");
+}
+
+TEST_F(ClipsPanel, BackspaceInTheListGoesBackToTheSavedWeight) {
+    const std::string row = panel + "List/1 plume_thick.mp4/Weight";
+    const auto weigh = [&](double weight) {
+        editor().document.change("Weight", [&](document::Content& c) { c.preset.smoke.clips[0].weight = weight; });
+    };
+    weigh(0.5);
+    editor().document.save_preset(folder() / "mine.json");
+    weigh(0.8);
+    ui().frame();
+    ui().move_to(row).key(ui::Key::backspace);
+    EXPECT_EQ(clips()[0].weight, 0.5);
+    ui().move_to(row).key(ui::Key::backspace, ui::Mods::shift);
+    EXPECT_EQ(clips()[0].weight, 1.0) << "with Shift the default";
 }
 
 TEST_F(ClipsPanel, OrderAndNumberAreChanged) {
@@ -188,12 +204,79 @@ TEST_F(ClipsPanel, WhatCannotBeShownFreezesNothingElse) {
     });
     const Image before = picture(6);
     ui().frame();
-    EXPECT_NE(ui().dump().find("Shown without this:"), std::string::npos);
+    EXPECT_NE(ui().dump().find("Not shown because of a fault:"), std::string::npos);
     EXPECT_NE(ui().dump().find("luma_low"), std::string::npos) << "which value it is";
     EXPECT_TRUE(ui().exists("**/Preset fault/Undo")) << "and how to get out";
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 60; });
     EXPECT_GT(differing(before, picture(6)), 100U);
     EXPECT_EQ(editor().preview.preview()->clips().size(), 3U);
+}
+
+TEST_F(ClipsPanel, WhatWasShownLastStandsInForAValueThatCannotBe) {
+    layout("Tune");
+    editor().document.change("Clip", [](document::Content& c) { c.preset.smoke.clips[1].file = "gone.mp4"; });
+    const Image before = picture(6);
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 60; });
+    const Image fast = picture(6);
+    ASSERT_GT(differing(before, fast), 100U) << "seen although a clip is missing";
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = -5; });
+    EXPECT_EQ(differing(fast, picture(6), 0), 0U);
+}
+
+TEST_F(ClipsPanel, AClipThatIsALinkIsAddedFromWhereItLies) {
+    const fs::path home = folder() / "preset";
+    fs::create_directory(home);
+    editor().document.save_preset(home / "mine.json");
+    write_clip(folder() / "far.avi", 5);
+    fs::create_symlink("../far.avi", home / "near.avi");
+    drop((home / "near.avi").string());
+    ASSERT_EQ(clips().size(), 4U);
+    EXPECT_EQ(fs::canonical(editor().document.preset().folder / clips()[3].file), folder() / "far.avi");
+    EXPECT_TRUE(editor().keying().shelf.faults(3).empty()) << editor().keying().shelf.faults(3).front();
+    EXPECT_TRUE(editor().keying().shelf.outside(3)) << "it can be copied beside the preset";
+    EXPECT_EQ(editor().preview.preview()->clips().size(), 4U);
+}
+
+TEST_F(ClipsPanel, AClipFromElsewhereLeavesWhatIsSavedOfTheOthers) {
+    const fs::path home = folder() / "preset", elsewhere = folder() / "videos";
+    for (const fs::path& made : {home, elsewhere}) fs::create_directory(made);
+    Preset preset;
+    preset.folder = home;
+    preset.smoke.clips = {{.file = write_clip(home / "own.avi", 5).filename().string(), .weight = 2.5}};
+    save_preset(preset, home / "mine.json");
+    open({(home / "mine.json").string()});
+    drop(write_clip(elsewhere / "own.avi", 5).string());
+    ASSERT_EQ(clips().size(), 2U);
+    ASSERT_EQ(clips()[0].file, "preset/own.avi") << "named anew";
+    editor().tuning().follow();
+    ASSERT_NE(editor().tuning().saved_clip(0), nullptr);
+    EXPECT_EQ(editor().tuning().saved_clip(0)->weight, 2.5);
+    EXPECT_EQ(editor().tuning().saved_clip(1), nullptr) << "another one of that name";
+}
+
+TEST_F(ClipsPanel, AVideoOpenedWithAPresetLeavesThatOnesHaze) {
+    const fs::path home = folder() / "preset", elsewhere = folder() / "videos";
+    for (const fs::path& made : {home, elsewhere}) fs::create_directory(made);
+    Preset preset;
+    preset.folder = home;
+    preset.smoke.clips = {
+        {.file = write_clip(home / "haze.avi", 5).filename().string(), .role = ClipRole::haze, .weight = 2.5}};
+    save_preset(preset, home / "mine.json");
+    const fs::path video = write_clip(elsewhere / "smoke.avi", 5);
+    const auto expect = [&](const char* how) {
+        ASSERT_EQ(clips().size(), 2U) << how;
+        EXPECT_EQ(editor().document.preset().folder / clips()[0].file, video) << how;
+        EXPECT_EQ(editor().document.preset().folder / clips()[1].file, home / "haze.avi") << how;
+        EXPECT_TRUE(editor().document.preset_faults().empty()) << how;
+        EXPECT_TRUE(editor().preview.preset_faults().empty()) << how;
+    };
+    open({(home / "mine.json").string(), video.string()});
+    expect("together");
+    open_sample();
+    open({(home / "mine.json").string()});
+    open({video.string()});
+    expect("one after the other");
+    EXPECT_EQ(editor().document.preset_file(), home / "mine.json");
 }
 
 TEST_F(ClipsPanel, InAndOutAreARangeOfTheClip) {

@@ -34,11 +34,11 @@ TEST_F(CopyClips, NothingIsCopiedToWhereTheProgramLies) {
     EXPECT_TRUE(ui().exists("**/Save preset as...")) << "the way out: " << ui().dump();
 }
 
-TEST_F(CopyClips, AQuestionOffersItForFoldersThatTakeFiles) {
+TEST_F(CopyClips, OnlyFoldersOfTheUserTakeFiles) {
     EXPECT_TRUE(editor().files().takes_files(folder()));
     EXPECT_FALSE(editor().files().takes_files(fs::path(LAPFX_SOURCE_DIR) / "presets"));
     EXPECT_FALSE(editor().files().takes_files(fs::path(LAPFX_SOURCE_DIR) / "samples/clips"));
-    EXPECT_FALSE(editor().files().takes_files("/proc"));
+    EXPECT_FALSE(editor().files().takes_files(folder() / "not there"));
     EXPECT_FALSE(editor().files().takes_files({}));
 }
 

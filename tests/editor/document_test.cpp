@@ -417,14 +417,35 @@ TEST_F(EditorDocument, SavedAsItIsCalledAsItsFileUnlessItHasANameOfItsOwn) {
         EXPECT_EQ(editor().document.preset_file(), folder() / name);
     };
     ASSERT_EQ(editor().document.preset().name, "Gastric banding");
+    const double speed = editor().document.preset().bleeding.speed;
+    set_speed(7.5);
     save_as("my_bleed.json");
     EXPECT_EQ(editor().document.preset().name, "My bleed");
     EXPECT_EQ(load_preset(folder() / "my_bleed.json").name, "My bleed");
     EXPECT_FALSE(editor().document.preset_unsaved());
     EXPECT_THAT(ui().text("Status bar/Preset"), testing::HasSubstr("My bleed"));
+    EXPECT_EQ(editor().document.done(), 1U) << "being called so is no step";
+    editor().document.undo();
+    EXPECT_EQ(editor().document.preset().bleeding.speed, speed);
+    EXPECT_EQ(editor().document.preset().name, "My bleed");
     editor().document.change("Name", [](document::Content& c) { c.preset.name = "Oozing"; });
     save_as("other.json");
     EXPECT_EQ(load_preset(folder() / "other.json").name, "Oozing") << "a name that was given stays";
+}
+
+TEST_F(EditorDocument, ANewDocumentIsCalledAsItsFirstFile) {
+    editor().files().make_new();
+    ui().frame().frame();
+    ASSERT_EQ(editor().document.preset().name, "New preset");
+    ASSERT_EQ(editor().document.scene().name, "New scene");
+    editor().files().save_preset_as();
+    ui().frame().frame();
+    ui().click("Save preset as/Name").key('A', Mods::command).type("mine.json").key(Key::enter).frame().frame();
+    EXPECT_EQ(load_preset(folder() / "mine.json").name, "Mine");
+    editor().files().save_scene_as();
+    ui().frame().frame();
+    ui().click("Save scene as/Name").key('A', Mods::command).type("op.scene.json").key(Key::enter).frame().frame();
+    EXPECT_EQ(load_scene(folder() / "op.scene.json").name, "Op");
 }
 
 TEST_F(EditorDocument, ATextIsNoSmokeClip) {

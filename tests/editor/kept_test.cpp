@@ -5,8 +5,10 @@
 #include <fstream>
 
 #include "app/autosave.h"
+#include "app/layouts.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
+#include "app/tuning.h"
 #include "editor/support/document_fixture.h"
 #include "lapfx/file.h"
 
@@ -145,6 +147,30 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     start();
     editor().autosave().find();
     EXPECT_TRUE(editor().autosave().offers().empty());
+}
+
+TEST_F(EditorDocument, WhatIsSavedIsOfTheSceneThatIsOpen) {
+    const auto saved_seed = [&] {
+        editor().tuning().follow();
+        return editor().tuning().saved().scene.seed;
+    };
+    document::Document& d = editor().document;
+    document::Document::Recovered work;
+    work.content = d.content();
+    work.scene_in_file = d.scene();
+    work.scene_unsaved = true;
+    ASSERT_EQ(saved_seed(), d.scene().seed);
+    work.content.scene.seed = d.scene().seed + 2;
+    work.scene_in_file->seed = d.scene().seed + 1;
+    const auto in_file = work.scene_in_file->seed;
+    d.recover(work);
+    EXPECT_EQ(saved_seed(), in_file) << "that of the recovered one, which is unsaved from the beginning";
+    d.undo();
+    EXPECT_EQ(saved_seed(), in_file);
+    d.redo();
+    d.forget_scene_file();
+    ASSERT_NE(in_file, Scene{}.seed);
+    EXPECT_EQ(saved_seed(), Scene{}.seed) << "without a file the defaults are what one goes back to";
 }
 
 TEST_F(EditorDocument, DiscardedWorkIsGoneAndAutosaveThatFailsIsToldOnce) {

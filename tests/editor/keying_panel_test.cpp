@@ -144,10 +144,10 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     const std::string told = ui().dump();
     EXPECT_NE(told.find("% sure"), std::string::npos) << "told in place";
     EXPECT_NE(told.find("the background is green ("), std::string::npos);
-    EXPECT_NE(told.find(" code values; smoke is told by its colour"), std::string::npos) << "with its unit";
+    EXPECT_NE(told.find(" of 255; smoke is told by its colour"), std::string::npos) << "with its unit";
     EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
-    EXPECT_EQ(told.find("code values, keyed by"), std::string::npos);
-    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip alone")) << "and says so";
+    EXPECT_EQ(told.find("code values"), std::string::npos) << "one word for it everywhere";
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip only (")) << "and says so";
     ui().click(panel + "Bench/Thresholds/Use for all").frame();
     EXPECT_GT(keying().chroma_high, 20.0) << "for all is a second choice";
     EXPECT_FALSE(editor().keying().clip()->own_keying);
@@ -189,6 +189,66 @@ TEST_F(KeyingPanel, SourceCropAndMasksAreHandlesOnTheSourcePicture) {
     EXPECT_TRUE(clip().masks.empty()) << "Delete takes it out";
 }
 
+TEST_F(KeyingPanel, AMaskIsDrawnByADragAndEscapeOrAnotherClipEndsIt) {
+    const std::string draw = panel + "Bench/Thresholds/Frame/Draw mask", source = panel + "Bench/Source";
+    const auto masks = [&] { return editor().document.preset().smoke.clips[0].masks; };
+    const auto draws = [&] { return editor().keying().look.draws_mask; };
+    ui().click(draw).frame();
+    ASSERT_TRUE(draws());
+    ui().press(source, {0.4F, 0.4F}).drag_by(0.2F * ui().rect(source).size()).release().frame();
+    ASSERT_EQ(masks().size(), 1U);
+    EXPECT_EQ(editor().document.steps().back().name, "Add mask");
+    EXPECT_FALSE(draws()) << "it takes one";
+    const ClipMask mask = masks()[0];
+    EXPECT_NEAR(mask.x + 0.5 * mask.width, 0.5, 0.02) << "around the middle, where it was drawn";
+    EXPECT_NEAR(mask.y + 0.5 * mask.height, 0.5, 0.02);
+    EXPECT_GT(mask.width, 0.15);
+    ui().click(draw).frame();
+    ASSERT_TRUE(draws());
+    ui().key(ui::Key::escape).frame();
+    EXPECT_FALSE(draws()) << "Esc without a drag";
+    ui().click(draw).frame();
+    ui().press(source, {0.2F, 0.2F}).drag_by({30, 30}).key(ui::Key::escape).release().frame();
+    EXPECT_FALSE(draws()) << "Esc in the middle of one";
+    EXPECT_EQ(masks().size(), 1U);
+    ui().click(draw).frame();
+    ASSERT_TRUE(draws());
+    editor().clip = 1;
+    ui().frame().frame();
+    EXPECT_FALSE(draws()) << "it was for the other clip";
+}
+
+TEST_F(KeyingPanel, WithAllMasksThatAreAllowedDrawingCanStillBeSwitchedOff) {
+    const std::string draw = panel + "Bench/Thresholds/Frame/Draw mask";
+    ui().click(draw).frame();
+    editor().document.change("Masks", [](document::Content& c) {
+        c.preset.smoke.clips[0].masks.assign(most_masks, {.x = 0.4, .y = 0.4, .width = 0.2, .height = 0.2});
+    });
+    ui().frame();
+    ASSERT_TRUE(editor().keying().look.draws_mask);
+    ASSERT_FALSE(ui().is(draw, ui::Is::disabled));
+    ui().click(draw).frame();
+    EXPECT_FALSE(editor().keying().look.draws_mask);
+    EXPECT_TRUE(ui().is(draw, ui::Is::disabled)) << "there is no room for another one";
+    EXPECT_TRUE(ui().is(panel + "Bench/Thresholds/Frame/Add mask", ui::Is::disabled));
+}
+
+TEST_F(KeyingPanel, TheSourceIsFoundInOneStep) {
+    editor().document.change("Source", [](document::Content& c) {
+        c.preset.smoke.clips[0].source_x = 0.05, c.preset.smoke.clips[0].source_y = 0.05;
+    });
+    ui().frame();
+    const SourceSuggestion found = suggest_source(editor().keying().shelf.of(0).path);
+    ASSERT_TRUE(found.found);
+    ui().click(panel + "Bench/Thresholds/Frame/Find the smoke's source").frame().frame();
+    const SmokeClip& clip = editor().document.preset().smoke.clips[0];
+    EXPECT_NEAR(clip.source_x, found.place.x, 0.0025 + 1e-9);
+    EXPECT_NEAR(clip.source_y, found.place.y, 0.0025 + 1e-9);
+    ASSERT_EQ(steps(), 2U);
+    EXPECT_EQ(editor().document.steps()[1].name, "Source");
+    EXPECT_NE(editor().toasts.log().back().text.find("plume_thick.mp4"), std::string::npos);
+}
+
 TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
     open_clip(green_clip());
     const KeyingParameters shared = keying();
@@ -199,7 +259,7 @@ TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
     EXPECT_EQ(keying().luma_high, shared.luma_high);
     EXPECT_EQ(keying().key_color, shared.key_color);
     EXPECT_GT(editor().keying().keying().chroma_high, 20.0);
-    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip alone: ")) << "and says so";
+    EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip only: ")) << "and says so";
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
     EXPECT_EQ(editor().keying().suggestion_changes(), "Nothing changed: these thresholds were set already");
     EXPECT_EQ(steps(), 2U);
@@ -228,7 +288,7 @@ TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
     EXPECT_FALSE(editor().keying().suggestion()) << "it is not of the clip that is seen";
     const std::string told = ui().dump();
     EXPECT_NE(told.find("Keying for green.avi, "), std::string::npos) << "but told";
-    EXPECT_NE(told.find("For this clip alone: "), std::string::npos) << "of the clip that it is for";
+    EXPECT_NE(told.find("For this clip only: "), std::string::npos) << "of the clip that it is for";
     EXPECT_NE(told.find("Spill 0.25 to 1"), std::string::npos) << "with its values";
 }
 
@@ -381,6 +441,58 @@ TEST_F(KeyingPanel, BehindTheSmokeThereIsWhatWasChosen) {
     const int x = static_cast<int>(0.5 * (preview.width - 720 * step) + 100.5 * step);
     const int y = static_cast<int>(0.5 * (preview.height - 480 * step) + 240.5 * step);
     EXPECT_EQ(middle.r, preview.pixels[4 * static_cast<std::size_t>(y * preview.width + x)]);
+}
+
+TEST_F(KeyingPanel, BehindTheSmokeThePreviewIsWhole) {
+    int asked = 0;
+    clock = [&] { return 0.5 * ++asked; };  // so slow a scene is drawn with fewer pixels while a person works
+    start({1440, 900}, false);
+    open_sample();
+    editor().jobs.finish();
+    ui().frame().frame();
+    editor().jobs.finish();
+    layout("Key");
+    editor().timeline.speed = 0;
+    const auto rest = [&] {
+        for (int i = 0; i < 4; ++i) {
+            ui().frame(1).frame();
+            editor().jobs.finish();
+        }
+    };
+    const auto seen = [&] {
+        std::vector<glm::vec4> pixels;
+        for (int y = 4; y < 480; y += 8)
+            for (int x = 4; x < 720; x += 8) pixels.push_back(pixel(BenchView::composite, {x, y}));
+        return pixels;
+    };
+    rest();
+    ui().click(panel + "Behind/Preview");
+    for (int i = 0; i < 150; ++i) {  // its first turns may still be whole
+        editor().seek(0.02 * i);
+        editor().touch(ui().time + 1.0 / 60);
+        ui().frame();
+    }
+    editor().seek(3);
+    ASSERT_LT(editor().whole_at(), 1e9) << "what is seen meanwhile has fewer pixels";
+    ui().frame().frame();
+    editor().jobs.finish();
+    rest();
+    ASSERT_GT(editor().whole_at(), 1e9);
+    const auto shown = seen();
+    editor().keying().take_backdrop();
+    rest();
+    EXPECT_TRUE(shown == seen());
+}
+
+TEST_F(KeyingPanel, ASourceThatIsFoundIsNotOfTheNextDocument) {
+    open_clip(fs::path(LAPFX_SOURCE_DIR) / "samples/clips/plume_thick.mp4");
+    editor().keying().find_source();
+    ASSERT_TRUE(editor().keying().finding_source());
+    editor().forget_document(false);
+    EXPECT_FALSE(editor().keying().finding_source());
+    editor().jobs.finish();
+    EXPECT_EQ(steps(), 0U);
+    EXPECT_EQ(editor().toasts.size(), 0U) << "nothing is said of it";
 }
 
 TEST_F(KeyingPanel, AMissingFileIsToldInPlace) {

@@ -349,5 +349,41 @@ TEST_F(PresetPanel, RandomiseSaysWhatItDidAndTakesItBack) {
     EXPECT_EQ(text(), before);
 }
 
+TEST_F(PresetPanel, ANoticesUndoSaysWhenItCannot) {
+    ui().key('R', Mods::command).frame();
+    const std::string told = editor().toasts.log().back().text;
+    editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
+    const std::string now = text();
+    ui().frame().click("Notices/" + told + "/Undo").frame();
+    EXPECT_EQ(text(), now) << "the other change is not taken back";
+    EXPECT_EQ(editor().toasts.log().back().text,
+              "Not undone: other changes came after it. The History panel goes back to it");
+}
+
+TEST_F(PresetPanel, ShiftBackspaceAndTheMenuGoToTheDefaultOfBothEnds) {
+    static const Preset initial;
+    editor().document.change("Values", [](document::Content& c) {
+        c.preset.bleeding.gloss = 0.15;
+        c.preset.smoke.keying.luma_low = 50, c.preset.smoke.keying.luma_high = 100;
+    });
+    std::filesystem::create_directories(folder());
+    editor().document.save_preset(folder() / "mine.json");
+    ui().frame();
+    ui().click("**/Bleeding/Gloss", {.clicks = 2}).type("0.1").key(Key::enter);
+    ui().move_to("**/Bleeding/Gloss").key(Key::backspace, Mods::shift);
+    EXPECT_DOUBLE_EQ(preset().bleeding.gloss, initial.bleeding.gloss);
+    ui().move_to("**/Bleeding/Gloss").key(Key::backspace);
+    EXPECT_DOUBLE_EQ(preset().bleeding.gloss, 0.15) << "without Shift what was saved";
+    const std::size_t steps = editor().document.done();
+    ui().click("**/Favourites/Keying: Luma", {.button = ui::Button::right, .at = {0.1F, 0.5F}});
+    ui().click("**/Keying: Luma menu/Default value").frame();
+    EXPECT_EQ(preset().smoke.keying.luma_low, initial.smoke.keying.luma_low);
+    EXPECT_EQ(preset().smoke.keying.luma_high, initial.smoke.keying.luma_high);
+    EXPECT_EQ(editor().document.done(), steps + 1);
+    editor().document.undo();
+    EXPECT_EQ(preset().smoke.keying.luma_low, 50.0);
+    EXPECT_EQ(preset().smoke.keying.luma_high, 100.0);
+}
+
 }  // namespace
 }  // namespace lapfx::test

@@ -183,6 +183,20 @@ TEST_F(ReferencePanel, TheOffsetIsOneStepAGesture) {
     EXPECT_NE(ui().dump().find("After its end"), std::string::npos);
 }
 
+TEST_F(ReferencePanel, BackspaceGoesBackToTheSavedOffset) {
+    const auto move = [&](double offset) {
+        editor().document.change("Offset", [&](document::Content& c) { c.scene.reference.offset = offset; });
+    };
+    move(0.25);
+    editor().document.save_scene(folder() / "mine.scene.json");
+    ui().frame();
+    move(2);
+    ui().frame().move_to(in("Offset")).key(ui::Key::backspace);
+    EXPECT_EQ(editor().document.scene().reference.offset, 0.25);
+    ui().move_to(in("Offset")).key(ui::Key::backspace, ui::Mods::shift);
+    EXPECT_EQ(editor().document.scene().reference.offset, 0.0) << "with Shift the default";
+}
+
 TEST_F(ReferencePanel, KeysGoThroughTheWaysAndSwap) {
     EXPECT_EQ(reference().way, app::CompareWay::reference);
     ui().key('M').frame();

@@ -1,9 +1,13 @@
 // What holds for the whole window: it comes to rest, its commands can be told apart, and nothing of one document is left over in
 // the next.
+#include <sys/stat.h>
+
 #include "app/browser.h"
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
+#include "app/open.h"
+#include "app/reference.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"
@@ -49,6 +53,50 @@ TEST_F(RestTest, EveryLayoutComesToRest) {
     open_sample();
     editor().timeline.speed = 0;
     expect_rest_everywhere("sample");
+}
+
+TEST_F(RestTest, AViewThatIsLeftWhileItIsCoarseIsNotWaitedFor) {
+    int asked = 0;
+    clock = [&] { return 0.5 * ++asked; };  // every picture of the scene takes half a second
+    start({1440, 900}, false);
+    open_sample();
+    const auto settle = [&] {
+        for (int i = 0; i < 3; ++i) {
+            editor().jobs.finish();
+            ui().frame(1).frame();
+        }
+    };
+    settle();
+    editor().timeline.speed = 0;
+    layout("Compare");
+    editor().reference().choose_sample();
+    settle();
+    layout("Tune");
+    settle();
+    editor().looking.endoscope = false;
+    for (int i = 0; i < 120; ++i) {  // its first turns may still be whole
+        editor().looking.camera.eye.x += 0.1;
+        editor().touch(ui().time + 1.0 / 60);
+        ui().frame();
+    }
+    ASSERT_LT(editor().whole_at(), 1e9) << "what is seen has fewer pixels";
+    ASSERT_TRUE(editor().layouts().choose("Compare"));
+    ui().frame(1).frame(1);
+    ASSERT_FALSE(editor().layouts().seen("View"));
+    EXPECT_GT(editor().whole_at(), 1e9) << "no frame is asked for because of it";
+    layout("Tune");
+    const Image whole = editor().preview.read();
+    EXPECT_EQ(differing(whole, picture(editor().timeline.time), 0), 0U) << "and seen again it is whole";
+}
+
+TEST_F(RestTest, APipeIsNotWaitedFor) {
+    const fs::path pipe = folder() / "smoke";
+    ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+    EXPECT_EQ(app::kind_of(pipe), app::FileKind::video) << "and its reader says what it is";
+    editor().keying().shelf.add({pipe.string()});
+    ui().frame().frame();
+    ASSERT_EQ(editor().keying().shelf.refused().size(), 1U);
+    EXPECT_EQ(editor().keying().shelf.refused()[0].reason, "is not a plain file");
 }
 
 TEST_F(RestTest, AnEmptyEditorComesToRestToo) {

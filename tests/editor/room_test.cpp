@@ -113,6 +113,8 @@ TEST_F(RoomTest, ASmallWindowHasOneGroupOfTabsAndALargeOneItsLayoutAgain) {
     shape({1, {500, 400}});
     editor().layouts().shown.show("Snapshots");
     editor().layouts().shown.close("Curves");
+    EXPECT_LT(editor().layouts().arranged().find("Curves"), 0) << "what the settings keep has it closed at once";
+    EXPECT_EQ(editor().layouts().arranged().nodes.size(), before.nodes.size());
     shape({1, {1440, 900}});
     EXPECT_TRUE(editor().layouts().seen("Snapshots")) << "what was brought to the front stays there";
     EXPECT_LT(editor().layouts().shown.find("Curves"), 0) << "and what was closed is closed";

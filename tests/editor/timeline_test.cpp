@@ -52,6 +52,25 @@ TEST_F(TimelinePanelTest, ASelectedEventIsTyped) {
     EXPECT_DOUBLE_EQ(events()[0].time, 0.8);
 }
 
+TEST_F(TimelinePanelTest, BackspaceGoesBackToWhatWasSavedOfEventsAndDuration) {
+    document::Document& document = editor().document;
+    document.change("Saved", [](document::Content& c) { c.scene.duration = 17, c.scene.events[0].power = 0.7; });
+    document.save_scene(folder() / "mine.scene.json");
+    ui().frame();
+    document.change("Edited", [](document::Content& c) { c.scene.duration = 21, c.scene.events[0].power = 0.4; });
+    editor().selected = {0};
+    ui().frame().frame();
+    ui().move_to("**/Event/Power").key(ui::Key::backspace);
+    EXPECT_DOUBLE_EQ(events()[0].power, 0.7);
+    ui().move_to("**/Event/Power").key(ui::Key::backspace, ui::Mods::shift);
+    EXPECT_DOUBLE_EQ(events()[0].power, 1.0) << "with Shift the default";
+    layout("Tune");  // its timeline has room for the row
+    ui().move_to("Workspace/Timeline/Duration").key(ui::Key::backspace);
+    EXPECT_DOUBLE_EQ(document.scene().duration, 17.0);
+    ui().move_to("Workspace/Timeline/Duration").key(ui::Key::backspace, ui::Mods::shift);
+    EXPECT_DOUBLE_EQ(document.scene().duration, Scene{}.duration);
+}
+
 TEST_F(TimelinePanelTest, EventsAreAddedDoubledAndDeleted) {
     editor().seek(9);
     ui().frame();

@@ -236,12 +236,8 @@ TEST_F(ViewPanelTest, PanelsGoOnWhileTheSceneIsSlow) {
     EXPECT_GT(editor().whole_at(), 1e9);
     const Image whole = editor().preview.read();
     EXPECT_EQ(differing(whole, picture(6), 0), 0U);
+    EXPECT_EQ(glm::ivec2(whole.width, whole.height), editor().preview.size()) << "of the view's own size";
     clock = {};
-    const double speed = editor().document.preset().bleeding.speed;
-    start();
-    open_sample();
-    editor().document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
-    EXPECT_EQ(whole.width, picture(6).width) << "of the view's own size";
 }
 
 TEST_F(ViewPanelTest, AnOrganThatIsGoneIsToldInPlaceWithTheWayOut) {
@@ -343,6 +339,18 @@ TEST_F(ViewPanelTest, HomeActsOnThePictureThatIsLookedAt) {
     layout("Tune");
     ui().key(ui::Key::home).frame();
     EXPECT_FALSE(editor().looking.endoscope);
+}
+
+TEST_F(ViewPanelTest, HomeFitsAReferenceWhereThereIsNoOrgan) {
+    start();
+    layout("Compare");
+    editor().reference().choose_sample();
+    ui().frame().frame();
+    ASSERT_FALSE(editor().preview.ready());
+    ASSERT_NE(editor().reference().video(), nullptr);
+    editor().reference().compare.view.fitted = false;
+    ui().key(ui::Key::home).frame();
+    EXPECT_TRUE(editor().reference().compare.view.fitted);
 }
 
 }  // namespace

@@ -142,6 +142,8 @@ void draw_compared_readout(Painter& painter, const Node& node, const void* arg) 
 
 // --- the line of the wipe ---
 
+constexpr std::string_view wipe_name = "Wipe", wipe_angle_name = "Wipe angle";
+
 struct WipeMemory {
     glm::dvec2 pivot{0};  ///< pixels of the picture: what the line turns about
     double position = 0.5;
@@ -151,7 +153,7 @@ struct WipeMemory {
 Edit edit_position(Ui& ui, const View& view, glm::dvec2 place, CompareState& state) {
     const WipeLine line(view, state.angle);
     const glm::vec2 origin = view.area.at();
-    const HandleMoves moves = put_handle(ui, {.label = "Wipe",
+    const HandleMoves moves = put_handle(ui, {.label = wipe_name,
                                               .tip = "Drag: move the line. Double click: back to the middle",
                                               .at = glm::vec2(place) - origin});
     const bool upright = std::abs(line.normal.x) >= std::abs(line.normal.y);
@@ -167,7 +169,7 @@ Edit edit_position(Ui& ui, const View& view, glm::dvec2 place, CompareState& sta
 
 Edit edit_angle(Ui& ui, const View& view, glm::dvec2 pivot, glm::dvec2 place, CompareState& state) {
     const glm::vec2 origin = view.area.at();
-    const HandleMoves moves = put_handle(ui, {.label = "Wipe angle",
+    const HandleMoves moves = put_handle(ui, {.label = wipe_angle_name,
                                               .tip = "Drag: turn the line; Ctrl: in steps of 15 degrees",
                                               .at = glm::vec2(place) - origin});
     Edit edit;
@@ -310,7 +312,8 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
     ui.follow_size(node);
     const Id id = node.id;
     const Response r = ui.respond(node);
-    result.flicker = (r.focused || (r.hovered && !types(ui, ui.focus()))) && ui.key_down(key_of('F'));
+    const bool over = r.hovered || ui.hot() == ui.id_of(wipe_name) || ui.hot() == ui.id_of(wipe_angle_name);
+    result.flicker = (r.focused || (over && !types(ui, ui.focus()))) && ui.key_down(key_of('F'));
     result.edit = edit_by_key(ui, id, state);
     const Picture shown[2] = {state.swapped ? second : first, state.swapped ? first : second};
     std::string_view labels[2] = {ui.copy(options.first_label), ui.copy(options.second_label)};

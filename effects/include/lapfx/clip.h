@@ -10,6 +10,7 @@
 #include <glm/glm.hpp>
 #include <span>
 #include <string>
+#include <vector>
 
 #include "lapfx/preset.h"
 #include "lapfx/progress.h"
@@ -37,9 +38,14 @@ ClipReport report_clip(const std::filesystem::path& path);
 int count_decodable_frames(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Where the clip `file` of a preset lies: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
-/// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file` and where it was looked for.
+/// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file`: where it was looked for, or that it is a
+/// directory or no plain file.
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> folders);
+
+/// The images of numbered ones, as they are played: from the lowest number on, until one is missing. `path`: as find_clip() found
+/// it. None: it is no such pattern, but a file of its own.
+std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path);
 
 /// Whether every clip of a preset is there and can be decoded: looked for in its folder, then, bare names, in `folders`.
 /// `name` names the preset in faults. Throws Error (bad_input) with a fault for each clip that cannot be used, whose place is its

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <set>
 #include <string>
 #include <string_view>
@@ -24,6 +25,7 @@ class OwnNames {
 
   private:
     std::set<std::string> taken_;
+    std::map<std::string, int> numbers_;  ///< tried last, of names that more than one asked for
 };
 
 struct PackedFile {

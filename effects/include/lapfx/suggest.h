@@ -34,13 +34,13 @@ struct KeyingSuggestion {
     std::vector<ClipMask> masks{};  ///< marks of the maker, where smoke is rarely
     std::string reason;             ///< what was found, one line for people
 
-    /// Into what a clip has of it: keying of its own, polarity, crop, fade and masks. Choke, feather and noise stay; so does what
-    /// a person has drawn where nothing was found.
+    /// Into what a clip has of it: keying of its own, polarity, crop, fade and masks. Choke, feather and noise stay, and masks
+    /// that are there; a clip of haze gets no fade.
     void apply(SmokeClip& clip) const;
 };
 
-/// From about 24 frames over the whole clip. Throws Error (bad_input) for what is not a clip.
-KeyingSuggestion suggest_keying(const std::filesystem::path& clip);
+/// From about 24 frames over the whole clip. Throws Error: bad_input for what is not a clip, runtime when `stop` ended it early.
+KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 struct SourceSuggestion {
     glm::dvec2 place{0.5, 0.92};  ///< for source_x and source_y of the clip: fractions of its frame

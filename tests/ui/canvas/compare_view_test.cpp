@@ -295,6 +295,18 @@ TEST(CompareView, FHeldFlickersToTheSecond) {
     EXPECT_NE(c.batch_of(InstanceKind::compare), nullptr);
 }
 
+TEST(CompareView, FFlickersOverTheHandlesOfTheLineAsWell) {
+    for (const char* handle : {"Takes/Wipe", "Takes/Wipe angle"}) {
+        Compared c;
+        c.ui.move_to(handle).send({.kind = EventKind::key, .key = key_of('F')});
+        EXPECT_TRUE(c.last.flicker) << handle;
+        c.ui.frame().frame();
+        EXPECT_TRUE(c.last.flicker) << "as long as it is held: " << handle;
+        c.ui.send({.kind = EventKind::key_up, .key = key_of('F')});
+        EXPECT_FALSE(c.last.flicker) << handle;
+    }
+}
+
 TEST(CompareView, FElsewhereDoesNothing) {
     Compared c;
     c.ui.send({.kind = EventKind::key, .key = key_of('F')});

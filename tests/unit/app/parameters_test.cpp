@@ -3,6 +3,7 @@
 
 #include "app/parameter_text.h"
 #include "app/parameter_words.h"
+#include "document/tables.h"
 #include "ui/widgets/combo.h"
 #include "unit/preset/support.h"
 
@@ -121,7 +122,9 @@ TEST(Parameters, TooltipsLackNothing) {
         EXPECT_NE(tip.find(" by default"), std::string::npos) << tip;
         if (row.kind != Kind::number && row.kind != Kind::integer && row.kind != Kind::vector) continue;
         EXPECT_NE(tip.find(" to "), std::string::npos) << tip;
-        EXPECT_NE(tip.find(row.unit.empty() ? "no unit" : ' ' + std::string(row.unit)), std::string::npos) << tip;
+        EXPECT_NE(tip.find(row.unit.empty() ? "no unit" : ' ' + std::string(document::shown_unit(row))),
+                  std::string::npos)
+            << tip;
     }
 }
 

@@ -83,5 +83,16 @@ TEST(ScenePace, AtRestItIsDrawnWholeAgain) {
     EXPECT_TRUE(pace.due(11));
 }
 
+TEST(ScenePace, WhatIsNotSeenAnyMoreIsNotWaitedFor) {
+    ScenePace pace;
+    pace.expect(0.5);
+    pace.touch(10);
+    pace.drawn(10, 10.03);
+    pace.left_out(10.1);
+    EXPECT_NEAR(pace.whole_at(), 10 + ScenePace::rest, 1e-12) << "as long as a person works it may come back";
+    pace.left_out(10.31);
+    EXPECT_GT(pace.whole_at(), 1e9);
+}
+
 }  // namespace
 }  // namespace lapfx::app

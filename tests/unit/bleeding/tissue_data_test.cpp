@@ -16,8 +16,8 @@ class TissueData : public testing::Test {
         const fs::path from = folder / "organs/Warp-Surgical";
         for (const char* extension : {".obj", ".mtl"})
             fs::copy_file(from / "derived" / (name + extension), beside.path() / (name + extension));
-        fs::copy_file(from / "textures" / name / "diffuse-base.png", beside.path() / "diffuse-base.png",
-                      fs::copy_options::overwrite_existing);
+        const std::string picture = name == "fat" ? "diffuse-base.png" : "diffuse-damage.png";
+        fs::copy_file(from / "textures" / name / picture, beside.path() / picture);
         return beside.path() / (name + ".obj");
     }
     fs::path folder;

@@ -107,6 +107,26 @@ TEST_F(CheckCommand, OpensWhatASceneNames) {
         << wrong.err;
 }
 
+/// One that is far too large in its own unit, and one that the scene makes so.
+TEST_F(CheckCommand, TakesMeshesAtTheScenesScale) {
+    const auto triangle = [&](const std::string& name, const std::string& size) {
+        folder.write(name, "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");
+    };
+    triangle("far.obj", "2e9");
+    triangle("near.obj", "9e5");
+    folder.write("good.scene.json", test::scene_text(R"(, "organ": {"file": "far.obj", "scale": 1e-6},
+        "tool": {"file": "far.obj", "scale": 1e-6})"));
+    folder.write("bad.scene.json", test::scene_text(R"(, "organ": {"file": "near.obj", "scale": 1e6},
+        "tool": {"file": "near.obj", "scale": 1e6})"));
+    const Result good = run_lapfx(folder, "check good.scene.json");
+    EXPECT_EQ(good.err, "");
+    EXPECT_EQ(good.out, "good.scene.json: scene \"\", ok\n");
+    const Result bad = run_lapfx(folder, "check bad.scene.json");
+    EXPECT_EQ(bad.code, 2);
+    EXPECT_NE(bad.err.find("/organ/file: \"near.obj\": no triangles that can be drawn"), std::string::npos) << bad.err;
+    EXPECT_NE(bad.err.find("/tool/file: \"near.obj\": no triangles that can be drawn"), std::string::npos) << bad.err;
+}
+
 TEST_F(CheckCommand, InspectTellsWhatASceneNamesAndWhatIsMissing) {
     test::write_clip(folder / "real.avi", 3);
     folder.write("s.json", test::scene_text(R"(, "organ": {"file": "gone.ply"}, "preset": "/usr/bin/env",

@@ -6,6 +6,7 @@
 #include <fstream>
 #include <random>
 
+#include "lapfx/clip.h"
 #include "lapfx/file.h"
 
 namespace lapfx::document {
@@ -215,6 +216,63 @@ TEST_F(DocumentFiles, AClipOfTheSameNameElsewhereIsAnotherOne) {
     same_clip.folder = folder_;
     same_clip.smoke.clips[0].file = "b/smoke.avi";
     EXPECT_TRUE(same(same_clip, document_.preset()));
+}
+
+TEST_F(DocumentFiles, ASceneSavedElsewhereStillFindsItsFiles) {
+    for (const char* made : {"store", "home", "other"}) fs::create_directories(in(made));
+    for (const char* name : {"store/organ.glb", "home/case:3.glb"}) std::ofstream(in(name)) << "x";
+    fs::create_symlink("../store/organ.glb", in("home/organ.glb"));
+    Content content;
+    content.scene.organ.file = "organ.glb";
+    content.scene.tool.file = in("home/case:3.glb").string();
+    content.scene.folder = in("home");
+    document_.open(content, in("home/s.json"));
+    const auto expect = [&](const char* where) {
+        const Scene& scene = document_.scene();
+        EXPECT_EQ(fs::weakly_canonical(named_path(scene.folder, scene.organ.file, Reach::anywhere)),
+                  in("store/organ.glb"))
+            << where;
+        EXPECT_TRUE(fs::equivalent(named_path(scene.folder, scene.tool.file, Reach::anywhere), in("home/case:3.glb")))
+            << where;
+    };
+    document_.save_scene(in("other/s.json"));
+    expect("elsewhere: the one is a link, the other reads as a URL");
+    document_.save_scene(in("home/s.json"));
+    expect("beside it");
+}
+
+TEST_F(DocumentFiles, AClipThatIsALinkIsNamedWhereItLies) {
+    for (const char* made : {"home/sub", "elsewhere"}) fs::create_directories(in(made));
+    for (const char* name : {"elsewhere/a.avi", "home/own.avi", "home/sub/b.avi"}) std::ofstream(in(name)) << "x";
+    fs::create_symlink("../elsewhere/a.avi", in("home/link.avi"));
+    fs::create_symlink("sub/b.avi", in("home/inner.avi"));
+    fs::create_symlink("home", in("door"));
+    const auto add = [&](const fs::path& file) {
+        document_.change("Add clip", [&](Content& c) {
+            c.preset.smoke.clips.push_back({.file = file.string()});
+            document_.gather_clips(c.preset);
+        });
+    };
+    const auto found = [&](std::size_t i) {
+        return fs::canonical(find_clip(document_.preset().smoke.clips[i].file, document_.preset().folder, {}));
+    };
+    Content content;
+    content.preset.folder = in("door");
+    document_.open(content, {}, in("door/p.json"));
+    add(in("home/own.avi"));
+    add(in("door/inner.avi"));
+    EXPECT_EQ(document_.preset().folder, in("door")) << "the preset's folder, whichever way one came";
+    EXPECT_EQ(document_.preset().smoke.clips[0].file, "own.avi");
+    EXPECT_EQ(document_.preset().smoke.clips[1].file, "inner.avi") << "as it is spelled where that is allowed";
+    const Preset before = document_.preset();
+    add(in("door/link.avi"));
+    EXPECT_EQ(document_.preset().folder, folder_);
+    EXPECT_EQ(found(0), in("home/own.avi"));
+    EXPECT_EQ(found(1), in("home/sub/b.avi"));
+    EXPECT_EQ(found(2), in("elsewhere/a.avi"));
+    EXPECT_EQ(real_clip(before.smoke.clips[0].file, before.folder),
+              real_clip(document_.preset().smoke.clips[0].file, document_.preset().folder));
+    EXPECT_EQ(document_.clips_outside(in("home")).size(), 1U);
 }
 
 TEST_F(DocumentFiles, ASceneStaysSavedWhicheverPresetItWasSavedWith) {

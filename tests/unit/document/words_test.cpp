@@ -69,7 +69,7 @@ TEST(Words, NamesSayWhereAValueStands) {
     for (const Difference& d : differences(before.preset, after.preset))
         words.push_back(d.name + ": " + change_text(d));
     EXPECT_THAT(words, testing::UnorderedElementsAre(
-                           "Keying: Luma low: 16 to 17 code values", "Clip 2 (haze.mp4): Weight: 1 to 0.25",
+                           "Keying: Luma low: 16 to 17 of 255", "Clip 2 (haze.mp4): Weight: 1 to 0.25",
                            "Clip 1 (plume.mp4): Own keying: off to on", testing::StartsWith("Bleeding: ")));
 }
 

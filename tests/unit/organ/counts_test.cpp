@@ -1,4 +1,7 @@
 // Triangles are never lost without a word: what was read is what was kept and what was left out, by reason, in every format.
+#include <limits>
+#include <sstream>
+
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -63,6 +66,49 @@ TEST_F(Counts, Stl) {
     EXPECT_EQ(
         row("m.stl", "solid s\n" + text("0 0 0", "9 0 0", "0 9 0") + text("0 0 0", "9 0 0", "9 0 0") + "endsolid s\n"),
         (Row{2, 1, 0, 0, 0, 1, 0}));
+}
+
+/* Also where that makes two corners one, which OpenMesh would not pass on.  */
+TEST_F(Counts, StlThatIsNotFinite) {
+    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), inf = std::numeric_limits<float>::infinity();
+    std::string binary = std::string(80, ' ') + word(6), text = "solid s\n";
+    const auto add = [&](const std::vector<float>& corners) {
+        binary += bytes_of<float>({0, 0, 1}) + bytes_of(corners) + std::string(2, '\0');
+        text += "facet normal 0 0 1\n  outer loop\n";
+        for (std::size_t i = 0; i < 9; i += 3) {
+            std::ostringstream line;
+            line << "  vertex " << corners[i] << ' ' << corners[i + 1] << ' ' << corners[i + 2] << '\n';
+            text += line.str();
+        }
+        text += "  endloop\nendfacet\n";
+    };
+    add({0, 0, 0, 9, 0, 0, 9, 9, 0});
+    add({nan, 0, 0, 9, 0, 0, 9, 9, 0});
+    add({nan, nan, nan, nan, nan, nan, 9, 9, 0});
+    add({inf, 0, 0, inf, 0, 0, -inf, 0, 0});
+    add({nan, 0, 0, 9, 0, 0, 9, 0, 0});
+    add({9, 0, 0, 9, 0, 0, 9, 9, 0});
+    const Row row_of_both{6, 1, 0, 0, 4, 1, 0};
+    EXPECT_EQ(row("binary.stl", binary), row_of_both);
+    EXPECT_EQ(row("text.stl", text + "endsolid s\n"), row_of_both);
+    // A corner that is no number, and one that is not there; the facet behind them is whole.
+    EXPECT_EQ(row("text.stl",
+                  "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\nvertex 9 0 0\nvertex 9 9 0\nendloop\n"
+                  "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nendloop\nendfacet\n"
+                  "FACET NORMAL 0 0 1\nOuter Loop\nVERTEX 0 0 0\nVERTEX 9 0 0\nVERTEX 9 9 0\nENDLOOP\nENDFACET\n"
+                  "endsolid s\n"),
+              (Row{3, 1, 0, 0, 2, 0, 0}));
+}
+
+TEST_F(Counts, StlWhoseNameHoldsWordsOfTheFormat) {
+    const std::string facet =
+        "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nvertex 0 9 0\nendloop\nendfacet\n";
+    for (const char* name : {"outer_liver", "the outer loop", "vertex 1 2 3", "nan", ""})
+        for (const char* end : {"endsolid ", "end solid ", "EndSolid "})
+            EXPECT_EQ(row("m.stl", std::string("solid ") + name + '\n' + facet + end + name + '\n'),
+                      (Row{1, 1, 0, 0, 0, 0, 0}))
+                << name;
+    EXPECT_EQ(load_organ(folder.path() / "m.stl").positions[1], glm::vec3(9, 0, 0));
 }
 
 TEST_F(Counts, Gltf) {

@@ -127,5 +127,31 @@ TEST(Polygon, ARingThatCrossesItselfIsToldOf) {
     EXPECT_FALSE(triangulate(many, corners));
 }
 
+/* Once each of these took a comparison of all corners with all others for every triangle.  */
+TEST(Polygon, NoRingTakesMoreThanTheSquareOfItsCorners) {
+    constexpr std::size_t n = 1024;
+    const auto looks_at = [](const std::vector<glm::vec3>& ring, bool simple) {
+        std::vector<std::uint32_t> corners;
+        std::size_t looks = 0;
+        EXPECT_EQ(triangulate(ring, corners, &looks), simple);
+        EXPECT_EQ(corners.size(), 3 * (ring.size() - 2));
+        return looks;
+    };
+    // All corners turn left, and the last one lies in every triangle of theirs.
+    std::vector<glm::vec3> round, triangle, star;
+    for (std::size_t i = 0; i + 1 < n; ++i) {
+        round.push_back(on_circle(10.0, static_cast<double>(i * (n / 3 + 1) % n) / n));
+        triangle.push_back(on_circle(10.0, static_cast<double>(i % 3) / 3.0));
+    }
+    for (std::vector<glm::vec3>* ring : {&round, &triangle}) ring->push_back({0, 0, 0});
+    EXPECT_LT(looks_at(round, false), 2 * n * n);
+    std::vector<std::uint32_t> corners;
+    std::size_t looks = 0;
+    triangulate(triangle, corners, &looks);  // it crosses itself only at its corners
+    EXPECT_LT(looks, 12 * n * n);
+    for (std::size_t i = 0; i < n; ++i) star.push_back(on_circle(i % 2 == 0 ? 5.0 : 10.0, static_cast<double>(i) / n));
+    EXPECT_LT(looks_at(star, true), 2 * n * n);
+}
+
 }  // namespace
 }  // namespace lapfx::organ

@@ -3,11 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "cautery/cautery.h"
 #include "lapfx/amounts.h"
+#include "organ/refine.h"
 #include "support/meshes.h"
 #include "unit/organ/fixtures.h"
 
@@ -213,6 +216,47 @@ TEST(Refine, WhatHasNoMiddleIsLeft) {
         Organ organ = test::plane(20.0, 1);
         for (glm::vec3& p : organ.positions) p.x += far;
         EXPECT_LE(refine(organ).organ.triangle_count(), 400'002u) << far;
+    }
+}
+
+TEST(Refine, ALengthThatWillDoIsFoundAtOnceInAnyUnit) {
+    const organ::RefinePlan room = organ::plan_refine(box(5000.0));
+    // Twelve halves of squares, halved 14 times, and those halves once more; edges of 39 mm remain, the next step would be 1.25 x.
+    EXPECT_EQ(room.triangles, 12U << 15);
+    EXPECT_NEAR(room.length, longest * std::pow(1.25, 10), 1e-9);
+    for (const double side : {5e3, 5e4, 5e6, 5e8}) {
+        const organ::RefinePlan plan = organ::plan_refine(box(side));
+        EXPECT_LE(plan.counts, 8) << side;
+        EXPECT_GT(plan.triangles, 50'000U) << side;
+        EXPECT_LE(plan.triangles, 12U + organ::most_added) << side;
+    }
+    // Long and thin: there is hardly an area to tell by.
+    Organ needle = test::plane(1.0, 1);
+    for (glm::vec3& p : needle.positions) p.x *= 1e8F;
+    const organ::RefinePlan thin = organ::plan_refine(needle);
+    EXPECT_LE(thin.counts, 24) << "of 67 lengths from 4.5 mm to 1e7";
+    EXPECT_GT(thin.triangles, 50'000U);
+    EXPECT_EQ(organ::plan_refine(box(100.0)).counts, 1) << "what is within the bound is not estimated";
+}
+
+TEST(Refine, CanBeStopped) {
+    const Organ room = box(5000.0);
+    const Progress never = [](double) { return false; };
+    EXPECT_THROW(organ::plan_refine(room, organ::Stages(never)), organ::Stopped);
+    const organ::RefinePlan plan = organ::plan_refine(room);
+    std::vector<double> shares;
+    const Progress note = [&](double share) {
+        shares.push_back(share);
+        return true;
+    };
+    organ::refine(room, plan, organ::Stages(note));
+    EXPECT_GT(shares.size(), 4U);
+    EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+    EXPECT_LE(shares.back(), 1.0);
+    for (std::size_t stop = 1; stop <= shares.size(); ++stop) {
+        std::size_t asked = 0;
+        const Progress until = [&](double) { return ++asked < stop; };
+        EXPECT_THROW(organ::refine(room, plan, organ::Stages(until)), organ::Stopped);
     }
 }
 

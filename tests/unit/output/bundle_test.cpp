@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include <csignal>
+#include <fstream>
 
 #include "lapfx/clip.h"
 #include "output/files.h"
@@ -86,6 +87,23 @@ TEST_F(BundleTest, ASequenceComesWithAllItsImages) {
     EXPECT_THAT(files_in(to_ / "ooze"), ElementsAre("clips/frame_frames/000000.png", "clips/frame_frames/000001.png",
                                                     "clips/frame_frames/000002.png", "ooze.json", "thumbnail.png"));
     EXPECT_EQ(report_clip(to_ / "ooze/clips/frame_frames/%06d.png").frames, 3);
+}
+
+/// Of x10 to x20, "x1%d" stands for ten; of s0 to s2, the first one is a clip, too.
+TEST_F(BundleTest, ClipsThatStartWithTheSameImageAreDifferent) {
+    const fs::path picture = fs::directory_iterator(samples / "pictures")->path();
+    for (int i = 0; i < 3; ++i) fs::copy_file(picture, from_ / ("s" + std::to_string(i) + ".png"));
+    for (int i = 10; i <= 20; ++i) fs::copy_file(picture, from_ / ("x" + std::to_string(i) + ".png"));
+    write_bundle(bundle(preset_with(from_.path(), {"s0.png", "s%d.png", "x%d.png", "x1%d.png", "s%d.png", "s0.png"})));
+    std::vector<std::string> clips;
+    std::vector<int> frames;
+    for (const SmokeClip& clip : load_preset(to_ / "ooze/ooze.json").smoke.clips) {
+        clips.push_back(clip.file);
+        frames.push_back(report_clip(to_ / "ooze" / clip.file).frames);
+    }
+    EXPECT_THAT(clips, ElementsAre("clips/s0.png", "clips/sframes/%06d.png", "clips/xframes/%06d.png",
+                                   "clips/x1frames/%06d.png", "clips/sframes/%06d.png", "clips/s0.png"));
+    EXPECT_THAT(frames, ElementsAre(1, 3, 11, 10, 3, 1));
 }
 
 TEST_F(BundleTest, AnImageOfASequenceThatIsNoneStaysBehindWithTheBundle) {
@@ -218,6 +236,34 @@ TEST_F(BundleTest, AnOrganComesWithTheFilesThatItNamesAndNoOthers) {
     EXPECT_EQ(test::read_text(to_ / "ooze/organ/a.mtl"),
               "newmtl m\nmap_Kd my_skin.png\nmap_bump bump.png\nnewmtl n\nmap_Kd my_skin.png\n");
     EXPECT_EQ(load_organ(to_ / "ooze/organ/a.obj").images.size(), load_organ(from_ / "a.obj").images.size());
+}
+
+/// Its materials are changed in the copy, just before that is loaded back.
+TEST_F(BundleTest, AnOrganThatComesBackWithOtherMaterialsIsNoCopy) {
+    const std::string text = "newmtl Material #25\nKd 1 0 0\nnewmtl Material #26\nKd 0 1 0\n";
+    from_.write("a#1.mtl", text);
+    from_.write("a.obj",
+                "mtllib a#1.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\nv 0 0 9\nusemtl Material #25\nf 1 2 3\n"
+                "usemtl Material #26\nf 1 2 4\n");
+    Bundle whole = bundle(preset_with(from_.path(), {}));
+    whole.scene.emplace();
+    whole.scene->folder = from_.path();
+    whole.scene->organ.file = "a.obj";
+    write_bundle(whole);
+    EXPECT_EQ(test::read_text(to_ / "ooze/organ/a_1.mtl"), text);
+    for (const char* other : {"newmtl Material #25\nKd 1 0 0\nnewmtl Material #26\nKd 0 0 1\n",
+                              "newmtl Material #26\nKd 1 0 0\nnewmtl Material #25\nKd 0 1 0\n"}) {
+        const auto spoil = [&](double share) {
+            if (share < 0.9) return true;
+            for (const auto& entry : fs::recursive_directory_iterator(to_.path()))
+                if (entry.path().filename() == "a_1.mtl" && entry.path() != to_ / "ooze/organ/a_1.mtl")
+                    std::ofstream(entry.path()) << other;
+            return true;
+        };
+        EXPECT_THAT(test::faults_of([&] { write_bundle(whole, spoil); }, Failure::runtime),
+                    ElementsAre(HasSubstr("organ/a.obj: the copy is not the same organ")));
+    }
+    EXPECT_EQ(test::read_text(to_ / "ooze/organ/a_1.mtl"), text) << "the old one stays";
 }
 
 TEST_F(BundleTest, ASlashAtTheEndIsNoPartOfTheName) {

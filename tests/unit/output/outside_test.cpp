@@ -203,6 +203,9 @@ TEST_F(Outside, NamesInABundleAreItsOwn) {
     OwnNames names;
     EXPECT_EQ(names.give("../../etc/passwd", ".png"), "passwd.png");
     EXPECT_EQ(names.give("PASSWD.desktop", ".png"), "PASSWD-2.png") << "the same name on many disks";
+    EXPECT_EQ(names.give("passwd-3", ".png"), "passwd-3.png");
+    EXPECT_EQ(names.give("passwd", ".png"), "passwd-4.png");
+    EXPECT_EQ(names.give("passwd", ".bin"), "passwd.bin");
     EXPECT_EQ(names.give(".bashrc", ".png"), "bashrc.png");
     EXPECT_EQ(names.give("..", ".png"), "file.png");
     EXPECT_EQ(names.give("", ".png"), "file-2.png");
@@ -238,8 +241,27 @@ TEST_F(Outside, AClipLiesInThePresetsFolder) {
     fs::create_symlink(all_ / "home/.ssh/id_rsa", case_ / "s2.png");
     EXPECT_THAT(test::faults_of([&] { find_clip("s%d.png", case_, {}); }),
                 ElementsAre(HasSubstr("by a symbolic link;")));
-    fs::remove(case_ / "s2.png");
+    const auto bundle_of = [&](const std::string& clip) {
+        Bundle made = bundle("");
+        made.scene.reset();
+        made.preset = load_preset(write("p.json", preset_with(clip)));
+        return test::faults_of([&] { write_bundle(made); });
+    };
+    EXPECT_THAT(bundle_of("s%d.png"), ElementsAre(HasSubstr("by a symbolic link;")));
+    // A folder of the same name is no way around.
+    fs::create_directory(case_ / "s%d.png");
+    for (const char* number : {"0", "1", "2"}) fs::remove(case_ / ("s" + std::string(number) + ".png"));
+    fs::create_symlink(all_ / "home/skin.png", case_ / "s0.png");
+    EXPECT_THAT(test::faults_of([&] { find_clip("s%d.png", case_, {}); }),
+                ElementsAre("s%d.png: is a directory; a video file is needed"));
+    EXPECT_THAT(bundle_of("s%d.png"),
+                ElementsAre(AllOf(HasSubstr("/smoke/clips/0/file: "), HasSubstr("\"s%d.png\": is a directory;"))));
+    EXPECT_FALSE(fs::exists(out_));
+    fs::remove(case_ / "s0.png");
+    fs::remove(case_ / "s%d.png");
+    fs::copy_file(all_ / "home/skin.png", case_ / "s1.png");
     EXPECT_EQ(find_clip("s%d.png", case_, {}), case_ / "s%d.png");
+    EXPECT_THAT(bundle_of("s%d.png"), IsEmpty());
 }
 
 TEST_F(Outside, WhatASceneNamesIsAMeshAPresetAndAVideo) {

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include "lapfx/clip.h"
 #include "smoke/decoder.h"
 #include "support/clips.h"
 #include "unit/preset/support.h"
@@ -113,6 +114,26 @@ TEST_F(FindClip, NamesEveryFolderItLookedIn) {
                                                                      first + ", " + (folder / "second").string()));
     EXPECT_THAT(test::faults_of([&] { find_clip("no-such-clip.avi", "", {}); }),
                 ElementsAre("no-such-clip.avi: no such clip; looked in ."));
+}
+
+TEST_F(FindClip, AFolderIsNoClip) {
+    fs::create_directory(folder / "first/c.avi");
+    folder.write("second/c.avi", "x");
+    EXPECT_EQ(find("c.avi"), folder / "second/c.avi");
+    for (const char* name : {"c.avi", "c%d.png"}) fs::create_directory(folder / "preset" / name);
+    folder.write("preset/c0.png", "x");
+    for (const std::string name : {"c.avi", "c%d.png"})
+        EXPECT_THAT(test::faults_of([&] { find(name); }),
+                    ElementsAre(name + ": is a directory; a video file is needed"));
+    EXPECT_THAT(clip_images(folder / "preset/c%d.png"), testing::IsEmpty());
+}
+
+TEST_F(FindClip, TheImagesOfAPatternAreThoseThatArePlayed) {
+    for (const char* name : {"c_07.png", "c_08.png", "c_10.png", "c_9.png", "d.png"}) folder.write(name, "x");
+    EXPECT_THAT(clip_images(folder / "c_%02d.png"), ElementsAre(folder / "c_07.png", folder / "c_08.png"));
+    EXPECT_THAT(clip_images(folder / "c_%d.png"), ElementsAre(folder / "c_9.png", folder / "c_10.png"));
+    EXPECT_THAT(clip_images(folder / "d.png"), testing::IsEmpty());
+    EXPECT_THAT(clip_images(folder / "gone_%d.png"), testing::IsEmpty());
 }
 
 }  // namespace

@@ -286,14 +286,22 @@ TEST(SuggestKeying, ASuggestionGoesIntoItsClipAlone) {
     found.polarity = ClipPolarity::dark;
     found.crop.top = 0.1;
     found.masks = {{0.0, 0.0, 0.1, 0.1}};
+    found.edge_fade = 0.06;
     found.apply(clip);
     EXPECT_TRUE(clip.own_keying);
     EXPECT_EQ(clip.keying.luma_high, 150.0);
     EXPECT_EQ(clip.keying.choke, 3.0) << "not suggested";
     EXPECT_EQ(clip.polarity, ClipPolarity::dark);
     EXPECT_EQ(clip.crop.top, 0.1);
-    EXPECT_EQ(clip.masks.size(), 1u);
+    ASSERT_EQ(clip.masks.size(), 2u);
     EXPECT_EQ(clip.masks[0].x, 0.1) << "drawn by a person";
+    EXPECT_EQ(clip.masks[1].x, 0.0);
+    EXPECT_EQ(clip.edge_fade, 0.06);
+    found.apply(clip);
+    EXPECT_EQ(clip.masks.size(), 2u) << "the same once more";
+    SmokeClip haze{.file = "h.mp4", .role = ClipRole::haze};
+    found.apply(haze);
+    EXPECT_EQ(haze.edge_fade, 0.0) << "the view has no edge within it";
 }
 
 TEST(SuggestKeying, WhatIsNotSmokeBeforeAPlainBackgroundGivesNoConfidence) {

@@ -1,0 +1,88 @@
+// Libraries and textures that are named again and again.
+#include <algorithm>
+#include <opencv2/imgcodecs.hpp>
+
+#include "unit/organ/fixtures.h"
+
+namespace lapfx::test {
+namespace {
+
+using Paths = std::vector<fs::path>;
+
+class Mtl : public testing::Test {
+  protected:
+    Organ load(const std::string& libraries) {
+        return load_organ(folder.write("m.obj", libraries + "v 0 0 0\nv 9 0 0\nv 0 9 0\nusemtl a\nf 1 2 3\n"));
+    }
+    void picture(const char* name, const cv::Scalar& color) {
+        cv::imwrite((folder.path() / name).string(), cv::Mat(8, 8, CV_8UC3, color));
+    }
+    fs::path at(const char* name) const { return folder.path() / name; }
+    static std::ptrdiff_t warnings(const Organ& organ, const std::string& about) {
+        return std::count_if(organ.warnings.begin(), organ.warnings.end(),
+                             [&](const std::string& w) { return w.find(about) != std::string::npos; });
+    }
+    TemporaryFolder folder;
+};
+
+TEST_F(Mtl, ALibraryIsReadOnceUnderAllItsNames) {
+    folder.write("a.mtl", "newmtl a\nKd 1 0 0\nnewmtl b\n");
+    std::string text;
+    for (int i = 0; i < 50; ++i) text += "mtllib a.mtl\nmtllib ./a.mtl\nmtllib x/../a.mtl\n";
+    const Organ organ = load(text);
+    EXPECT_EQ(organ.materials.size(), 2U);
+    EXPECT_EQ(organ.files, (Paths{at("m.obj"), at("a.mtl")}));
+    EXPECT_EQ(organ.materials[0].base_color, glm::vec4(1, 0, 0, 1));
+}
+
+TEST_F(Mtl, ALibraryThatCannotBeReadIsToldOfOnce) {
+    folder.write("empty.mtl", "# nothing\n");
+    std::string text;
+    for (int i = 0; i < 50; ++i)
+        text += "mtllib gone.mtl\nmtllib ./gone.mtl\nmtllib ../out.mtl\nmtllib empty.mtl\nmtllib ./empty.mtl\n";
+    const Organ organ = load(text);
+    EXPECT_EQ(organ.unread_files, (Paths{at("gone.mtl"), at("empty.mtl")}));
+    for (const char* name : {"gone.mtl", "out.mtl", "empty.mtl"})
+        EXPECT_EQ(warnings(organ, std::string("material library ") + name) +
+                      warnings(organ, std::string("material library ../") + name),
+                  1)
+            << name;
+}
+
+TEST_F(Mtl, ATextureIsReadOnceUnderAllItsNames) {
+    picture("skin.png", {10, 20, 30});
+    folder.write("bad.png", "no picture");
+    std::string text;
+    for (int i = 0; i < 50; ++i)
+        text += "newmtl m" + std::to_string(i) +
+                "\nmap_Kd skin.png\nmap_Kd ./skin.png\nmap_Kd C:\\old\\skin.png\nnorm bad.png\nnorm x/../bad.png\n";
+    folder.write("a.mtl", text + "newmtl a\nmap_Kd ./skin.png\n");
+    const Organ organ = load("mtllib a.mtl\n");
+    EXPECT_EQ(organ.images.size(), 1U);
+    EXPECT_EQ(organ.files, (Paths{at("m.obj"), at("skin.png"), at("a.mtl")}));
+    EXPECT_EQ(organ.unread_files, (Paths{at("bad.png")}));
+    EXPECT_EQ(warnings(organ, "bad.png"), 1);
+    ASSERT_EQ(organ.materials.size(), 51U);
+    for (const Material& material : organ.materials) {
+        EXPECT_EQ(material.base_color_image, 0);
+        EXPECT_EQ(material.normal_image, -1);
+    }
+}
+
+TEST_F(Mtl, WhetherAMapIsOneOfNormalsIsFoundOutOnce) {
+    picture("height.png", {90, 90, 90});
+    picture("normal.png", {255, 128, 128});
+    std::string text;
+    for (int i = 0; i < 50; ++i) text += "newmtl m\nbump height.png\nbump ./height.png\nbump -bm 0.5 normal.png\n";
+    folder.write("a.mtl", text + "newmtl a\n");
+    const Organ organ = load("mtllib a.mtl\n");
+    EXPECT_EQ(warnings(organ, "is a height map"), 1);
+    ASSERT_EQ(organ.materials.size(), 51U);
+    for (std::size_t m = 0; m < 50; ++m) {
+        EXPECT_EQ(organ.materials[m].normal_image, 1);
+        EXPECT_EQ(organ.materials[m].normal_scale, 0.5F);
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::test
