@@ -48,12 +48,9 @@ void ask_for_video(app::Editor& editor) {
 void take_dropped(app::Editor& editor, std::string_view paths) {
     const std::vector<std::string> files = dropped_files(paths);
     if (files.empty()) return;
-    try {
-        if (app::kind_of(files.front()) == app::FileKind::video) return editor.reference().choose(files.front());
-    } catch (const Error& error) {
-        return editor.tell(error);
-    }
-    editor.bring(files);
+    const std::filesystem::path first = files.front();
+    if (app::is_organ_name(first) || first.extension() == ".json") return editor.bring(files);
+    editor.reference().choose(files.front());  // what is no video is told in its place
 }
 
 void accept_drops(ui::Ui& ui, app::Editor& editor) {
