@@ -99,8 +99,9 @@ constexpr Parameter clip_rows[] = {
                          "light: light smoke before a dark background. dark: dark smoke before a light background."),
     number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
     number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic}, "Speed of playing; 1 is as filmed."),
-    number<&S::source_x>("source_x", "Source x", {0, 1, 0.01, "clip widths"},
-                         "Where in the frame the smoke starts, from the left: this point is placed at the instrument's tip."),
+    number<&S::source_x>(
+        "source_x", "Source x", {0, 1, 0.01, "clip widths"},
+        "Where in the frame the smoke starts, from the left: this point is placed at the instrument's tip."),
     number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
                          "Where in the frame the smoke starts, from the top."),
     number<&S::in>("in", "In", clip_time, "Where in the clip playing starts."),
