@@ -32,6 +32,7 @@ std::string named_in(const fs::path& folder, const fs::path& file) {
     std::error_code error;
     const fs::path whole = fs::weakly_canonical(fs::absolute(file), error);
     if (error) return fs::absolute(file).string();
+    if (folder.empty()) return whole.string();  // a scene without a file
     const fs::path relative = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder), error));
     const bool below = !error && !relative.empty() && *relative.begin() != "..";
     return below ? relative.generic_string() : whole.string();
