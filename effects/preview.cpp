@@ -25,10 +25,11 @@ EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options
 
 std::shared_ptr<const PreparedOrgan> require_same(const Scene& scene, std::shared_ptr<const PreparedOrgan> organ) {
     if (organ->made_for(scene)) return organ;
-    throw Error(Failure::bad_input, Fault{.file = "",
-                                          .place = "/organ/file",
-                                          .reason = "\"" + scene.organ.file + "\" is not what was made ready: \"" +
-                                                    organ->state().organ_source.file + "\""});
+    throw Error(Failure::bad_input,
+                Fault{.file = "",
+                      .place = "/organ/file",
+                      .reason = "\"" + scene.organ.file + "\" is not the organ that was prepared: \"" +
+                                organ->state().organ_source.file + "\""});
 }
 
 }  // namespace

@@ -33,9 +33,9 @@ struct AmountInfo {
 };
 inline constexpr std::array<AmountInfo, 4> amount_infos = {{
     {"Blood area", "mm2", 0, "Organ surface that blood covers."},
-    {"Blood volume", "mm3", 0, "A proxy: the covered surface times the thickness of the layer."},
+    {"Blood volume", "mm3", 0, "The covered surface times the thickness of the layer: an estimate."},
     {"Haze", "", 2, "Optical thickness of the smoke in the whole view, at the focus distance."},
-    {"Wounds bleeding", "", 0, "Wounds whose blood still spreads."},
+    {"Wounds bleeding", "", 0, "Wounds whose blood is still spreading."},
 }};
 
 /// What something gave over a scene's time.

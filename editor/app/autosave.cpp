@@ -123,8 +123,9 @@ void Autosave::write(double now) {
 
 void Autosave::failed(const std::string& reason) {
     if (!told_)
-        editor_.toasts.add({.kind = ui::ToastKind::warning,
-                            .text = "Unsaved work is not kept for a crash: " + reason + ". It is tried again."});
+        editor_.toasts.add(
+            {.kind = ui::ToastKind::warning,
+             .text = "Unsaved work cannot be kept for a crash: " + reason + ". The editor keeps trying."});
     told_ = true;
 }
 

@@ -232,7 +232,7 @@ void Browser::take_thumbnails() {
 
 void Browser::show() {
     shown_ = true;
-    if (!seen_) editor_.ui().wake("presets are looked for");  // from the next update() on
+    if (!seen_) editor_.ui().wake("presets are searched");  // from the next update() on
 }
 
 void Browser::update(double) {
@@ -318,9 +318,10 @@ void Browser::take_values(std::size_t index) {
                         [&](const SmokeClip& c) { return fs::exists(preset.folder / c.file, error); });
         if (own_clips) {
             preset.smoke.clips = open.smoke.clips;
-            editor_.toasts.add({.kind = ui::ToastKind::warning,
-                                .text = "The clips of " + preset.name +
-                                        " lie in its folder, those of before stay: open it to have them"});
+            editor_.toasts.add(
+                {.kind = ui::ToastKind::warning,
+                 .text = "The clips of " + preset.name +
+                         " are in its own folder, so the clips stay as they were: open the preset to use its clips"});
         }
         const std::string name = preset.name;
         preset.name = open.name;

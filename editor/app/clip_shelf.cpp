@@ -163,7 +163,7 @@ void ClipShelf::look(const std::string& key, const std::string& file) {
                  .job = {}};
         ++grown_;
     };
-    known_[key].job = editor_.jobs.start("Looking through " + fs::path(file).filename().string(), work, failed);
+    known_[key].job = editor_.jobs.start("Reading " + fs::path(file).filename().string(), work, failed);
 }
 
 void ClipShelf::look_again() {
@@ -275,7 +275,7 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
     };
     const std::string name =
         files.size() == 1 ? fs::path(files[0]).filename().string() : std::to_string(files.size()) + " clips";
-    work_ = editor_.jobs.start("Looking through " + name, work, [this](const std::vector<Fault>& told) {
+    work_ = editor_.jobs.start("Reading " + name, work, [this](const std::vector<Fault>& told) {
         work_.reset();
         refused_ = told;
     });
@@ -321,7 +321,7 @@ void ClipShelf::copy_beside() {
     for (std::size_t i = 0; i < clips.size(); ++i)
         if (outside(i)) from[clips[i].file] = of(i).path;
     copy(from, to, [this, to](const std::map<std::string, std::string>& names) {
-        editor_.document.change("Copy clips beside the preset", [&](document::Content& c) {
+        editor_.document.change("Copy clips next to the preset", [&](document::Content& c) {
             for (SmokeClip& clip : c.preset.smoke.clips)
                 if (const auto name = names.find(clip.file); name != names.end())
                     clip.file = (to / name->second).string();

@@ -103,6 +103,7 @@ glm::ivec2 ExportForm::px() const {
 void Exports::propose(ExportKind kind) {
     const document::Document& document = editor_.document;
     form.kind = static_cast<int>(kind);
+    form.outside_agreed = false;
     form.at = editor_.timeline.time;
     if (editor_.timeline.has_range) {
         form.from = editor_.timeline.range.low;
@@ -122,7 +123,7 @@ void Exports::propose(ExportKind kind) {
 }
 
 std::string Exports::title(ExportKind kind) {
-    if (kind == ExportKind::bundle) return "Folder that the bundle is made in";
+    if (kind == ExportKind::bundle) return "Folder for the bundle";
     return "Export " + std::string(export_names[static_cast<std::size_t>(kind)]);
 }
 
@@ -179,18 +180,46 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
             output::clip_files(clip, document.preset().folder, editor_.options().clip_folders);
         if (found.files.empty()) faults.push_back(fault("clips", found.fault));
     }
+    if (!outside_.empty() && !form.outside_agreed)
+        faults.push_back(fault("outside", "agree to copying the files from elsewhere"));
+}
+
+fs::path Exports::home() const {
+    const document::Document& document = editor_.document;
+    const fs::path& file = form.with_scene ? document.scene_file() : document.preset_file();
+    return file.empty() ? fs::path() : document::folder_of(file);
+}
+
+void Exports::look_outside() {
+    std::vector<output::SourceFile> found;
+    if (form.what() == ExportKind::bundle) {
+        const document::Document& document = editor_.document;
+        const Scene* scene = form.with_scene ? &document.scene() : nullptr;
+        const auto organ = scene != nullptr ? editor_.preview.organ_of(*scene) : nullptr;
+        found = output::outside_files(document.preset(), scene, home(), editor_.options().clip_folders,
+                                      organ ? std::span(organ->organ().files) : std::span<const fs::path>());
+        std::erase_if(found, [&](const output::SourceFile& s) { return editor_.files().shipped(s.file); });
+    }
+    if (found == outside_) return;
+    outside_ = std::move(found);
+    form.outside_agreed = false;  // to another list
 }
 
 /// A form may be looked at many times a frame, its files only when something is new.
 void Exports::look_at_form() {
-    if (checked_ == form && checked_version_ == editor_.document.version()) return;
+    if (checked_ == form && checked_version_ == editor_.document.version() &&
+        checked_organ_ == editor_.preview.organ_version())
+        return;
+    look_outside();
     checked_ = form;
     checked_version_ = editor_.document.version();
+    checked_organ_ = editor_.preview.organ_version();
     faults_.clear();
     replaces_ = false;
     const fs::path file = form.file();
     if (file.empty() || file.filename().empty()) {
-        faults_.push_back(fault("-o", form.what() == ExportKind::bundle ? "name a folder" : "name a file"));
+        faults_.push_back(fault(
+            "-o", form.what() == ExportKind::bundle ? "choose a name for the folder" : "choose a name for the file"));
     } else {
         const fs::path first =
             form.what() == ExportKind::sequence && output::form_of(file) == output::FileForm::sequence

@@ -19,6 +19,7 @@
 
 #include "lapfx/error.h"
 #include "output/bundle.h"
+#include "output/bundle_sources.h"
 #include "output/render_job.h"
 
 namespace lapfx::app {
@@ -53,7 +54,8 @@ struct ExportForm {
     int width = 1280, height = 1024;   ///< px, where the size is free
     double at = 0, from = 0, to = 0;   ///< s
     double fps = 25;
-    bool overlay = false;  ///< with what the view shows over the tissue
+    bool outside_agreed = false;  ///< to copying what Exports::outside() lists
+    bool overlay = false;         ///< with what the view shows over the tissue
     bool amounts = false;
     std::string amounts_file;
 
@@ -84,6 +86,10 @@ class Exports {
     std::string_view fault_at(std::string_view place);  ///< its reason; empty: nothing is wrong there
     /// Whether something of that name is there and will be replaced.
     bool replaces() const { return replaces_; }
+    /// What a bundle would copy from outside the folder of its scene (without one: of the preset), other than files that came with
+    /// lapfx. As of the last faults(). A person has to agree to it (ExportForm::outside_agreed), and again when it changes.
+    const std::vector<output::SourceFile>& outside() const { return outside_; }
+    std::filesystem::path home() const;  ///< that folder; empty: it was never saved, so everything is outside
     int frames() const;
 
     /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is written at once,
@@ -110,6 +116,7 @@ class Exports {
     struct Running;
     output::RenderOptions render_options() const;
     void look_at_form();
+    void look_outside();
     void check_preset_file(std::vector<Fault>& faults) const;
     void load();
     void begin();
@@ -124,8 +131,9 @@ class Exports {
     Editor& editor_;
     std::unique_ptr<Running> running_;
     ExportForm checked_;  ///< what faults_ is of
-    std::uint64_t checked_version_ = 0;
+    std::uint64_t checked_version_ = 0, checked_organ_ = 0;
     std::vector<Fault> faults_;
+    std::vector<output::SourceFile> outside_;
     bool replaces_ = false;
     std::string proposed_for_;  ///< preset, for whose name the files stand
     double now_ = 0;

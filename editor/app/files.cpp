@@ -128,7 +128,7 @@ std::vector<std::string> Files::unsaved_words() const {
     constexpr std::size_t most = 4;
     for (std::size_t i = 0; i < std::min(d.done(), most); ++i)
         words.push_back("- " + document::title_of(d.steps()[d.done() - 1 - i]));
-    if (d.done() > most) words.push_back("- and " + counted(d.done() - most, "step") + " before");
+    if (d.done() > most) words.push_back("- and " + counted(d.done() - most, "step") + " before these");
     return words;
 }
 
@@ -141,8 +141,8 @@ std::string Files::shipped_words(bool scene_too) const {
     const std::string names = preset && scene ? in_marks(d.preset_file()) + " and " + in_marks(d.scene_file())
                               : preset        ? in_marks(d.preset_file())
                                               : in_marks(d.scene_file());
-    return ' ' + names + " came with lapfx and " + (preset && scene ? "stay as they are" : "stays as it is") +
-           ": saving asks for a name of your own.";
+    return ' ' + names + " came with lapfx and " + (preset && scene ? "stay unchanged" : "stays unchanged") +
+           ": saving asks for a new name.";
 }
 
 void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too) {
@@ -160,8 +160,8 @@ void Files::ask_unsaved(std::string title, Then then, Then otherwise, bool scene
          .lines = unsaved_words(),
          .answers = {
              {.label = std::string(both ? "Save all" : "Save") + (names ? " as..." : ""),
-              .tip = names ? "Asks for names and saves, then continues. When that fails, everything stays as it is."
-                           : "Saves them, then continues. When that fails, everything stays as it is.",
+              .tip = names ? "Asks for names and saves, then continues. If that fails, everything stays as it is."
+                           : "Saves them, then continues. If that fails, everything stays as it is.",
               .act = save_first,
               .standard = true},
              {.label = "Discard", .tip = "Continues without saving. The changes are lost.", .act = then},
@@ -180,32 +180,31 @@ void Files::ask_failed(Kind kind, const fs::path& file, const std::vector<Fault>
     }
     editor_.autosave().soon();
     ask({.title = in_marks(file) + " was not saved",
-         .text = "Your work is still here, and a file that was there before is as it was.",
+         .text = "Your work is still open here, and an earlier file on the disk is unchanged.",
          .lines = std::move(lines),
          .answers = {{.label = "Save as...",
-                      .tip = "Another name or folder.",
+                      .tip = "Choose another name or folder.",
                       .act = [this, kind, then] { save_as(kind, then); },
                       .standard = true},
                      {.label = "Try again",
-                      .tip = "Tries the same file again, once there is room on the disk or you may write to it.",
+                      .tip = "Tries the same file again, once the disk has room or allows writing.",
                       .act = [this, kind, file, then] { save_to(kind, file, then); }},
-                     {.label = "Cancel", .tip = "Goes on without saving.", .cancel = true}}});
+                     {.label = "Cancel", .tip = "Continues without saving.", .cancel = true}}});
 }
 
 void Files::ask_outside(const fs::path& file, const std::vector<std::string>& clips, Then then) {
-    Question question{.title = "Clips lie outside the preset's folder",
-                      .text =
-                          "A preset names clips in its own folder or below, so that both can be passed on "
-                          "together. " +
-                          in_marks(file) + " cannot name these:",
-                      .lines = clips,
-                      .answers = {},
-                      .serial = 0};
+    Question question{
+        .title = "Clips are outside the preset's folder",
+        .text = "A preset can only use clips in its own folder or below, so that both can be passed on together. " +
+                in_marks(file) + " cannot use these:",
+        .lines = clips,
+        .answers = {},
+        .serial = 0};
     const fs::path folder = document::folder_of(file);
     const bool copies = takes_files(folder);
     if (copies)
         question.answers.push_back({.label = "Copy clips and save",
-                                    .tip = "Copies them beside the preset, which then names the copies.",
+                                    .tip = "Copies them next to the preset, which then uses the copies.",
                                     .act =
                                         [this, folder, file, then] {
                                             editor_.keying().shelf.copy_to(
@@ -213,7 +212,7 @@ void Files::ask_outside(const fs::path& file, const std::vector<std::string>& cl
                                         },
                                     .standard = true});
     else
-        question.text += " (Nothing is copied into this folder: " +
+        question.text += " (Nothing can be copied into this folder: " +
                          std::string(shipped(folder) ? "it came with lapfx" : "it cannot be written to") + ".)";
     const bool bundles = editor_.commands.contains("export.bundle");
     if (bundles)
@@ -221,10 +220,10 @@ void Files::ask_outside(const fs::path& file, const std::vector<std::string>& cl
                                     .tip = "A folder with the preset and copies of its clips.",
                                     .act = [this] { editor_.commands.run("export.bundle"); }});
     question.answers.push_back({.label = "Save as...",
-                                .tip = "Another folder: one of your own, or one that has the clips in it or below.",
+                                .tip = "Another folder: one of your own, or one that contains the clips.",
                                 .act = [this, then] { save_preset_as(then); },
                                 .standard = !copies});
-    question.answers.push_back({.label = "Cancel", .tip = "Goes on without saving.", .cancel = true});
+    question.answers.push_back({.label = "Cancel", .tip = "Continues without saving.", .cancel = true});
     ask(std::move(question));
 }
 
@@ -262,16 +261,16 @@ void Files::save(Kind kind, Then then) {
     // What is gone takes nobody's work away.
     if (!now.exists || now == known) return save_to(kind, to, std::move(then));
     ask({.title = in_marks(to) + " has been changed by another program",
-         .text = "What is on the disk is not what was opened here. Saving would replace it.",
+         .text = "The file on the disk is not the one that was opened here. Saving would replace it.",
          .lines = {to.string()},
          .answers = {{.label = "Overwrite",
-                      .tip = "What another program wrote is lost.",
+                      .tip = "What the other program wrote is lost.",
                       .act = [this, kind, to, then] { save_to(kind, to, then); }},
                      {.label = "Save as...",
-                      .tip = "Both stay.",
+                      .tip = "Both are kept.",
                       .act = [this, kind, then] { save_as(kind, then); },
                       .standard = true},
-                     {.label = "Cancel", .tip = "Goes on without saving.", .cancel = true}}});
+                     {.label = "Cancel", .tip = "Continues without saving.", .cancel = true}}});
 }
 
 void Files::save_as(Kind kind, Then then) {
@@ -299,7 +298,7 @@ void Files::save_to(Kind kind, const fs::path& to, Then then) {
     const bool another = to != file(kind);
     if (!another || lock(kind, to)) return write(kind, to, then);
     ask({.title = in_marks(to) + " is open in another editor",
-         .text = "Saved from here, the other one would still show what was there before. (" + holder(to) + ')',
+         .text = "The other editor would not show what is saved here. (" + holder(to) + ')',
          .lines = {},
          .answers = {{.label = "Save anyway", .act = [this, kind, to, then] { write(kind, to, then); }},
                      {.label = "Save as...", .act = [this, kind, then] { save_as(kind, then); }, .standard = true},
@@ -311,8 +310,16 @@ std::string Files::name_for(Kind kind, const fs::path& to) const {
     const bool scene = kind == Kind::scene;
     const fs::path& before = file(kind);
     const document::Document& d = editor_.document;
-    const std::string& now = scene ? d.scene().name : d.preset().name;
-    const bool own = !now.empty() && now != new_name(scene) && now != name_in(before, scene);
+    const auto name_of = [&](const document::Content& c) -> const std::string& {
+        return scene ? c.scene.name : c.preset.name;
+    };
+    const std::string& now = name_of(d.content());
+    const auto last = d.steps().begin() + static_cast<std::ptrdiff_t>(d.done());
+    const bool typed = std::any_of(d.steps().begin(), last, [&](const document::Step& step) {
+        return name_of(step.before) != name_of(step.after);
+    });
+    const bool as_made = before.empty() && !typed && now == new_name(scene);
+    const bool own = !now.empty() && !as_made && now != name_in(before, scene);
     return own || to == before ? now : name_of_file(to);
 }
 
@@ -462,9 +469,8 @@ void Files::ask_use(const std::vector<std::string>& videos) {
         editor_.reference().choose(video);
     };
     ask({.title = one ? "What is " + in_marks(videos.front()) + '?' : "What are these videos?",
-         .text = "Smoke before a plain background becomes a clip of the preset. A surgery video becomes the reference "
-                 "that the "
-                 "preview is compared with.",
+         .text = "Smoke on a plain background becomes a clip of the preset. A surgery video becomes the reference, "
+                 "with which the preview is compared.",
          .answers = {{.label = one ? "Smoke clip" : "Smoke clips",
                       .tip = "Adds to the clips of the preset",
                       .act = clips,
@@ -494,7 +500,7 @@ void Files::ask_in_use(const std::vector<Kind>& used, const std::vector<fs::path
         relock();
     };
     Question question{.title = "Open in another editor",
-                      .text = "Two editors on one file write over each other's work.",
+                      .text = "Two editors would overwrite each other's work in one file.",
                       .lines = std::move(lines),
                       .answers = {},
                       .serial = 0};
@@ -508,7 +514,8 @@ void Files::ask_in_use(const std::vector<Kind>& used, const std::vector<fs::path
                                 .standard = true,
                                 .cancel = !otherwise});
     if (otherwise)
-        question.answers.push_back({.label = "Cancel", .tip = "What is open stays.", .act = otherwise, .cancel = true});
+        question.answers.push_back(
+            {.label = "Cancel", .tip = "What is open now stays open.", .act = otherwise, .cancel = true});
     ask(std::move(question));
 }
 
@@ -555,8 +562,7 @@ void Files::ask_running(Then then) {
         then();
     };
     ask({.title = in_marks(editor_.exports().name()) + " is being exported",
-         .text =
-             "Closing stops the export. Nothing of it is written, and a file of that name that was there before stays.",
+         .text = "Closing stops the export. Nothing of it is written, and an earlier file of that name stays.",
          .answers = {{.label = "Stop it and close", .tip = "The export is cancelled.", .act = stop},
                      {.label = "Keep exporting", .tip = "The editor stays open.", .standard = true, .cancel = true}}});
 }

@@ -25,7 +25,7 @@ std::string text_of(const fs::path& file) {
 std::string told(const std::vector<Fault>& faults) {
     std::string text = faults.empty() ? "" : faults.front().text();
     if (faults.size() > 1) text += ": " + faults[1].text();
-    return text + "; the last good one is used";
+    return text + "; the last working one is used";
 }
 
 bool contains(const std::vector<fs::path>& paths, const fs::path& path) {
@@ -73,7 +73,7 @@ bool HotReload::is_gone(const fs::path& file) {
     }
     if (gone_.insert(file).second)
         editor_.toasts.add({.kind = ui::ToastKind::warning,
-                            .text = file.filename().string() + " is gone from the disk; what is shown stays"});
+                            .text = file.filename().string() + " no longer exists on the disk; what is shown stays"});
     return true;
 }
 

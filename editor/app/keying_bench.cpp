@@ -391,7 +391,7 @@ std::string KeyingBench::clip_changes(const SmokeClip& before, const SmokeClip& 
 void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t number, For whose) {
     suggestion_version_ = editor_.document.version();
     suggestion_undoes_ = false;
-    suggestion_changes_ = "Nothing changed: this clip brings its own opacity";
+    suggestion_changes_ = "Nothing changed: this clip has its own opacity";
     if (found.alpha) return;
     const SmokeParameters& now = editor_.document.preset().smoke;
     const KeyingParameters before = keying_of(now, number);
@@ -459,7 +459,7 @@ void KeyingBench::suggest(For whose) {
         const auto& clips = editor_.document.preset().smoke.clips;
         if (number >= clips.size() || clips[number].file != file) return;
         suggestion_ = found;
-        suggestion_->reason = document::with_shown_units(found.reason);
+        suggestion_->reason = found.reason;
         suggested_for_ = file;
         suggested_clip_ = number;
         put_suggestion(found, number, whose);
@@ -494,8 +494,8 @@ void KeyingBench::find_source() {
         editor_.document.change("Source",
                                 [&](document::Content& c) { take_source(c.preset.smoke.clips[number], found); });
         editor_.toasts.add({.text = found.begins ? "The source is where the smoke of " + name + " begins"
-                                                 : "The source is the root of the plume in " + name +
-                                                       ": the clip does not show how it begins"});
+                                                 : "The source is where the plume starts in " + name +
+                                                       "; the clip does not show how the smoke begins"});
     };
     finding_source_ = editor_.jobs.start(
         "Looking for the source in " + facts.path.filename().string(),

@@ -98,10 +98,9 @@ FileKind kind_of(const fs::path& file) {
     if (is_organ_name(file)) return FileKind::organ;
     if (lower_extension(file) != ".json") {
         if (is_text(file))
-            throw Error(Failure::bad_input,
-                        Fault{.file = file.string(),
-                              .place = "",
-                              .reason = "is a text, and neither a scene, a preset, an organ, a video nor a picture"});
+            throw Error(Failure::bad_input, Fault{.file = file.string(),
+                                                  .place = "",
+                                                  .reason = "is a text, but not a scene, a preset or an organ"});
         return FileKind::video;
     }
     return check_document(file).kind == "preset" ? FileKind::preset : FileKind::scene;

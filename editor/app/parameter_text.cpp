@@ -39,10 +39,10 @@ Json parse(std::string_view text) {
     try {
         json = Json::parse(text, watch);
     } catch (const Json::exception&) {
-        fail("", "no JSON: copy a group of parameters, or a preset, first");
+        fail("", "this is not JSON: copy a group of parameters, or a preset, first");
     }
     if (too_deep) fail("", "more than 32 levels");
-    if (!json.is_object()) fail("", "no JSON object: {\"bleeding\": {...}} is allowed");
+    if (!json.is_object()) fail("", "this is not a JSON object: {\"bleeding\": {...}} is allowed");
     return json;
 }
 
@@ -64,7 +64,7 @@ std::string holds(const Json& json) {
         if (group.key.empty() || !json.contains(pointer_of(group.key))) continue;
         names += (names.empty() ? "" : ", ") + group.key;
     }
-    return names.empty() ? "it holds no group of parameters" : "it holds " + names;
+    return names.empty() ? "it contains no group of parameters" : "it contains " + names;
 }
 
 Json only(const Json& json, std::string_view group) {

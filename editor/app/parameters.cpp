@@ -60,8 +60,7 @@ std::string tip_of(const ParameterEntry& entry) {
 }  // namespace
 
 std::string tip_text(const Parameter& row, const void* defaults) {
-    std::string tip =
-        std::string(row.help) + (row.help.empty() ? "" : "\n") + document::with_shown_units(sentence(row.expected()));
+    std::string tip = std::string(row.help) + (row.help.empty() ? "" : "\n") + sentence(row.expected());
     if (counts(row) && row.unit.empty()) tip += ", no unit";
     const std::string standard = defaults != nullptr ? text_of(row, row.get(defaults)) : std::string();
     return standard.empty() ? tip : tip + "; " + standard + " by default";

@@ -336,7 +336,7 @@ std::optional<Fault> PreviewHost::check_driver(double now) {
     if (lost_)
         return Fault{.file = "",
                      .place = "",
-                     .reason = "the graphics driver was reset and what it held is lost; start lapfx again to go on"};
+                     .reason = "the graphics driver was reset and the picture is lost; start lapfx again to continue"};
     if (error == GL_NO_ERROR || error == told_error_) return std::nullopt;
     told_error_ = error;
     const std::string what = error == GL_OUT_OF_MEMORY ? "has run out of memory" : "reports " + std::to_string(error);

@@ -276,7 +276,7 @@ bool Reference::draw() {
                     .scale = editor_.scene_scale()};
     const bool first = copy_.revision == 0;
     if (!editor_.preview.draw_into(copy_, shot)) return false;
-    if (first) editor_.ui().wake("the preview beside the reference");  // it may have been built without
+    if (first) editor_.ui().wake("the preview next to the reference");  // it may have been built without
     preview_pixels_->forget();
     return true;
 }

@@ -133,7 +133,7 @@ void Settings::read() {
         const fs::path aside = folders_.config / "settings.broken.json";
         fs::rename(file, aside, error);
         faults_.push_back(fault.faults().front().text() +
-                          (error ? "; it could not be put aside" : "; put aside as " + aside.filename().string()) +
+                          (error ? "; it could not be renamed" : "; renamed to " + aside.filename().string()) +
                           ", the standard settings are used");
     }
 }
@@ -142,7 +142,8 @@ void Settings::apply(const std::string& text) {
     const fs::path file = folders_.config / "settings.json";
     const Json json = Json::parse(text, nullptr, false);
     if (!json.is_object())
-        throw Error(Failure::bad_input, Fault{file.string(), "", json.is_discarded() ? "no JSON" : "no JSON object"});
+        throw Error(Failure::bad_input,
+                    Fault{file.string(), "", json.is_discarded() ? "not JSON" : "not a JSON object"});
     std::vector<std::string> faults;
     Reader reader(json, faults);
     reader.flag("light", light);

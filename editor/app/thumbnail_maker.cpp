@@ -265,7 +265,7 @@ std::string ThumbnailMaker::render(const Request& request, const fs::path& file)
         if (!unwanted(request) && !late) continue;
         ::kill(child, SIGKILL);
         ::waitpid(child, &status, 0);
-        fault = late ? "rendering took more than a minute" : "not wanted any more";
+        fault = late ? "rendering took more than a minute" : "no longer needed";
         break;
     }
     if (fault.empty() && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {

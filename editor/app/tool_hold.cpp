@@ -47,7 +47,7 @@ void ToolHold::end(Editor& editor) {
     const std::size_t there = editor.document.scene().events.size();
     if (there + made.size() > most_events) {
         editor.toasts.add({.kind = ui::ToastKind::error,
-                           .text = "Not recorded: a scene holds at most 4096 contacts; delete some on the timeline"});
+                           .text = "Not recorded: a scene has at most 4096 events; delete some on the timeline"});
         return;
     }
     editor.document.change(std::string(action_title(made.front().action)), [&](document::Content& c) {

@@ -114,7 +114,7 @@ void VideoFeed::open_now(Wish& wish) {
         } catch (const Error& error) {
             made_.faults = error.faults();
         } catch (const std::bad_alloc&) {
-            made_.faults = {{.file = file_.string(), .place = "", .reason = "needs more memory than there is"}};
+            made_.faults = {{.file = file_.string(), .place = "", .reason = "needs more memory than is available"}};
         }
     publish(false);
 }
@@ -152,7 +152,7 @@ void VideoFeed::look_after_file() {
     }
     if (!seen_) {
         if (made_.video == nullptr || !made_.faults.empty()) return;
-        made_.faults = {{.file = file_.string(), .place = "", .reason = "is gone; its last frame stays"}};
+        made_.faults = {{.file = file_.string(), .place = "", .reason = "no longer exists; its last frame stays"}};
         return publish(false);
     }
     if (seen_ != before && !exact_) return;  // still being written
@@ -166,7 +166,7 @@ void VideoFeed::look_after_file() {
     } catch (const Error& error) {
         made_.faults = error.faults();
     } catch (const std::bad_alloc&) {
-        made_.faults = {{.file = file_.string(), .place = "", .reason = "needs more memory than there is"}};
+        made_.faults = {{.file = file_.string(), .place = "", .reason = "needs more memory than is available"}};
     }
     publish(false);
 }

@@ -116,14 +116,14 @@ void add_bench(CLI::App& app) {
         return std::pair(part, options);
     };
     add("bleeding", "CPU time and bytes per frame of blood on small and large organs", bench_bleeding);
-    add("editor", "What the editor's panels cost beside the scene that they show", bench_editor);
-    add("frame", "What 15 smoke clips add to a frame, and what a haptic thread notices of them", bench_frame);
+    add("editor", "What the editor's panels cost compared with the scene that they show", bench_editor);
+    add("frame", "What 15 smoke clips add to a frame, and how much they delay a haptic thread", bench_frame);
     auto ui_options = std::make_shared<BenchOptions>();
-    CLI::App* ui = verb->add_subcommand("ui", "The editor's UI toolkit beside Dear ImGui on the same screens");
+    CLI::App* ui = verb->add_subcommand("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
     ui->add_option("--json", ui_options->json, "Write the figures to this file too");
     ui->callback([ui_options] { run_bench_ui(*ui_options); });
     const auto [streaming, options] =
-        add("streaming", "Smoke clips by the paper's schemes and ours, as its table 2, and FFmpeg beside them",
+        add("streaming", "Smoke clips by the paper's schemes and ours, as in its table 2, and FFmpeg for comparison",
             bench_streaming);
     streaming->add_option("--plot", options->plot, "Draw the panels of the paper's figure 10 to this PNG");
 }

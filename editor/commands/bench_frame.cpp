@@ -185,8 +185,8 @@ double compare_haptics(const HostFrame& host, const BenchClips& clips, bool real
             {.of = {{"what", what}, {"priority", real_time ? "real-time" : "ordinary"}},
              .measured = {{"late_us_p999", median(late)}, {"spread_us", spread(late)}, {"processors", median(load)}}});
     };
-    row("1 kHz thread beside the core", with, loads);
-    row("1 kHz thread beside an equal load", without, stand_in_loads);
+    row("1 kHz thread with the core", with, loads);
+    row("1 kHz thread with an equal load", without, stand_in_loads);
     return median(with) / median(without);
 }
 

@@ -56,9 +56,9 @@ std::string streaming_table(std::span<const StreamingRow> rows) {
         text += line;
     }
     text +=
-        "\nLate: the display is half as fast as the clips; buffering skips consecutive frames then, as the paper's "
-        "does, and "
-        "shows\neach that it sends for two cycles. The frames sent are those of all streams in a cycle, on average.\n";
+        "\nLate: the display is half as fast as the clips; buffering then skips consecutive frames, as the paper's "
+        "does, and shows\neach frame that it sends for two cycles. The frames sent are those of all streams in a "
+        "cycle, on average.\n";
     text +=
         "\nAs the paper's table 2 prints it (GeForce 9800 GX2, quad core 2.83 GHz, at most 60 frames per second):\n";
     for (const StreamingRow& r : paper_table_2()) {

@@ -51,7 +51,7 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
     if (!o.layout.empty() && !editor.layouts().choose(o.layout)) {
         std::string names;
         for (const std::string& name : editor.layouts().names()) names += (names.empty() ? "" : ", ") + name;
-        throw wrong_option("--layout", "\"" + o.layout + "\" is none of " + names);
+        throw wrong_option("--layout", "\"" + o.layout + "\" is not one of " + names);
     }
     if (o.at >= 0) editor.seek(o.at);
     if (o.at < 0 && !o.screenshot.empty() && o.files.empty()) editor.seek(sample_moment);
@@ -61,7 +61,7 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
 void write_files(const Options& o) {
     const glm::ivec2 size = size_of(o);
     if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
-        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
+        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is not a .png");
     for (const std::string& file : {o.screenshot, o.dump}) {
         if (!file.empty()) check_folder(file);
     }
@@ -171,21 +171,22 @@ void add_edit(CLI::App& app) {
     verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window");
     verb->add_option(
         "--size", o->size,
-        "WxH in pixels; of a window, at scale 1. Without it a window is as it was left, a picture 1440x900");
-    verb->add_option("--layout", o->layout, "How panels are arranged: Tune, Key, Compare, Stage, or one of your own");
+        "WxH in pixels (of a window, at scale 1). Without it a window opens as it was left, a picture is 1440x900");
+    verb->add_option("--layout", o->layout,
+                     "How panels are arranged: Tune, Key, Compare, Stage, or a layout of your own");
     verb->add_option("--theme", o->theme, "dark or light");
-    verb->add_option("--at", o->at, "Time it stands at, s")->check(finite_number())->check(CLI::Range(0.0, 86400.0));
-    verb->add_option("--scale", o->scale, "Of the user interface, 0.75 to 3")
+    verb->add_option("--at", o->at, "Time that is shown, s")->check(finite_number())->check(CLI::Range(0.0, 86400.0));
+    verb->add_option("--scale", o->scale, "Scale of the user interface, 0.75 to 3")
         ->check(finite_number())
         ->check(CLI::Range(0.75, 3.0));
-    verb->add_option("--backend", o->backend, "Of --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
+    verb->add_option("--backend", o->backend, "For --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
         ->capture_default_str();
     verb->add_option(
         "--dump", o->dump,
-        "Write what there is, with names, values and places, instead of opening a window: .json, or a line "
-        "for each widget");
+        "Write all widgets with names, values and places instead of opening a window: .json, or one line per widget");
     verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
-    verb->add_flag("--statistics", o->statistics, "A line on stderr for every frame that the window makes, and why");
+    verb->add_flag("--statistics", o->statistics,
+                   "Print a line on stderr for every frame of the window, and why it was drawn");
     verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });
 }

@@ -32,7 +32,7 @@ void set_up(gallery::State& state, const Options& o) {
         std::string names;
         for (const gallery::Page& page : gallery::pages())
             names += (names.empty() ? "" : ", ") + std::string(page.name);
-        throw wrong_option("--page", "\"" + o.page + "\" is none of " + names);
+        throw wrong_option("--page", "\"" + o.page + "\" is not one of " + names);
     }
     if (o.theme != "dark" && o.theme != "light")
         throw wrong_option("--theme", "\"" + o.theme + "\" is neither dark nor light");
@@ -94,7 +94,7 @@ void make_files(const Options& o) {
         if (!file.empty()) check_folder(file);
     }
     if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
-        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is no .png");
+        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is not a .png");
     Still still(o, size);
     if (!o.dump.empty()) write_dump(o.dump, still.tree());
     if (o.screenshot.empty()) return;
@@ -139,22 +139,22 @@ void add_gallery(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("gallery", "Show the widgets of the user interface, each in all its states");
     verb->add_option("--page", o->page, "The page to show")->capture_default_str();
     verb->add_option("--theme", o->theme, "dark or light")->capture_default_str();
-    verb->add_option("--scale", o->scale, "0.75 to 3; the screen's, in a file 1, if not given")
+    verb->add_option("--scale", o->scale, "0.75 to 3; without it that of the screen, for files 1")
         ->check(finite_number())
         ->check(CLI::Range(0.75, 3.0));
     verb->add_option("--size", o->size, "WxH in pixels; of a window, at scale 1")->capture_default_str();
     verb->add_flag("--bare", o->bare, "The page alone, without the list of pages and the switches");
-    verb->add_flag("--reduced-motion", o->reduced_motion, "Nothing moves of itself");
+    verb->add_flag("--reduced-motion", o->reduced_motion, "Nothing blinks or moves by itself");
     verb->add_option("--screenshot", o->screenshot, "Write a PNG instead of opening a window");
     verb->add_option(
         "--dump", o->dump,
-        "Write what there is, with names, values and places, instead of opening a window: .json, or a line "
-        "for each widget");
-    verb->add_option("--focus", o->focus, "In these files, the widget with this path has the keyboard");
-    verb->add_option("--backend", o->backend, "Of --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
+        "Write all widgets with names, values and places instead of opening a window: .json, or one line per widget");
+    verb->add_option("--focus", o->focus, "In these files the widget with this path has the keyboard");
+    verb->add_option("--backend", o->backend, "For --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
         ->capture_default_str();
     verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
-    verb->add_flag("--statistics", o->statistics, "A line on stderr for every frame that the window makes, and why");
+    verb->add_flag("--statistics", o->statistics,
+                   "Print a line on stderr for every frame of the window, and why it was drawn");
     verb->footer("Example: lapfx gallery --page Text --scale 2 --theme light --screenshot text.png");
     verb->callback([o] { run(*o); });
 }

@@ -71,7 +71,7 @@ void inspect_file(const fs::path& file, bool keying) {
     if (!sequence) require_plain_file(file);
     const Kind kind = sequence ? Kind::video : kind_of(file);
     if (keying && kind != Kind::video && kind != Kind::image)
-        refuse(file, "is no clip, so there is no keying to suggest");
+        refuse(file, "is not a clip, so there is no keying to suggest");
     switch (kind) {
         case Kind::organ:
             inspect_organ(file);
@@ -108,15 +108,16 @@ void inspect_files(const std::vector<std::string>& files, bool keying) {
 }  // namespace
 
 void add_inspect(CLI::App& app) {
-    CLI::App* verb = app.add_subcommand("inspect", "Tell what a mesh, clip, preset, scene or image holds");
+    CLI::App* verb = app.add_subcommand("inspect", "Show what a mesh, clip, preset, scene or image contains");
     auto files = std::make_shared<std::vector<std::string>>();
     verb->add_option("FILE", *files,
                      "Mesh (.glb .gltf .obj .ply .stl .off), video (.mp4 .mov .webm .mkv .avi ...), preset or scene "
                      "(.json), image (.png .jpg .webp .bmp), numbered images (smoke_%04d.png)")
         ->required();
     auto keying = std::make_shared<bool>(false);
-    verb->add_flag("--keying", *keying,
-                   "Suggest how the smoke of a video is told from its background, for a clip's entry in a preset");
+    verb->add_flag(
+        "--keying", *keying,
+        "Suggest how to separate the smoke of a video from its background, as an entry for a clip in a preset");
     verb->callback([files, keying] { inspect_files(*files, *keying); });
 }
 

@@ -35,7 +35,7 @@ std::string whereabouts(const Scene& scene, const std::string& file) {
         named_path(scene.folder, file);
         return file;
     } catch (const Error&) {
-        return file + " (outside of the scene's folder)";
+        return file + " (outside the scene's folder)";
     }
 }
 
@@ -44,7 +44,7 @@ std::string reference_of(const Scene& scene) {
     std::string text = whereabouts(scene, reference.file);
     if (reference.file.empty()) return text;
     std::ostringstream more;
-    more << ", from " << reference.offset << " s on";
+    more << ", from " << reference.offset << " s";
     if (reference.aspect > 0) more << ", shown at " << reference.aspect << ":1";
     return text + more.str();
 }

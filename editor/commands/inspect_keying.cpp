@@ -41,10 +41,11 @@ void inspect_keying(const std::filesystem::path& file) {
     char text[32];
     std::snprintf(text, sizeof text, "%.2f", found.confidence);
     std::cout << "  keying              " << found.reason << '\n'
-              << "  confidence          " << text << (doubtful ? ", look at it first\n" : "\n") << preset_lines(found);
+              << "  confidence          " << text << (doubtful ? ", check it before use\n" : "\n")
+              << preset_lines(found);
     if (doubtful)
         std::cerr << "lapfx: warning: " << file.string()
-                  << ": this keying is a guess; look at the clip with it before it goes into a preset\n";
+                  << ": this keying is a guess; check the clip with it before you use it in a preset\n";
 }
 
 }  // namespace lapfx::commands

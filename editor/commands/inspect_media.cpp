@@ -43,7 +43,7 @@ void inspect_image(const std::filesystem::path& file) {
     } catch (const cv::Exception&) {
         refuse(file, "is an image that cannot be decoded");
     }
-    if (pixels.empty()) refuse(file, "is no image that can be decoded");
+    if (pixels.empty()) refuse(file, "is not an image that can be decoded");
     constexpr const char* kinds[] = {"", "grey", "grey and alpha", "colour", "colour and alpha"};
     std::cout << file.string() << ": image\n"
               << "  size                " << pixels.cols << "x" << pixels.rows << '\n'
@@ -62,7 +62,7 @@ void inspect_video(const std::filesystem::path& file) {
     std::cout << file.string() << ": video\n"
               << "  size                " << report.size.x << "x" << report.size.y << '\n'
               << "  frames per second   " << number("%.6g", report.frames_per_second)
-              << (report.variable_frame_rate ? ", the mean of a variable rate\n" : "\n")  //
+              << (report.variable_frame_rate ? ", the average of a variable rate\n" : "\n")  //
               << "  frames              " << report.frames
               << (decodable == report.frames ? "\n" : ", of which " + std::to_string(decodable) + " can be decoded\n")
               << "  duration            " << number("%.3f s", report.duration) << '\n'

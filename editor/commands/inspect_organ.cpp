@@ -31,7 +31,7 @@ std::string counts_text(const TriangleCounts& counts) {
                                                            {counts.out_of_range, " with vertices not in the file"},
                                                            {counts.not_finite, " without finite coordinates"},
                                                            {counts.without_area, " without area"},
-                                                           {counts.repeated, " there before"}};
+                                                           {counts.repeated, " repeated"}};
     std::string text = std::to_string(counts.read) + (counts.read == 1 ? " triangle, " : " triangles, ");
     if (counts.dropped() == 0) return text + "none left out";
     text += std::to_string(counts.dropped()) + " left out";
@@ -70,19 +70,20 @@ void print_materials(const Organ& organ) {
 void print_tissue(const Organ& organ) {
     const TissueReport tissue = report_tissue(organ);
     if (tissue.known == 0.0) {
-        row("warning", "of one colour: density of vessels and fat is not known, and every cut bleeds alike");
+        row("warning", "it has only one colour: density of vessels and fat is not known, and every cut bleeds equally");
         return;
     }
-    row("tissue", text_of("%.1f", 100.0 * tissue.vessels) + " % vessels, " + text_of("%.1f", 100.0 * tissue.fat) +
-                      " % fat by colour" +
-                      (tissue.known < 0.9995 ? " of the " + text_of("%.1f", 100.0 * tissue.known) + " % that have one"
-                                             : std::string()));
+    row("tissue",
+        text_of("%.1f", 100.0 * tissue.vessels) + " % vessels, " + text_of("%.1f", 100.0 * tissue.fat) +
+            " % fat by colour" +
+            (tissue.known < 0.9995 ? " of the " + text_of("%.1f", 100.0 * tissue.known) + " % that have colours"
+                                   : std::string()));
     if (tissue.alike > 0.9995)
-        row("vessels", "none found: every cut bleeds alike");
+        row("vessels", "none found: every cut bleeds equally");
     else if (tissue.alike > 0.0005)
         row("vessels", "none found on " + text_of("%.1f", 100.0 * tissue.alike) +
-                           " % of the surface: there every cut bleeds alike");
-    if (tissue.texels_per_mm > 0.0) row("texels per mm", text_of("%.2f", tissue.texels_per_mm));
+                           " % of the surface: there every cut bleeds equally");
+    if (tissue.texels_per_mm > 0.0) row("texture pixels/mm", text_of("%.2f", tissue.texels_per_mm));
 }
 
 }  // namespace

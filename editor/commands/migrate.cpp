@@ -16,7 +16,7 @@ void migrate(const std::string& file) {
         save_preset(load_preset(file), file);
     else
         save_scene(load_scene(file), file);
-    std::cout << file << ": " << found.kind << " \"" << found.name << "\" is of today's version\n";
+    std::cout << file << ": " << found.kind << " \"" << found.name << "\" has the current version\n";
 }
 
 }  // namespace
@@ -24,7 +24,7 @@ void migrate(const std::string& file) {
 void add_migrate(CLI::App& app) {
     auto files = std::make_shared<std::vector<std::string>>();
     CLI::App* verb =
-        app.add_subcommand("migrate", "Bring a preset or scene to today's version, with every key written out");
+        app.add_subcommand("migrate", "Update presets and scenes to the current version, with every key written out");
     verb->add_option("FILE", *files, "Presets and scenes (.json); rewritten in place")->required();
     verb->callback([files] {
         for (const std::string& file : *files) check_document(file);  // all or none

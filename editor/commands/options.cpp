@@ -27,8 +27,9 @@ glm::ivec2 parse_size(const std::string& text) {
 CLI::Validator finite_number() {
     return {[](const std::string& text) {
                 double value = 0.0;
-                return CLI::detail::lexical_cast(text, value) && std::isfinite(value) ? ""
-                                                                                      : "\"" + text + "\" is no number";
+                return CLI::detail::lexical_cast(text, value) && std::isfinite(value)
+                           ? ""
+                           : "\"" + text + "\" is not a number";
             },
             "NUMBER"};
 }

@@ -21,7 +21,7 @@ Overlay parse_overlay(const std::string& text) {
         {"none", Overlay::none}, {"vessels", Overlay::vessels}, {"fat", Overlay::fat}, {"bleed", Overlay::bleed}};
     for (const auto& [name, overlay] : names)
         if (text == name) return overlay;
-    throw wrong_option("--overlay", "\"" + text + "\" is none of vessels, fat, bleed, none");
+    throw wrong_option("--overlay", "\"" + text + "\" is not one of vessels, fat, bleed, none");
 }
 
 output::RenderOptions render_options(const Options& o) {

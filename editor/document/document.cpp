@@ -80,7 +80,7 @@ std::string name_within(const fs::path& whole, const fs::path& folder) {
 }
 
 [[noreturn]] void fail_reading_back(const fs::path& file) {
-    throw Error(Failure::runtime, Fault{file.string(), "", "what was written does not read back as the same values"});
+    throw Error(Failure::runtime, Fault{file.string(), "", "the written file does not contain the same values"});
 }
 
 }  // namespace

@@ -190,7 +190,7 @@ std::string write_kept(const Kept& kept) {
 Kept read_kept(const fs::path& file, std::vector<std::string>& told) {
     const Json json = Json::parse(read_file(file, longest_file), nullptr, false);
     const auto refuse = [&](const char* reason) { throw Error(Failure::bad_input, Fault{file.string(), "", reason}); };
-    if (!json.is_object() || text_at(json, "format") != "lapfx.autosave") refuse("not what an editor keeps");
+    if (!json.is_object() || text_at(json, "format") != "lapfx.autosave") refuse("not a file that the editor keeps");
     if (number_at<int>(json, "version") != 1) refuse("kept by another version of lapfx");
     const auto scene = json.find("scene"), preset = json.find("preset"), snapshots = json.find("snapshots");
     if (scene == json.end() || !scene->is_object() || preset == json.end() || !preset->is_object())

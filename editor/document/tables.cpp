@@ -111,10 +111,8 @@ std::string value_text(const Parameter& row, const void* owner, bool exact, cons
     }
 }
 
-constexpr std::string_view code_values = "code values", of_255 = "of 255";
-
 std::string with_unit(std::string text, const Parameter& row) {
-    return row.unit.empty() ? text : text + ' ' + std::string(shown_unit(row));
+    return row.unit.empty() ? text : text + ' ' + std::string(row.unit);
 }
 
 std::optional<glm::dvec3> color_from(const Json& json) {
@@ -165,7 +163,7 @@ class LooseReader {
     std::vector<std::string> told;
 
     void read(const Table& table, void* owner, const Json& json, const std::string& pointer) {
-        if (!json.is_object()) return tell(pointer, "no JSON object");
+        if (!json.is_object()) return tell(pointer, "not a JSON object");
         for (const auto& [key, inner] : json.items()) {
             const std::string place = pointer + '/' + key;
             if (const Parameter* row = table.find_row(key)) {
@@ -198,7 +196,7 @@ class LooseReader {
         void* member = child.member(owner);
         if (child.present != nullptr) *child.present(owner) = true;
         if (child.list == nullptr) return read(child, member, json, place);
-        if (!json.is_array()) return tell(place, "no JSON array");
+        if (!json.is_array()) return tell(place, "not a JSON array");
         const std::size_t size = std::min(json.size(), child.list->maximum);
         if (size < json.size()) tell(place, "only " + std::to_string(size) + " are kept");
         child.list->resize(member, 0);
@@ -292,16 +290,6 @@ Spot find(const Table& root, void* document, std::string_view pointer) {
     return at;
 }
 
-std::string_view shown_unit(const Parameter& row) {
-    return row.unit == code_values ? of_255 : row.unit;
-}
-
-std::string with_shown_units(std::string text) {
-    for (std::size_t at = 0; (at = text.find(code_values, at)) != std::string::npos;)
-        text.replace(at, code_values.size(), of_255);
-    return text;
-}
-
 std::string text_of(const Parameter& row, const void* owner) {
     return with_unit(value_text(row, owner, false, [&](double v) { return rounded(v, row.step); }), row);
 }
@@ -314,7 +302,7 @@ std::vector<std::string> read_what_can_be(const Table& root, void* document, std
     const Json parsed = Json::parse(json, nullptr, false);
     LooseReader reader;
     if (parsed.is_discarded())
-        reader.told.emplace_back("no JSON");
+        reader.told.emplace_back("not JSON");
     else
         reader.read(root, document, parsed, "");
     return std::move(reader.told);

@@ -34,11 +34,6 @@ struct Spot {
 /// Nothing when there is no such place. `document` is not changed.
 Spot find(const Table& root, void* document, std::string_view pointer);
 
-/// The unit as the editor shows it: "of 255" where the table, JSON and the command line say "code values".
-std::string_view shown_unit(const Parameter& row);
-/// The same in a text that was made elsewhere: "within 3 code values" is "within 3 of 255".
-std::string with_shown_units(std::string text);
-
 /// "7.5 mm/s", "light", "on", "#5d0f11", "1, 2, 3 mm"; an empty text is "none". Numbers are as fine as their slider.
 std::string text_of(const Parameter& row, const void* owner);
 /// To the last digit.

@@ -163,7 +163,7 @@ class Comparison {
             d.before = exact_text_of(row, before);
             d.after = exact_text_of(row, after);
         }
-        d.unit = std::string(shown_unit(row));
+        d.unit = std::string(row.unit);
         found.push_back(std::move(d));
     }
 

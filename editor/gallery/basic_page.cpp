@@ -45,7 +45,7 @@ void some_switches(ui::Ui& ui, BasicState& state) {
     ui::toggle(ui, "Off", state.off);
     ui::toggle(ui, "On", state.on);
     ui::toggle(ui, "Loop", state.on, {.icon = ui::Icon::loop, .quiet = true});
-    ui::toggle(ui, "Lock", state.quiet_on, {.icon = ui::Icon::lock, .tip = "Left alone by the fit"});
+    ui::toggle(ui, "Lock", state.quiet_on, {.icon = ui::Icon::lock, .tip = "Randomising leaves it unchanged"});
     ui::checkbox(ui, "Unchecked", state.off);
     ui::checkbox(ui, "Checked", state.on, "With a tooltip");
     ui::checkbox(ui, "Mixed", state.some);

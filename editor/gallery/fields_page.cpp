@@ -22,7 +22,7 @@ void text_fields(ui::Ui& ui, FieldsState& state) {
     }
     {
         const Line line(ui, "states");
-        ui::text_field(ui, "Wrong", state.wrong, {.tip = "apples is no unit", .invalid = true});
+        ui::text_field(ui, "Wrong", state.wrong, {.tip = "apples is not a unit", .invalid = true});
         ui::text_field(ui, "Read only", state.long_line, {.read_only = true});
         ui::text_field(ui, "Monospace", state.code, {.monospace = true});
     }

@@ -12,12 +12,12 @@ void draw_raised(ui::Painter& painter, const ui::Node& node, const ui::Color& gr
     painter.frame(node.rect(), t.border, painter.hairline(), painter.em(t.radius));
 }
 
-/// The inside of an overlay that is open.
+/// The inside an overlay that is open.
 void fill_overlay(ui::Ui& ui, State& state, std::string_view name) {
     ui.draw_with<draw_raised>(ui.parent(), ui.theme().raised);
     const ui::Column column(ui, {.padding = 0.8F});
     ui::heading(ui, name);
-    ui::label(ui, "Esc closes, and so does a press outside of a popup.", {.tone = ui::Tone::dim});
+    ui::label(ui, "Esc closes, and so does a press outside a popup.", {.tone = ui::Tone::dim});
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center, .main = ui::Place::end});
     ui::spacer(ui);
     if (ui::button(ui, "Count", {.width = ui::px(ui.em(6))})) ++state.answers;
@@ -55,7 +55,7 @@ void overlays_page(ui::Ui& ui, State& state) {
     ui::button(ui, "Short", {.tip = "A word"});
     ui::button(
         ui, "Long",
-        {.tip = "A tooltip of several lines: it is wrapped, stays inside of the window, and comes half a second after "
+        {.tip = "A tooltip of several lines: it is wrapped, stays inside the window, and comes half a second after "
                 "the pointer has come to rest or the keyboard has arrived."});
     ui::button(ui, "Lines", {.tip = "first line\nsecond line\nthird line"});
     ui.push_disabled(true);

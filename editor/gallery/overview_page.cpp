@@ -57,7 +57,7 @@ void params(ui::Ui& ui, ParamsState& state) {
 
 void texts(ui::Ui& ui) {
     ui::label(ui, "Dim: units and hints", {.tone = ui::Tone::dim});
-    ui::label(ui, "Outside of the usual range", {.tone = ui::Tone::warning});
+    ui::label(ui, "Outside the usual range", {.tone = ui::Tone::warning});
     ui::label(ui, "Not a number", {.tone = ui::Tone::error});
     ui::separator(ui);
     ui::label(ui, "Smoke rises from where the hook touches fat and spreads under the abdominal wall.", {.wrap = true});

@@ -111,7 +111,7 @@ std::string TestFiles::list(const std::string& folder, std::vector<ui::FileEntry
         entries.push_back({.name = "plume " + std::to_string(i + 1) + (i % 3 == 0 ? ".mov" : ".png"),
                            .size = static_cast<std::uint64_t>(i + 1) * 1'234'567,
                            .changed = then - i * day});
-    entries.push_back({.name = "a name that is no UTF-8 \xff\xfe.mov", .size = 12, .changed = then});
+    entries.push_back({.name = "a name that is not UTF-8 \xff\xfe.mov", .size = 12, .changed = then});
     return "";
 }
 

@@ -120,7 +120,7 @@ class Writer {
     [[noreturn]] void fail(const fs::path& file, const std::string& reason) const { throw cannot_write(file, reason); }
 
     void tell(double share) const {
-        if (goes_on_ && !goes_on_(share)) fail(target_, "given up");
+        if (goes_on_ && !goes_on_(share)) fail(target_, "cancelled");
     }
 
     void plan_clips() {
@@ -233,7 +233,7 @@ class Writer {
         const fs::path file = beside_ / (name_ + ".json");
         const Preset loaded = load_preset(file);
         if (write_preset(loaded) != write_preset(preset_))
-            fail(target_ / file.filename(), "does not come back as it was written");
+            fail(target_ / file.filename(), "is not the same when read back");
         check_clips(loaded, (target_ / file.filename()).string(), {});
         for (const std::size_t image : images_) check_image(pieces_[image]);
     }
@@ -255,7 +255,7 @@ class Writer {
     void check_scene() const {
         const fs::path file = beside_ / (name_ + ".scene.json");
         if (write_scene(load_scene(file)) != write_scene(*scene_))
-            fail(target_ / file.filename(), "does not come back as it was written");
+            fail(target_ / file.filename(), "is not the same when read back");
         tell(0.92);
         check_mesh(organ_);
         tell(0.96);
@@ -265,7 +265,7 @@ class Writer {
     void check_thumbnail() const {
         const cv::Mat read = cv::imread((beside_ / "thumbnail.png").string());
         if (read.cols != bundle_.thumbnail.width || read.rows != bundle_.thumbnail.height)
-            fail(target_ / "thumbnail.png", "does not come back as it was written");
+            fail(target_ / "thumbnail.png", "is not the same when read back");
     }
 
     /// A bundle that is there goes only when the new one has its name.
@@ -344,14 +344,14 @@ Preset preset_in(const fs::path& folder, const Preset& preset, const std::vector
         }
         if (found.shipped) {
             if (is_file(to / file))
-                faults.push_back(clip_fault(
-                    i, "another \"" + file + "\" lies in " + to.string() + " and would be taken for the shipped clip"));
+                faults.push_back(clip_fault(i, "another \"" + file + "\" is in " + to.string() +
+                                                   " and would be used instead of the shipped clip"));
             continue;
         }
         const fs::path source = fs::weakly_canonical(found.files.front().parent_path(), error) / found.name;
         const fs::path relative = source.lexically_relative(to);
         if (relative.empty() || *relative.begin() == "..")
-            faults.push_back(clip_fault(i, "\"" + source.string() + "\" lies outside of " + to.string()));
+            faults.push_back(clip_fault(i, "\"" + source.string() + "\" is outside " + to.string()));
         else
             file = relative.generic_string();
     }
@@ -365,16 +365,16 @@ void export_preset(const Preset& preset, const fs::path& file, const std::vector
     if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
     save_preset(moved, file);
     if (write_preset(load_preset(file)) != write_preset(moved))
-        throw cannot_write(file, "does not come back as it was written; is the disk sound?");
+        throw cannot_write(file, "is not the same when read back; is the disk damaged?");
 }
 
 std::string check_bundle_folder(const fs::path& named) {
     const fs::path folder = plain(named);
-    if (!folder.has_filename()) return "has no name that files could be called after";
+    if (!folder.has_filename()) return "has no name to use for the files in it";
     std::error_code error;
     const fs::file_status status = fs::symlink_status(folder, error);
     if (!fs::exists(status)) return "";
-    if (!fs::is_directory(status)) return "is there and is not a folder";
+    if (!fs::is_directory(status)) return "exists and is not a folder";
     if (fs::is_empty(folder, error)) return "";
     const std::string name = folder.filename().string();
     const std::vector<std::string> ours{name + ".json", name + ".scene.json", "thumbnail.png", "clips", "organ",
@@ -382,11 +382,11 @@ std::string check_bundle_folder(const fs::path& named) {
     for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
         const std::string found = entry->path().filename().string();
         if (std::find(ours.begin(), ours.end(), found) == ours.end())
-            return "is a folder with other things in it (" + found + "): name one that is not there yet";
+            return "is a folder with other files in it (" + found + "): choose a name that does not exist yet";
     }
     if (error) return "cannot be read: " + error.message();
     if (!is_file(folder / (name + ".json")))
-        return "is a folder with other things in it: name one that is not there yet";
+        return "is a folder with other files in it: choose a name that does not exist yet";
     return "";
 }
 

@@ -43,7 +43,7 @@ void require_replaceable(const fs::path& path) {
     std::error_code error;
     const fs::file_status status = fs::symlink_status(path, error);
     if (fs::exists(status)) {
-        if (!fs::is_regular_file(status)) throw cannot_write(path, "not written: it is there and is not a plain file");
+        if (!fs::is_regular_file(status)) throw cannot_write(path, "not written: it exists and is not a plain file");
         if (::access(path.c_str(), W_OK) != 0) throw cannot_write(path, "not written: it is write-protected");
     }
     if (!fs::is_directory(folder_of(path), error)) throw cannot_write(path, "its folder is missing");
@@ -81,8 +81,8 @@ VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs
     for (const int codec : {cv::VideoWriter::fourcc('a', 'v', 'c', '1'), cv::VideoWriter::fourcc('m', 'p', '4', 'v')})
         if (writer_.open(beside_->path().string(), cv::CAP_FFMPEG, codec, fps, size)) return;
     require_room(path);
-    throw cannot_write(path, "no video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
-                                 " pixels can be encoded here (the sides must be even)");
+    throw cannot_write(path, "a video of " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                 " pixels cannot be encoded here (the sides must be even)");
 }
 
 /// Closed before what is beside goes.
@@ -112,12 +112,12 @@ bool VideoFile::check() {
     const cv::Size size(static_cast<int>(written_.get(cv::CAP_PROP_FRAME_WIDTH)),
                         static_cast<int>(written_.get(cv::CAP_PROP_FRAME_HEIGHT)));
     if (readable_ != frames_)
-        throw cannot_write(path_, "the video could not be written whole: " + std::to_string(readable_) + " of " +
+        throw cannot_write(path_, "the video could not be written completely: " + std::to_string(readable_) + " of " +
                                       std::to_string(frames_) + " frames; is the disk full?");
     if (frames_ > 0 && size != size_)
-        throw cannot_write(path_, "the video came out as " + std::to_string(size.width) + "x" +
-                                      std::to_string(size.height) + " pixels, not " + std::to_string(size_.width) +
-                                      "x" + std::to_string(size_.height));
+        throw cannot_write(path_, "the video has " + std::to_string(size.width) + "x" + std::to_string(size.height) +
+                                      " pixels, not " + std::to_string(size_.width) + "x" +
+                                      std::to_string(size_.height));
     written_.release();
     checked_ = true;
     return false;

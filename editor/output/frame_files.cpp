@@ -39,7 +39,7 @@ class PngFiles : public FrameFiles {
         const int index = static_cast<int>(checked_);
         const cv::Mat read = cv::imread(beside(index).string(), cv::IMREAD_COLOR);
         if (read.cols != size_.x || read.rows != size_.y || hash_of(read) != hashes_[checked_])
-            throw cannot_write(target(index), "the picture does not come back as it was written; is the disk sound?");
+            throw cannot_write(target(index), "the picture is not the same when read back; is the disk damaged?");
         ++checked_;
         return true;
     }

@@ -65,15 +65,15 @@ void check_output(const RenderOptions& o, Faults& faults) {
     const std::string name = "\"" + o.output.string() + "\"";
     switch (form_of(o.output)) {
         case FileForm::picture:
-            if (!o.at) faults.add("-o", name + " is one picture; for several name a video or out_%04d.png");
+            if (!o.at) faults.add("-o", name + " is one picture; for several choose a video or out_%04d.png");
             break;
         case FileForm::unknown:
-            faults.add("-o", name + " is none of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
+            faults.add("-o", name + " is not one of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
             break;
         default:
-            if (o.at) faults.add("-o", name + " is not one picture; for a single time name a .png");
+            if (o.at) faults.add("-o", name + " is not a single picture; for a single time choose a .png");
     }
-    if (!o.amounts.empty() && o.amounts == o.output) faults.add("--amounts", "is the file of the pictures");
+    if (!o.amounts.empty() && o.amounts == o.output) faults.add("--amounts", "is also the file of the pictures");
 }
 
 std::string amounts_line(double time, const Amounts& a) {

@@ -70,7 +70,7 @@ void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t k
                   .width = ui::grow(),
                   .height = ui::grow(),
                   .residual = nullptr,
-                  .tip = ui.join({info.help, " Click: go to that time. Ctrl+C copies what is in sight as CSV."}),
+                  .tip = ui.join({info.help, " Click: go to that time. Ctrl+C copies the visible values as CSV."}),
                   .state = &plot.state,
                   .mark = editor.timeline.time});
     if (result.clicked) editor.seek(result.x);
@@ -109,7 +109,7 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
         return ui::label(ui, "The amounts of this scene are being computed.", {.tone = ui::Tone::dim});
     ui::label(ui, "Computing the amounts of this scene was stopped.", {.tone = ui::Tone::dim});
     const ui::Row row(ui);
-    if (ui::button(ui, "Compute again", {.tip = "Begins again; any change of the scene does, too"}))
+    if (ui::button(ui, "Compute again", {.tip = "Starts again; any change of the scene also does"}))
         editor.amounts().again();
 }
 
@@ -117,7 +117,8 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
 void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::Place::center});
     const bool old = amounts.stale() && amounts.busy();
-    ui::label(ui, old ? "Before the last change; the new amounts are being computed." : "Of the current scene",
+    ui::label(ui,
+              old ? "From before the last change; the new amounts are being computed." : "Of the scene as it is now",
               {.tone = old ? ui::Tone::warning : ui::Tone::dim, .width = ui::grow()});
 }
 

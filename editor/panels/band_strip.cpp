@@ -67,22 +67,21 @@ struct Band {
 };
 
 using V = VesselParameters;
-constexpr Band vessel_band{
-    "Redness beside its surroundings",
-    "",
-    "How often each contrast occurs on the organ: how much redder a place is than the tissue around it. From Low on it "
-    "counts as vessel, from High wholly.",
-    &V::vessel_low,
-    &V::vessel_high,
-    "vessel_low",
-    "vessel_high",
-    TissueHistogram::least_contrast,
-    TissueHistogram::most_contrast,
-    0.01};
+constexpr Band vessel_band{"Redness compared with the surroundings",
+                           "",
+                           "How often each contrast occurs on the organ: how much redder a place is than the tissue "
+                           "around it. From Low it counts as vessel, from High fully.",
+                           &V::vessel_low,
+                           &V::vessel_high,
+                           "vessel_low",
+                           "vessel_high",
+                           TissueHistogram::least_contrast,
+                           TissueHistogram::most_contrast,
+                           0.01};
 constexpr Band fat_band{
     "Hue",
     "deg",
-    "How often each hue occurs on the organ (0 red, 90 yellow). Up to Low it is not fat, from High wholly.",
+    "How often each hue occurs on the organ (0 red, 90 yellow). Up to Low it is not fat, from High fully.",
     &V::fat_low,
     &V::fat_high,
     "fat_low",
@@ -103,6 +102,7 @@ void levels(ui::Ui& ui, app::Editor& editor, const Band& band, std::span<const s
     const ui::HistogramResult result =
         ui::histogram(ui, band.name, {.bins = bins, .minimum = band.minimum, .maximum = band.maximum}, &levels,
                       {.reset = {.low = saved.*band.low, .high = saved.*band.high},
+                       .initial = ui::Levels{.low = V{}.*band.low, .high = V{}.*band.high},
                        .step = band.step,
                        .clip_share = 1,
                        .unit = band.unit,
@@ -139,11 +139,12 @@ void band_strip(ui::Ui& ui, app::Editor& editor) {
         return std::all_of(bins.begin(), bins.end(), [](std::uint32_t n) { return n == 0; });
     };
     if (counted && all_zero(counted->contrast) && all_zero(counted->hue)) {
-        ui::label(ui,
-                  "This organ is of one colour: vessels and fat cannot be told apart on it, and every cut bleeds "
-                  "alike. An organ with a texture or vertex colours tells more; how this one looks is set by the "
-                  "Scene panel's Organ colour.",
-                  {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+        ui::label(
+            ui,
+            "This organ has only one colour: vessels and fat cannot be found on it, and every cut bleeds equally. "
+            "They can be found on an organ with a texture or vertex colours. The colour of this one is set in "
+            "the Scene panel under Organ.",
+            {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
         return;
     }
     static const TissueHistogram none;

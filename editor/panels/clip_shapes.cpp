@@ -158,12 +158,14 @@ class Shapes {
     void source_handle() {
         glm::dvec2 place = clip_.source;
         const ui::HandleMoves moves =
-            handle("Source", "Where the smoke starts: this place of the clip is placed at the instrument's tip", place,
+            handle("Source", "Where the smoke starts: this point of the clip is placed at the tool tip", place,
                    ui::Cursor::move);
         knob(ui_.theme().accent, 1.0F);
         ui::Edit edit = edit_place(
             ui_, view_, moves, [](glm::dvec2 p) { return glm::clamp(p, 0.0, 1.0); }, place);
-        if (const glm::dvec2 back(saved().source_x, saved().source_y); moves.reset && back != place)
+        static const SmokeClip standard;
+        const SmokeClip& from = moves.initial ? standard : saved();
+        if (const glm::dvec2 back(from.source_x, from.source_y); (moves.reset || moves.initial) && back != place)
             place = back, edit = ui::Edit::once();
         take(edit, "Source", [&](SmokeClip& c) { c.source_x = place.x, c.source_y = place.y; });
     }
@@ -180,7 +182,7 @@ class Shapes {
         glm::dvec2 place(0.5 * (crop.left + 1 - crop.right), 0.5 * (crop.top + 1 - crop.bottom));
         const auto of = [&](double cut) { return far ? 1 - cut : cut; };
         place[axis] = of(crop.*side);
-        const ui::HandleMoves moves = handle(label, "What lies outside of this edge is left out", place,
+        const ui::HandleMoves moves = handle(label, "Everything outside this edge is left out", place,
                                              axis == 0 ? ui::Cursor::resize_x : ui::Cursor::resize_y);
         knob(ui::canvas_ink(ui_.theme()), 0.6F);
         const double most = std::min(0.9, std::max(most_cut - crop.*other, 0.0));
@@ -194,8 +196,8 @@ class Shapes {
             },
             place);
         double cut = rounded(of(place[axis]));
-        if (moves.reset && saved().crop.*side != crop.*side && saved().crop.*side <= most)
-            cut = saved().crop.*side, edit = ui::Edit::once();
+        const double back = moves.initial ? ClipCrop{}.*side : saved().crop.*side;
+        if ((moves.reset || moves.initial) && back != crop.*side && back <= most) cut = back, edit = ui::Edit::once();
         take(edit, label, [&](SmokeClip& c) { c.crop.*side = cut; });
     }
 

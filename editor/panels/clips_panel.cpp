@@ -37,11 +37,11 @@ std::string file_name(const std::string& file) {
 
 std::string playing_text(const ClipStatus& status) {
     const int share = status.frames > 0 ? 100 * status.resident / status.frames : 0;
-    std::string text = share >= 100 ? "all of it in graphics memory"
-                                    : std::to_string(share) + " % in graphics memory, the rest comes as it plays";
+    std::string text = share >= 100 ? "all frames in graphics memory"
+                                    : std::to_string(share) +
+                                          " % of the frames in graphics memory, the rest is decoded while it plays";
     if (status.misses > 0)
-        text += ", " + std::to_string(status.misses) +
-                (status.misses == 1 ? " frame was shown late" : " frames were shown late");
+        text += ", " + std::to_string(status.misses) + (status.misses == 1 ? " frame came late" : " frames came late");
     if (status.broken > 0) text += ", " + std::to_string(status.broken) + " broken frames";
     return text;
 }
@@ -132,7 +132,7 @@ ClipLook look_of(ui::Ui& ui, app::Editor& editor, std::size_t number) {
     else if (facts.known)
         look.facts = facts.summary;
     else
-        look.facts = facts.job && !facts.job->cancelled() ? "looking through the file" : "not looked through";
+        look.facts = facts.job && !facts.job->cancelled() ? "reading the file" : "not read yet";
     if (const ClipStatus* status = shelf.playing(number))
         look.playing =
             ui.copy(std::string(clip.role == ClipRole::plume ? "plume, " : "haze, ") + playing_text(*status));
@@ -230,12 +230,12 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
     if (outside) {
         const std::string home = shelf.home().string();
         fault_line(ui,
-                   ui.copy(home.empty() ? "This file does not lie beside the preset, which is not saved yet: save it, "
-                                          "and its clips are copied with it."
-                           : can_copy   ? "This file lies outside of the preset's folder, " + home +
+                   ui.copy(home.empty() ? "This file is not next to the preset, which is not saved yet: save the "
+                                          "preset, and its clips are copied with it."
+                           : can_copy   ? "This file is outside the preset's folder, " + home +
                                             ": a simulator would not find it."
-                                      : "This file lies outside of the preset's folder, " + home +
-                                            ", where nothing can be copied to: save the preset in a folder of your "
+                                      : "This file is outside the preset's folder, " + home +
+                                            ", and nothing can be copied there: save the preset in a folder of your "
                                             "own, and its clips are copied with it."),
                    ui::Tone::warning);
     }
@@ -244,7 +244,7 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
     if (!outside && !lost) return;
     const ui::Row row(ui);
     if (outside) ui::command_button(ui, editor.commands, can_copy ? "clip.copy" : "file.save_as");
-    if (lost && ui::button(ui, "Choose file...", {.icon = Icon::folder, .tip = "Another file in its place"}))
+    if (lost && ui::button(ui, "Choose file...", {.icon = Icon::folder, .tip = "Use another file instead"}))
         ask_for_another(editor);
     if (lost && ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) shelf.look_again();
 }
@@ -266,7 +266,7 @@ void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double d
                                            .step = 0.1,
                                            .unit = "s",
                                            .initials = initials,
-                                           .tip = "The part of the clip that is played, and then played again"},
+                                           .tip = "The part of the clip that is played in a loop"},
                                           standards);
     editor.document.take(edit, "In and out", [&](Content& c) {
         SmokeClip& to = c.preset.smoke.clips[number];
@@ -280,7 +280,7 @@ void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
     ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // as the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
     ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
-    if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Another file in the place of this one"}))
+    if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Use another file instead of this one"}))
         ask_for_another(editor);
 }
 
@@ -309,8 +309,8 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
     const ui::Section section(ui, "Keying of this clip", {.open = false});
     if (!section) return;
     bool own = clip.own_keying;
-    const ui::Edit edit = ui::checkbox(ui, "Own keying", own,
-                                       "This clip has thresholds of its own; else those of the preset hold for it");
+    const ui::Edit edit =
+        ui::checkbox(ui, "Own keying", own, "This clip has thresholds of its own; otherwise the preset's are used");
     editor.document.take(edit, "Own keying", [&](Content& c) {
         SmokeClip& to = c.preset.smoke.clips[number];
         if (own) to.keying = c.preset.smoke.keying;  // goes on from what is seen
@@ -318,7 +318,7 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
     });
     ui::command_button(ui, editor.commands, "clip.bench");
     if (!own || !clips_of(editor)[number].own_keying) {
-        ui::label(ui, "The keying of the preset holds.", {.tone = ui::Tone::dim});
+        ui::label(ui, "This clip uses the preset's keying.", {.tone = ui::Tone::dim});
         return;
     }
     const auto in = [number](Content& c) -> void* {
@@ -331,7 +331,7 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
 
 void nothing_yet(ui::Ui& ui) {
     ui::label(ui, "This preset has no smoke clip: cautery makes no smoke.", {.wrap = true, .width = ui::grow()});
-    ui::label(ui, "Drop smoke videos here, or add them by the button above.",
+    ui::label(ui, "Drop smoke videos here, or add them with the button above.",
               {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
 }
 
@@ -401,30 +401,32 @@ void add_clip_commands(app::Editor& editor) {
         [&editor] { ask_for_clips(editor); }, [] { return true; }, "Smoke videos for this preset");
     add(
         "clip.replace", "Replace file...", {}, Icon::folder, [&editor] { ask_for_another(editor); }, any,
-        "Another file for the selected clip");
+        "Use another file for the selected clip");
     add(
         "clip.duplicate", "Duplicate clip", {}, Icon::copy, [&editor] { duplicate_clip(editor); }, any,
-        "The selected clip once more; started elsewhere, it looks like another one");
+        "Adds the selected clip once more; it starts elsewhere in the loop, so the two look different");
     add(
         "clip.remove", "Remove clip", {}, Icon::cross, [&editor] { remove_clip(editor); }, any,
-        "Takes the selected clip out of the preset; its file stays");
+        "Removes the selected clip from the preset; its file stays");
     add(
         "clip.up", "Move clip up", {}, Icon::chevron_up, [&editor] { move_clip(editor, -1); },
-        [&editor, any] { return any() && editor.clip > 0; }, "Clips that come first are kept in GPU memory first");
+        [&editor, any] { return any() && editor.clip > 0; },
+        "The first clips of the list are kept in graphics memory first");
     add(
         "clip.down", "Move clip down", {}, Icon::chevron_down, [&editor] { move_clip(editor, 1); },
         [&editor] { return editor.clip + 1 < clips_of(editor).size(); },
-        "Clips that come first are kept in GPU memory first");
+        "The first clips of the list are kept in graphics memory first");
     add(
-        "clip.copy", "Copy clips beside the preset", {}, Icon::copy, [&editor] { editor.keying().shelf.copy_beside(); },
+        "clip.copy", "Copy clips next to the preset", {}, Icon::copy,
+        [&editor] { editor.keying().shelf.copy_beside(); },
         [&editor] {
             const app::ClipShelf& shelf = editor.keying().shelf;
             return shelf.any_outside() && editor.files().takes_files(shelf.home());
         },
-        "Clips that lie elsewhere are copied into the preset's folder and named there");
+        "Copies clips from elsewhere into the preset's folder, and uses the copies");
     add(
         "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().shown.show("Keying"); }, any,
-        "Source, matte, keyed and composite of the selected clip");
+        "Source, matte, keyed and composite picture of the selected clip");
     add(
         "clip.suggest", "Suggest keying", {ui::key_of('K'), Mods::command}, Icon::star,
         [&editor] { editor.keying().suggest(); },
@@ -434,11 +436,11 @@ void add_clip_commands(app::Editor& editor) {
         "clip.suggest_all", "Suggest keying for all clips", {}, Icon::star,
         [&editor] { editor.keying().suggest(app::KeyingBench::For::all); },
         [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
-        "Thresholds out of the selected clip, for all that have no keying of their own");
+        "Finds thresholds in the selected clip, and uses them for all clips without keying of their own");
     add(
         "clip.source", "Find the smoke's source", {}, Icon::star, [&editor] { editor.keying().find_source(); },
         [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().finding_source(); },
-        "Where in the frame the selected clip's smoke starts: the place that is placed at the instrument's tip");
+        "Where in the frame the selected clip's smoke starts: this point is placed at the tool tip");
     editor.commands.add({.id = "clip.eyedropper",
                          .title = "Eyedropper",
                          .group = "Clip",

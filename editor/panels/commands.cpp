@@ -51,7 +51,7 @@ void add_edit_commands(app::Editor& editor) {
                          .chord = {key_of('Z'), Mods::command},
                          .run = [&editor] { editor.document.undo(); },
                          .enabled = [&editor] { return editor.document.can_undo(); },
-                         .tip = "Takes the last step back; what is being dragged goes back to where it was"});
+                         .tip = "Undoes the last step; during a drag it goes back to where the drag started"});
     editor.commands.add({.id = "edit.redo",
                          .title = "Redo",
                          .group = "Edit",
@@ -59,7 +59,7 @@ void add_edit_commands(app::Editor& editor) {
                          .other = {key_of('Y'), Mods::command},
                          .run = [&editor] { editor.document.redo(); },
                          .enabled = [&editor] { return editor.document.can_redo(); },
-                         .tip = "Does again what was undone last; Ctrl+Y as well"});
+                         .tip = "Redoes what was undone last; Ctrl+Y as well"});
 }
 
 }  // namespace lapfx::panels

@@ -99,27 +99,27 @@ class CurveTools {
         const bool there = !points().empty() && std::abs(points()[nearest_to(points(), now)].time - now) < same_moment;
         ui_.push_disabled(there || points().size() >= table_.list->maximum);
         if (ui::icon_button(ui_, ui::Icon::plus, "Add point",
-                            {.tip = "Adds a point at the time that is shown", .quiet = true}))
+                            {.tip = "Adds a point at the current time", .quiet = true}))
             add(now);
         ui_.pop_disabled();
         ui_.push_disabled(points().empty());
         if (ui::icon_button(
                 ui_, ui::Icon::minus, "Remove point",
-                {.tip = "Removes the point nearest to the time that is shown (Delete: those selected)", .quiet = true}))
+                {.tip = "Removes the point nearest to the current time (Delete: the selected points)", .quiet = true}))
             remove(now);
         if (ui::icon_button(ui_, ui::Icon::copy, "Copy as text",
-                            {.tip = "Copies the points, one a line: time in s and value", .quiet = true}) &&
+                            {.tip = "Copies the points as text, one per line: time in s and value", .quiet = true}) &&
             ui_.clipboard() != nullptr)
             ui_.clipboard()->set(document::curve_text(points()));
         ui_.pop_disabled();
         ui_.push_disabled(ui_.clipboard() == nullptr);
         if (ui::button(ui_, "Paste",
-                       {.tip = "Points from copied text, one a line: time in s and value", .quiet = true}))
+                       {.tip = "Pastes points from text, one per line: time in s and value", .quiet = true}))
             paste();
         ui_.pop_disabled();
         ui_.push_disabled(points().empty());
         if (ui::icon_button(ui_, ui::Icon::reset, "Reset",
-                            {.tip = "No points: the factor is 1 throughout", .quiet = true}))
+                            {.tip = "Removes all points: the factor is 1 all the time", .quiet = true}))
             change("Reset " + std::string(table_.name), {});
         ui_.pop_disabled();
     }
@@ -145,8 +145,9 @@ class CurveTools {
             change("Paste " + std::string(table_.name), document::parse_curve_text(ui_.clipboard()->get(), table_));
         } catch (const Error& error) {
             const Fault& fault = error.faults().front();
-            editor_.toasts.add({.kind = ui::ToastKind::error,
-                                .text = "What was copied is no curve: " + fault.place + ": " + fault.reason});
+            editor_.toasts.add(
+                {.kind = ui::ToastKind::error,
+                 .text = "The clipboard does not contain a curve: " + fault.place + ": " + fault.reason});
         }
     }
 

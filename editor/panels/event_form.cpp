@@ -92,7 +92,7 @@ class EventForm {
     void start() {
         double value = stay_.start;
         const ui::Edit edit =
-            ui::param(ui_, "Begin", value, ui::seconds(options("time", editor_.document.scene().duration)));
+            ui::param(ui_, "Start", value, ui::seconds(options("time", editor_.document.scene().duration)));
         take(edit, "Event time", [&](std::vector<ToolContact>& events) { app::move_stay(events, stay_, value); });
     }
     void length() {
@@ -130,7 +130,7 @@ class EventForm {
     void pieces() {
         if (stay_.events.size() < 2) return;
         char text[48];
-        std::snprintf(text, sizeof text, "A path of %zu pieces", stay_.events.size());
+        std::snprintf(text, sizeof text, "A path of %zu segments", stay_.events.size());
         ui::label(ui_, text, {.tone = ui::Tone::dim});
     }
     ui::ParamOptions place_options(std::string_view key) const {
@@ -177,11 +177,9 @@ void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stay
     const auto found =
         std::find_if(stays.begin(), stays.end(), [&](const auto& stay) { return is_selected(editor, stay); });
     if (found != stays.end()) return EventForm(ui, editor, *found).build(narrow);
-    ui::label(
-        ui,
-        "Take a tool and hold it on the organ: what it does is recorded here. An event that is selected is edited "
-        "here.",
-        {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+    ui::label(ui,
+              "Choose a tool and hold it on the organ: what it does is recorded here. Select an event to edit it here.",
+              {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
 }
 
 }  // namespace lapfx::panels

@@ -78,11 +78,12 @@ void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::stri
 
 void file_rows(ui::Ui& ui, app::Editor& editor) {
     constexpr std::array<std::string_view, 5> tips = {
-        "The preset alone, as a simulator reads it. Clips have to lie in its folder or below; else make a bundle",
-        "A new folder with the preset, its clips, a picture of it and, if wanted, scene and organ",
+        "The preset alone, as a simulator reads it. Its clips must be in the same folder or below; otherwise make a "
+        "bundle",
+        "A new folder with the preset, its clips, a picture and, if wanted, the scene and its organ",
         "One PNG through the scene's camera",
-        "Numbered PNGs: %04d becomes the number, with four digits",
-        "The container follows from the name: .mp4, .mov, .mkv or .avi",
+        "Numbered PNGs: %04d becomes a number with four digits",
+        "The ending of the name decides the format: .mp4, .mov, .mkv or .avi",
     };
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
@@ -92,7 +93,7 @@ void file_rows(ui::Ui& ui, app::Editor& editor) {
     fault_line(ui, exports, "-o");
     if (exports.fault_at("-o").empty() && exports.replaces())
         ui::label(ui,
-                  form.what() == ExportKind::bundle ? "This folder holds a bundle already; it will be replaced"
+                  form.what() == ExportKind::bundle ? "This folder contains a bundle, which will be replaced"
                                                     : "A file of this name exists and will be replaced",
                   {.tone = ui::Tone::warning});
 }
@@ -113,7 +114,7 @@ void size_rows(ui::Ui& ui, Exports& exports) {
     if (form.size == static_cast<int>(names.size()) - 1) {
         ui::ParamOptions side{
             .minimum = 16, .maximum = 4096, .hard_minimum = 1, .hard_maximum = 16384, .step = 2, .unit = "px"};
-        side.tip = "Of the picture, in pixels; even for a video";
+        side.tip = "Of the picture, in pixels; must be even for a video";
         ui::param(ui, "Width", form.width, side);
         ui::param(ui, "Height", form.height, side);
     }
@@ -130,12 +131,12 @@ void time_rows(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
     if (form.what() == ExportKind::picture) {
-        time_param(ui, "Time", form.at, editor.duration(), "Of the scene; to begin with, the one that the view shows");
+        time_param(ui, "Time", form.at, editor.duration(), "Time in the scene; the view's time to start with");
         return fault_line(ui, exports, "--at");
     }
     time_param(ui, "From", form.from, editor.duration(), "Time of the first frame");
     fault_line(ui, exports, "--from");
-    time_param(ui, "To", form.to, editor.duration(), "The end; there is no frame at this time itself");
+    time_param(ui, "To", form.to, editor.duration(), "The end; the last frame is before it");
     fault_line(ui, exports, "--to");
     ui::param(ui, "Frame rate", form.fps,
               {.minimum = 1,
@@ -145,7 +146,7 @@ void time_rows(ui::Ui& ui, app::Editor& editor) {
                .step = 1,
                .unit = "fps",
                .standard = 25,
-               .tip = "Frames of a second of the scene, and of the video"});
+               .tip = "Frames per second, of the scene and of the video"});
     fault_line(ui, exports, "--fps");
 }
 
@@ -153,11 +154,12 @@ void extra_rows(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
     if (editor.looking.overlay != Overlay::none)
-        ui::checkbox(ui, "With the overlay", form.overlay, "The false colour that the view shows over the tissue");
-    ui::checkbox(ui, "Amounts as a table", form.amounts,
-                 "A CSV with blood area and volume, wounds and haze of each frame: what a trainee would be scored by");
+        ui::checkbox(ui, "With the overlay", form.overlay, "With the colours that the view shows over the tissue");
+    ui::checkbox(
+        ui, "Amounts as a table", form.amounts,
+        "A CSV file with blood area and volume, wounds and haze of each frame, by which a trainee could be scored");
     if (!form.amounts) return;
-    path_row(ui, editor, "Table", form.amounts_file, "Where the amounts go (.csv)",
+    path_row(ui, editor, "Table", form.amounts_file, "The file for the amounts (.csv)",
              !exports.fault_at("--amounts").empty());
     fault_line(ui, exports, "--amounts");
 }
@@ -171,9 +173,9 @@ std::string_view summary(ui::Ui& ui, const Exports& exports) {
         case ExportKind::preset:
             return "The preset as it is now, saved or not.";
         case ExportKind::bundle:
-            return form.with_scene
-                       ? "Opens anywhere: preset, clips, scene, organ and tool. The reference video stays here."
-                       : "All that a simulator needs: the preset and its clips.";
+            return form.with_scene ? "Opens on any computer: preset, clips, scene, organ and tool. The reference video "
+                                     "is not copied."
+                                   : "All that a simulator needs: the preset and its clips.";
         case ExportKind::picture:
             std::snprintf(text, sizeof text, "%d x %d pixels through the scene's camera.", form.px().x, form.px().y);
             break;
@@ -184,6 +186,21 @@ std::string_view summary(ui::Ui& ui, const Exports& exports) {
     return ui.copy(text);
 }
 
+/// What a bundle copies from elsewhere, and whether it may.
+void outside_rows(ui::Ui& ui, Exports& exports) {
+    if (exports.outside().empty()) return;
+    const ui::Column column(ui, {.width = ui::grow(), .gap = 0.2F});
+    const std::string home = exports.home().string();
+    ui::label(ui,
+              home.empty() ? std::string("These files are copied into the bundle:")
+                           : "These files are outside the folder " + home + " and are copied into the bundle:",
+              {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+    for (const output::SourceFile& source : exports.outside())
+        ui::label(ui, source.what + ": " + source.file.string(), {.wrap = true, .width = ui::grow()});
+    ui::checkbox(ui, "Copy these files", exports.form.outside_agreed,
+                 "Whoever gets the bundle gets these files. Not checked, nothing is exported");
+}
+
 void form_rows(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
@@ -191,7 +208,8 @@ void form_rows(ui::Ui& ui, app::Editor& editor) {
     file_rows(ui, editor);
     if (form.what() == ExportKind::bundle)
         ui::checkbox(ui, "With scene and organ", form.with_scene,
-                     "So that it can be opened here and elsewhere as it is now; without, it is for a simulator");
+                     "Includes what is needed to open it in the editor as it is now; a simulator does not need it");
+    outside_rows(ui, exports);
     if (form.renders()) {
         size_rows(ui, exports);
         time_rows(ui, editor);
@@ -210,7 +228,7 @@ void copy_command(ui::Ui& ui, app::Editor& editor) {
     try {
         const std::string line = editor.exports().command();
         if (ui.clipboard() != nullptr) ui.clipboard()->set(line);
-        editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the command that makes the same"});
+        editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the command"});
     } catch (const Error& error) {
         editor.tell(error);
     }
@@ -223,7 +241,8 @@ void running_rows(ui::Ui& ui, Exports& exports) {
             ui, ui.join({"Exporting ", exports.name()}), exports.progress(),
             {.seconds_left = exports.seconds_left(), .cancellable = true, .text = ui.copy(exports.progress_text())}))
         exports.cancel();
-    ui::label(ui, "You can keep working meanwhile. A preset can be exported at once, the rest when this is done.",
+    ui::label(ui,
+              "You can keep working meanwhile. A preset can be exported at once, the rest when this export is done.",
               {.tone = ui::Tone::dim, .wrap = true});
     ui::separator(ui);
 }
@@ -232,19 +251,19 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     const std::string_view name = ui::name_of_path(exports.form.file());
     const auto answer =
-        ui::ask(ui, replace_name, "Replace what is there?",
+        ui::ask(ui, replace_name, "Replace it?",
                 ui.join({name, exports.form.what() == ExportKind::sequence
-                                   ? ": pictures of this name are there. Those with the same numbers will be replaced."
-                                   : " is there already and will be replaced once the new one is whole."}),
+                                   ? ": pictures of this name exist. Those with the same numbers will be replaced."
+                                   : " exists and will be replaced once the new one is complete."}),
                 {{.label = "Cancel", .cancel = true}, {.label = "Replace"}}, ui::Tone::warning);
     if (answer == 1U) exports.start();
     if (answer == 0U) ui::open_dialog(ui, dialog_name);
 }
 
 std::string_view why_not(ui::Ui& ui, Exports& exports) {
-    if (!exports.faults().empty()) return ui.join({"Not yet: ", exports.faults().front().reason});
-    if (exports.waits()) return ui.join({"Not yet: ", exports.name(), " is being exported"});
-    return "Writes the file and loads it back to check it";
+    if (!exports.faults().empty()) return ui.join({"Not possible yet: ", exports.faults().front().reason});
+    if (exports.waits()) return ui.join({"Not possible yet: ", exports.name(), " is being exported"});
+    return "Writes the file and reads it back to check it";
 }
 
 }  // namespace
@@ -261,7 +280,7 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
     if (exports.form.renders() &&
         ui::button(
             ui, "Copy lapfx render command",
-            {.icon = ui::Icon::copy, .tip = "The command line that makes the same, for a script", .quiet = true}))
+            {.icon = ui::Icon::copy, .tip = "A command line that makes the same files, for scripts", .quiet = true}))
         copy_command(ui, editor);
     const std::string_view leave = exports.running() ? "Close" : "Cancel";  // what runs goes on
     const auto pressed =
@@ -299,9 +318,9 @@ void add_export_commands(app::Editor& editor) {
             {.id = id, .title = title, .group = "File", .run = [&editor, kind] { open(editor, kind); }, .tip = tip});
     };
     add("export.bundle", "Export preset bundle...", ExportKind::bundle,
-        "A folder with the preset and all that it needs");
-    add("export.picture", "Export picture...", ExportKind::picture, "The frame that is shown, as PNG");
-    add("export.video", "Export video...", ExportKind::video, "The scene, or the range of play, as a video");
+        "A folder with the preset and everything that it needs");
+    add("export.picture", "Export picture...", ExportKind::picture, "The current frame, as PNG");
+    add("export.video", "Export video...", ExportKind::video, "The scene, or the part of it that plays, as a video");
     editor.commands.add({.id = "export.copy_json",
                          .title = "Copy preset as JSON",
                          .group = "File",
@@ -311,7 +330,7 @@ void add_export_commands(app::Editor& editor) {
                                      clipboard->set(write_preset(editor.document.preset()));
                                  editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the preset as JSON"});
                              },
-                         .tip = "For a mail or an editor of text"});
+                         .tip = "For a mail or a text editor"});
 }
 
 }  // namespace lapfx::panels

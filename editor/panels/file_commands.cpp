@@ -28,7 +28,7 @@ void add_file_commands(app::Editor& editor) {
     };
     add(
         "file.new", "New", {key_of('N'), Mods::command},
-        "The sample's organ with the default preset, without tool events.", [](app::Files& f) { f.make_new(); },
+        "The sample organ with the default preset, without tool events.", [](app::Files& f) { f.make_new(); },
         ui::Icon::file);
     add(
         "file.open", "Open...", {key_of('O'), Mods::command}, "A scene, a preset, an organ or smoke videos.",

@@ -15,7 +15,7 @@ using ui::SheetLine;
 constexpr SheetLine in_view[] = {
     {"Use the tool", "hold on organ"},         {"Orbit", "drag"},
     {"Pan", "Shift+drag, middle drag"},        {"Zoom at the pointer", "wheel"},
-    {"Turn about this place", "double click"},
+    {"Turn about this point", "double click"},
 };
 constexpr SheetLine on_numbers[] = {
     {"Change", "drag"},
@@ -23,9 +23,9 @@ constexpr SheetLine on_numbers[] = {
     {"By steps", "Ctrl+drag"},
     {"One step", "Ctrl+wheel"},
     {"Type: 12/2, 0.5 cm", "double click"},
-    {"Standard value", "double click name"},
+    {"Default value", "double click name"},
     {"Menu: copy, lock, range", "right click"},
-    {"Give up a drag", "right press, Esc"},
+    {"Cancel a drag", "right press, Esc"},
 };
 constexpr SheetLine on_pictures[] = {
     {"Zoom at the pointer", "wheel"},
@@ -34,8 +34,8 @@ constexpr SheetLine on_pictures[] = {
 };
 constexpr SheetLine on_times[] = {
     {"Go to a time", "drag ruler"},      {"Zoom", "wheel"},
-    {"Pan", "Shift+wheel, middle drag"}, {"Move, stretch an event", "drag it, its end"},
-    {"One more event", "Shift+click"},   {"Move without snapping", "Ctrl+drag"},
+    {"Pan", "Shift+wheel, middle drag"}, {"Move, stretch an event", "drag it or its end"},
+    {"Add an event", "Shift+click"},     {"Move without snapping", "Ctrl+drag"},
 };
 constexpr SheetLine on_plots[] = {
     {"Pan", "drag"},
@@ -59,7 +59,7 @@ struct Library {
     std::string_view name, use, licence;
 };
 constexpr Library libraries[] = {
-    {"FFmpeg", "videos", "LGPL 2.1 or later, or GPL where it was built so"},
+    {"FFmpeg", "videos", "LGPL 2.1 or later, or GPL if built that way"},
     {"OpenCV", "images", "Apache 2.0"},
     {"tinygltf", "glTF", "MIT"},
     {"meshoptimizer", "packed glTF", "MIT"},
@@ -101,13 +101,13 @@ void about_dialog(ui::Ui& ui, app::Editor& editor) {
         ui::label(ui, "Bleeding and surgical smoke for laparoscopic simulators, and the editor that tunes both.",
                   {.wrap = true, .width = ui::grow()});
         about_line(ui, "OpenGL", ui.copy(graphics));
-        about_line(ui, "After the paper", paper);
+        about_line(ui, "Based on the paper", paper);
         ui::separator(ui);
-        ui::label(ui, "With these libraries, each under its own licence", {.tone = ui::Tone::dim});
+        ui::label(ui, "Libraries, each under its own licence", {.tone = ui::Tone::dim});
         for (const Library& library : libraries)
             about_line(ui, library.name, ui.join({library.licence, "  (", library.use, ")"}));
     }
-    const auto pressed = dialog.buttons({{.label = "Copy", .tip = "Version and OpenGL, for a report"},
+    const auto pressed = dialog.buttons({{.label = "Copy", .tip = "Version and OpenGL, for a bug report"},
                                          {.label = "Close", .standard = true, .cancel = true}});
     if (pressed == 0 && ui.clipboard() != nullptr)
         ui.clipboard()->set("lapfx " + std::string(version) + ", OpenGL: " + graphics);

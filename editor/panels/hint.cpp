@@ -12,20 +12,19 @@ void first_hint(ui::Ui& ui, app::Editor& editor) {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
         ui::label(ui,
                   ui.join({"1  Press Space to ", editor.playing() ? "stop" : "play",
-                           ". Drag any value under Preset: the next frame shows it. Ctrl+Z takes it back."}),
+                           ". Drag any value under Preset: the next frame shows it. Ctrl+Z undoes it."}),
                   {.width = ui::grow()});
-        ui::label(
-            ui,
-            "2  Drop an organ, a smoke clip or a surgery video into the window. Press 1 and work on the organ with "
-            "the cautery.",
-            {.width = ui::grow()});
+        ui::label(ui,
+                  "2  Drop an organ, a smoke clip or a surgery video into the window. Press 1 and burn the organ with "
+                  "the cautery tool.",
+                  {.width = ui::grow()});
         ui::label(
             ui,
             "3  Compare with the video under Reference (Ctrl+3), then export the preset for your simulator (Ctrl+E). "
             "F1 shows all keys.",
             {.width = ui::grow()});
     }
-    if (ui::button(ui, "Got it", {.tip = "Closes these lines; Help > First steps shows them again"}))
+    if (ui::button(ui, "Got it", {.tip = "Hides these lines; Help > First steps shows them again"}))
         editor.settings().hint_seen = true;
 }
 

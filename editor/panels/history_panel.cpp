@@ -66,8 +66,8 @@ void history_panel(ui::Ui& ui, app::Editor& editor) {
         state.table.selection.only(key_of(document.done()));
     }
     constexpr std::array columns = {
-        ui::TableColumn{"Step", 11, ui::Align::start, false, "What was done, the oldest first."},
-        ui::TableColumn{"Change", 18, ui::Align::start, false, "What became of it: the old value and the new one."}};
+        ui::TableColumn{"Step", 11, ui::Align::start, false, "What was done, oldest first."},
+        ui::TableColumn{"Change", 18, ui::Align::start, false, "The old value and the new one."}};
     const ui::RowList::KeyOf key(key_of);
     const auto events = ui::table(
         ui, "Steps", state.table, columns, document.steps().size() + 1,

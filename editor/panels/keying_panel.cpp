@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, app::bench_views> view_names = {"Source",
 constexpr std::array<std::string_view, app::bench_views> captions = {"Source picture", "Matte: the opacity",
                                                                      "Keyed: the smoke alone", "Composite: laid over"};
 constexpr std::array<std::string_view, app::bench_views> view_tips = {
-    "The clip's frame as it is", "The smoke's opacity: white is whole smoke",
+    "The clip's frame as it is", "The smoke's opacity: white is fully smoke",
     "The smoke alone, in its own colour, without what was behind it",
     "The smoke over the background that is chosen above, in the preset's colour, at density 1 and without noise"};
 
@@ -60,7 +60,7 @@ void clip_choice(ui::Ui& ui, app::Editor& editor, ui::Size width) {
         names[i] = ui.copy(std::to_string(i + 1) + "  " + std::filesystem::path(clips[i].file).filename().string());
     int chosen = static_cast<int>(editor.clip);
     if (ui::combo(ui, "Clip", chosen, {names.data(), count},
-                  {.tip = "The clip that is looked at; also chosen in the list of clips", .width = width}))
+                  {.tip = "The clip that is shown; it can also be chosen in the list of clips", .width = width}))
         editor.clip = static_cast<std::size_t>(std::max(chosen, 0));
 }
 
@@ -87,7 +87,8 @@ void view_choice(ui::Ui& ui, KeyingBench& bench, float ems, bool list) {
 }
 
 void fit_button(ui::Ui& ui, KeyingBench& bench) {
-    if (ui::button(ui, "Fit", {.tip = "All of the picture; 0 does the same, 1 shows it pixel by pixel", .quiet = true}))
+    if (ui::button(ui, "Fit",
+                   {.tip = "Shows the whole picture; 0 does the same, 1 shows it pixel by pixel", .quiet = true}))
         bench.look.state = {};
 }
 
@@ -196,7 +197,7 @@ void clip_time(ui::Ui& ui, app::Editor& editor) {
                                          .step = 0.04,
                                          .unit = "s",
                                          .decimals = 2,
-                                         .tip = "Where in the clip the bench stands",
+                                         .tip = "The frame of the clip that is shown here",
                                          .width = ui::px(ui.em(clip_time_width))})
                            .changed;
     if (moved) bench.look.time = time, bench.look.follow = false;
@@ -207,7 +208,7 @@ void scrub(ui::Ui& ui, app::Editor& editor, float room) {
     KeyingBench& bench = bench_of(editor);
     const std::string_view place =
         ui.copy("frame " + std::to_string(bench.frame() + 1) + " of " + std::to_string(bench.frames()) +
-                (bench.broken() ? ": cannot be decoded, the one before is shown" : ""));
+                (bench.broken() ? ": cannot be decoded, the frame before is shown" : ""));
     const std::array<ui::ToolItem, 5> items = {{{.width = ui.row_height()},
                                                 {.width = ui.row_height()},
                                                 {.width = ui.em(clip_time_width)},
@@ -221,10 +222,9 @@ void scrub(ui::Ui& ui, app::Editor& editor, float room) {
         if (item == 3)
             ui::label(ui, place, {.tone = bench.broken() ? ui::Tone::warning : ui::Tone::dim, .number = true});
         if (item == 4)
-            ui::toggle(
-                ui, "Follow", bench.look.follow,
-                {.tip = "The bench follows the timeline, from the clip's in point on. In the preview a clip with "
-                        "a seeded start may begin elsewhere"});
+            ui::toggle(ui, "Follow", bench.look.follow,
+                       {.tip = "Shows the frame of the timeline, counted from the clip's in point. In the preview a "
+                               "clip with a random start may be elsewhere"});
     });
 }
 
@@ -237,18 +237,20 @@ void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
     const KeyingParameters& keying = bench.keying();
     const bool dark = bench.clip()->polarity == ClipPolarity::dark, alpha = has_alpha(editor);
     ui::Levels levels{.low = keying.luma_low, .high = keying.luma_high};
-    const KeyingParameters& standard = saved_keying(editor, number);
+    const KeyingParameters& saved = saved_keying(editor, number);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
-    ui::label(ui, dark ? "Darkness (255 - luma) in this frame" : "Luma in this frame",
+    ui::label(ui, dark ? "Darkness of this frame (255 - luma)" : "Brightness (luma) of this frame",
               {.tone = ui::Tone::dim, .size = 0.86F});
     ui.push_seed("scope");
-    const ui::HistogramResult result = ui::histogram(
-        ui, "Luma", {.bins = bench.histogram()}, alpha ? nullptr : &levels,
-        {.reset = {.low = standard.luma_low, .high = standard.luma_high},
-         .log_counts = &bench.look.log_counts,
-         .unit = "of 255",
-         .tip = "How often each value occurs in this frame. Below low is background, above high is whole smoke",
-         .height = height});
+    const ui::HistogramResult result =
+        ui::histogram(ui, "Luma", {.bins = bench.histogram()}, alpha ? nullptr : &levels,
+                      {.reset = {.low = saved.luma_low, .high = saved.luma_high},
+                       .initial = ui::Levels{.low = KeyingParameters{}.luma_low, .high = KeyingParameters{}.luma_high},
+                       .log_counts = &bench.look.log_counts,
+                       .unit = "levels",
+                       .tip = "How often each brightness occurs in this frame. Below "
+                              "Luma low is background, above Luma high is fully smoke",
+                       .height = height});
     ui.pop_seed();
     editor.document.take(result.low, "Luma low",
                          [&](Content& c) { KeyingBench::keying_of(c, number).luma_low = levels.low; });
@@ -264,14 +266,15 @@ void chroma_scope(ui::Ui& ui, app::Editor& editor) {
                            .chroma_low = keying.chroma_low,
                            .chroma_high = keying.chroma_high,
                            .reset_low = saved_keying(editor, number).chroma_low,
-                           .reset_high = saved_keying(editor, number).chroma_high};
-    const ui::VectorscopeResult result = ui::vectorscope(
-        ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
-        {.tip = circles.chroma_high > 0
-                    ? "Colours of this frame. Inside of the inner circle is background, outside of the "
-                      "outer one is whole smoke"
-                    : "Colours of this frame. They are not used while Chroma high is 0: smoke is told by "
-                      "its luma alone"});
+                           .reset_high = saved_keying(editor, number).chroma_high,
+                           .initial_low = KeyingParameters{}.chroma_low,
+                           .initial_high = KeyingParameters{}.chroma_high};
+    const ui::VectorscopeResult result =
+        ui::vectorscope(ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
+                        {.tip = circles.chroma_high > 0 ? "Colours of this frame. Inside the inner circle is "
+                                                          "background, outside the outer circle is fully smoke"
+                                                        : "Colours of this frame. They are not used while Chroma high "
+                                                          "is 0: only brightness (luma) decides what is smoke"});
     editor.document.take(result.low, "Chroma low", [&](Content& c) {
         KeyingBench::keying_of(c, number).chroma_low = std::clamp(circles.chroma_low, 0.0, 180.0);
     });
@@ -291,8 +294,9 @@ void scope(ui::Ui& ui, app::Editor& editor) {
     }
     ui.push_seed("scope");
     if (bench.look.waveform)
-        ui::waveform(ui, "Luma waveform", bench.waves(),
-                     {.tip = "How bright the frame is: its columns from left to right, black below, white above"});
+        ui::waveform(
+            ui, "Luma waveform", bench.waves(),
+            {.tip = "Brightness of the frame: its columns from left to right, black at the bottom, white at the top"});
     else
         chroma_scope(ui, editor);
     ui.pop_seed();
@@ -336,7 +340,7 @@ void suggested_changes(ui::Ui& ui, app::Editor& editor, bool unsure) {
     if (changes.empty()) return;
     const std::string_view undo = chord_of(editor, "edit.undo");
     ui::label(ui,
-              bench.suggestion_undoes() ? ui.join({changes, ". ", undo.empty() ? "Undo" : undo, " takes it back."})
+              bench.suggestion_undoes() ? ui.join({changes, ". ", undo.empty() ? "Undo" : undo, " undoes it."})
                                         : ui.join({changes, "."}),
               {.tone = unsure ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
 }
@@ -358,12 +362,12 @@ void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.2F});
         suggested_changes(ui, editor, unsure);
         ui::label(ui,
-                  ui.join({unsure ? "Only " : "", percent, " % sure", unsure ? ", look before you trust it" : "", ": ",
-                           found.reason}),
+                  ui.join({unsure ? "Only " : "", percent, " % sure", unsure ? ", check it before you use it" : "",
+                           ": ", found.reason}),
                   {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
     if (editor.document.preset().smoke.clips.size() > 1 && bench.clip()->own_keying && !found.alpha &&
-        ui::button(ui, "Use for all", {.tip = "These thresholds for all clips that have no keying of their own"}))
+        ui::button(ui, "Use for all", {.tip = "Uses these thresholds for all clips without keying of their own"}))
         return bench.suggest_for_all();
     if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) bench.forget_suggestion();
 }
@@ -379,7 +383,7 @@ void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
     pick_color(ui, editor);
     const bool alpha = has_alpha(editor);
     if (alpha)
-        ui::label(ui, "This clip brings its own opacity, which takes the place of thresholds.",
+        ui::label(ui, "This clip has its own opacity, which is used instead of thresholds.",
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
     static const KeyingParameters standard;
     static const SmokeClip standard_clip;
@@ -434,7 +438,7 @@ void nothing_to_show(ui::Ui& ui, app::Editor& editor) {
     const app::ClipFacts& facts = bench.shelf.of(editor.clip);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .padding = 1});
     if (bench.clip() == nullptr) {
-        ui::label(ui, "No smoke clip to key. Add a video of smoke in front of a plain background.",
+        ui::label(ui, "There is no smoke clip to key. Add a video of smoke in front of a plain background.",
                   {.wrap = true, .width = ui::grow()});
         const ui::Row row(ui);
         ui::command_button(ui, editor.commands, "clip.add");

@@ -47,8 +47,10 @@ class OrganDialog {
         unit();
         size();
         if (choice_.replaces() && !editor_.document.scene().events.empty())
-            ui::label(ui_, "The events on the timeline belong to the former organ and go. Undo brings both back.",
-                      {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
+            ui::label(
+                ui_,
+                "The events on the timeline belong to the previous organ and will be removed. Undo brings both back.",
+                {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
         ui::separator(ui_);
         orientation();
         warnings();
@@ -59,7 +61,7 @@ class OrganDialog {
         const int found = app::unit_of(choice_.scale());
         const bool other = found < 0 || choice_.other_unit;
         int chosen = other ? 4 : found;
-        ui::label(ui_, "One unit of the file is");
+        ui::label(ui_, "One unit in the file is");
         const ui::Row row(ui_, {.width = ui::grow()});
         if (ui::segmented(ui_, "Unit", chosen, unit_names)) {
             choice_.other_unit = chosen == 4;
@@ -87,7 +89,7 @@ class OrganDialog {
             return all;
         }();
         if (ui::combo(ui_, "Up in the file", up, names,
-                      {.tip = "Which axis of the file points up; y is up in the scene",
+                      {.tip = "The axis that points up in the file; y is up in the scene",
                        .placeholder = "turned freely",
                        .caption = true}) &&
             up >= 0)
@@ -100,7 +102,7 @@ class OrganDialog {
                               .hard_maximum = 360,
                               .step = 1,
                               .unit = "deg",
-                              .tip = "About the x, then the y, then the z axis"}))
+                              .tip = "Turns about the x, then the y, then the z axis"}))
             choice_.set_rotation({turned[0], turned[1], turned[2]});
     }
 
@@ -118,7 +120,7 @@ class OrganDialog {
         if (!likely) {
             ui::label(
                 ui_,
-                text_of(ui_, "No organ is so large or small: %.0f to %.0f mm are possible. Set the length of a unit.",
+                text_of(ui_, "No organ is this large or small: %.0f to %.0f mm are usual. Set the length of a unit.",
                         shortest_organ, longest_organ),
                 {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
             return;
@@ -128,7 +130,7 @@ class OrganDialog {
                   {.tone = ui::Tone::warning, .width = ui::grow()});
         if (ui::button(
                 ui_, ui_.join({"Use ", unit}),
-                {.tip = text_of(ui_, "Its longest side is %.4g mm then", longest / choice_.scale() * *likely)})) {
+                {.tip = text_of(ui_, "Its longest side will then be %.4g mm", longest / choice_.scale() * *likely)})) {
             choice_.set_scale(*likely);
             choice_.other_unit = false;
         }
@@ -165,7 +167,7 @@ void organ_dialog(ui::Ui& ui, app::Editor& editor) {
     const bool again = !choice.faults().empty();
     const auto answer =
         dialog.buttons({{.label = "Cancel", .cancel = true},
-                        {.label = "Choose another...", .tip = "Another file"},
+                        {.label = "Choose another...", .tip = "Choose another file"},
                         {.label = "Load", .standard = !again && choice.possible(), .enabled = choice.ready()}});
     if (answer == 0U || answer == 1U) choice.give_up();
     if (answer == 1U) editor.commands.run("file.load_organ");

@@ -40,8 +40,8 @@ void copy_group(app::Editor& editor, const ParameterGroup* group) {
     ui::Clipboard* const clipboard = editor.ui().clipboard();
     if (clipboard == nullptr) return;
     clipboard->set(editor.tuning().copy(group));
-    editor.toasts.add({.text = group == nullptr ? "The whole preset is copied, as JSON"
-                                                : group->name + " is copied, as JSON: paste it into another preset"});
+    editor.toasts.add({.text = group == nullptr ? "Copied the whole preset as JSON"
+                                                : group->name + " was copied as JSON: paste it into another preset"});
 }
 
 void paste_group(app::Editor& editor, const ParameterGroup* group) {
@@ -61,21 +61,21 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui
                       {.tip = "From JSON in the clipboard", .enabled = clipboard}))
         paste_group(editor, group);
     if (ui::menu_item(ui, group == nullptr ? "Reset all" : "Reset group",
-                      {.icon = Icon::reset, .tip = "Back to the values of the file", .enabled = changed > 0}))
+                      {.icon = Icon::reset, .tip = "Back to the saved values", .enabled = changed > 0}))
         tuning.reset(group);
     ui::menu_separator(ui);
     const std::string percent = std::to_string(std::lround(100 * tuning.strength));
     if (ui::menu_item(ui, ui.join({"Randomise by ", percent, " %###Randomise"}),
                       {.icon = Icon::dice, .tip = "Changes everything that is not locked, in one undo step"}))
         randomise(editor, group);
-    if (ui::menu_item(ui, "Strength and seed...", {.tip = "How far randomising goes from the values as they are"}))
+    if (ui::menu_item(ui, "Strength and seed...", {.tip = "How far randomising goes from the current values"}))
         open_randomise_box(ui, group, box_at);
     ui::menu_separator(ui);
     bool locked = true;
     for (const ParameterGroup& one : app::parameters().groups())
         if (group == nullptr || &one == group) locked &= tuning.all_locked(one);
     if (!ui::menu_item(ui, locked ? "Unlock all" : "Lock all",
-                       {.icon = locked ? Icon::unlock : Icon::lock, .tip = "Randomising and the fit leave it alone"}))
+                       {.icon = locked ? Icon::unlock : Icon::lock, .tip = "Randomising leaves it unchanged"}))
         return;
     for (const ParameterGroup& one : app::parameters().groups())
         if (group == nullptr || &one == group) tuning.lock(one, !locked);
@@ -93,9 +93,9 @@ void tool_row(ui::Ui& ui, app::Editor& editor) {
                      {.placeholder = "Find a parameter",
                       .tip = find_keys.empty() ? found_by : ui.join({found_by, " (", find_keys, ")"})});
     ui::toggle(ui, "Changed only", tuning.changed_only,
-               {.icon = Icon::dot, .tip = "Only what differs from the file", .quiet = true});
+               {.icon = Icon::dot, .tip = "Only what differs from the saved preset", .quiet = true});
     const ui::Id dice = ui.id_of("Randomise");
-    constexpr std::string_view asks = "Randomise what is not locked: asks how far";
+    constexpr std::string_view asks = "Randomises what is not locked; asks how far";
     const std::string_view keys = chord_of(editor, "preset.randomise");
     if (ui::icon_button(ui, Icon::dice, "Randomise",
                         {.tip = keys.empty() ? asks : ui.join({asks, ". ", keys, " does it at once"}), .quiet = true}))
@@ -122,7 +122,7 @@ class Sections {
             put_group(group);
         }
         if (shown_ == 0 && (searching() || tuning_.changed_only))
-            ui::label(ui_, searching() ? "No parameter has this name" : "Nothing differs from the file",
+            ui::label(ui_, searching() ? "No parameter has this name" : "Nothing differs from the saved preset",
                       {.tone = ui::Tone::dim});
     }
 
@@ -160,7 +160,7 @@ class Sections {
         bool any = false;
         for (const std::size_t index : tuning_.favourites()) any |= shows(low_of(index));
         if (!any) return;
-        const ui::Section section(ui_, "Favourites", {.tip = "Marked in the menu of a parameter"});
+        const ui::Section section(ui_, "Favourites", {.tip = "Parameters marked as favourites in their menu"});
         if (!section) return;
         for (std::size_t i = 0; i < tuning_.favourites().size(); ++i) {  // a row's menu may take it out of the list
             const std::size_t index = tuning_.favourites()[i];
@@ -260,7 +260,7 @@ void add_preset_commands(app::Editor& editor) {
                          .group = "Preset",
                          .run = [&tuning] { tuning.changed_only = !tuning.changed_only; },
                          .checked = [&tuning] { return tuning.changed_only; },
-                         .tip = "Only what differs from the file"});
+                         .tip = "Only what differs from the saved preset"});
     editor.commands.add({.id = "preset.copy_group",
                          .title = "Copy group",
                          .group = "Preset",
@@ -274,14 +274,14 @@ void add_preset_commands(app::Editor& editor) {
                          .group = "Preset",
                          .chord = {key_of('V'), Mods::command | Mods::alt},
                          .run = [&editor] { paste_group(editor, nullptr); },
-                         .tip = "Groups or a whole preset, from JSON in the clipboard"});
+                         .tip = "Pastes groups or a whole preset from JSON in the clipboard"});
     editor.commands.add({.id = "preset.randomise",
                          .title = "Randomise",
                          .group = "Preset",
                          .chord = {key_of('R'), Mods::command},
                          .icon = Icon::dice,
                          .run = [&editor] { randomise(editor, nullptr); },
-                         .tip = "All parameters that are not locked"});
+                         .tip = "Changes all parameters that are not locked"});
     editor.commands.add({.id = "preset.lock",
                          .title = "Lock parameter",
                          .group = "Preset",
@@ -289,7 +289,7 @@ void add_preset_commands(app::Editor& editor) {
                          .run = [&tuning] { tuning.lock(tuning.current, !tuning.locked(tuning.current)); },
                          .enabled = with_row,
                          .checked = [&tuning, with_row] { return with_row() && tuning.locked(tuning.current); },
-                         .tip = "Randomising and the fit leave it alone"});
+                         .tip = "Randomising leaves it unchanged"});
     editor.commands.add({.id = "preset.favourite",
                          .title = "Favourite parameter",
                          .group = "Preset",
@@ -297,14 +297,14 @@ void add_preset_commands(app::Editor& editor) {
                          .run = [&tuning] { tuning.mark_favourite(tuning.current, !tuning.favourite(tuning.current)); },
                          .enabled = with_row,
                          .checked = [&tuning, with_row] { return with_row() && tuning.favourite(tuning.current); },
-                         .tip = "Listed first in the Preset panel"});
+                         .tip = "Lists it first in the Preset panel"});
     editor.commands.add({.id = "preset.reset",
                          .title = "Reset preset",
                          .group = "Preset",
                          .icon = Icon::reset,
                          .run = [&tuning] { tuning.reset(nullptr); },
                          .enabled = [&tuning] { return tuning.changed_in_all() > 0; },
-                         .tip = "All parameters back to the values of the file"});
+                         .tip = "Sets all parameters back to the saved values"});
 }
 
 }  // namespace lapfx::panels

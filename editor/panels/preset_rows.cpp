@@ -142,7 +142,7 @@ class RowBuilder {
         if (ui::menu_item(ui_, "Paste", {.enabled = clipboard != nullptr})) tuning_.paste(clipboard->get(), index_);
         ui::menu_separator(ui_);
         if (ui::menu_item(ui_, "Copy path", {.enabled = clipboard != nullptr})) clipboard->set(entry_.key);
-        if (ui::menu_item(ui_, "Lock for the fit", {.icon = ui::Icon::lock, .checked = locked})) {
+        if (ui::menu_item(ui_, "Lock", {.icon = ui::Icon::lock, .checked = locked})) {
             tuning_.lock(index_, !locked);
             if (range()) tuning_.lock(entry_.high, !locked);
         }

@@ -54,10 +54,10 @@ void question(ui::Ui& ui, app::Editor& editor, Browsing& b) {
     const std::string& name = editor.browser().files()[file].name;
     const auto answer =
         ui::ask(ui, open_question, "Open preset",
-                ui.join({"The preset that is open has changes that are not saved. \"", name,
-                         "\" can be opened in its place, or give it its values, which Undo takes back."}),
-                {{.label = "Cancel", .cancel = true, .tip = "All stays as it is"},
-                 {.label = "Open, discard changes", .tip = "What is not saved is gone"},
+                ui.join({"The preset that is open has unsaved changes. \"", name,
+                         "\" can replace it, or only pass its values on to it, which Undo takes back."}),
+                {{.label = "Cancel", .cancel = true, .tip = "Nothing changes"},
+                 {.label = "Open, discard changes", .tip = "Unsaved changes are lost"},
                  {.label = "Take its values", .standard = true, .tip = "One undo step; name and file stay"}},
                 ui::Tone::warning);
     if (!answer) return;
@@ -84,7 +84,7 @@ void view_items(ui::Ui& ui, app::Editor& editor) {
     if (ui::menu_item(ui, "Add folder...", {.icon = Icon::folder})) ask_folder(editor);
     const std::vector<std::string>& folders = editor.settings().preset_folders;
     for (std::size_t i = 0; i < folders.size(); ++i) {
-        if (!ui::menu_item(ui, ui.join({"Leave out ", folders[i]}), {.tip = "Its files stay where they are"})) continue;
+        if (!ui::menu_item(ui, ui.join({"Remove ", folders[i]}), {.tip = "Its files stay where they are"})) continue;
         browser.remove_folder(folders[i]);
         break;
     }
@@ -140,8 +140,9 @@ void item_items(ui::Ui& ui, app::Editor& editor, Browsing& b, std::size_t index)
     const PresetFile& file = browser.files()[index];
     const bool usable = file.fault.empty(), starred = browser.starred(index);
     if (ui::menu_item(ui, "Open", {.shortcut = "Enter", .enabled = usable})) open(ui, editor, b, index);
-    if (ui::menu_item(ui, "Take its values",
-                      {.tip = "Takes over its values, in one undo step; name and file stay", .enabled = usable}))
+    if (ui::menu_item(
+            ui, "Take its values",
+            {.tip = "Uses its values in the open preset, in one undo step; name and file stay", .enabled = usable}))
         browser.take_values(index);
     ui::menu_separator(ui);
     if (ui::menu_item(ui, "Star", {.icon = Icon::star, .checked = starred})) browser.star(index, !starred);
@@ -192,7 +193,7 @@ void presets_panel(ui::Ui& ui, app::Editor& editor) {
     tool_row(ui, editor);
     grid(ui, editor, b);
     if (browser.found().empty() && !browser.busy())
-        ui::label(ui, browser.files().empty() ? "There is no preset in these folders" : "No preset is like that",
+        ui::label(ui, browser.files().empty() ? "There is no preset in these folders" : "No preset matches",
                   {.tone = ui::Tone::dim});
     if (b.menu_of != ui::no_key) {
         const std::size_t file = file_of(browser, b.menu_of);

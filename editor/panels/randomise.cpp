@@ -40,8 +40,9 @@ void take_back(app::Editor& editor, std::uint64_t step) {
     const bool done = std::any_of(d.steps().begin(), d.steps().begin() + static_cast<std::ptrdiff_t>(d.done()),
                                   [&](const document::Step& s) { return s.id == step; });
     editor.toasts.add({.kind = ui::ToastKind::warning,
-                       .text = done ? "Not undone: other changes came after it. The History panel goes back to it"
-                                    : "It is undone already"});
+                       .text = done
+                                   ? "Not undone: other changes were made after it. The History panel can go back to it"
+                                   : "It has been undone already"});
 }
 
 }  // namespace
@@ -50,7 +51,7 @@ void randomise(app::Editor& editor, const app::ParameterGroup* group) {
     const Preset before = editor.document.preset();
     const std::uint64_t seed = editor.tuning().seed;
     if (editor.tuning().randomise(group) == 0) {
-        editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: all of it is locked"});
+        editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: everything is locked"});
         return;
     }
     const std::uint64_t step = editor.document.steps()[editor.document.done() - 1].id;
@@ -77,8 +78,8 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
     strength.hard_minimum = 1, strength.hard_maximum = 100;
     strength.standard = 100 * app::Tuning::standard_strength;
     strength.tip =
-        "How far each value may go from what it is now, of its range (the one set in its menu, else the whole). "
-        "At 100 % choices and switches change, too";
+        "How far each value may move from its current value, as a part of its range (the range set in its menu, or the "
+        "full one). At 100 % choices and switches change, too";
     ui::param(ui, "Strength", tuning.strength, strength);
     auto seed = static_cast<double>(tuning.seed);
     const ui::ParamOptions seeds{
@@ -87,15 +88,16 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
         .hard_minimum = 1,
         .hard_maximum = most_seed,
         .step = 1,
-        .tip = "The same seed, values and strength give the same result; it counts on with each",
+        .tip = "The same seed, values and strength give the same result; the seed rises by one each time",
         .integer = true};
     if (ui::param(ui, "Seed", seed, seeds).changed) tuning.seed = static_cast<std::uint64_t>(seed);
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
-    ui::label(ui, "What is not locked", {.tone = ui::Tone::dim, .width = ui::grow()});
+    ui::label(ui, "Everything that is not locked", {.tone = ui::Tone::dim, .width = ui::grow()});
     const app::ParameterGroup* const group = asked_for(ui);
     const std::string_view whose = group == nullptr ? std::string_view("all") : group->name;
-    if (ui::button(ui, ui.join({"Randomise ", whose}),
-                   {.icon = ui::Icon::dice, .tip = "In one undo step; the box stays for another try", .primary = true}))
+    if (ui::button(
+            ui, ui.join({"Randomise ", whose}),
+            {.icon = ui::Icon::dice, .tip = "In one undo step; the box stays open for another try", .primary = true}))
         randomise(editor, group);
     ui.close_overlay_node();
 }

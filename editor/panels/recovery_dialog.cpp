@@ -69,17 +69,16 @@ void recovery_dialog(ui::Ui& ui, app::Editor& editor) {
     }
     ui::label(
         ui,
-        "An editor ended before this was saved. What you recover is kept until you have saved it; what you do not "
-        "choose is offered again.",
+        "An editor ended before this was saved. What you recover is kept until you save it; the rest is offered again.",
         {.wrap = true, .width = ui::grow()});
     bool opened = false;
     const std::size_t row = offers_table(ui, autosave, state, opened);
     for (const std::string& note : autosave.offers()[row].notes)
         ui::label(ui, note, {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
     const auto chosen = dialog.buttons(
-        {{.label = "Discard", .tip = "Removes the selected one from the disk, for good."},
-         {.label = "Keep for later", .cancel = true, .tip = "Nothing changes; it is asked again at the next start."},
-         {.label = "Recover", .standard = true, .tip = "The selected one becomes what is edited here."}},
+        {{.label = "Discard", .tip = "Deletes the selected one from the disk, for good."},
+         {.label = "Keep for later", .cancel = true, .tip = "Nothing changes; you are asked again at the next start."},
+         {.label = "Recover", .standard = true, .tip = "Opens the selected one here."}},
         true);
     if (opened || chosen == 2U) {
         dialog.close();

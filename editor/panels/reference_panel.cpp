@@ -27,7 +27,7 @@ using app::Reference;
 
 constexpr float low_panel = 14, least_pictures = 5;                                                      // em of height
 constexpr float ways_width = 27, list_width = 8, number_width = 9, aspect_width = 7, offset_width = 10;  // em
-constexpr std::array<std::string_view, 5> ways = {"Reference", "Beside", "Wipe", "Difference", "Onion"};
+constexpr std::array<std::string_view, 5> ways = {"Reference", "Side by side", "Wipe", "Difference", "Onion"};
 
 void choose_next_way(Reference& reference) {
     reference.way = static_cast<CompareWay>((static_cast<std::size_t>(reference.way) + 1) % ways.size());
@@ -78,22 +78,23 @@ void invite(ui::Ui& ui, app::Editor& editor) {
     ui::label(ui, "The video to match", {.size = 1.25F, .weight = ui::Weight::bold});
     ui::space(ui, 0.2F);
     ui::label(ui, "Drop a surgery video or numbered images here, or open them.", {.tone = ui::Tone::dim});
-    ui::label(ui, "It plays by the timeline; its offset aligns it with the scene.", {.tone = ui::Tone::dim});
-    ui::label(ui, "M goes through the ways of comparing it with the preview.", {.tone = ui::Tone::dim});
+    ui::label(ui, "It follows the timeline; its offset aligns it with the scene.", {.tone = ui::Tone::dim});
+    ui::label(ui, "M changes how it is compared with the preview.", {.tone = ui::Tone::dim});
     ui::space(ui, 0.4F);
     const ui::Row buttons(ui);
-    if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "A video or images from a file", .primary = true}))
+    if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "Opens a video or images", .primary = true}))
         ask_for_video(editor);
     if (ui::button(ui, "Sample reference",
-                   {.tip = "A video of lapfx's own, of another operation than the sample scene's"}))
+                   {.tip = "A video that comes with lapfx, of another operation than the sample scene's"}))
         editor.reference().choose_sample();
 }
 
 void ways_out(ui::Ui& ui, app::Editor& editor) {
     const ui::Row buttons(ui);
-    if (ui::button(ui, "Choose another file...", {.icon = ui::Icon::folder, .tip = "Another video as the reference"}))
+    if (ui::button(ui, "Choose another file...",
+                   {.icon = ui::Icon::folder, .tip = "Use another video as the reference"}))
         ask_for_video(editor);
-    if (ui::button(ui, "Remove", {.tip = "The scene has no reference then", .quiet = true}))
+    if (ui::button(ui, "Remove", {.tip = "The scene then has no reference", .quiet = true}))
         editor.reference().remove();
 }
 
@@ -112,9 +113,10 @@ void warn_of_refused(ui::Ui& ui, app::Editor& editor) {
     if (reference.refused().empty()) return;
     ui::label(ui, reference.refused().front().text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     const ui::Row buttons(ui);
-    if (ui::button(ui, "Choose another file...", {.icon = ui::Icon::folder, .tip = "Another video as the reference"}))
+    if (ui::button(ui, "Choose another file...",
+                   {.icon = ui::Icon::folder, .tip = "Use another video as the reference"}))
         ask_for_video(editor);
-    if (ui::button(ui, "Keep this reference", {.tip = "The one that is shown stays", .quiet = true}))
+    if (ui::button(ui, "Keep this reference", {.tip = "Keeps the one that is shown", .quiet = true}))
         reference.forget_refused();
 }
 
@@ -147,7 +149,7 @@ void aspect_choice(ui::Ui& ui, app::Editor& editor) {
     const std::size_t count = chosen < 0 ? names.size() : aspects.size();
     if (chosen < 0) chosen = static_cast<int>(aspects.size());
     const ui::Edit edit = ui::combo(ui, "Aspect", chosen, std::span(names).first(count),
-                                    {.tip = "Width over height that the reference is shown with: for a video that is "
+                                    {.tip = "Width over height at which the reference is shown, for a video that is "
                                             "stored squeezed, as 4:3 in 256 x 256",
                                      .width = ui::px(ui.em(aspect_width))});
     if (static_cast<std::size_t>(chosen) >= aspects.size()) return;
@@ -179,7 +181,7 @@ void gain_field(ui::Ui& ui, Reference& reference) {
                       .hard_maximum = 100,
                       .scale = ui::ValueScale::logarithmic,
                       .standard = 4.0,
-                      .tip = "Factor on what differs, so that small differences are seen",
+                      .tip = "Multiplies the difference, so that small differences become visible",
                       .width = ui::px(ui.em(number_width))});
 }
 
@@ -210,9 +212,10 @@ void way_of_comparing(ui::Ui& ui, app::Editor& editor, float room) {
         if (item == number && gain) gain_field(ui, reference);
         if (item == number && mix) mix_field(ui, reference);
         if (item == swap)
-            ui::toggle(ui, "Swap", reference.compare.swapped,
-                       {.tip = "The reference first, the preview second (X over the picture). F held over it shows the "
-                               "second alone"});
+            ui::toggle(
+                ui, "Swap", reference.compare.swapped,
+                {.tip =
+                     "Swaps reference and preview (X over the picture). Hold F over it to see the second one alone"});
         if (item == aspect) aspect_choice(ui, editor);
         if (item == title) {
             ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(items[title].width)});
@@ -231,7 +234,7 @@ void frame_field(ui::Ui& ui, Reference& reference) {
                           .hard_minimum = 0,
                           .hard_maximum = static_cast<double>(last),
                           .step = 1,
-                          .tip = "Frame of the reference. Changed, it is held there, whatever the timeline does",
+                          .tip = "Frame of the reference. A frame set here is held, whatever the timeline does",
                           .integer = true,
                           .width = ui::px(ui.em(number_width))}))
         reference.hold(static_cast<int>(frame));
@@ -256,15 +259,16 @@ void offset_field(ui::Ui& ui, app::Editor& editor) {
 
 void hold_toggle(ui::Ui& ui, Reference& reference) {
     bool held = reference.held();
-    if (ui::toggle(ui, "Hold", held, {.icon = ui::Icon::lock, .tip = "Stay at this frame while the timeline goes on"}))
+    if (ui::toggle(ui, "Hold", held,
+                   {.icon = ui::Icon::lock, .tip = "Stays at this frame while the timeline moves on"}))
         held ? reference.hold(reference.frame()) : reference.let_go();
 }
 
 void align_button(ui::Ui& ui, Reference& reference) {
     ui.push_disabled(!reference.held());
     if (ui::button(ui, "Align start here",
-                   {.tip = "Hold a frame of the reference first. It then belongs to the scene's time as it is now: "
-                           "sets the offset"}))
+                   {.tip = "Hold a frame of the reference first. It then belongs to the current time of the scene: "
+                           "this sets the offset"}))
         reference.align();
     ui.pop_disabled();
 }
@@ -279,7 +283,7 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
     std::snprintf(text, sizeof text, "%.2f of %.2f s", time, duration);
     const std::string_view warning = time < 0                                ? "Before its start"
                                      : time >= duration && !reference.held() ? "After its end"
-                                     : !reference.good()                     ? "Frame missing: the one before it"
+                                     : !reference.good()                     ? "Frame missing: the one before is shown"
                                                                              : "";
     return {warning, ui.copy(text)};
 }
@@ -300,12 +304,12 @@ void time_row(ui::Ui& ui, app::Editor& editor, float room) {
     ui::toolbar(ui, "Reference time tools", room, items, [&](std::size_t item) {
         if (item == before &&
             ui::icon_button(ui, ui::Icon::step_back, "Frame before",
-                            {.tip = "The reference alone goes back by a frame and is held there", .quiet = true}))
+                            {.tip = "Moves only the reference back by a frame and holds it there", .quiet = true}))
             reference.step(-1);
         if (item == frame) frame_field(ui, reference);
         if (item == after &&
             ui::icon_button(ui, ui::Icon::step_forward, "Frame after",
-                            {.tip = "The reference alone goes on by a frame and is held there", .quiet = true}))
+                            {.tip = "Moves only the reference on by a frame and holds it there", .quiet = true}))
             reference.step(1);
         if (item == hold) hold_toggle(ui, reference);
         if (item == align) align_button(ui, reference);
@@ -345,7 +349,7 @@ void comparison(ui::Ui& ui, app::Editor& editor) {
                           .second_label = "Reference",
                           .eyedropper = picks,
                           .sample_box = picks ? app::picked_side : 1,
-                          .tip = "Wheel: zoom. F held: the second alone. X: swap. M: next way of comparing"});
+                          .tip = "Wheel: zoom. Hold F: the second alone. X: swap. M: next way of comparing"});
     if (result.picked) take_color(editor, result, preview, video);
     if (reference.show_at(result.zoom) || result.picked) ui.build_again();
 }
@@ -364,7 +368,7 @@ void pictures(ui::Ui& ui, app::Editor& editor) {
         ui::image_view(ui, "Video", video, reference.compare.view,
                        {.eyedropper = picks,
                         .sample_box = picks ? app::picked_side : 1,
-                        .tip = "Wheel: zoom. 0: all of it. 1: pixel by pixel. M: next way of comparing"});
+                        .tip = "Wheel: zoom. 0: whole picture. 1: pixel by pixel. M: next way of comparing"});
     if (!result.picked) return;
     editor.eyedropper.picked = app::color_around(*video.pixels, video.size, result.pick);
     ui.build_again();
@@ -424,7 +428,7 @@ void add_reference_commands(app::Editor& editor) {
                                  editor.layouts().shown.show("Reference");
                                  ask_for_video(editor);
                              },
-                         .tip = "The surgery video that is to be matched"});
+                         .tip = "The surgery video to match"});
     editor.commands.add({.id = "reference.sample",
                          .title = "Sample reference",
                          .group = "Reference",
@@ -433,7 +437,7 @@ void add_reference_commands(app::Editor& editor) {
                                  editor.layouts().shown.show("Reference");
                                  editor.reference().choose_sample();
                              },
-                         .tip = "A video of lapfx's own, of another operation than the sample scene's"});
+                         .tip = "A video that comes with lapfx, of another operation than the sample scene's"});
     editor.commands.add({.id = "reference.next_way",
                          .title = "Next way of comparing",
                          .group = "Reference",
@@ -444,19 +448,19 @@ void add_reference_commands(app::Editor& editor) {
                                  editor.layouts().shown.show("Reference");
                              },
                          .enabled = shown,
-                         .tip = "Reference, beside, wipe, difference, onion; shows the panel first"});
+                         .tip = "Reference, side by side, wipe, difference, onion; shows the panel first"});
     editor.commands.add({.id = "reference.align",
                          .title = "Align start here",
                          .group = "Reference",
                          .run = [&editor] { editor.reference().align(); },
                          .enabled = [&editor] { return editor.reference().held(); },
-                         .tip = "The frame that is held belongs to the scene's time as it is now"});
+                         .tip = "The frame that is held belongs to the current time of the scene"});
     editor.commands.add({.id = "reference.remove",
                          .title = "Remove reference",
                          .group = "Reference",
                          .run = [&editor] { editor.reference().remove(); },
                          .enabled = [&editor] { return editor.reference().named(); },
-                         .tip = "The scene has no reference then; its file stays"});
+                         .tip = "The scene then has no reference; its file stays"});
 }
 
 }  // namespace lapfx::panels

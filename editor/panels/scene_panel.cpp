@@ -75,7 +75,7 @@ class ScenePanel {
         const OwnerOf owner = [](Content& c) -> void* { return &c.scene.organ; };
         const Table& t = table("organ");
         if (ui::button(ui_, "Load organ...",
-                       {.icon = ui::Icon::folder, .tip = "Another surface, its unit and orientation"}))
+                       {.icon = ui::Icon::folder, .tip = "Use another surface, with its unit and orientation"}))
             editor_.commands.run("file.load_organ");
         const TableRowOptions options{.prefix = "Organ", .standard = &standard_scene().organ};
         if (editor_.document.scene().organ.file.empty()) {
@@ -143,7 +143,7 @@ void scene_panel(ui::Ui& ui, app::Editor& editor) {
     ScenePanel(ui, editor).build();
     const Parameter*& wanted = wanted_row(ui);
     if (wanted == nullptr) return;
-    editor.toasts.add({.text = std::string(wanted->name) + " has no row yet: load an organ or a tool first"});
+    editor.toasts.add({.text = std::string(wanted->name) + " is not shown yet: load an organ or a tool first"});
     wanted = nullptr;
 }
 

@@ -24,10 +24,10 @@ void looks(ui::Ui& ui, app::Settings& settings) {
     int chosen = 0;
     for (std::size_t i = 0; i < scales.size(); ++i)
         if (scales[i] == settings.scale) chosen = static_cast<int>(i);
-    ui::label(ui, "Size of text and controls (Ctrl+=, Ctrl+- change it for this window)", {.tone = ui::Tone::dim});
+    ui::label(ui, "Size of text and controls (Ctrl+= and Ctrl+- change it for this window)", {.tone = ui::Tone::dim});
     if (ui::segmented(ui, "Size", chosen, scale_names).changed)
         settings.scale = scales[static_cast<std::size_t>(chosen)];
-    ui::checkbox(ui, "Reduced motion", settings.reduced_motion, "Carets do not blink, progress does not run");
+    ui::checkbox(ui, "Reduced motion", settings.reduced_motion, "Nothing blinks or moves by itself");
 }
 
 }  // namespace

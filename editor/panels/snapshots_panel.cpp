@@ -101,7 +101,7 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
         ui.push_disabled(!snapshot);
         const bool show =
             slot_button(ui::Icon::eye, ui.join({"Show ", letter}),
-                        {.tip = "The preset becomes this snapshot, as one undo step. Once more: back to before.",
+                        {.tip = "Sets the preset to this snapshot, as one undo step. A second click goes back.",
                          .on = snapshots.shown(slot),
                          .width = button_width});
         ui.pop_disabled();
@@ -110,10 +110,10 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
         if (named) name_of(ui, state.names, snapshots, slot);
         if (snapshot && timed)
             ui::label(ui, state.text.substr(state.text.find(' ') + 1), {.tone = ui::Tone::dim, .number = true});
-        if (slot_button(ui::Icon::plus, ui.join({"Keep ", letter}),
-                        {.tip = snapshot ? "The preset as it is now takes this snapshot's place."
-                                         : "Keeps the preset as it is now.",
-                         .width = button_width}))
+        if (slot_button(
+                ui::Icon::plus, ui.join({"Keep ", letter}),
+                {.tip = snapshot ? "Replaces this snapshot with the current preset." : "Keeps the current preset.",
+                 .width = button_width}))
             snapshots.keep(slot);
         ui.push_disabled(!snapshots.at(slot).has_value());
         if (ui::icon_button(ui, ui::Icon::cross, "Clear " + letter, {.quiet = true})) snapshots.clear(slot);
@@ -139,7 +139,7 @@ ui::TableCell cell_of(const document::Difference& d, std::size_t column) {
     if (column == 0) return {.text = d.name};
     const std::string& text = column == 1 ? d.before : d.after;
     const bool missing = (d.kind == Kind::added && column == 1) || (d.kind == Kind::removed && column == 2);
-    return {.text = missing ? std::string_view("not there") : std::string_view(text),
+    return {.text = missing ? std::string_view("none") : std::string_view(text),
             .tone = missing ? ui::Tone::dim : ui::Tone::normal};
 }
 
@@ -184,13 +184,13 @@ void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, float room, 
     for (const int side : {s.left, s.right}) {
         if (there(snapshots, side)) continue;
         const std::string letter(sides[static_cast<std::size_t>(side)]);
-        return ui::label(ui, "Snapshot " + letter + " is empty: Keep " + letter + " fills it.",
+        return ui::label(ui, "Snapshot " + letter + " is empty: Keep " + letter + " stores the preset there.",
                          {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
     if (s.differences.empty()) return ui::label(ui, "No parameter differs.", {.tone = ui::Tone::dim});
     const std::size_t count = s.differences.size();
     const std::string way =
-        s.left == now ? "" : "; a click takes the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
+        s.left == now ? "" : "; click one to take the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
     ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
               {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
     difference_table(ui, editor, s, table_height);
@@ -231,7 +231,7 @@ void add_snapshot_commands(app::Editor& editor) {
                              .run = [&editor, slot] { editor.snapshots().show(slot); },
                              .enabled = [&editor, slot] { return editor.snapshots().at(slot).has_value(); },
                              .checked = [&editor, slot] { return editor.snapshots().shown(slot); },
-                             .tip = "The preset becomes this snapshot; once more brings back what was before."});
+                             .tip = "Sets the preset to this snapshot; a second time goes back."});
         editor.commands.add({.id = "snapshot.keep_" + small,
                              .title = "Keep as snapshot " + letter,
                              .group = "Preset",
@@ -242,14 +242,14 @@ void add_snapshot_commands(app::Editor& editor) {
                                      editor.toasts.add(
                                          {.text = std::string("Kept as snapshot ") + Snapshots::names[slot]});
                                  },
-                             .tip = "Keeps the preset as it is now."});
+                             .tip = "Keeps the current preset."});
     }
     editor.commands.add({.id = "edit.history",
                          .title = "History",
                          .group = "Edit",
                          .chord = {key_of('H'), Mods::command},
                          .run = [&editor] { editor.layouts().shown.show("History"); },
-                         .tip = "Shows the list of all that was done."});
+                         .tip = "Lists all that was done."});
 }
 
 }  // namespace lapfx::panels

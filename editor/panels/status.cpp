@@ -37,13 +37,13 @@ void jobs(ui::Ui& ui, app::Editor& editor) {
 
 void costs(ui::Ui& ui, app::Editor& editor) {
     ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * editor.meter().scene.seconds()),
-                    {.number = true, .width = 7.5F, .tip = "What the preview costs, each frame"});
+                    {.number = true, .width = 7.5F, .tip = "Time to draw one frame of the scene"});
     ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * editor.meter().ui),
-                    {.number = true, .width = 5.5F, .tip = "What the user interface costs, each frame"});
+                    {.number = true, .width = 5.5F, .tip = "Time to build and draw the panels, per frame"});
     ui::status_text(ui, "Memory", formatted(ui, "%.0f MB", static_cast<double>(editor.meter().memory()) / 1e6),
                     {.number = true,
                      .width = 4.5F,
-                     .tip = ui.join({"Main memory in use by the editor; organ and clips of the preview have ",
+                     .tip = ui.join({"Main memory in use by the editor; the organ and clips of the preview use ",
                                      formatted(ui, "%.0f MB", static_cast<double>(editor.preview.memory()) / 1e6)})});
 }
 
@@ -64,7 +64,7 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
         ui::status_text(ui, "Shader fault", faults.front().text(),
                         {.tone = ui::Tone::error,
                          .icon = ui::Icon::error,
-                         .tip = "The last shaders that compiled are still used. Mend the file and it is read again."});
+                         .tip = "The last working shaders are still used. Correct the file; it is then read again."});
     ui::spacer(ui);
     export_status(ui, editor);
     jobs(ui, editor);

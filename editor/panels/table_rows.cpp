@@ -279,7 +279,7 @@ ui::ParamOptions param_options(const Parameter& row) {
     options.minimum = options.hard_minimum = row.minimum;
     options.maximum = options.hard_maximum = row.maximum;
     options.step = row.step;
-    options.unit = row.unit == "degrees" ? "deg" : document::shown_unit(row);
+    options.unit = row.unit == "degrees" ? "deg" : row.unit;
     options.zero = app::meaning_of_zero(row);
     options.scale = row.scale == Scale::logarithmic ? ui::ValueScale::logarithmic : ui::ValueScale::linear;
     options.tip = tip_of(row);

@@ -42,7 +42,7 @@ struct TableRowOptions {
 ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options = {});
 
-/// "Help. A number from 0 to 255 of 255"; good for ever.
+/// "Help. A number from 0 to 255 levels"; valid as long as the program runs.
 std::string_view tip_of(const Parameter& row);
 
 /// The parameter whose row is to come into sight and have the keyboard, by the next build of its panel; null: none.

@@ -164,7 +164,7 @@ glm::dvec3 place_for_new(const app::Editor& editor) {
 
 bool room_for(app::Editor& editor, std::size_t more) {
     if (editor.document.scene().events.size() + more <= app::most_events) return true;
-    editor.toasts.add({.kind = ui::ToastKind::error, .text = "A scene holds at most 4096 contacts; delete some first"});
+    editor.toasts.add({.kind = ui::ToastKind::error, .text = "A scene has at most 4096 events; delete some first"});
     return false;
 }
 
@@ -266,15 +266,16 @@ class TimelinePanel {
     /// Add, duplicate, delete.
     void event_tool(std::size_t which) {
         if (which == 0) {
-            if (ui::button(ui_, "Add event",
-                           {.icon = ui::Icon::plus,
-                            .tip = "At the playhead, where the tool last was, else in the middle of the view"}))
+            if (ui::button(
+                    ui_, "Add event",
+                    {.icon = ui::Icon::plus,
+                     .tip = "At the current time, where the tool last was, otherwise in the middle of the view"}))
                 add_event(editor_);
             return;
         }
         ui_.push_disabled(editor_.selected.empty());
-        if (which == 1 &&
-            ui::button(ui_, "Duplicate", {.icon = ui::Icon::copy, .tip = "Copies the selected events to the playhead"}))
+        if (which == 1 && ui::button(ui_, "Duplicate",
+                                     {.icon = ui::Icon::copy, .tip = "Copies the selected events to the current time"}))
             duplicate_events(editor_);
         if (which == 2 &&
             ui::button(ui_, "Delete", {.icon = ui::Icon::cross, .tip = "Removes the selected events (Delete)"}))
@@ -352,7 +353,7 @@ void add_play_commands(app::Editor& editor) {
                          .run = [&editor] { editor.timeline.speed = editor.playing() ? 0 : editor.play_speed; },
                          .enabled = free,
                          .checked = [&editor] { return editor.playing(); },
-                         .tip = "From where it stands, at the speed of the timeline"});
+                         .tip = "Starts where it is, at the speed set on the timeline"});
     editor.commands.add({.id = "play.frame_back",
                          .title = "One frame back",
                          .group = "Play",
@@ -376,7 +377,7 @@ void add_play_commands(app::Editor& editor) {
                          .icon = ui::Icon::step_back,
                          .run = [&editor] { editor.seek(editor.timeline.has_range ? editor.timeline.range.low : 0); },
                          .enabled = free,
-                         .tip = "Of the scene, or of the range that is played"});
+                         .tip = "Of the scene, or of the part that plays"});
     editor.commands.add({.id = "play.loop",
                          .title = "Loop",
                          .group = "Play",
@@ -384,21 +385,21 @@ void add_play_commands(app::Editor& editor) {
                          .icon = ui::Icon::loop,
                          .run = [&editor] { editor.timeline.loop = !editor.timeline.loop; },
                          .checked = [&editor] { return editor.timeline.loop; },
-                         .tip = "Plays the scene, or the range, again and again"});
+                         .tip = "Plays the scene, or the part between In and Out, again and again"});
     editor.commands.add({.id = "event.add",
-                         .title = "Add event at the playhead",
+                         .title = "Add event at the current time",
                          .group = "Play",
                          .icon = ui::Icon::plus,
                          .run = [&editor] { add_event(editor); },
                          .enabled = free,
-                         .tip = "Where the tool last was, else in the middle of the view"});
+                         .tip = "Where the tool last was, otherwise in the middle of the view"});
     editor.commands.add({.id = "event.duplicate",
                          .title = "Duplicate events",
                          .group = "Play",
                          .icon = ui::Icon::copy,
                          .run = [&editor] { duplicate_events(editor); },
                          .enabled = [&editor] { return !editor.selected.empty(); },
-                         .tip = "Copies the selected events to the playhead"});
+                         .tip = "Copies the selected events to the current time"});
 }
 
 }  // namespace lapfx::panels

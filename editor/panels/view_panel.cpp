@@ -224,16 +224,15 @@ class ViewPanel {
     }
 
     void use_view_button() {
-        if (ui::button(
-                ui_, "Use view",
-                {.tip = "The endoscope goes to where you look from: what is compared and exported is seen from here"}))
+        if (ui::button(ui_, "Use view",
+                       {.tip = "Moves the endoscope to where you look from: comparing and exporting use its view"}))
             editor_.commands.run("view.use_view");
     }
 
     void power_field() {
         ui::ParamOptions options = ui::percent();
         options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;
-        options.tip = "Cautery power of what is recorded next";
+        options.tip = "Cautery power of the next events";
         options.width = ui::px(ui_.em(choice_width));
         ui::number_field(ui_, "Power", editor_.tool.power, options);
     }
@@ -245,7 +244,7 @@ class ViewPanel {
                           .hard_maximum = 10,
                           .step = 0.05,
                           .standard = 1,
-                          .tip = "Strength of the wounds made next: a factor on the preset's speed",
+                          .tip = "Strength of the next wounds: a factor on the preset's speed",
                           .width = ui::px(ui_.em(choice_width))});
     }
 
@@ -332,7 +331,7 @@ class ViewPanel {
         if (memory_.told_fixed) return;
         memory_.told_fixed = true;
         editor_.toasts.add({.kind = ui::ToastKind::info,
-                            .text = "The endoscope stands still: this is what is exported",
+                            .text = "The endoscope is fixed: exports show this view",
                             .action = "Look around freely",
                             .act = [&editor = editor_] { editor.looking.endoscope = false; }});
     }
@@ -463,7 +462,7 @@ class ViewPanel {
                                         {.tip = "Read this organ again, with another unit or orientation"}))
             editor_.open_organ(app::path_from(editor_.document.scene().folder, file));
         if (editor_.document.can_undo() &&
-            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
+            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
             editor_.document.undo();
     }
 
@@ -478,7 +477,7 @@ class ViewPanel {
             ui::label(ui_, ui_.join({"and ", ui_.copy(std::to_string(faults.size() - 1)), " more"}),
                       {.tone = ui::Tone::error});
         if (editor_.document.can_undo() &&
-            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Back to what was before"}))
+            ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
             editor_.document.undo();
     }
 
@@ -540,27 +539,27 @@ void add_view_commands(app::Editor& editor) {
                          .chord = {ui::key_of('O'), Mods::command | Mods::shift},
                          .icon = ui::Icon::folder,
                          .run = [&editor] { ask_organ(editor); },
-                         .tip = "Another surface, with its unit and orientation"});
+                         .tip = "Use another surface, with its unit and orientation"});
     editor.commands.add({.id = "view.frame",
                          .title = "Frame the organ",
                          .group = "View",
                          .chord = {Key::home, Mods::none},
                          .run = [&editor] { show_whole(editor); },
                          .enabled = [&editor] { return can_show_whole(editor); },
-                         .tip = "All of the organ, from the front. Over another picture: all of that"});
+                         .tip = "Shows the whole organ, from the front. Over another picture: the whole picture"});
     editor.commands.add({.id = "view.endoscope",
                          .title = "Endoscope view",
                          .group = "View",
                          .chord = {ui::key_of('E'), Mods::none},
                          .run = [&editor] { editor.looking.endoscope = !editor.looking.endoscope; },
                          .checked = [&editor] { return editor.looking.endoscope; },
-                         .tip = "Through the scene's camera, with its round picture: what is exported"});
+                         .tip = "The view through the scene's camera, with its round picture; exports use it"});
     editor.commands.add({.id = "view.use_view",
                          .title = "Use this view as the endoscope",
                          .group = "View",
                          .run = [&editor] { use_view(editor); },
                          .enabled = [&editor] { return !editor.looking.endoscope; },
-                         .tip = "The scene's camera goes to where you look from"});
+                         .tip = "Moves the scene's camera to where you look from"});
     editor.commands.add(
         {.id = "view.half_resolution",
          .title = "Half resolution",
@@ -586,7 +585,7 @@ void add_tool_commands(app::Editor& editor) {
                              .run = [&editor, i] { take_tool(editor, i); },
                              .checked = [&editor, i] { return tool_index(editor.tool) == i; },
                              .tip = i == 0 ? "The left button turns the view"
-                                           : "Held on the organ, the left button works there; an event records it"});
+                                           : "Hold it on the organ to use it there; an event records it"});
     }
 }
 

@@ -28,7 +28,7 @@ void add_panel_commands(app::Editor& editor) {
                              .title = "Show " + std::string(panel),
                              .group = "Window",
                              .run = [&editor, panel] { editor.layouts().shown.show(panel); },
-                             .tip = "Brings the panel to the front, or back when it was closed"});
+                             .tip = "Shows the panel, also if it was closed"});
 }
 
 void add_layout_commands(app::Editor& editor) {
@@ -50,7 +50,7 @@ void add_layout_commands(app::Editor& editor) {
                          .title = "Own layouts...",
                          .group = "Window",
                          .run = [&editor] { ui::open_dialog(editor.ui(), "layouts"); },
-                         .tip = "Keeps the panels as they are under a name, or goes to one that was kept"});
+                         .tip = "Keeps the arrangement of panels under a name, or shows a kept one"});
 }
 
 }  // namespace
@@ -70,30 +70,30 @@ void add_window_commands(app::Editor& editor) {
                          .group = "Window",
                          .run = [&editor] { editor.settings().light = !editor.settings().light; },
                          .checked = [&editor] { return editor.settings().light; },
-                         .tip = "Bright panels; else dark ones"});
+                         .tip = "Bright panels; otherwise dark ones"});
     editor.commands.add({.id = "window.notices",
                          .title = "Go to notices",
                          .group = "Window",
                          .chord = {key_of('N'), Mods::command | Mods::shift},
                          .run = [&editor] { editor.toasts.take_focus(); },
-                         .tip = "The keyboard goes to the newest notice, and back when pressed again; Esc closes it"});
+                         .tip = "Moves the keyboard to the newest notice, and back when pressed again; Esc closes it"});
     editor.commands.add({.id = "window.notice_log",
                          .title = "All notices...",
                          .group = "Window",
                          .run = [&editor] { editor.toasts.open_log(editor.ui()); },
-                         .tip = "All notices since the program started, the newest first"});
+                         .tip = "All notices since the program started, newest first"});
     editor.commands.add({.id = "window.palette",
                          .title = "Command palette",
                          .group = "Window",
                          .chord = {key_of('P'), Mods::command},
                          .run = [&editor] { ui::open_palette(editor.ui()); },
-                         .tip = "Finds commands and parameters by their names or everyday words, and goes to them"});
+                         .tip = "Finds commands and parameters by their names or everyday words"});
     editor.commands.add({.id = "help.keys",
                          .title = "Keys and mouse",
                          .group = "Help",
                          .chord = {Key::f1, Mods::none},
                          .run = [&editor] { ui::toggle_cheat_sheet(editor.ui()); },
-                         .tip = "All commands that have keys, and what the pointer does"});
+                         .tip = "All commands that have keys, and what the mouse does"});
     editor.commands.add({.id = "help.first_steps",
                          .title = "First steps",
                          .group = "Help",
@@ -111,11 +111,12 @@ void layout_dialog(ui::Ui& ui, app::Editor& editor) {
     if (!dialog) return;
     app::Layouts& layouts = editor.layouts();
     std::string& name = ui.memory<std::string>(ui.id_of("new name"));
-    ui::text_field(
-        ui, "Name", name,
-        {.placeholder = "Name of the panels as they are now", .caption = true, .invalid = layouts.standard(name)});
+    ui::text_field(ui, "Name", name,
+                   {.placeholder = "Name for the current arrangement of panels",
+                    .caption = true,
+                    .invalid = layouts.standard(name)});
     if (layouts.standard(name))
-        ui::label(ui, ui.join({"\"", name, "\" is one that comes with lapfx; choose another name."}),
+        ui::label(ui, ui.join({"\"", name, "\" is a layout of lapfx; choose another name."}),
                   {.tone = ui::Tone::error, .wrap = true});
     for (const ui::NamedLayout& own : std::vector<ui::NamedLayout>(layouts.own())) {
         ui.push_seed(own.name);

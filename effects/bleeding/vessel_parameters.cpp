@@ -72,43 +72,43 @@ constexpr Range share{0, 1, 0.01};
 
 constexpr Parameter rows[] = {
     number<&V::vessel_low>("vessel_low", "Vessel low", contrast,
-                           "How much redder than the tissue around it a texel is before it counts as vessel at all: "
-                           "the lower end of the paper's band pass. 0.1 is a tenth more absorption of green."),
-    number<&V::vessel_high>(
-        "vessel_high", "Vessel high", contrast,
-        "How much redder than the tissue around it a texel is when it is wholly vessel: the upper end "
-        "of the paper's band pass."),
+                           "How much redder than the tissue around it a place must be to count as vessel at all. 0.1 "
+                           "is a tenth more absorption of green. In the paper: the lower end of the band pass."),
+    number<&V::vessel_high>("vessel_high", "Vessel high", contrast,
+                            "How much redder than the tissue around it a place must be to count fully as vessel. In "
+                            "the paper: the upper end of the band pass."),
     number<&V::vessel_width>("vessel_width", "Vessel width", {0.1, 20, 0.05, "mm", Scale::logarithmic},
-                             "Width of the vessels that are looked for; twice of it is what counts as around them. "
-                             "Texture that is much finer or coarser is not taken for vessels."),
+                             "Width of the vessels to find; twice this width counts as the tissue around them. Much "
+                             "finer or coarser texture does not count as vessels."),
     color<&V::vessel_color>(
         "vessel_color", "Vessel colour",
-        "Colour of vessels that contrast does not find: blue veins, pale ones under a liver's capsule. "
-        "The middle of a band pass on colour, as in the paper; the next row says how wide."),
+        "Colour of vessels that contrast does not find, such as blue veins, or pale ones under a liver's capsule. The "
+        "next row says how close a colour must be. In the paper: the middle of a band pass on colour."),
     number<&V::vessel_tolerance>("vessel_tolerance", "Vessel tolerance", {0, 100, 0.5, "CIELAB"},
-                                 "How far a colour may be from the vessel colour and count as vessel; half as far it "
-                                 "counts wholly. Lightness counts half. Patches much wider than the vessel "
-                                 "width do not count. 0: the colour is not looked for, contrast alone finds vessels."),
+                                 "How far a colour may be from the vessel colour and still count as vessel; up to half "
+                                 "as far it counts fully. Lightness counts half. Patches much wider than the vessel "
+                                 "width do not count. 0: colour is not used, contrast alone finds vessels."),
     number<&V::fat_low>("fat_low", "Fat low", hue,
-                        "Hue (CIELAB: 0 red, 90 yellow) up to which tissue is not fat: the lower end of a "
-                        "band like the paper's for vessels, here for the fat layer of its future work."),
+                        "Hue (CIELAB: 0 red, 90 yellow) up to which tissue is not fat. The fat layer is the paper's "
+                        "future work; this is the lower end of its band."),
     number<&V::fat_high>("fat_high", "Fat high", hue,
-                         "Hue from which tissue is wholly fat: the upper end of the band for the fat layer of the "
-                         "paper's future work."),
+                         "Hue from which tissue is fully fat. The fat layer is the paper's future work; this is the "
+                         "upper end of its band."),
     number<&V::smoothing>("smoothing", "Smoothing", {0, 20, 0.05, "mm"},
-                          "Standard deviation of the paper's Gaussian filter, which smooths the pixelated result."),
-    number<&V::region>("region", "Region", {0.1, 20, 0.1, "mm", Scale::logarithmic},
-                       "Radius of the paper's region of influence of the tool tip, over which density is averaged."),
+                          "How far the maps of vessels and fat are blurred, so that single pixels do not matter. In "
+                          "the paper: the standard deviation of the Gaussian filter."),
+    number<&V::region>(
+        "region", "Region", {0.1, 20, 0.1, "mm", Scale::logarithmic},
+        "Radius around the tool tip over which density is averaged. In the paper: the region of influence."),
     number<&V::vessel_threshold>(
         "vessel_threshold", "Vessel threshold", share,
-        "Density below which a cut does not bleed: the paper's preset density threshold. 0: "
-        "every cut bleeds. Organs whose colours show no vessels at all bleed alike everywhere, "
-        "whatever this is."),
+        "A cut where vessels are less dense than this does not bleed. 0: every cut bleeds. On organs whose colours "
+        "show no vessels at all every cut bleeds, whatever this value is. In the paper: the preset density threshold."),
     number<&V::vessel_reference>("vessel_reference", "Vessel reference", {0.01, 1, 0.01},
-                                 "Density at which a wound bleeds with the preset's own speed."),
+                                 "Density at which a wound bleeds at the speed set under Bleeding."),
     number<&V::vessel_strength>("vessel_strength", "Vessel strength", share,
-                                "How much the density of vessels decides how strongly a cut bleeds: 0 not at all, 1 in "
-                                "proportion to it, as in the paper, where denser vessels bleed more."),
+                                "How much the density of vessels decides how strongly a cut bleeds. 0: not at all; 1: "
+                                "in proportion to it, as in the paper."),
 };
 
 constexpr Rule rules[] = {
@@ -128,7 +128,7 @@ constexpr Rule rules[] = {
 
 Table vessels_table() {
     return table<&Preset::vessels>("vessels", "Vessels",
-                                   "Where the organ's colours show vessels and fat, and what that does to a wound.",
+                                   "Where the organ's colours show vessels and fat, and how that changes a wound.",
                                    {.rows = rows, .rules = rules});
 }
 

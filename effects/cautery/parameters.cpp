@@ -53,38 +53,37 @@ constexpr Range temperature{37, 600, 1, "°C"};
 constexpr std::string_view models[] = {"radial", "bioheat"};
 
 constexpr Parameter rows[] = {
-    choice<&C::model>("model", "Heat model", models,
-                      "radial: the paper's heat, in closed form. bioheat: Pennes' bio-heat equation on the tissue's "
-                      "surface, which the paper names as the more physical way; it wants triangles no larger than the "
-                      "tip."),
-    number<&C::heat_rate>(
-        "heat_rate", "Heat rate", {0, 2000, 5, "°C/s"},
-        "How fast tissue heats under a tool at full power: the paper's heat, proportional to the duration "
-        "of the cautery."),
+    choice<&C::model>(
+        "model", "Heat model", models,
+        "radial: the paper's heat, a simple formula. bioheat: Pennes' bio-heat equation on the surface of the tissue, "
+        "which the paper names as closer to physics; its triangles should be no larger than the tip."),
+    number<&C::heat_rate>("heat_rate", "Heat rate", {0, 2000, 5, "°C/s"},
+                          "How fast tissue heats under a tool at full power. In the paper: heat is proportional to how "
+                          "long cautery lasts."),
     number<&C::tip_radius>("tip_radius", "Tip radius", {0.3, 10, 0.1, "mm"},
                            "How far around its tip the tool touches the tissue."),
-    number<&C::cut_temperature>("cut_temperature", "Cut temperature", temperature,
-                                "Above it the tissue is divided and may bleed: the paper's pre-determined temperature "
-                                "threshold."),
-    number<&C::coagulation_temperature>("coagulation_temperature", "Coagulation temperature", temperature,
-                                        "Above it wounds close. It has to lie below the cut and the char temperature."),
+    number<&C::cut_temperature>(
+        "cut_temperature", "Cut temperature", temperature,
+        "Above it the tissue divides and may bleed. In the paper: the predetermined temperature threshold."),
+    number<&C::coagulation_temperature>(
+        "coagulation_temperature", "Coagulation temperature", temperature,
+        "Above it wounds close. It must be below the cut temperature and the char temperature."),
     number<&C::char_temperature>("char_temperature", "Char temperature", temperature,
-                                 "Above it the surface of the tissue blackens."),
+                                 "Above it the surface of the tissue turns black."),
     number<&C::heat_spread>("heat_spread", "Heat spread", {0, 20, 0.1, "mm/sqrt(s)"},
-                            "How far the heated region has grown after one second; it grows with the square root of "
-                            "time. The paper's radial expansion. Only for the model radial."),
-    number<&C::cooling_time>("cooling_time", "Cooling time", {0.1, 60, 0.1, "s", Scale::logarithmic},
-                             "In this time tissue cools to 37 % of its rise when the tool has left. Only for the model "
-                             "radial."),
+                            "How far heat has spread after one second; it grows with the square root of time. Used by "
+                            "the model radial only. In the paper: the radial expansion."),
+    number<&C::cooling_time>(
+        "cooling_time", "Cooling time", {0.1, 60, 0.1, "s", Scale::logarithmic},
+        "How long tissue takes to cool to 37 % of its rise after the tool has left. Used by the model radial only."),
     number<&C::maximum_temperature>("maximum_temperature", "Maximum temperature", temperature,
-                                    "The heat under the tool never exceeds it."),
-    number<&C::diffusivity>(
-        "diffusivity", "Diffusivity", {0, 2, 0.01, "mm²/s"},
-        "How fast heat spreads through the tissue: its conductivity over its heat capacity. Only for "
-        "the model bioheat, the bio-heat equation that the paper names."),
-    number<&C::perfusion>("perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
-                          "How fast flowing blood carries heat away. Only for the model bioheat, the bio-heat equation "
-                          "that the paper names."),
+                                    "The temperature under the tool never exceeds it."),
+    number<&C::diffusivity>("diffusivity", "Diffusivity", {0, 2, 0.01, "mm²/s"},
+                            "How fast heat spreads through the tissue: its conductivity divided by its heat capacity. "
+                            "Used by the model bioheat only. In the paper: the bio-heat equation."),
+    number<&C::perfusion>(
+        "perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
+        "How fast blood flow carries heat away. Used by the model bioheat only. In the paper: the bio-heat equation."),
 };
 
 constexpr Rule rules[] = {

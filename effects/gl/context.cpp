@@ -15,7 +15,7 @@ Error no_gl(const std::string& reason) {
 void load_functions(Context::GetProcAddress get_proc_address, const std::string& backend) {
     const int version = gladLoadGL(get_proc_address);
     if (version < GLAD_MAKE_VERSION(4, 5)) {
-        const std::string found = version == 0 ? std::string("no OpenGL functions")
+        const std::string found = version == 0 ? std::string("OpenGL functions are missing")
                                                : "OpenGL " + std::to_string(GLAD_VERSION_MAJOR(version)) + "." +
                                                      std::to_string(GLAD_VERSION_MINOR(version));
         throw no_gl(backend + " gives " + found + "; 4.5 core is needed");

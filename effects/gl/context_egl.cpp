@@ -48,7 +48,7 @@ bool open(EglOwner& owner, EGLDisplay display, std::string& reason) {
     owner.context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, attributes);
     if (owner.context == EGL_NO_CONTEXT ||
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, owner.context) != EGL_TRUE) {
-        reason = "the driver gives no OpenGL 4.5 core context";
+        reason = "the driver offers no OpenGL 4.5 core context";
         return false;
     }
     return true;

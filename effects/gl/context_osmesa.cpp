@@ -67,7 +67,7 @@ std::unique_ptr<Context::Owner> make_osmesa(std::string& reason) {
     owner->context = create(attributes, nullptr);
     if (owner->context == nullptr ||
         make_current(owner->context, owner->pixels.data(), type_unsigned_byte, 16, 16) == 0) {
-        reason = "it gives no OpenGL 4.5 core context";
+        reason = "it offers no OpenGL 4.5 core context";
         return nullptr;
     }
     return owner;

@@ -81,7 +81,7 @@ void append(ShaderSource& source, const std::string& name, const std::string& fr
     if (!text)
         throw Error(Failure::runtime, Fault{.file = from.empty() ? name : from,
                                             .place = "",
-                                            .reason = "the shader file \"" + name + "\" is not there"});
+                                            .reason = "the shader file \"" + name + "\" is missing"});
     const std::size_t number = source.files.size();
     source.files.push_back(name);
     if (number > 0) source.text += "#line 1 " + std::to_string(number) + "\n";

@@ -85,8 +85,8 @@ void make_uvs(Organ& organ, const Missing& missing) {
         }
         const Material& material = organ.materials[static_cast<std::size_t>(part.material)];
         const bool textured = material.base_color_image >= 0 || material.normal_image >= 0;
-        const char* why = there      ? "its texture coordinates cover no area; new ones made"
-                          : textured ? "has a texture, but no texture coordinates; they are made"
+        const char* why = there      ? "its texture coordinates cover no area; new ones were made"
+                          : textured ? "has a texture, but no texture coordinates; they were made"
                                      : nullptr;
         if (why) organ.warnings.push_back("part " + (part.name.empty() ? std::to_string(p) : part.name) + ": " + why);
         for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; ++i) {

@@ -108,7 +108,7 @@ bool draws_triangles(const tinygltf::Primitive& primitive) {
 void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnings) {
     const tinygltf::Model& model = document.model;
     if (model.nodes.empty() && !model.meshes.empty())
-        warnings.push_back("the file has no nodes: every mesh is taken, where it is");
+        warnings.push_back("the file has no nodes: all its meshes are used, each at its own coordinates");
     if (document.has_skins) warnings.push_back("the file has a skeleton: the surface is shown as it was modelled");
     const bool morphs = std::any_of(model.meshes.begin(), model.meshes.end(), [](const tinygltf::Mesh& mesh) {
         return std::any_of(mesh.primitives.begin(), mesh.primitives.end(),

@@ -42,7 +42,7 @@ const json& list(const json& object, const char* key, const std::string& place, 
     static const json none = json::array();
     const auto found = object.find(key);
     if (found == object.end()) return none;
-    if (!found->is_array()) refuse(file, place + "/" + key, "is no array");
+    if (!found->is_array()) refuse(file, place + "/" + key, "is not an array");
     return *found;
 }
 

@@ -97,7 +97,7 @@ Json parse(std::string_view text, const std::string& file, bool with_extras) {
     };
     try {
         Json document = Json::parse(text, keep);
-        if (!document.is_object()) refuse(file, "", "its JSON is no object");
+        if (!document.is_object()) refuse(file, "", "its JSON is not an object");
         return document;
     } catch (const json::exception& fault) {
         const std::string what = fault.what();
@@ -115,9 +115,9 @@ void check_head(const json& document, const std::string& file) {
         refuse(file, "/asset/version", "is \"" + version.substr(0, 40) + "\", only 2.0 is read");
     if (!document.contains("extensionsRequired")) return;
     const json& required = document["extensionsRequired"];
-    if (!required.is_array()) refuse(file, "/extensionsRequired", "is no array");
+    if (!required.is_array()) refuse(file, "/extensionsRequired", "is not an array");
     for (const json& name : required) {
-        if (!name.is_string()) refuse(file, "/extensionsRequired", "holds something that is no string");
+        if (!name.is_string()) refuse(file, "/extensionsRequired", "contains something that is not a string");
         const std::string extension = name;
         if (std::find(std::begin(known_extensions), std::end(known_extensions), extension) ==
             std::end(known_extensions))
@@ -183,7 +183,7 @@ void read_images(GltfDocument& document, const json& images) {
     for (std::size_t i = 0; i < images.size(); ++i) {
         const json& source = images[i];
         const std::string place = "/images/" + std::to_string(i);
-        if (!source.is_object()) refuse(document.file, place, "is no object");
+        if (!source.is_object()) refuse(document.file, place, "is not an object");
         tinygltf::Image image;
         image.name = text_member(source, "name");
         image.uri = text_member(source, "uri");
@@ -198,7 +198,7 @@ json taken_out(json& document, const char* key, const std::string& file) {
     if (!document.contains(key)) return json::array();
     json value = std::move(document[key]);
     document.erase(key);
-    if (!value.is_array()) refuse(file, std::string("/") + key, "is no array");
+    if (!value.is_array()) refuse(file, std::string("/") + key, "is not an array");
     return value;
 }
 

@@ -72,7 +72,7 @@ class Walk {
     std::vector<MeshInstance> run() {
         push(start_nodes(document_), 1, glm::dmat4(1.0));
         for (std::size_t visits = 0; !stack_.empty(); ++visits) {
-            if (visits == most_visits) refuse(document_.file, "/nodes", "lead to more than a million places");
+            if (visits == most_visits) refuse(document_.file, "/nodes", "lead to more than a million instances");
             const Visit visit = stack_.back();
             stack_.pop_back();
             enter(visit);

@@ -29,7 +29,7 @@ organ::RawOrgan read(Format format, const std::filesystem::path& path, const std
     switch (format) {
         case Format::gltf:
             if (lower_extension(path) == ".glb" && !starts(bytes, "glTF"))
-                organ::refuse(file, "", "is no binary glTF: it does not start with glTF");
+                organ::refuse(file, "", "is not a binary glTF: it does not start with glTF");
             return organ::read_gltf(path, file, bytes);
         case Format::obj:
             return organ::read_obj(path, file, bytes);
@@ -69,7 +69,7 @@ organ::Format organ::format_of(const std::filesystem::path& path, const Bytes& b
 }
 
 void organ::refuse_format(const std::string& file) {
-    refuse(file, "", "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+    refuse(file, "", "is not a mesh that can be read: .glb, .gltf, .obj, .ply, .stl or .off");
 }
 
 Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages) {

@@ -168,8 +168,8 @@ void close_seams(Organ& organ, double scale, Counts& counts) {
     }
     char gap[32];
     std::snprintf(gap, sizeof gap, "%.2g", weld.gap * scale);
-    organ.warnings.push_back(counted(counts.sewn, "vertex of seams", "vertices of seams") + " lay up to " + gap +
-                             " mm apart; joined");
+    organ.warnings.push_back(counted(counts.sewn, "vertex of a torn seam", "vertices of torn seams") +
+                             " joined to the other side, up to " + gap + " mm away");
 }
 
 void drop_empty_parts(Organ& organ, Missing& missing) {
@@ -204,21 +204,22 @@ void settle_materials(Organ& organ) {
         }
     if (wrong_colors > 0)
         organ.warnings.push_back(counted(wrong_colors, "vertex colour is", "vertex colours are") +
-                                 " no number; made white");
+                                 " not a number; made white");
     if (wrong_uvs > 0)
         organ.warnings.push_back(counted(wrong_uvs, "texture coordinate is", "texture coordinates are") +
-                                 " no number; made 0");
+                                 " not a number; made 0");
 }
 
 void warn(Organ& organ, const Counts& counts) {
     const auto say = [&](std::size_t count, const char* one, const char* many, const std::string& rest) {
         if (count > 0) organ.warnings.push_back(counted(count, one, many) + rest);
     };
-    say(counts.out_of_range, "triangle names", "triangles name", " vertices that are not in the file; left out");
+    say(counts.out_of_range, "triangle refers to", "triangles refer to",
+        " vertices that are not in the file; left out");
     say(counts.not_finite_vertices, "vertex has", "vertices have",
         " NaN, infinite or no coordinates; left out with " + counted(counts.not_finite, "triangle", "triangles"));
     say(counts.without_area, "triangle", "triangles", " without area left out");
-    say(counts.repeated, "triangle is", "triangles are", " there more than once; drawn once");
+    say(counts.repeated, "triangle is", "triangles are", " in the file more than once; drawn once");
     say(counts.unused, "vertex belongs", "vertices belong", " to no triangle; left out");
 }
 
@@ -249,8 +250,8 @@ Organ mend(RawOrgan&& raw, const std::string& file, double scale, Missing& missi
     }
     if (counts.read == 0)
         refuse(file, "",
-               vertices == 0 ? "no triangles: the file holds " + (raw.holds.empty() ? "no surface" : raw.holds)
-                             : "no triangles: the file holds " + counted(vertices, "point", "points") + " only");
+               vertices == 0 ? "no triangles: the file contains " + (raw.holds.empty() ? "no surface" : raw.holds)
+                             : "no triangles: the file contains " + counted(vertices, "point", "points") + " only");
     if (counts.read > maximum_triangles || vertices > 3 * maximum_triangles)
         refuse(file, "", "has more than 20 million triangles");
 

@@ -23,7 +23,7 @@ std::int64_t number(const tinygltf::Value& object, const char* key, std::int64_t
 }
 
 Compressed parse(const tinygltf::Value& object, const std::string& file, const std::string& place) {
-    if (!object.IsObject()) refuse(file, place, "is no object");
+    if (!object.IsObject()) refuse(file, place, "is not an object");
     const std::int64_t values[] = {number(object, "buffer", -1), number(object, "byteOffset", 0),
                                    number(object, "byteLength", -1), number(object, "byteStride", -1),
                                    number(object, "count", -1)};

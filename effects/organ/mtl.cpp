@@ -215,7 +215,7 @@ void read_mtl(const std::vector<std::string>& libraries, const fs::path& folder,
                 library.read(std::string(bytes.begin(), bytes.end()));
                 const bool any = organ.materials.size() > before;
                 (any ? organ.files : organ.unread_files).push_back(path);
-                if (!any) leave_out("holds no material");
+                if (!any) leave_out("contains no material");
             } catch (const Error& error) {
                 organ.unread_files.push_back(path);
                 leave_out(error.faults().front().reason);

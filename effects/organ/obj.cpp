@@ -60,7 +60,8 @@ void warn_of_missing_materials(const ObjText& text, const MaterialNames& materia
     for (const ObjText::Run& run : text.runs)
         if (!run.material.empty() && materials.find(run.material) < 0) missing.insert(run.material);
     for (const std::string& name : missing)
-        organ.warnings.push_back("material " + name + " is not in a material library; drawn plain");
+        organ.warnings.push_back("material " + name +
+                                 " is not in a material library; drawn without colour and texture");
 }
 
 /// Colours from 0 to 255 where 0 to 1 is usual; then linear.
@@ -76,7 +77,7 @@ void settle_colors(Soup& soup) {
 
 RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, const Bytes& bytes) {
     const std::string_view source(reinterpret_cast<const char*>(bytes.data()), bytes.size());
-    if (source.find('\0') != std::string_view::npos) refuse(file, "", "is no OBJ: it is not a text file");
+    if (source.find('\0') != std::string_view::npos) refuse(file, "", "is not an OBJ: it is not a text file");
     ObjText text = read_obj_text(source);
     RawOrgan organ;
     read_mtl(text.libraries, path.parent_path(), organ);

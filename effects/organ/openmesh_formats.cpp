@@ -208,7 +208,7 @@ RawOrgan read_stl(const std::string& file, const Bytes& bytes) {
 
 RawOrgan read_off(const std::string& file, const Bytes& bytes) {
     std::string text(text_of(bytes));
-    if (text.find('\0') != std::string::npos) refuse(file, "", "is no text OFF");
+    if (text.find('\0') != std::string::npos) refuse(file, "", "is not a text OFF");
     replace_words_for_not_finite(text);
     text += '\n';
     Soup soup;

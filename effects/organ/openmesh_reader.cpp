@@ -134,19 +134,15 @@ IO::Options wanted(OpenMeshFormat format) {
         options += IO::Options::VertexNormal;
         options += IO::Options::VertexColor;
         options += IO::Options::VertexTexCoord;
-    } else if (format == OpenMeshFormat::stl_binary) {
+    } else {
         options += IO::Options::Binary;
     }
     return options;
 }
 
 IO::BaseReader& reader(OpenMeshFormat format) {
-    switch (format) {
-        case OpenMeshFormat::off:
-            return IO::OFFReader();
-        default:
-            return IO::STLReader();
-    }
+    if (format == OpenMeshFormat::off) return IO::OFFReader();
+    return IO::STLReader();
 }
 
 }  // namespace
@@ -157,9 +153,8 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     omerr().disable();
     omlog().disable();
     std::istringstream in(text, std::ios::binary);
-    // Its loops trust the counts of the header; a failed read has to end them. The line reader ends by itself.
-    if (format == OpenMeshFormat::off || format == OpenMeshFormat::stl_binary)
-        in.exceptions(std::ios::failbit | std::ios::badbit);
+    // Its loops trust the counts of the header; a failed read has to end them.
+    in.exceptions(std::ios::failbit | std::ios::badbit);
     Collector collector(soup);
     IO::Options options = wanted(format);
     try {

@@ -8,7 +8,7 @@
 
 namespace lapfx::organ {
 
-enum class OpenMeshFormat { off, stl_ascii, stl_binary };
+enum class OpenMeshFormat { off, stl_binary };
 
 /// Reads `text` (already checked for what the reader cannot stand). False when it gives up. OpenMesh keeps
 /// state in its readers: one thread at a time is let in.

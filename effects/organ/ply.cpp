@@ -32,7 +32,7 @@ class PlyNumbers {
         if (code == std::errc::invalid_argument) {
             const std::size_t stop = std::min(data_.find_first_of(" \t\r\n", at), data_.size());
             refuse(file_, "",
-                   "\"" + std::string(data_.substr(at, std::min<std::size_t>(stop - at, 40))) + "\" is no number");
+                   "\"" + std::string(data_.substr(at, std::min<std::size_t>(stop - at, 40))) + "\" is not a number");
         }
         data_.remove_prefix(static_cast<std::size_t>(end - data_.data()));
         return value;

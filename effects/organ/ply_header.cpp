@@ -99,7 +99,7 @@ class HeaderReader {
         element.name = words[1];
         const char* end = words[2].data() + words[2].size();
         const auto [stop, code] = std::from_chars(words[2].data(), end, element.count);
-        if (code != std::errc() || stop != end) wrong("\"" + words[2] + "\" is no count");
+        if (code != std::errc() || stop != end) wrong("\"" + words[2] + "\" is not a count");
         header_.elements.push_back(element);
     }
 

@@ -69,7 +69,7 @@ std::string size_warning(double longest, double scale) {
     for (const double factor : factors)
         if (distance(factor) < distance(best)) best = factor;
     const bool fits = longest * best >= shortest_organ && longest * best <= longest_organ;
-    return "its longest side is " + number(longest) + " mm, which is no size of an organ (" + number(shortest_organ) +
+    return "its longest side is " + number(longest) + " mm, which is unusual for an organ (" + number(shortest_organ) +
            " to " + number(longest_organ) + " mm)" +
            (fits ? "; is the unit wrong? scale " + number(scale * best) + " would make it " + number(longest * best) +
                        " mm"
@@ -92,8 +92,8 @@ OrganReport report(const Organ& organ) {
     const organ::RefinePlan plan = organ::plan_refine(organ);
     if (plan.bounded())
         report.warnings.push_back(
-            "its triangles are too many and too large to be split down to " + number(organ::longest_wanted) +
-            " mm: blood and burns show only as well as edges of " + number(plan.length) + " mm carry them");
+            "its triangles are too many and too large to split all edges down to " + number(organ::longest_wanted) +
+            " mm: blood and burns can be no finer than its edges of " + number(plan.length) + " mm");
     const organ::Weld weld = organ::weld_surface(organ.positions, organ.indices);
     std::vector<std::uint32_t> triangles(organ.indices.size());
     for (std::size_t i = 0; i < triangles.size(); ++i) triangles[i] = weld.point[organ.indices[i]];

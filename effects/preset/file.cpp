@@ -97,7 +97,7 @@ std::string read_file(const std::filesystem::path& path, std::size_t longest) {
         text.append(buffer, static_cast<std::size_t>(got));
         check_size(text.size());  // it may have grown, and files under /proc have no size
     }
-    if (text.empty()) fail(Failure::bad_input, path, "an empty file");
+    if (text.empty()) fail(Failure::bad_input, path, "the file is empty");
     return text;
 }
 

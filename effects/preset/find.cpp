@@ -71,7 +71,7 @@ void* find_element(const Table& list, void* member, std::string_view index, std:
     const std::size_t size = list.list->size(member);
     if (error == std::errc{} && end == index.data() + index.size() && at < size) return list.list->at(member, at);
     const std::string holds = size == 0 ? " is empty" : " has elements 0 to " + std::to_string(size - 1);
-    fail(key, in_quotes(index) + " names no element; " + std::string(list.key) + holds);
+    fail(key, in_quotes(index) + " is not the number of an element; " + std::string(list.key) + holds);
 }
 
 std::optional<glm::dvec3> read_vector(std::string_view text) {

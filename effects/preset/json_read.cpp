@@ -88,11 +88,11 @@ void Reader::check_keys(const Table& table, const Json& object, const std::strin
     std::set<std::string_view> seen;
     for (const std::string& key : object.keys) {
         if (!seen.insert(key).second) {
-            add(join_pointer(pointer, key), "the key comes twice");
+            add(join_pointer(pointer, key), "this key is there twice");
         } else if (std::find(known.begin(), known.end(), key) == known.end()) {
             const std::string_view best = nearest(key, known);
             add(join_pointer(pointer, key),
-                best.empty() ? "unknown key; none is allowed here" : "unknown key; nearest is " + in_quotes(best));
+                best.empty() ? "unknown key; no keys are allowed here" : "unknown key; nearest is " + in_quotes(best));
         }
     }
 }

@@ -44,12 +44,12 @@ fs::path named_path(const fs::path& folder, std::string_view name, Reach reach, 
     const auto refuse = [&](const std::string& reason) {
         throw Error(Failure::bad_input, Fault{.file = file, .place = place, .reason = reason});
     };
-    if (name.empty()) refuse("names no file");
+    if (name.empty()) refuse("no file name");
     const std::string shown = '"' + std::string(name.substr(0, most_shown)) + '"';
     const auto outside = [&](const std::string& what) {
         refuse(shown + ' ' + what + "; only plain files in the folder of the file that names them, or below, are read");
     };
-    if (name.find('\0') != std::string_view::npos) refuse("the file name holds a NUL character");
+    if (name.find('\0') != std::string_view::npos) refuse("the file name contains a NUL character");
     const fs::path path = fs::path(name).lexically_normal();
     if (reach == Reach::anywhere) {
         if (has_scheme(name)) refuse(shown + " is a URL; only plain files are read");

@@ -49,7 +49,7 @@ std::string check_text(const std::string& value, const Parameter& row) {
     if (!preset::is_utf8(value)) return in_quotes(value) + " is not valid UTF-8";
     const auto is_control = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; };
     if (std::any_of(value.begin(), value.end(), is_control))
-        return in_quotes(value) + " holds a control character or a line break";
+        return in_quotes(value) + " contains a control character or a line break";
     if (const std::size_t length = preset::count_characters(value); double(length) > row.maximum)
         return std::to_string(length) + " characters; at most " + number_text(row.maximum) + " are allowed";
     return {};
@@ -65,11 +65,12 @@ std::string check_path(const std::string& value, const Parameter& row) {
     if (first.find(':') != std::string_view::npos || value.starts_with("subfile,") ||
         (row.contained && value.find(':') != std::string::npos))
         return in_quotes(value) + " is a URL or a protocol" + allowed;
-    if (value.find('\\') != std::string::npos) return in_quotes(value) + " has a backslash; folders end in '/'";
+    if (value.find('\\') != std::string::npos) return in_quotes(value) + " contains a backslash; folders end in '/'";
     if (value.back() == '/') return in_quotes(value) + " is a folder" + allowed;
     if (!row.contained) return {};
     if (value.front() == '/') return in_quotes(value) + " is an absolute path" + allowed;
-    if (('/' + value + '/').find("/../") != std::string::npos) return in_quotes(value) + " leaves the folder" + allowed;
+    if (('/' + value + '/').find("/../") != std::string::npos)
+        return in_quotes(value) + " is outside the folder" + allowed;
     return {};
 }
 

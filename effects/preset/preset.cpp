@@ -34,7 +34,7 @@ const Table& preset_table() {
         preset::text<&Preset::name>("name", "Name", 100, "What the preset is called in lists."),
         preset::text<&Preset::description>("description", "Description", 1000, "What the preset is for, in a line."),
         preset::text<&Preset::tags>("tags", "Tags", 200,
-                                    "Words that it is found by, with commas between them: slow, venous."),
+                                    "Words by which lists find the preset, separated by commas: slow, venous."),
     };
     static const Table groups[] = {preset::bleeding_table(), preset::vessels_table(), preset::cautery_table(),
                                    preset::smoke_table()};

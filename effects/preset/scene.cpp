@@ -28,16 +28,16 @@ constexpr Range direction{-1'000, 1'000, 0.1};
 constexpr Range file_scale{0, 1e6, 0.1, "mm per unit of the file"};
 constexpr Range event_time{0, 3600, 0.1, "s"};
 constexpr std::string_view scale_help =
-    "Size of one unit of the file; 0 decides by format: glTF in metres, others in mm.";
+    "Size of one unit of the file. 0 follows the format: glTF is in metres, others in mm.";
 
 constexpr Parameter organ_rows[] = {
     required(path<&SceneOrgan::file>("file", "File", "The organ's surface: .glb, .gltf, .obj, .ply, .stl or .off.")),
     number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help),
     vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
-                                  "About the x, then the y, then the z axis."),
+                                  "Turns about the x, then the y, then the z axis."),
     color<&SceneOrgan::color>("color", "Colour",
-                              "Multiplies the organ's own colours; white leaves them as they are. For an organ "
-                              "without a texture it is the colour of its tissue. Where it bleeds stays the same."),
+                              "Multiplies the organ's own colours; white leaves them as they are. For an organ without "
+                              "a texture it is the colour of the tissue. It does not change where the organ bleeds."),
 };
 
 constexpr Parameter tool_rows[] = {
@@ -50,12 +50,12 @@ using C = SceneCamera;
 constexpr Parameter camera_rows[] = {
     vector<&C::eye>("eye", "Eye", place, "Where the endoscope's tip is."),
     vector<&C::target>("target", "Target", place, "What it looks at."),
-    vector<&C::up>("up", "Up", direction, "What is up in the picture; any length."),
+    vector<&C::up>("up", "Up", direction, "The direction that is up in the picture; its length does not matter."),
     number<&C::field_of_view>("field_of_view", "Field of view", {5, 150, 1, "degrees"}, "Vertical angle of view."),
     number<&C::exposure>("exposure", "Exposure", {0.01, 100, 0.05, "", Scale::logarithmic},
-                         "Factor on the light of the whole picture, before the display curve."),
+                         "Brightness of the whole picture, as a factor on its light."),
     number<&C::vignette>("vignette", "Vignette", {0, 1, 0.01},
-                         "0 is the whole rectangle, 1 the round picture of an endoscope."),
+                         "0 shows the whole rectangle, 1 the round picture of an endoscope."),
 };
 
 std::string check_target(const void* owner) {
@@ -76,9 +76,9 @@ constexpr Rule camera_rules[] = {{"target", check_target}, {"up", check_up}};
 
 constexpr Parameter light_rows[] = {
     number<&SceneLight::intensity>("intensity", "Intensity", {0, 100, 0.05},
-                                   "Brightness of the lamp; 1 lights white at the focus distance to 1."),
+                                   "Brightness of the lamp; 1 shows white at the focus distance as full white."),
     number<&SceneLight::focus_distance>("focus_distance", "Focus distance", {1, 2000, 1, "mm"},
-                                        "Distance from the lamp at which the intensity holds."),
+                                        "Distance from the lamp at which the intensity is as set."),
     number<&SceneLight::beam_angle>("beam_angle", "Beam angle", {1, 180, 1, "degrees"}, "Full angle of the beam."),
     color<&SceneLight::color>("color", "Colour", "Colour of the lamp."),
 };
@@ -87,29 +87,29 @@ constexpr std::string_view actions[] = {"cauterise", "cut", "coagulate", "tear",
 
 using E = ToolContact;
 constexpr Parameter event_rows[] = {
-    choice<&E::action>(
-        "action", "Action", actions,
-        "cauterise: heat, which closes, chars or divides. cut and tear: a wound. coagulate: heat that only "
-        "closes wounds. suction and irrigation take blood away."),
+    choice<&E::action>("action", "Action", actions,
+                       "cauterise: heat, which closes, chars or divides tissue. cut and tear: a wound. coagulate: heat "
+                       "that only closes wounds. suction and irrigation remove blood."),
     number<&E::time>("time", "Time", event_time, "When the tool touches the organ."),
-    number<&E::duration>("duration", "Duration", event_time, "How long it stays."),
+    number<&E::duration>("duration", "Duration", event_time, "How long it touches the organ."),
     required(vector<&E::position>("position", "Position", place, "Where it touches.")),
-    same_as("position", vector<&E::to>("to", "To", place, "Where it has moved to at the end.")),
+    same_as("position", vector<&E::to>("to", "To", place, "Where it is at the end.")),
     number<&E::power>("power", "Power", {0, 1, 0.01}, "Cautery power."),
     number<&E::strength>("strength", "Strength", {0, 10, 0.05},
                          "Strength of the wound: a factor on the preset's speed."),
 };
 
-constexpr Parameter curve_time = required(
-    number<&CurvePoint::time>("time", "Time", event_time, "When the factor has this value; after the point before."));
+constexpr Parameter curve_time = required(number<&CurvePoint::time>(
+    "time", "Time", event_time, "When the factor has this value; later than the point before."));
 constexpr Parameter power_rows[] = {
     curve_time,
-    number<&CurvePoint::value>("value", "Value", {0, 1, 0.01}, "Factor on the power of hot contacts; 1 is their own."),
+    number<&CurvePoint::value>("value", "Value", {0, 1, 0.01},
+                               "Factor on the cautery power of events; 1 leaves it unchanged."),
 };
 constexpr Parameter strength_rows[] = {
     curve_time,
     number<&CurvePoint::value>("value", "Value", {0, 4, 0.01},
-                               "Factor on the speed at which blood spreads; 0 lets it stand."),
+                               "Factor on the speed at which blood spreads; 0 stops it."),
 };
 constexpr Parameter emission_rows[] = {
     curve_time,
@@ -127,30 +127,30 @@ constexpr OrderRule ascending{"time", [](const void* before, const void* point) 
 constexpr std::size_t most_curve_points = 256;
 
 constexpr Table curve_tables[] = {
-    ordered(ascending, list<&Curves::cautery_power, most_curve_points>("cautery_power", "Cautery power",
-                                                                       "Factor on the power of hot contacts over time: "
-                                                                       "heat and smoke follow. Straight between "
-                                                                       "points; none: 1 all the time.",
-                                                                       {power_rows})),
+    ordered(ascending, list<&Curves::cautery_power, most_curve_points>(
+                           "cautery_power", "Cautery power",
+                           "Factor on the cautery power of events over time; heat and smoke follow it. Straight lines "
+                           "between points; without points it is 1 all the time.",
+                           {power_rows})),
     ordered(ascending, list<&Curves::bleeding_strength, most_curve_points>(
                            "bleeding_strength", "Bleeding strength",
-                           "Factor on the speed at which the blood of open wounds spreads, over time. Straight between "
-                           "points; none: 1 all the time.",
+                           "Factor on the speed at which the blood of open wounds spreads, over time. Straight lines "
+                           "between points; without points it is 1 all the time.",
                            {strength_rows})),
-    ordered(ascending, list<&Curves::emission, most_curve_points>(
-                           "emission", "Emission",
-                           "Factor on the smoke that heat makes, over time. Straight between points; none: 1 all the "
-                           "time.",
-                           {emission_rows})),
+    ordered(ascending,
+            list<&Curves::emission, most_curve_points>("emission", "Emission",
+                                                       "Factor on the smoke that heat makes, over time. Straight lines "
+                                                       "between points; without points it is 1 all the time.",
+                                                       {emission_rows})),
 };
 
 constexpr Parameter reference_rows[] = {
-    path<&SceneReference::file>("file", "File", "The surgery video or image sequence to match; empty for none."),
+    path<&SceneReference::file>("file", "File", "The surgery video or numbered images to match; empty for none."),
     number<&SceneReference::offset>("offset", "Offset", {-86'400, 86'400, 0.05, "s"},
-                                    "Time in the reference when the scene starts."),
-    number<&SceneReference::aspect>("aspect", "Aspect", {0, 10, 0.01},
-                                    "Width over height of its picture when shown, for videos that are stored "
-                                    "squeezed; 0 is as stored."),
+                                    "Time in the reference video when the scene starts."),
+    number<&SceneReference::aspect>(
+        "aspect", "Aspect", {0, 10, 0.01},
+        "Width over height at which the reference is shown, for videos that are stored squeezed. 0: as stored."),
 };
 
 constexpr double least_aspect = 0.1;
@@ -162,11 +162,12 @@ constexpr Rule reference_rules[] = {{"aspect", [](const void* owner) -> std::str
 
 constexpr Parameter scene_rows[] = {
     text<&Scene::name>("name", "Name", 100, "What the scene is called in lists."),
-    path<&Scene::preset>("preset", "Preset", "The preset that the scene opens with; empty for the defaults."),
+    path<&Scene::preset>("preset", "Preset", "The preset that the scene opens with; empty for the default values."),
     integer<&Scene::seed>("seed", "Seed", {0, 2'147'483'647, 1},
-                          "Start of all that is random; the same seed, the same picture."),
+                          "Start of all random choices; the same seed gives the same picture."),
     number<&Scene::duration>("duration", "Duration", {0.1, 3600, 0.5, "s"}, "Length of the scene."),
-    vector<&Scene::gravity>("gravity", "Gravity", direction, "Where blood runs; any length."),
+    vector<&Scene::gravity>("gravity", "Gravity", direction,
+                            "The direction in which blood runs; its length does not matter."),
 };
 
 constexpr Rule scene_rules[] = {{"gravity", [](const void* owner) -> std::string {

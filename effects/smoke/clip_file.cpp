@@ -15,7 +15,7 @@ namespace {
 constexpr int maximum_first = 999;  // number of a sequence's first image
 constexpr int maximum_digits = 9;   // of a number in a sequence
 constexpr int maximum_images = 1'000'000;
-constexpr const char* is_directory = "is a directory; a video file is needed";
+constexpr const char* is_directory = "is a folder; a video file is needed";
 constexpr const char* not_plain = "is not a plain file";
 
 void require_plain_file(const fs::path& path) {

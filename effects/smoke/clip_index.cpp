@@ -125,7 +125,7 @@ Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::si
         packets.cut = packets.cut || (packet->flags & AV_PKT_FLAG_CORRUPT) != 0;
         if (is_hidden(codec, *packet)) continue;
         if (entries.size() == maximum)
-            throw bad_clip(path, "holds more than " + std::to_string(maximum) + " frames, the most that are allowed");
+            throw bad_clip(path, "has more than " + std::to_string(maximum) + " frames, the most that are allowed");
         entries.push_back({packet->pts, packet->dts, packet->pos, packet->duration, can_start(codec, *packet)});
         if (file.single_image()) break;  // what follows is a preview or the like
     }
@@ -219,7 +219,7 @@ int ClipIndex::frame_at(std::int64_t pts) const {
 ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const organ::Stages& stages) {
     const Packets packets = read_packets(file, path, static_cast<std::size_t>(maximum), stages);
     const std::vector<Entry>& entries = packets.shown;
-    if (entries.empty()) throw bad_clip(path, "holds no frame that can be decoded");
+    if (entries.empty()) throw bad_clip(path, "has no frame that can be decoded");
     ClipIndex index;
     if (has_stamps(file, entries)) {
         index.stamps = sorted_stamps(entries);
@@ -235,7 +235,7 @@ ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int max
         const double rate = claimed_rate(file.video());
         set_times_by_rate(index, entries.size(), rate > 0.0 ? rate : default_rate);
         if (rate == 0.0 && index.warning.empty())
-            index.warning = "tells no usable times; 25 frames per second are taken";
+            index.warning = "has no usable times; 25 frames per second are assumed";
     }
     return index;
 }

@@ -329,9 +329,9 @@ std::vector<ClipStatus> ClipSet::status() const {
                           .warning = file.info.warning};
         if (status.warning.empty() && status.broken > 0)
             status.warning = std::to_string(status.broken) + " of its " + std::to_string(status.frames) +
-                             " frames cannot be decoded; the one before is shown in their place";
+                             " frames cannot be decoded; the frame before is shown in their place";
         if (status.warning.empty() && state_->options.scheme == Scheme::resident && !resident)
-            status.warning = "does not fit the memory for clips beside those before it (it takes " +
+            status.warning = "does not fit into the memory for clips together with those before it (it needs " +
                              mebibytes(store_memory(file, played_frames(file.info, clip.settings))) + " of " +
                              mebibytes(state_->options.memory) + "); it is decoded while it plays";
         all.push_back(std::move(status));

@@ -132,7 +132,7 @@ void Decoder::State::look_through(int maximum_frames, const organ::Stages& stage
     ClipIndex one_image;
     one_image.times = {0.0};
     if (reader->next(sequence ? one_image : *index, *shown.frame, shown.number, nullptr) != Step::frame)
-        throw bad_clip(path, "holds no frame that can be decoded");
+        throw bad_clip(path, "has no frame that can be decoded");
     found->color = color_of(*shown.frame);
     describe(*shown.frame, *found);
     if (sequence) reader.reset();
@@ -151,7 +151,7 @@ int Decoder::State::count_decodable(const organ::Stages& stages) {
 
 void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
     info.size = size = {frame.width, frame.height};
-    if (frame.width < 1 || frame.height < 1) throw bad_clip(path, "holds no picture");
+    if (frame.width < 1 || frame.height < 1) throw bad_clip(path, "contains no picture");
     if (frame.width > maximum_side || frame.height > maximum_side)
         throw bad_clip(path, "is " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
                                  " pixels; at most " + std::to_string(maximum_side) + " a side are allowed");

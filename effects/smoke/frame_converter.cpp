@@ -159,7 +159,7 @@ void FrameConverter::prepare_scaler(const AVFrame& frame) {
         {"src_range", color.full_range}, {"dst_range", color_.full_range}, {"sws_flags", flags}};
     for (const auto& [name, value] : options) av_opt_set_int(s, name, value, 0);
     if (sws_init_context(s, nullptr, nullptr) < 0)
-        throw Error(Failure::bad_input, Fault{"", "", "is of a pixel format that cannot be converted"});
+        throw Error(Failure::bad_input, Fault{"", "", "has a pixel format that cannot be converted"});
     sws_setColorspaceDetails(s, sws_getCoefficients(color.space), color.full_range, sws_getCoefficients(color_.space),
                              color_.full_range, 0, 1 << 16, 1 << 16);
     if (!scaled_) {

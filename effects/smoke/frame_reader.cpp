@@ -23,7 +23,7 @@ const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
     if (alpha != nullptr && std::string_view(alpha->value) == "1" && (id == AV_CODEC_ID_VP8 || id == AV_CODEC_ID_VP9)) {
         if (const AVCodec* codec = avcodec_find_decoder_by_name(id == AV_CODEC_ID_VP8 ? "libvpx" : "libvpx-vp9"))
             return codec;
-        warning = "its opacity is left out: this FFmpeg has no libvpx";
+        warning = "its opacity is not used: this FFmpeg has no libvpx";
     }
     return avcodec_find_decoder(id);
 }

@@ -134,7 +134,7 @@ void MediaFile::require_size(std::int64_t width, std::int64_t height) const {
 void MediaFile::choose_video() {
     video_ = av_find_best_stream(format_.get(), AVMEDIA_TYPE_VIDEO, -1, -1, nullptr, 0);
     if (video_ < 0 || (video().disposition & AV_DISPOSITION_ATTACHED_PIC) != 0)
-        throw bad_clip(path_, "holds no picture");
+        throw bad_clip(path_, "contains no picture");
     for (unsigned i = 0; i < format_->nb_streams; ++i)
         if (static_cast<int>(i) != video_) format_->streams[i]->discard = AVDISCARD_ALL;
     require_size(video().codecpar->width, video().codecpar->height);

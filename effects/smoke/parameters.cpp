@@ -35,37 +35,42 @@ namespace lapfx::preset {
 
 namespace {
 
-constexpr Range luma{0, 255, 1, "code values"};
-constexpr Range chroma{0, 180, 1, "code values"};
+constexpr Range luma{0, 255, 1, "levels"};
+constexpr Range chroma{0, 180, 1, "levels"};
 
 using K = KeyingParameters;
 constexpr Parameter keying_rows[] = {
     number<&K::luma_low>("luma_low", "Luma low", luma,
-                         "Luma up to which a pixel is background: the lower of the paper's luminance thresholds."),
+                         "Brightness (luma: 0 black, 255 white) up to which a pixel is background. In the paper: the "
+                         "lower luminance threshold."),
     number<&K::luma_high>("luma_high", "Luma high", luma,
-                          "Luma from which a pixel is fully smoke: the upper of the paper's luminance thresholds."),
-    color<&K::key_color>(
-        "key_color", "Key colour",
-        "Colour of the background that the paper's filter removes: chroma distance is measured from it."),
+                          "Brightness (luma: 0 black, 255 white) from which a pixel is fully smoke. In the paper: the "
+                          "upper luminance threshold."),
+    color<&K::key_color>("key_color", "Key colour",
+                         "Colour of the background that keying removes. The two chroma values measure how far a colour "
+                         "is from it. In the paper: the colour that its filter removes."),
     number<&K::chroma_low>(
         "chroma_low", "Chroma low", chroma,
-        "Distance from the key colour in Cb and Cr up to which a pixel is still background. With both "
-        "chroma bounds 0, chroma is not used. The lower of the paper's chroma thresholds."),
+        "Distance from the key colour, without brightness, up to which a pixel is still background. With both chroma "
+        "values 0 only brightness decides. In the paper: the lower chroma threshold (Cb, Cr)."),
     number<&K::chroma_high>("chroma_high", "Chroma high", chroma,
-                            "Distance from the key colour in Cb and Cr from which a pixel is fully smoke, whatever its "
-                            "luma: the upper of the paper's chroma thresholds."),
-    number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is taken out of the smoke."),
+                            "Distance from the key colour, without brightness, from which a pixel is fully smoke. In "
+                            "the paper: the upper chroma threshold (Cb, Cr)."),
+    number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is removed from the smoke."),
     number<&K::choke>(
         "choke", "Choke", {0, 16, 0.5, "pixels"},
-        "How far the smoke is drawn in from its edges, in pixels of the clip: takes off a rim of background."),
-    number<&K::feather>("feather", "Feather", {0, 16, 0.5, "pixels"},
-                        "How far the smoke's opacity is smoothed, in pixels of the clip: takes off noise and blocks."),
-    number<&K::noise_scale>("noise_scale", "Noise scale", {0.01, 2, 0.01, "clip heights", Scale::logarithmic},
-                            "Width of one lobe of the paper's Perlin noise on the smoke's opacity (alpha)."),
+        "How far the edges of the smoke are drawn in, in pixels of the clip. Removes a rim of background."),
+    number<&K::feather>(
+        "feather", "Feather", {0, 16, 0.5, "pixels"},
+        "How far the opacity of the smoke is smoothed, in pixels of the clip. Removes noise and blocks."),
+    number<&K::noise_scale>(
+        "noise_scale", "Noise scale", {0.01, 2, 0.01, "clip heights", Scale::logarithmic},
+        "Width of one lobe of the noise that varies the opacity of the smoke. In the paper: Perlin noise on alpha."),
     number<&K::noise_strength>("noise_strength", "Noise strength", {0, 1, 0.01},
-                               "How much the paper's Perlin noise changes the smoke's opacity (alpha), so that a "
-                               "looping clip never looks the same."),
-    number<&K::noise_drift>("noise_drift", "Noise drift", {0, 2, 0.01, "clip heights/s"}, "How fast the noise moves."),
+                               "How much noise varies the opacity of the smoke, so that a looping clip never looks the "
+                               "same. In the paper: Perlin noise on alpha."),
+    number<&K::noise_drift>("noise_drift", "Noise drift", {0, 2, 0.01, "How fast the noise moves."},
+                            "How fast the noise moves."),
 };
 
 constexpr Rule keying_rules[] = {
@@ -89,39 +94,38 @@ constexpr Range clip_time{0, 3600, 0.1, "s"};
 
 using S = SmokeClip;
 constexpr Parameter clip_rows[] = {
-    required(contained(path<&S::file>("file", "File",
-                                      "The smoke video: a file in the folder of the preset, or a bare name that the "
-                                      "simulator looks up."))),
+    required(contained(path<&S::file>(
+        "file", "File",
+        "The smoke video: a file in the folder of the preset, or a bare name that the simulator looks up."))),
     choice<&S::role>("role", "Role", roles,
-                     "plume: the paper's source smoke at the tool tip. haze: its environmental smoke over "
-                     "the whole view."),
+                     "plume: smoke at the tool tip. haze: smoke over the whole view. In the paper: source smoke and "
+                     "environmental smoke."),
     choice<&S::polarity>("polarity", "Polarity", polarities,
-                         "light: light smoke before a dark background. dark: dark smoke before a light background."),
+                         "light: light smoke on a dark background. dark: dark smoke on a light background."),
     number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
-    number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic}, "Speed of playing; 1 is as filmed."),
+    number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic},
+                      "How fast the clip plays; 1 is as filmed."),
     number<&S::source_x>(
         "source_x", "Source x", {0, 1, 0.01, "clip widths"},
-        "Where in the frame the smoke starts, from the left: this point is placed at the instrument's tip."),
+        "Where in the frame the smoke starts, from the left. This point of the clip is placed at the tool tip."),
     number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
                          "Where in the frame the smoke starts, from the top."),
-    number<&S::in>("in", "In", clip_time, "Where in the clip playing starts."),
-    number<&S::out>("out", "Out", clip_time, "Where in the clip playing ends and starts over; 0 is the clip's end."),
+    number<&S::in>("in", "In", clip_time, "Time in the clip at which playing starts."),
+    number<&S::out>("out", "Out", clip_time,
+                    "Time in the clip at which playing ends and starts over; 0 is the clip's end."),
     number<&S::crossfade>("crossfade", "Cross-fade", {0, 30, 0.1, "s"},
-                          "How long the end of the loop is faded into its beginning, at most half of the loop."),
-    choice<&S::start>(
-        "start", "Start", starts,
-        "seeded: starts anywhere in the loop, so that clips named twice never look alike. beginning: at the "
-        "in point."),
-    choice<&S::mirror>("mirror", "Mirror", mirrors, "Left and right exchanged: by chance, never, or always."),
+                          "How long the end of the loop fades into its beginning, at most half of the loop."),
+    choice<&S::start>("start", "Start", starts,
+                      "seeded: starts at a random place in the loop, so that a clip used twice never looks the same. "
+                      "beginning: starts at the in point."),
+    choice<&S::mirror>("mirror", "Mirror", mirrors, "Swaps left and right: by chance, never, or always."),
     number<&S::rotation>(
         "rotation", "Rotation", {0, 180, 1, "degrees"},
-        "The clip is turned by a seeded angle, at most this much either way, about where its smoke starts."),
+        "The clip is turned by a random angle, at most this much either way, about the point where its smoke starts."),
     number<&S::edge_fade>(
         "edge_fade", "Edge fade", {0, 0.5, 0.01, "of the smaller side"},
-        "How far smoke fades to nothing at the edges of the frame, or of what is left of it by the crop, and around "
-        "masks, so that no straight line shows. It is whole where the smoke starts. Haze fills the view up to its "
-        "edges: it "
-        "fades around masks alone."),
+        "How far smoke fades out at the edges of the frame or of its crop, and around masks, so that no straight line "
+        "shows. Smoke stays unfaded where it starts. Haze fills the view up to its edges: it fades around masks only."),
 };
 
 constexpr Rule clip_rules[] = {
@@ -136,10 +140,10 @@ constexpr Range cut{0, 0.9, 0.005, "of the frame"};
 
 using C = ClipCrop;
 constexpr Parameter crop_rows[] = {
-    number<&C::left>("left", "Left", cut, "What is left out at the left, of the frame's width."),
-    number<&C::top>("top", "Top", cut, "What is left out at the top, of the frame's height."),
-    number<&C::right>("right", "Right", cut, "What is left out at the right, of the frame's width."),
-    number<&C::bottom>("bottom", "Bottom", cut, "What is left out at the bottom, of the frame's height."),
+    number<&C::left>("left", "Left", cut, "Part of the frame's width that is left out at the left."),
+    number<&C::top>("top", "Top", cut, "Part of the frame's height that is left out at the top."),
+    number<&C::right>("right", "Right", cut, "Part of the frame's width that is left out at the right."),
+    number<&C::bottom>("bottom", "Bottom", cut, "Part of the frame's height that is left out at the bottom."),
 };
 
 std::string all_cut(double one, double other) {
@@ -166,21 +170,21 @@ constexpr Range place{0, 1, 0.005, "of the frame"};
 
 using M = ClipMask;
 constexpr Parameter mask_rows[] = {
-    number<&M::x>("x", "X", place, "The mask's left edge, of the frame's width from the left."),
-    number<&M::y>("y", "Y", place, "The mask's upper edge, of the frame's height from the top."),
-    number<&M::width>("width", "Width", place, "The mask's width, of the frame's."),
-    number<&M::height>("height", "Height", place, "The mask's height, of the frame's."),
+    number<&M::x>("x", "X", place, "The mask's left edge, as a part of the frame's width."),
+    number<&M::y>("y", "Y", place, "The mask's upper edge, as a part of the frame's height."),
+    number<&M::width>("width", "Width", place, "The mask's width, as a part of the frame's."),
+    number<&M::height>("height", "Height", place, "The mask's height, as a part of the frame's."),
 };
 
 constexpr Table clip_tables[] = {
     table<&S::crop>("crop", "Crop",
-                    "What is left out of the frame at its sides, such as black bars: it keys to nothing. A plume keeps "
-                    "its place and size, haze shows what is left as large as the view.",
+                    "What is left out at the sides of the frame, such as black bars: there is no smoke there. A plume "
+                    "keeps its place and size; haze is enlarged to fill the view.",
                     {crop_rows, {}, crop_rules}),
-    list<&S::masks, most_masks>(
-        "masks", "Masks", "Garbage mask: rectangles of the frame that key to nothing, such as a logo.", {mask_rows}),
+    list<&S::masks, most_masks>("masks", "Masks",
+                                "Rectangles of the frame without smoke, such as a logo (garbage masks).", {mask_rows}),
     optional<&S::own_keying>(table<&S::keying>("keying", "Own keying",
-                                               "Keying of this clip alone; without it the preset's keying holds.",
+                                               "Keying of this clip alone; without it the preset's keying is used.",
                                                {keying_rows, {}, keying_rules})),
 };
 
@@ -194,50 +198,54 @@ constexpr Parameter plume_rows[] = {
     number<&P::density>("density", "Density", {0, 4, 0.05}, "How thick the plume is at full emission; 1 is as keyed."),
     number<&P::rise>("rise", "Rise", {0, 100, 0.5, "mm/s"}, "How fast the plume drifts up from the tip."),
     number<&P::growth>("growth", "Growth", {0, 3, 0.01, "1/s"},
-                       "By which part of its size the plume grows in a second."),
-    number<&P::fade_in>("fade_in", "Fade in", fade, "How long the plume takes to full density once cautery starts."),
+                       "How much the plume grows per second, as a part of its size."),
+    number<&P::fade_in>("fade_in", "Fade in", fade,
+                        "How long the plume takes to reach full density once cautery starts."),
     number<&P::fade_out>("fade_out", "Fade out", fade, "How long the plume stays once cautery ends."),
     number<&P::lean>(
         "lean", "Lean", {0, 1.5, 0.05},
-        "How far the plume leans towards the camera, mm for each mm that it rises: smoke along a wall is turned "
-        "away from it."),
+        "How far the plume leans towards the camera, in mm for each mm that it rises: smoke moves away from a wall."),
     number<&P::softness>("softness", "Softness", {0.1, 50, 0.1, "mm", Scale::logarithmic},
-                         "Over which distance the plume fades where it meets tissue or instruments."),
+                         "The distance over which the plume fades out where it meets tissue or instruments."),
     number<&P::fat_gain>("fat_gain", "Fat gain", {0, 4, 0.05},
-                         "How much more smoke burning fat gives, plume and haze: 1 is twice as much where all is fat. "
-                         "The paper's future work: smoke by the density of the fat layer."),
-    color<&P::color>("color", "Colour", "Colour of thick plume under the endoscope's lamp."),
-    vector<&P::extinction>("extinction", "Extinction", extinction,
-                           "How strongly red, green and blue are held back; real smoke passes more red than blue."),
+                         "How much more smoke burning fat makes, plume and haze: 1 is twice as much where all is fat. "
+                         "Smoke that depends on the fat layer is the paper's future work."),
+    color<&P::color>("color", "Colour", "Colour of thick plume in the light of the endoscope's lamp."),
+    vector<&P::extinction>(
+        "extinction", "Extinction", extinction,
+        "How strongly the smoke holds back red, green and blue light; real smoke lets more red than blue through."),
 };
 
 using H = HazeParameters;
 constexpr Parameter haze_rows[] = {
     number<&H::accumulation>(
         "accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
-        "How fast cautery at full emission fills the view with the paper's environmental smoke. Where no clip "
-        "has the role haze it is an even veil; a preset without clips has no smoke at all."),
+        "How fast cautery at full emission fills the view with haze. Without a clip for haze it is an even veil; a "
+        "preset without clips makes no smoke at all. In the paper: environmental smoke."),
     number<&H::ventilation>(
         "ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
-        "Which part of the haze leaves per second: the paper's ventilation capacity. 0 keeps it for ever."),
-    number<&H::suction>("suction", "Suction", {0, 10, 0.05, "1/s"},
-                        "Which part of the haze a suction tool takes per second while it runs, besides ventilation."),
+        "Part of the haze that leaves per second; 0 keeps all of it. In the paper: the ventilation capacity."),
+    number<&H::suction>(
+        "suction", "Suction", {0, 10, 0.05, "1/s"},
+        "Part of the haze that a suction tool removes per second while it runs, in addition to ventilation."),
     number<&H::unevenness>("unevenness", "Unevenness", {0, 1, 0.01},
-                           "0 is an even veil, 1 takes all its shape from the haze clips and noise."),
-    color<&H::color>("color", "Colour", "Colour of dense haze under the endoscope's lamp."),
-    vector<&H::extinction>("extinction", "Extinction", extinction,
-                           "How strongly red, green and blue are held back; real smoke passes more red than blue."),
+                           "0 is an even veil; at 1 its shape comes from the haze clips and noise alone."),
+    color<&H::color>("color", "Colour", "Colour of dense haze in the light of the endoscope's lamp."),
+    vector<&H::extinction>(
+        "extinction", "Extinction", extinction,
+        "How strongly the smoke holds back red, green and blue light; real smoke lets more red than blue through."),
 };
 
 using F = ParticleParameters;
 constexpr Parameter particle_rows[] = {
     number<&F::rate>("rate", "Rate", {0, 60, 1, "1/s"},
-                     "Specks thrown off per second where all of the tissue is fat and power is full: the paper's fat "
-                     "particles. 0 is none."),
+                     "Specks thrown off per second at full power where all of the tissue is fat; 0 for none. In the "
+                     "paper: fat particles, as future work."),
     number<&F::size>("size", "Size", {0.05, 3, 0.05, "mm", Scale::logarithmic}, "Diameter of the largest specks."),
     number<&F::speed>("speed", "Speed", {0, 200, 1, "mm/s"}, "How fast specks leave the tip; air slows them down."),
-    number<&F::lifetime>("lifetime", "Lifetime", {0.05, 5, 0.05, "s", Scale::logarithmic}, "How long a speck is seen."),
-    color<&F::color>("color", "Colour", "Colour of a speck under the endoscope's lamp."),
+    number<&F::lifetime>("lifetime", "Lifetime", {0.05, 5, 0.05, "s", Scale::logarithmic},
+                         "How long a speck stays visible."),
+    color<&F::color>("color", "Colour", "Colour of a speck in the light of the endoscope's lamp."),
 };
 
 constexpr std::size_t most_clips = 64;  // four times the fifteen streams of the paper's benchmark, and a few
@@ -249,10 +257,10 @@ Table smoke_table() {
     static constexpr Table tables[] = {
         list<&A::clips, most_clips>("clips", "Clips", "Smoke videos and how each is used.",
                                     {clip_rows, clip_tables, clip_rules}),
-        table<&A::keying>("keying", "Keying", "How smoke is told from the background of its clip.",
+        table<&A::keying>("keying", "Keying", "How smoke is separated from the background of its clip.",
                           {keying_rows, {}, keying_rules}),
-        table<&A::plume>("plume", "Plume", "The paper's source smoke, at the tool tip.", {plume_rows}),
-        table<&A::haze>("haze", "Haze", "The paper's environmental smoke, over the whole view.", {haze_rows}),
+        table<&A::plume>("plume", "Plume", "Smoke at the tool tip. In the paper: source smoke.", {plume_rows}),
+        table<&A::haze>("haze", "Haze", "Smoke over the whole view. In the paper: environmental smoke.", {haze_rows}),
         table<&A::particles>("particles", "Fat particles", "Specks that fly off while fat burns.", {particle_rows}),
     };
     return table<&Preset::smoke>("smoke", "Smoke", "Smoke at the tool tip and over the view.", {{}, tables});

@@ -45,7 +45,7 @@ KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::at
     }
     KeyingSuggestion found = survey.suggest();
     found.alpha = info.alpha;
-    if (info.alpha) found.reason = "the clip brings its own opacity, which takes the place of keying; " + found.reason;
+    if (info.alpha) found.reason = "the clip has its own opacity, which is used instead of keying; " + found.reason;
     return found;
 }
 

@@ -260,29 +260,29 @@ class Suggester {
         const bool like_haze = smoke_.odd_colour <= 0.1 && smoke_.hard_edges <= 0.02 &&
                                smoke_.amount.quantile(0.95) - smoke_.amount.quantile(0.05) < haze_range;
         doubt(!s_.plain && like_haze, 0.45,
-              "no plain background shows: black is assumed, as behind haze that fills the view");
+              "no plain background is visible: black is assumed, as behind haze that fills the view");
         doubt(!s_.plain && !like_haze, 0.2,
-              "no plain background: this is not smoke alone, and keying cannot tell it apart");
+              "no plain background: the clip shows more than smoke, and keying cannot separate the smoke");
         doubt(smoke_.odd_colour > 0.1, 0.4,
-              percent(smoke_.odd_colour) + " of what is before the background has colours that smoke has not");
-        doubt(smoke_.hard_edges > 0.02, 0.4, "hard edges before the background: not smoke alone");
+              percent(smoke_.odd_colour) +
+                  " of the picture in front of the background has colours that smoke does not have");
+        doubt(smoke_.hard_edges > 0.02, 0.4, "hard edges in front of the background: there is more than smoke");
         doubt(!coloured_ && weaker > 0.2 * stronger, 0.4,
-              "smoke both lighter and darker than the background: luma tells only the " +
+              "smoke both lighter and darker than the background: brightness finds only the " +
                   std::string(dark_ ? "darker" : "lighter"));
         const double reach = smoke_.amount.count() > 0 ? smoke_.amount.quantile(0.995) : 0.0;
-        doubt(reach < faint, 0.4, "what is before the background hardly differs from it");
+        doubt(reach < faint, 0.4, "the picture hardly differs from its background");
         doubt(!found.whole_smoke_seen && !coloured_, dark_ ? 0.6 : 0.8,
-              "thick smoke is not seen, so its luma is assumed");
+              "the clip shows no thick smoke, so its brightness is assumed");
         const double middle = 0.5 * (1.0 + found.least_opacity);
-        doubt(
-            found.whole_smoke_seen && !coloured_ && !dark_ && middle < 0.98, middle,
-            "the thickest smoke is of one brightness, which does not tell whether it is dim or thin: its opacity is " +
-                percent(found.least_opacity) + " to 100 %, " + percent(middle) + " is taken");
+        doubt(found.whole_smoke_seen && !coloured_ && !dark_ && middle < 0.98, middle,
+              "the thickest smoke has one brightness, which could mean dim or thin smoke: its opacity is " +
+                  percent(found.least_opacity) + " to 100 %, " + percent(middle) + " is used");
         doubt(s_.marks > 0.0, found.masks.empty() ? 0.9 : 1.0,
               "a mark that never moves covers " + percent(s_.marks) +
                   (found.masks.empty() ? " and is keyed as smoke" : " and is masked"));
-        doubt(s_.low != glm::ivec2(0) || s_.high != s_.size, 1.0, "bars beside the picture are cropped");
-        doubt(found.edge_fade > 0.0, 1.0, "smoke reaches the picture's edges and fades there, in a plume");
+        doubt(s_.low != glm::ivec2(0) || s_.high != s_.size, 1.0, "bars at the picture's edges are cropped");
+        doubt(found.edge_fade > 0.0, 1.0, "smoke reaches the picture's edges; as a plume it fades out there");
         found.reason = description() + (found.reason.empty() ? "" : "; " + found.reason);
     }
 
@@ -296,10 +296,10 @@ class Suggester {
     std::string description() const {
         char text[200];
         const glm::ivec3 c(glm::round(s_.background));
-        if (!s_.plain) return "smoke is told by its luma (its brightness)";
+        if (!s_.plain) return "smoke is found by its brightness (luma)";
         std::snprintf(text, sizeof text,
-                      "the background is %s (%d, %d, %d), even within %.0f code values; smoke is told by its %s",
-                      name_of_background(), c.r, c.g, c.b, noise_, coloured_ ? "colour" : "luma (its brightness)");
+                      "the background is %s (%d, %d, %d), even within %.0f levels; smoke is found by its %s",
+                      name_of_background(), c.r, c.g, c.b, noise_, coloured_ ? "colour" : "brightness (luma)");
         return text;
     }
 

@@ -107,13 +107,13 @@ TEST_F(AmountsPanel, PlotsStayWhereTheyAreWhileNewOnesAreWorkedOut) {
     ui().frame().frame();
     const auto rects = [&] { return std::pair(ui().rect("**/All plots/Blood area"), ui().rect("**/All plots/Haze")); };
     const auto before = rects();
-    EXPECT_THAT(ui().dump(), HasSubstr("Of the current scene"));
+    EXPECT_THAT(ui().dump(), HasSubstr("Of the scene as it is now"));
     EXPECT_LE(before.second.bottom(), ui().rect("**/All plots").bottom()) << "no bar is needed";
     editor().document.change("Curve", [](auto& c) { c.scene.curves.emission = {{0.0, 2.0}}; });
     ASSERT_TRUE(until([&] { return amounts.stale() && amounts.busy(); }));
     ui().frame();
     ASSERT_TRUE(amounts.stale() && amounts.busy()) << "they take longer than a frame";
-    EXPECT_THAT(ui().dump(), HasSubstr("Before the last change"));
+    EXPECT_THAT(ui().dump(), HasSubstr("From before the last change"));
     EXPECT_EQ(rects(), before);
 }
 

@@ -165,8 +165,8 @@ TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {
     EXPECT_EQ(editor().document.preset().folder / clips()[3].file, elsewhere / "smoke.avi");
     EXPECT_TRUE(editor().preview.preset_faults().empty()) << "both are seen at once";
     EXPECT_TRUE(editor().keying().shelf.outside(4));
-    ui().click(panel + "Selected clip/Copy clips beside the preset").frame().frame();
-    EXPECT_EQ(last_step().name, "Copy clips beside the preset");
+    ui().click(panel + "Selected clip/Copy clips next to the preset").frame().frame();
+    EXPECT_EQ(last_step().name, "Copy clips next to the preset");
     EXPECT_FALSE(editor().keying().shelf.any_outside());
     EXPECT_TRUE(editor().document.preset_faults().empty());
     EXPECT_TRUE(fs::exists(home / "smoke.avi"));

@@ -30,7 +30,7 @@ TEST_F(CopyClips, NothingIsCopiedToWhereTheProgramLies) {
     ASSERT_TRUE(editor().files().shipped(editor().keying().shelf.home())) << editor().keying().shelf.home();
     ASSERT_TRUE(editor().keying().shelf.any_outside());
     EXPECT_FALSE(editor().commands.enabled(editor().commands.index_of("clip.copy")));
-    EXPECT_FALSE(ui().exists("Workspace/Clips/Copy clips beside the preset"));
+    EXPECT_FALSE(ui().exists("Workspace/Clips/Copy clips next to the preset"));
     EXPECT_TRUE(ui().exists("**/Save preset as...")) << "the way out: " << ui().dump();
 }
 

@@ -448,6 +448,25 @@ TEST_F(EditorDocument, ANewDocumentIsCalledAsItsFirstFile) {
     EXPECT_EQ(load_scene(folder() / "op.scene.json").name, "Op");
 }
 
+TEST_F(EditorDocument, ANameThatWasTypedStaysWhateverItIs) {
+    const auto save_as = [&](const std::string& name) {
+        editor().files().save_preset_as();
+        ui().frame().frame();
+        ui().click("Save preset as/Name").key('A', Mods::command).type(name).key(Key::enter).frame().frame();
+        return load_preset(folder() / name).name;
+    };
+    const auto call = [&](const std::string& name) {
+        editor().document.change("Name", [&](document::Content& c) { c.preset.name = name; });
+    };
+    call("New preset");
+    EXPECT_EQ(save_as("a.json"), "New preset");
+    editor().files().make_new();
+    ui().frame().frame();
+    call("Oozing");
+    call("New preset");
+    EXPECT_EQ(save_as("b.json"), "New preset");
+}
+
 TEST_F(EditorDocument, ATextIsNoSmokeClip) {
     std::ofstream(folder() / "notes.txt") << "buy milk\n";
     editor().toasts.clear();

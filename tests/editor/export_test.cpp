@@ -79,7 +79,7 @@ TEST_F(ExportTest, TellsInPlaceWhatIsWrongAndLetsNothingBegin) {
     set_file(folder() / "out.png");
     EXPECT_EQ(editor().exports().fault_at("-o"), "a video is an .mp4, .mov, .mkv or .avi");
     EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
-    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not yet: a video is"));
+    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not possible yet: a video is"));
     set_file("/no such folder/out.mp4");
     EXPECT_THAT(std::string(editor().exports().fault_at("-o")), HasSubstr("there is no folder /no such folder"));
     set_file(folder() / "out.mp4");
@@ -95,7 +95,7 @@ TEST_F(ExportTest, TellsInPlaceWhatIsWrongAndLetsNothingBegin) {
     EXPECT_THAT(std::string(editor().exports().fault_at("--to")), HasSubstr("is not after"));
     EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
     set_file("");
-    EXPECT_EQ(editor().exports().fault_at("-o"), "name a file");
+    EXPECT_EQ(editor().exports().fault_at("-o"), "choose a name for the file");
     EXPECT_THAT(names(), IsEmpty());
 }
 
@@ -144,7 +144,7 @@ TEST_F(ExportTest, TheEditorLivesOnAndTheExportCanBeGivenUp) {
     EXPECT_THAT(ui().text("New export/Exporting out.mp4"), HasSubstr(" of 300 frames"));
     EXPECT_TRUE(ui().exists("New export/Close")) << "which is not to give it up";
     EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
-    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not yet: out.mp4 is being exported"));
+    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("Not possible yet: out.mp4 is being exported"));
     ui().click("New export/What/Preset").frame();
     set_file(path("meanwhile.json"));
     ui().click("New export/Export").frame().frame();
@@ -166,12 +166,12 @@ TEST_F(ExportTest, WhatIsThereIsAskedFor) {
     ui().frame();
     ui().click("New export/Export").frame();
     EXPECT_FALSE(editor().exports().running());
-    ASSERT_TRUE(ui().exists("Replace what is there?/Replace")) << ui().dump();
-    ui().click("Replace what is there?/Cancel").frame();
+    ASSERT_TRUE(ui().exists("Replace it?/Replace")) << ui().dump();
+    ui().click("Replace it?/Cancel").frame();
     EXPECT_TRUE(ui().exists("New export/What")) << "the form is there again";
     EXPECT_EQ(fs::file_size(path("out.png")), 3U);
     ui().click("New export/Export").frame();
-    ui().click("Replace what is there?/Replace");
+    ui().click("Replace it?/Replace");
     for (int i = 0; i < 100 && editor().exports().running(); ++i) ui().frame();
     EXPECT_EQ(cv::imread(path("out.png")).cols, 640);
 }
@@ -187,7 +187,7 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
     editor().commands.run("export.open");
     form().kind = static_cast<int>(app::ExportKind::preset);
     set_file(path("out/alone.json"));
-    EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("lies outside of"));
+    EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("is outside"));
     ui().click("New export/Form/Make a bundle instead").frame();
     set_file(path("out/together"));
     export_it();
@@ -222,7 +222,7 @@ TEST_F(ExportTest, APresetWaitsForNoJob) {
     EXPECT_THAT(news(), HasSubstr("Exported p.json, checked"));
     open_dialog("export.open");
     ui().click("New export/Export").frame();
-    EXPECT_TRUE(ui().exists("Replace what is there?/Replace")) << "the second one is asked about";
+    EXPECT_TRUE(ui().exists("Replace it?/Replace")) << "the second one is asked about";
     ui().key(ui::Key::escape).frame().key(ui::Key::escape).frame();
     editor().ask_to_close();
     ui().frame();
@@ -393,6 +393,72 @@ TEST_F(ExportTest, ABundleIsOpenedFromItsNotice) {
     EXPECT_THAT(editor().files().question()->title, HasSubstr("Save changes before opening \"alone.json\"?"));
 }
 
+/// Its organ may be anywhere, and so a bundle would pass on what its user never saw: first it is listed, and agreed to.
+class OutsideTest : public ExportTest {
+  protected:
+    void SetUp() override {
+        ExportTest::SetUp();
+        if (IsSkipped()) return;
+        for (const char* name : {"case", "else"}) fs::create_directory(folder() / name);
+        std::ofstream(folder() / "else/liver.obj") << "mtllib liver.mtl\nv 0 0 0\nv 90 0 0\nv 0 90 0\nf 1 2 3\n";
+        std::ofstream(folder() / "else/liver.mtl") << "newmtl m\nKd 1 0 0\n";
+        fs::copy_file(folder() / "else/liver.obj", folder() / "case/own.obj");
+    }
+    void open_with(const std::string& organ) {
+        Scene scene;
+        scene.name = "Case";
+        scene.organ.file = organ;
+        const fs::path file = folder() / "case" / "case.scene.json";
+        save_scene(scene, file);
+        open({file.string()});
+        for (int i = 0; i < 200 && editor().preview.organ_of(editor().document.scene()) == nullptr; ++i) ui().frame();
+        open_dialog("export.bundle");
+        set_file(path("bundle"));
+    }
+    std::string real(const std::string& name) const { return fs::canonical(folder() / name).string(); }
+    bool lists(const std::string& name) { return ui().exists("New export/Form/Organ: " + real(name)); }
+};
+
+TEST_F(OutsideTest, WhatABundleCopiesFromElsewhereIsListedAndAgreedTo) {
+    open_with("../else/liver.obj");
+    EXPECT_TRUE(lists("else/liver.obj")) << ui().dump();
+    EXPECT_TRUE(lists("else/liver.mtl")) << ui().dump();
+    EXPECT_THAT(ui().dump(), HasSubstr("outside the folder " + (folder() / "case").string()));
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+    EXPECT_THAT(ui().tip("New export/Export"), HasSubstr("agree"));
+    editor().exports().start();
+    EXPECT_FALSE(editor().exports().running()) << "not even from a script";
+    ui().click("New export/Form/Copy these files").frame();
+    EXPECT_FALSE(ui().is("New export/Export", ui::Is::disabled)) << ui().tip("New export/Export");
+    export_it();
+    EXPECT_TRUE(fs::exists(folder() / "bundle" / "organ" / "liver.obj"));
+    open_dialog("export.bundle");
+    EXPECT_FALSE(form().outside_agreed) << "each time";
+}
+
+TEST_F(OutsideTest, ALinkIsListedAsWhatItLeadsTo) {
+    fs::create_symlink("../else/liver.obj", folder() / "case/mine.obj");
+    open_with("mine.obj");
+    EXPECT_TRUE(lists("else/liver.obj")) << ui().dump();
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+}
+
+TEST_F(OutsideTest, AnotherListIsAnotherQuestionAndNoneIsNone) {
+    open_with("../else/liver.obj");
+    ui().click("New export/Form/Copy these files").frame();
+    editor().document.change("Tool", [](document::Content& c) { c.scene.tool.file = "../else/liver.obj"; });
+    ui().frame().frame();
+    EXPECT_TRUE(ui().exists("New export/Form/Tool: " + real("else/liver.obj"))) << ui().dump();
+    EXPECT_FALSE(form().outside_agreed);
+    EXPECT_TRUE(ui().is("New export/Export", ui::Is::disabled));
+    ui().click("New export/Form/With scene and organ").frame();
+    EXPECT_FALSE(ui().exists("New export/Form/Copy these files")) << "the preset's clips are its own";
+    ui().click("New export/Cancel").frame();
+    open_with("own.obj");
+    EXPECT_FALSE(ui().exists("New export/Form/Copy these files")) << ui().dump();
+    EXPECT_FALSE(ui().is("New export/Export", ui::Is::disabled)) << ui().tip("New export/Export");
+}
+
 TEST_F(ExportTest, TheDialogKeepsItsSize) {
     open_dialog("export.open");
     const ui::Rect before = ui().rect("New export");
@@ -425,7 +491,7 @@ TEST_F(ExportTest, AFailureOnTheWayIsToldAndLeavesNothing) {
     fs::remove_all(folder() / "sub");
     for (int i = 0; i < 100 && editor().exports().running(); ++i) ui().frame();
     EXPECT_FALSE(editor().exports().running());
-    EXPECT_THAT(news(), HasSubstr("out.mp4: the video could not be written whole"));
+    EXPECT_THAT(news(), HasSubstr("out.mp4: the video could not be written completely"));
     EXPECT_FALSE(fs::exists(folder() / "sub"));
 }
 

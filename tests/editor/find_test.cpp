@@ -30,7 +30,7 @@ TEST_F(FindTest, ThePaletteGoesToAParameter) {
     find("haze ventilation");
     EXPECT_TRUE(ui().focused().ends_with("Haze/Ventilation")) << ui().focused();
     const ui::Rect row = ui().rect("**/Parameters/Haze/Ventilation"), area = ui().rect("**/Preset/Parameters");
-    EXPECT_GE(row.y, area.y) << "in sight";
+    EXPECT_GE(row.y, area.y) << "visible values";
     EXPECT_LE(row.bottom(), area.bottom());
     EXPECT_EQ(editor().tuning().current, app::parameters().find("smoke.haze.ventilation"));
     EXPECT_EQ(editor().document.done(), 0U);
@@ -73,7 +73,7 @@ TEST_F(FindTest, WhatThePaletteListsOfTheSceneHasItsRow) {
         }
         ++found;
         ui().click(item).frame().frame().settle();
-        EXPECT_EQ(ui().dump().find("has no row yet"), std::string::npos) << title;
+        EXPECT_EQ(ui().dump().find("is not shown yet"), std::string::npos) << title;
         EXPECT_NE(ui().focused().find("/Scene rows/"), std::string::npos) << title << ": " << ui().focused();
         EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr) << title;
     }
@@ -92,7 +92,7 @@ TEST_F(FindTest, TheReferencesAspectIsARow) {
 TEST_F(FindTest, ARowThatIsNotThereIsTold) {
     editor().document.change("No tool", [](document::Content& c) { c.scene.tool.file.clear(); });
     find("trocar");
-    EXPECT_NE(ui().dump().find("Port has no row yet"), std::string::npos);
+    EXPECT_NE(ui().dump().find("Port is not shown yet"), std::string::npos);
     EXPECT_EQ(panels::wanted_row(ui().ui()), nullptr);
 }
 

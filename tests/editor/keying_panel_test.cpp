@@ -144,7 +144,7 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     const std::string told = ui().dump();
     EXPECT_NE(told.find("% sure"), std::string::npos) << "told in place";
     EXPECT_NE(told.find("the background is green ("), std::string::npos);
-    EXPECT_NE(told.find(" of 255; smoke is told by its colour"), std::string::npos) << "with its unit";
+    EXPECT_NE(told.find(" levels; smoke is found by its colour"), std::string::npos) << "with its unit";
     EXPECT_NE(told.find("Chroma high 0 to "), std::string::npos) << editor().keying().suggestion_changes();
     EXPECT_EQ(told.find("code values"), std::string::npos) << "one word for it everywhere";
     EXPECT_TRUE(editor().keying().suggestion_changes().starts_with("For this clip only (")) << "and says so";
@@ -159,6 +159,22 @@ TEST_F(KeyingPanel, SuggestFillsTheThresholds) {
     editor().document.undo();
     EXPECT_EQ(keying().chroma_high, 0.0);
     EXPECT_FALSE(editor().keying().clip()->own_keying);
+}
+
+/// As the rows beside them do (the sheet of keys says so).
+TEST_F(KeyingPanel, BackspaceOnHandlesIsTheSavedValueWithShiftTheDefault) {
+    const KeyingParameters saved = keying(), standard;
+    ASSERT_NE(saved.luma_low, standard.luma_low) << "else nothing is told apart";
+    editor().document.change("Edited", [](document::Content& c) {
+        c.preset.smoke.keying.luma_low = 77, c.preset.smoke.keying.chroma_low = 33;
+        c.preset.smoke.keying.chroma_high = 99;
+    });
+    ui().frame().focus(panel + "Bench/Luma/Low").key(ui::Key::backspace);
+    EXPECT_EQ(keying().luma_low, saved.luma_low);
+    ui().key(ui::Key::backspace, ui::Mods::shift);
+    EXPECT_EQ(keying().luma_low, standard.luma_low);
+    ui().focus(panel + "Bench/Chroma/Chroma low").key(ui::Key::backspace, ui::Mods::shift);
+    EXPECT_EQ(keying().chroma_low, standard.chroma_low);
 }
 
 TEST_F(KeyingPanel, SourceCropAndMasksAreHandlesOnTheSourcePicture) {
@@ -319,7 +335,7 @@ TEST_F(KeyingPanel, WhatASuggestionChangedIsSaidAsLongAsItIsSo) {
     ui::CommandTable& commands = editor().commands;
     commands.bind(commands.index_of("edit.undo"), {ui::key_of('U'), ui::Mods::command});
     ui().click(panel + "Bench/Thresholds/Suggest keying").frame().frame();
-    EXPECT_NE(ui().dump().find("Ctrl+U takes it back."), std::string::npos);
+    EXPECT_NE(ui().dump().find("Ctrl+U undoes it."), std::string::npos);
     EXPECT_NE(ui().dump().find("Spill 0.25 to 1"), std::string::npos) << editor().keying().suggestion_changes();
     editor().document.undo();
     ui().frame().frame();
@@ -521,7 +537,7 @@ TEST_F(KeyingPanel, AClipWithItsOwnOpacityHasNoThresholds) {
     EXPECT_FALSE(ui().exists(panel + "Bench/Luma/Low"));
     EXPECT_TRUE(ui().is(panel + "Bench/Thresholds/Luma low", ui::Is::disabled));
     EXPECT_FALSE(ui().is(panel + "Bench/Thresholds/Choke", ui::Is::disabled)) << "edges are drawn in all the same";
-    EXPECT_NE(ui().dump().find("brings its own opacity"), std::string::npos) << "told why";
+    EXPECT_NE(ui().dump().find("has its own opacity"), std::string::npos) << "told why";
 }
 
 TEST_F(KeyingPanel, WithoutAClipOneCanBeAdded) {

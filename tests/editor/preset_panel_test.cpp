@@ -81,7 +81,7 @@ TEST_F(PresetPanel, EveryRowOfTheTableIsThere) {
 
 TEST_F(PresetPanel, TooltipsTellWhatIsAllowedAndTheKey) {
     const std::string tip = ui().tip("**/Bleeding/Speed");
-    EXPECT_NE(tip.find("paper's bleeding speed"), std::string::npos) << tip;
+    EXPECT_NE(tip.find("In the paper: the bleeding speed"), std::string::npos) << tip;
     EXPECT_NE(tip.find("A number from 0 to 60 mm/s; 4 by default\nbleeding.speed"), std::string::npos) << tip;
 }
 
@@ -112,7 +112,7 @@ TEST_F(PresetPanel, ChangedValuesAreCountedListedAndReset) {
     EXPECT_FALSE(ui().exists("**/Haze"));
     ui().move_to("**/Bleeding/Gloss").key(Key::backspace);
     EXPECT_DOUBLE_EQ(preset().bleeding.gloss, editor().tuning().standard().bleeding.gloss);
-    EXPECT_TRUE(ui().exists("**/Nothing differs from the file"));
+    EXPECT_TRUE(ui().exists("**/Nothing differs from the saved preset"));
 }
 
 TEST_F(PresetPanel, SavedValuesAreTheNewStandard) {
@@ -164,7 +164,7 @@ TEST_F(PresetPanel, TheMenuOfARowCopiesLocksAndMarks) {
     ui().right_click("**/Bleeding/Deep colour/name").click("**/Deep colour menu/Paste");
     EXPECT_EQ(text(), before);
     EXPECT_NE(ui().dump().find("\"no colour\" is not"), std::string::npos) << "told, with what is allowed";
-    ui().right_click("**/Bleeding/Speed").click("**/Speed menu/Lock for the fit");
+    ui().right_click("**/Bleeding/Speed").click("**/Speed menu/Lock");
     EXPECT_TRUE(editor().tuning().locked(parameters().find("bleeding.speed")));
     EXPECT_TRUE(ui().is("**/Bleeding/Speed", ui::Is::locked));
     ui().right_click("**/Bleeding/Rivulets").click("**/Rivulets menu/Favourite");
@@ -203,19 +203,19 @@ TEST_F(PresetPanel, WhatCannotBePastedIsTold) {
         EXPECT_EQ(text(), before) << clipboard;
         return ui().dump();
     };
-    EXPECT_NE(told("speed 4").find("clipboard: no JSON"), std::string::npos);
+    EXPECT_NE(told("speed 4").find("clipboard: this is not JSON"), std::string::npos);
     EXPECT_NE(told("{\"bleeding\": {\"speed\": -3}}").find("clipboard: /bleeding/speed: -3 is below"),
               std::string::npos);
     EXPECT_NE(told("{\"bleeding\": {\"sped\": 3}}").find("/bleeding/sped: unknown key; nearest is"), std::string::npos);
     EXPECT_NE(told("{\"smoke\": {\"keying\": {\"luma_low\": 250}}}").find("250 is not below luma_high"),
               std::string::npos);
-    EXPECT_NE(told("[1, 2]").find("no JSON object"), std::string::npos);
+    EXPECT_NE(told("[1, 2]").find("not a JSON object"), std::string::npos);
     EXPECT_NE(told(std::string(100000, '[')).find("clipboard: "), std::string::npos);
     EXPECT_NE(told("{\"bleeding\": {\"speed\": 1e999}}").find("clipboard: "), std::string::npos);
     editor().toasts.clear();
     ui().clipboard().text = "{\"vessels\": {\"region\": 3}}";
     ui().click("**/Parameters/Bleeding/More").click("**/Bleeding menu/Paste group");
-    EXPECT_NE(ui().dump().find("\"bleeding\" is not in the text; it holds vessels"), std::string::npos);
+    EXPECT_NE(ui().dump().find("\"bleeding\" is not in the text; it contains vessels"), std::string::npos);
     EXPECT_EQ(text(), before);
 }
 
@@ -310,7 +310,7 @@ TEST_F(PresetPanel, TipsHaveTheKeysAsTheyAreBound) {
     commands.bind(commands.index_of("preset.randomise"), {});
     ui().frame();
     EXPECT_TRUE(ui().tip("**/Preset/Search").ends_with(" (Ctrl+J)")) << ui().tip("**/Preset/Search");
-    EXPECT_EQ(ui().tip("**/Preset/Randomise"), "Randomise what is not locked: asks how far");
+    EXPECT_EQ(ui().tip("**/Preset/Randomise"), "Randomises what is not locked; asks how far");
 }
 
 TEST_F(PresetPanel, TheClipsAreOnePressAway) {
@@ -357,7 +357,7 @@ TEST_F(PresetPanel, ANoticesUndoSaysWhenItCannot) {
     ui().frame().click("Notices/" + told + "/Undo").frame();
     EXPECT_EQ(text(), now) << "the other change is not taken back";
     EXPECT_EQ(editor().toasts.log().back().text,
-              "Not undone: other changes came after it. The History panel goes back to it");
+              "Not undone: other changes were made after it. The History panel can go back to it");
 }
 
 TEST_F(PresetPanel, ShiftBackspaceAndTheMenuGoToTheDefaultOfBothEnds) {

@@ -136,12 +136,12 @@ TEST_F(ReferencePanel, AFileThatVanishesKeepsItsLastFrame) {
     ui().frame();
     fs::rename(file, folder() / "away.avi");
     ui().frame().frame();
-    EXPECT_NE(ui().dump().find("v.avi: is gone; its last frame stays"), std::string::npos) << ui().dump();
+    EXPECT_NE(ui().dump().find("v.avi: no longer exists; its last frame stays"), std::string::npos) << ui().dump();
     EXPECT_TRUE(ui().exists(in("Video")));
     EXPECT_TRUE(ui().exists(in("Choose another file...")));
     fs::rename(folder() / "away.avi", file);
     ui().frame().frame();
-    EXPECT_EQ(ui().dump().find("is gone"), std::string::npos);
+    EXPECT_EQ(ui().dump().find("no longer exists"), std::string::npos);
 }
 
 TEST_F(ReferencePanel, AFrameThatIsHeldIsAlignedWithTheScene) {
@@ -252,7 +252,7 @@ TEST_F(ReferencePanel, ThePreviewBesideIsThereAsSoonAsThereIsOne) {
 TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
     ui().frame();
     EXPECT_FALSE(reference().compares());
-    ui().click(in("Compare/Beside")).frame();
+    ui().click(in("Compare/Side by side")).frame();
     EXPECT_TRUE(reference().compares());
     EXPECT_FALSE(reference().draw()) << "nothing has changed";
     editor().seek(3);
@@ -299,7 +299,7 @@ TEST_F(ReferencePanel, ThePreviewIsAsSharpAsThePanelWhateverTheVideoIs) {
     EXPECT_EQ(reference().compared_preview().size, glm::ivec2(160, 80)) << "counted in the video's pixels";
     ASSERT_NE(reference().compared_preview().pixels, nullptr) << "drawn";
     EXPECT_LT(mean_difference(exact), 0.5 * mean_difference(mirrored)) << "the same place of the organ";
-    ui().click(in("Compare/Beside")).frame().frame();
+    ui().click(in("Compare/Side by side")).frame().frame();
     EXPECT_LT(reference().drawn_size().x, drawn.x) << "two share the room";
     const glm::ivec2 beside = reference().drawn_size();
     editor().settings().half_resolution = true;
@@ -334,7 +334,7 @@ TEST_F(ReferencePanel, ASqueezedVideoIsShownInItsAspect) {
 }
 
 TEST_F(ReferencePanel, EverythingHasANameForTheKeyboard) {
-    for (const char* way : {"Reference", "Beside", "Wipe", "Difference", "Onion"}) {
+    for (const char* way : {"Reference", "Side by side", "Wipe", "Difference", "Onion"}) {
         ui().click(in(std::string("Compare/") + way)).frame();
         EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{}) << way;
     }

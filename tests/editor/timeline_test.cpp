@@ -45,7 +45,7 @@ TEST_F(TimelinePanelTest, ASelectedEventIsTyped) {
     ASSERT_EQ(editor().selected, std::vector<std::size_t>{0});
     ui().click("**/Power", {.clicks = 2}).type("0.4").key(ui::Key::enter);
     EXPECT_DOUBLE_EQ(events()[0].power, 0.4);
-    ui().click("**/Begin", {.clicks = 2}).type("2.5").key(ui::Key::enter);
+    ui().click("**/Start", {.clicks = 2}).type("2.5").key(ui::Key::enter);
     EXPECT_DOUBLE_EQ(events()[0].time, 2.5);
     EXPECT_EQ(last_step(), "Event time");
     editor().document.undo();

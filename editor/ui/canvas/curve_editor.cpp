@@ -467,7 +467,9 @@ void put_tools(Ui& ui, Editing& editing, Memory& m, Curve& curve) {
         if (button(ui, "Pulse", quiet)) editing.use_preset(CurvePreset::pulse);
     }
     bool monotone = curve.monotone();
-    if (const Edit edit = toggle(ui, "Monotone", monotone, {.tip = "No more than the points", .quiet = true}); edit) {
+    if (const Edit edit =
+            toggle(ui, "Monotone", monotone, {.tip = "Stays within the values of its points", .quiet = true});
+        edit) {
         curve.set_monotone(monotone);
         editing.edit |= edit;
     }

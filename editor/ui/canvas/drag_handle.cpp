@@ -39,7 +39,7 @@ void take_key(HandleMoves& moves, const Event& event) {
             break;
         case Key::backspace:
         case Key::del:
-            moves.reset = true;
+            (has(event.mods, Mods::shift) ? moves.initial : moves.reset) = true;
             break;
         default:
             break;
@@ -99,14 +99,15 @@ Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, 
                     double& value) {
     Edit edit;
     const bool by_key = steps != 0 || moves.extreme != 0;
-    if (!moves.dragged && !moves.released && !moves.cancelled && !moves.reset && !by_key) return edit;
+    if (!moves.dragged && !moves.released && !moves.cancelled && !moves.reset && !moves.initial && !by_key) return edit;
     HandleMemory& memory = ui.memory<HandleMemory>(moves.id);
     const double before = value;
     const auto set = [&](double wish) {
         value = std::isfinite(wish) ? std::clamp(wish, range.minimum, std::max(range.minimum, range.maximum)) : value;
         return value != before;
     };
-    if (moves.reset) return set(range.reset) ? Edit::once() : edit;
+    if (moves.reset || moves.initial)
+        return set(moves.initial ? range.initial.value_or(range.reset) : range.reset) ? Edit::once() : edit;
     if (by_key) {
         const double wish = moves.extreme < 0   ? range.minimum
                             : moves.extreme > 0 ? range.maximum

@@ -1,6 +1,8 @@
 // A grip on a canvas (a threshold, a corner, the line of a wipe): a node of its own, so that Tab, tests and screen readers find it.
 #pragma once
 
+#include <optional>
+
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {
@@ -17,8 +19,9 @@ struct HandleOptions {
 struct HandleMoves {
     Id id = 0;
     bool dragged = false, released = false, cancelled = false;
-    bool reset = false;   ///< double click, Backspace or Delete
-    bool whole = false;   ///< Ctrl: whole steps
+    bool reset = false;    ///< double click, Backspace or Delete: to the saved value
+    bool initial = false;  ///< Shift+Backspace or Shift+Delete: to the default
+    bool whole = false;    ///< Ctrl: whole steps
     glm::vec2 to{0};      ///< px from the parent's upper left: where the drag takes `at`; with Shift a tenth of the way
     glm::dvec2 steps{0};  ///< arrows, right and up positive: 1, with Shift 0.1; page keys: 10 in y
     int extreme = 0;      ///< Home -1, End 1
@@ -32,7 +35,8 @@ HandleMoves put_handle(Ui& ui, const HandleOptions& options);
 
 struct HandleRange {
     double minimum = 0, maximum = 1, step = 0.01;
-    double reset = 0;
+    double reset = 0;                    ///< the saved value
+    std::optional<double> initial = {};  ///< the default; none: `reset`
 };
 /// Makes an edit of one number from it; clamps. `dragged`: the value where moves.to is; `steps`: those of the axes that count.
 Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, double steps, double dragged,

@@ -177,10 +177,12 @@ struct Grips {
                           .maximum = data.maximum,
                           .step = options.step,
                           .reset = high ? options.reset.high : options.reset.low};
+        if (options.initial) range.initial = high ? options.initial->high : options.initial->low;
         if (high) range.minimum = std::min(levels.low + options.step, data.maximum);
         if (!high) range.maximum = std::max(levels.high - options.step, data.minimum);
-        const HandleMoves moves = put(high ? "High" : "Low", place_of(data, value), high ? 1 : 0,
-                                      high ? "All from here on counts in full" : "All up to here counts as nothing");
+        const HandleMoves moves =
+            put(high ? "High" : "Low", place_of(data, value), high ? 1 : 0,
+                high ? "Everything from here on counts fully" : "Everything up to here does not count");
         const double dragged = data.minimum + place_at(moves) * (data.maximum - data.minimum);
         const Edit edit = edit_by_handle(ui, moves, range, moves.steps.x + moves.steps.y, dragged, value);
         tell(value, range.minimum, range.maximum, options.step, options.unit);
@@ -190,20 +192,25 @@ struct Grips {
     Edit edit_gamma(Levels& levels) const {
         const double low = place_of(data, levels.low), way = std::max(1e-9, place_of(data, levels.high) - low);
         const HandleMoves moves =
-            put("Gamma", low + way * gamma_place(levels.gamma), 2, "What becomes half: gamma of what lies between");
+            put("Gamma", low + way * gamma_place(levels.gamma), 2, "What becomes half, between low and high");
         const double place = std::clamp((place_at(moves) - low) / way, 1e-6, 1 - 1e-6);
         // Left and right as it is seen to go, which for gamma is down and up.
-        const Edit edit = edit_by_handle(
-            ui, moves,
-            {.minimum = gamma_least, .maximum = gamma_most, .step = gamma_step, .reset = options.reset.gamma},
-            moves.steps.y - moves.steps.x, std::log(place) / std::log(0.5), levels.gamma);
+        const Edit edit =
+            edit_by_handle(ui, moves,
+                           {.minimum = gamma_least,
+                            .maximum = gamma_most,
+                            .step = gamma_step,
+                            .reset = options.reset.gamma,
+                            .initial = options.initial ? std::optional(options.initial->gamma) : std::nullopt},
+                           moves.steps.y - moves.steps.x, std::log(place) / std::log(0.5), levels.gamma);
         tell(levels.gamma, gamma_least, gamma_most, gamma_step, {});
         return edit;
     }
 };
 
 Edit put_log_switch(Ui& ui, bool& on, const Parts& parts, glm::vec2 origin) {
-    const Edit edit = toggle(ui, "Log", on, {.tip = "Show rare values: heights follow the logarithm of counts"});
+    const Edit edit =
+        toggle(ui, "Log", on, {.tip = "Makes rare values visible: heights follow the logarithm of the counts"});
     Node& node = ui.last();
     node.placed = true;
     node.placement =

@@ -1,6 +1,8 @@
 // How often each value occurs, and the thresholds that are set by looking at it.
 #pragma once
 
+#include <optional>
+
 #include "ui/core/ui.h"
 
 namespace lapfx::ui {
@@ -19,11 +21,12 @@ struct Levels {
 };
 
 struct HistogramOptions {
-    Levels reset = {};           ///< a double click on a handle, or Backspace, goes back to this
-    double step = 1;             ///< of low and high: of the arrow keys and the least distance between them
-    bool gamma = false;          ///< a third handle
-    bool* log_counts = nullptr;  ///< null: counts are shown as they are, without a switch
-    double clip_share = 0.01;    ///< more than this share in an end's bin is marked as clipped
+    Levels reset = {};  ///< the saved values: a double click on a handle, or Backspace, goes back to them
+    std::optional<Levels> initial = {};  ///< the defaults, to which Shift+Backspace goes; none: `reset`
+    double step = 1;                     ///< of low and high: of the arrow keys and the least distance between them
+    bool gamma = false;                  ///< a third handle
+    bool* log_counts = nullptr;          ///< null: counts are shown as they are, without a switch
+    double clip_share = 0.01;            ///< more than this share in an end's bin is marked as clipped
     std::string_view unit = {};
     std::string_view tip = {};
     Size width = grow();

@@ -113,7 +113,7 @@ Edit edit_corner(Ui& ui, const View& view, const Corner& corner, PixelRect& regi
         region = moved(region, corner, glm::ivec2(glm::round(place - anchor + way)), view.size);
         return region != before ? Edit::once() : edit;
     }
-    if (moves.reset && corner.side.x < 0) {
+    if ((moves.reset || moves.initial) && corner.side.x < 0) {
         region = {{0, 0}, view.size};
         return region != before ? Edit::once() : edit;
     }

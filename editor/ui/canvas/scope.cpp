@@ -198,17 +198,22 @@ void edit_key(Ui& ui, const ChromaMap& map, glm::vec2 origin, const VectorscopeO
     constexpr float apart = 0.6F;  // rad
     result.low = edit_radius(
         ui, map, at, -apart,
-        {.label = "Chroma low", .tip = "What is nearer to the key than this is wholly keyed", .at = -origin},
-        {.minimum = 0, .maximum = std::max(0.0, key.chroma_high - least_gap), .step = 1, .reset = key.reset_low},
+        {.label = "Chroma low", .tip = "Colours nearer to the key colour than this are removed", .at = -origin},
+        {.minimum = 0,
+         .maximum = std::max(0.0, key.chroma_high - least_gap),
+         .step = 1,
+         .reset = key.reset_low,
+         .initial = key.initial_low},
         ui.theme().series[0], key.chroma_low);
-    result.high =
-        edit_radius(ui, map, at, apart,
-                    {.label = "Chroma high", .tip = "What is farther from the key than this is kept", .at = -origin},
-                    {.minimum = std::min(key.chroma_low + least_gap, most_radius),
-                     .maximum = most_radius,
-                     .step = 1,
-                     .reset = key.reset_high},
-                    ui.theme().series[1], key.chroma_high);
+    result.high = edit_radius(
+        ui, map, at, apart,
+        {.label = "Chroma high", .tip = "Colours farther from the key colour than this are kept", .at = -origin},
+        {.minimum = std::min(key.chroma_low + least_gap, most_radius),
+         .maximum = most_radius,
+         .step = 1,
+         .reset = key.reset_high,
+         .initial = key.initial_high},
+        ui.theme().series[1], key.chroma_high);
 }
 
 struct WaveformLook {

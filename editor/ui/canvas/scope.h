@@ -2,6 +2,8 @@
 // range, as keying sees them.
 #pragma once
 
+#include <optional>
+
 #include "ui/canvas/view.h"
 
 namespace lapfx::ui {
@@ -61,7 +63,8 @@ class ScopeImage {
 struct KeyCircles {
     glm::vec3 color{0, 255, 0};  ///< code values
     double chroma_low = 20, chroma_high = 60;
-    double reset_low = 20, reset_high = 60;
+    double reset_low = 20, reset_high = 60;                     ///< saved: Backspace on a circle goes back to it
+    std::optional<double> initial_low = {}, initial_high = {};  ///< default, for Shift+Backspace; none: the saved one
 };
 
 struct VectorscopeOptions {

@@ -158,7 +158,7 @@ std::vector<std::string> faults_of(std::span<const Node> tree) {
         if (has(tree[i].sense, Sense::focus) && tree[i].label.empty())
             faults.push_back(std::string(name_of(tree[i].role)) + " takes the keyboard and has no name");
         if (has(tree[i].is, Is::duplicate))
-            faults.push_back(path_of(tree, i) + ": another widget beside it has the same label");
+            faults.push_back(path_of(tree, i) + ": another widget next to it has the same label");
     }
     return faults;
 }

@@ -111,7 +111,7 @@ bool bindable(const Chord& chord) {
 void CommandTable::add(Command command) {
     if (command.id.empty() || command.title.empty() || !command.run)
         throw std::invalid_argument("command \"" + command.id + "\": no id, title or run");
-    if (contains(command.id)) throw std::invalid_argument("command \"" + command.id + "\" is there already");
+    if (contains(command.id)) throw std::invalid_argument("command \"" + command.id + "\" exists already");
     if (command.chord) {
         if (!bindable(command.chord))
             throw std::invalid_argument("command \"" + command.id + "\": " + text_of(command.chord) +
@@ -197,13 +197,13 @@ std::string CommandTable::to_json() const {
 
 std::vector<std::string> CommandTable::from_json(std::string_view text) {
     const auto json = nlohmann::ordered_json::parse(text, nullptr, false);
-    if (!json.is_object()) return {"the file of key bindings is no JSON object"};
+    if (!json.is_object()) return {"the file of key bindings is not a JSON object"};
     std::vector<std::string> faults;
     std::vector<std::pair<std::size_t, Chord>> wanted;
     unknown_.clear();
     for (const auto& [id, value] : json.items()) {
         if (!value.is_string()) {
-            faults.push_back(id + ": not a text");
+            faults.push_back(id + ": not text");
             continue;
         }
         const auto& name = value.get_ref<const std::string&>();
@@ -211,7 +211,7 @@ std::vector<std::string> CommandTable::from_json(std::string_view text) {
         if (!contains(id)) {
             unknown_[id] = name;
         } else if (!name.empty() && !bindable(chord)) {
-            faults.push_back(id + ": \"" + name + "\" is no key that can be bound");
+            faults.push_back(id + ": \"" + name + "\" is not a key that can be bound");
         } else {
             wanted.emplace_back(index_of(id), chord);
         }

@@ -236,7 +236,7 @@ void FileDialog::accept_typed(Ui& ui, std::string path) {
         return go(path);
     }
     if (request_.task == FileTask::folder || (request_.task != FileTask::save && kind == Kind::nothing)) {
-        fault_ = "\"" + path + "\" " + (kind == Kind::file ? "is no folder" : "is not there");
+        fault_ = "\"" + path + "\" " + (kind == Kind::file ? "is not a folder" : "does not exist");
         return;
     }
     if (request_.task != FileTask::save) return choose({std::move(path)});
@@ -277,7 +277,7 @@ std::optional<std::vector<std::string>> FileDialog::build(Ui& ui) {
     }
     const auto answer =
         ask(ui, question, "Replace the file?",
-            ui.join({"\"", name_of_path(replaces_), "\" is there already. What is in it will be lost."}),
+            ui.join({"\"", name_of_path(replaces_), "\" exists already. Its content will be lost."}),
             {{.label = "Replace"}, {.label = "Cancel", .standard = true, .cancel = true}}, Tone::warning);
     if (answer == 0) choose({replaces_});
     if (!done_) return std::nullopt;

@@ -17,10 +17,15 @@ constexpr float chord_width = 11;                                     // em
 constexpr float sheet_column = 19, sheet_gap = 2, sheet_padding = 1;  // em
 
 /// Of the UI itself; they cannot be bound otherwise.
-constexpr SheetLine fixed_keys[] = {
-    {"Next field", "Tab"},        {"Field before", "Shift+Tab"}, {"Next panel", "F6"},
-    {"Press, choose", "Enter"},   {"Close, give up", "Esc"},     {"Menu of what has the keyboard", "Menu"},
-    {"Undo in a text", "Ctrl+Z"}, {"Saved value", "Backspace"},  {"Default value", "Shift+Backspace"}};
+constexpr SheetLine fixed_keys[] = {{"Next field", "Tab"},
+                                    {"Field before", "Shift+Tab"},
+                                    {"Next panel", "F6"},
+                                    {"Press, choose", "Enter"},
+                                    {"Close, cancel", "Esc"},
+                                    {"Menu of the widget with the keyboard", "Menu"},
+                                    {"Undo in a text field", "Ctrl+Z"},
+                                    {"Reset to saved value", "Backspace"},
+                                    {"Default value", "Shift+Backspace"}};
 
 struct EditorState {
     std::string query;
@@ -66,7 +71,7 @@ bool take_chord(CommandTable& table, EditorState& state, std::size_t command, co
     state.fault.clear();
     if (chord.key == Key::escape) return false;
     if (!bindable(chord)) {
-        state.fault = text_of(chord) + " belongs to the whole program and cannot be given away";
+        state.fault = text_of(chord) + " belongs to the whole program and cannot be changed";
         return false;
     }
     if (const auto holder = table.bind(command, chord)) {
@@ -83,7 +88,7 @@ bool put_chord(Ui& ui, CommandTable& table, EditorState& state, std::size_t comm
     node.size[0] = px(ui.em(chord_width));
     node.size[1] = px(ui.row_height());
     node.text = ui.copy(table.chord_text(command));
-    node.tip = recording ? "Esc keeps what was" : "Click, then press the new keys";
+    node.tip = recording ? "Esc keeps the old keys" : "Click, then press the new keys";
     node.is |= when(recording, Is::busy) | when(table.rebound(command), Is::changed);
     const Id id = node.id;
     const Response r = ui.respond(node);

@@ -239,7 +239,8 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
     if (r.clicked && !r.released) answer.act = toast.act;  // Enter is its button
     ui.events_of(id,
                  [&](const Event& event) { answer.gone |= event.kind == EventKind::key && event.key == Key::escape; });
-    const bool closes = icon_button(ui, Icon::cross, "Close", {.tip = "Closes it; it stays in the log", .quiet = true});
+    const bool closes =
+        icon_button(ui, Icon::cross, "Close", {.tip = "Closes it; All notices keeps it", .quiet = true});
     ui.last().sense = Sense::hover | Sense::press;  // the keyboard closes by Esc: in no Tab order
     hovered_ |= has(ui.last().is, Is::hovered);
     answer.gone |= closes;
@@ -269,10 +270,10 @@ void Toasts::build_rest(Ui& ui, std::size_t out_of_sight) {
         }
     if (count == 0 && !cut) return;
     const std::string number = std::to_string(count);
-    Node& node = ui.leaf(
-        Role::link,
-        count == 0 ? std::string_view("Read it all in the log##rest") : ui.join({number, " more in the log##rest"}),
-        Sense::hover | Sense::press);
+    Node& node = ui.leaf(Role::link,
+                         count == 0 ? std::string_view("Read all of it in All notices##rest")
+                                    : ui.join({number, " more in All notices##rest"}),
+                         Sense::hover | Sense::press);
     node.size[0] = px(width_in(ui));
     node.size[1] = px(ui.row_height());
     node.tip = "All notices so far";
@@ -287,7 +288,7 @@ void Toasts::build_log(Ui& ui) {
     if (!dialog) return;
     {
         const ScrollArea area(ui, "Log", {.gap = 0.5F, .padding = 0.3F});
-        if (log_.empty()) label(ui, "There were none yet.", {.tone = Tone::dim});
+        if (log_.empty()) label(ui, "There are no notices yet.", {.tone = Tone::dim});
         for (std::size_t i = log_.size(); i-- > 0;) {
             const ToastNote& each = log_[i];
             const Row row(ui, {.width = grow(), .cross = Place::start});

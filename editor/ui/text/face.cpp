@@ -152,7 +152,7 @@ Faces::Base& Faces::opened(std::uint8_t which) {
     const OwnedPattern match(FcFontMatch(config_.get(), pattern, &result));
     Face* face = match != nullptr && drawable(match.get()) ? open(match.get()) : nullptr;
     if (face == nullptr) face = search(base, U'0');
-    if (face == nullptr) throw std::runtime_error("the system has no font that could be used for " + family);
+    if (face == nullptr) throw std::runtime_error("the system has no font for " + family);
     base.face = face;
     return base;
 }

@@ -252,7 +252,7 @@ Parser::Value Parser::power() {
     const std::size_t at = at_;
     if (take_operator("^") == 0) return base;
     const Value exponent = sign();
-    if (base.measured || exponent.measured) return fail(at, "a value with a unit cannot stand at ^");
+    if (base.measured || exponent.measured) return fail(at, "a value with a unit cannot be used with ^");
     return checked({.number = std::pow(in_field(base), in_field(exponent))}, at);
 }
 
@@ -268,7 +268,7 @@ Parser::Value Parser::measure() {
                      (unit == nullptr || field_.name.size() >= unit->name.size());
     if (!own && unit == nullptr) return word().empty() ? value : fail_unit(word(), false);
     const std::string_view name = own ? field_.name : unit->name;
-    if (value.measured || value.unit != nullptr) return fail(at_, "this has a unit already");
+    if (value.measured || value.unit != nullptr) return fail(at_, "there is a unit already");
     if (!own && unit->kind != Kind::share && (field_.unit == nullptr || field_.unit->kind != unit->kind)) {
         return fail_unit(name, true);
     }
@@ -446,7 +446,7 @@ Parser::Value Parser::fail(std::size_t at, std::string reason) {
 Parser::Value Parser::fail_unit(std::string_view unit, bool known) {
     std::string reason(unit);
     if (!known) {
-        reason += " is no unit";
+        reason += " is not a unit";
     } else if (field_.unit != nullptr) {
         reason.append(" is not ").append(kind_names[static_cast<std::size_t>(field_.unit->kind)]);
     } else {

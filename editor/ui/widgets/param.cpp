@@ -111,7 +111,7 @@ NumberText number_text(Ui& ui, const ParamOptions& o, double shown) {
         return {zero, zero.substr(zero.size()), zero};
     }
     char buffer[32];
-    const std::string_view number = std::isnan(shown) ? "no number" : format_param(buffer, o, shown);
+    const std::string_view number = std::isnan(shown) ? "not a number" : format_param(buffer, o, shown);
     std::string_view unit = o.unit;
     if (unit == "deg") unit = "\u00B0";
     const bool close = unit == "\u00B0" || unit == "%";

@@ -40,7 +40,7 @@ Edit value_items(Ui& ui, double& value, const ParamOptions& o) {
 void action_items(Ui& ui, NumberState& s, Id id, const ParamOptions& o, ParamActions& actions) {
     menu_separator(ui);
     actions.copy_path |= menu_item(ui, "Copy path");
-    actions.toggle_lock |= menu_item(ui, "Lock for the fit", {.icon = Icon::lock, .checked = o.locked});
+    actions.toggle_lock |= menu_item(ui, "Lock", {.icon = Icon::lock, .checked = o.locked});
     actions.toggle_favourite |= menu_item(ui, "Favourite", {.icon = Icon::star, .checked = o.favourite});
     if (menu_item(ui, "Set range...")) {
         s.range_of = id;

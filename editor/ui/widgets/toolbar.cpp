@@ -42,6 +42,18 @@ Cut cut_for(Ui& ui, std::span<const ToolItem> items, float room) {
     return cut;
 }
 
+/// Whether `node`, just built, is a button that was pressed: what is chosen from a menu closes it. What is set there stays open.
+bool chosen(Ui& ui, const Node& node) {
+    if (node.role != Role::button) return false;
+    bool pressed = false;
+    ui.events_of(node.id, [&](const Event& event) {
+        pressed |= event.kind == EventKind::release && event.button == Button::left &&
+                   ui.rect_before(node.id).contains(event.at);
+        pressed |= event.kind == EventKind::key && (event.key == Key::enter || event.key == Key::space);
+    });
+    return pressed;
+}
+
 }  // namespace
 
 float tool_width(Ui& ui, std::string_view text, bool icon) {
@@ -62,7 +74,7 @@ void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolIte
             hidden |= items[i].width > 0 && !cut.shows(items, i);
         }
         if (hidden) {
-            const bool opens = button(ui, more, {.tip = "The tools that there is no room for"});
+            const bool opens = button(ui, more, {.tip = "The tools that do not fit here"});
             anchor = ui.last().id;
             if (opens) ui.open_overlay(name, OverlayKind::popup, {.side = Placement::Side::below, .anchor = anchor});
         }
@@ -75,9 +87,14 @@ void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolIte
     for (std::uint8_t& pad : menu->padding)
         pad = static_cast<std::uint8_t>(std::min(ui.em(ui.theme().padding), 255.0F));
     ui.draw_with<draw_popup>(*menu, true);
-    for (std::size_t i = 0; i < items.size(); ++i)
-        if (items[i].width > 0 && !cut.shows(items, i)) build(i);
+    bool done = false;
+    for (std::size_t i = 0; i < items.size(); ++i) {
+        if (items[i].width <= 0 || cut.shows(items, i)) continue;
+        build(i);
+        done |= chosen(ui, ui.last());
+    }
     ui.close_overlay_node();
+    if (done && ui.overlay_on_top(name)) ui.close_overlay(name);  // not what the button opened
 }
 
 }  // namespace lapfx::ui

@@ -29,7 +29,7 @@ struct Amounts {
     int wounds = 0;             ///< that have opened by now
     int bleeding_wounds =
         0;  ///< whose blood still spreads, or fills again what was cleared (WoundStatus::bleeds). Blood that
-            ///< has come as far as max_extent lets it is not told as bleeding: blood_area stands then
+            ///< has come as far as max_extent lets it does not count as bleeding: blood_area stays constant then
     int left_out_wounds = 0;         ///< that came when there were 4096 already
     std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
     double haze = 0.0;               ///< E, optical thickness at the focus distance

@@ -1,4 +1,4 @@
-// What a video, an image or a sequence of numbered images holds.
+// What a video, an image or a sequence of numbered images contains.
 //
 //     const lapfx::ClipReport report = lapfx::report_clip("plume.webm");
 //     if (!report.warning.empty()) log("plume.webm: " + report.warning);
@@ -19,14 +19,14 @@ namespace lapfx {
 
 struct ClipReport {
     glm::ivec2 size{0};                ///< pixels; a rotation that the file asks for is not applied
-    int frames = 0;                    ///< that the file holds; those that cannot be decoded repeat the one before
+    int frames = 0;                    ///< in the file; one that cannot be decoded repeats the one before
     double duration = 0.0;             ///< s, the last frame's time included
     double frames_per_second = 0.0;    ///< mean
     bool variable_frame_rate = false;  ///< some frames are shown for longer than others
-    bool alpha = false;                ///< brings its own opacity
+    bool alpha = false;                ///< it has its own opacity
     std::string codec;                 ///< FFmpeg's name: "h264", "vp8", "png"
     std::string pixel_format;          ///< FFmpeg's name: "yuv420p"
-    std::string warning;               ///< what is odd about it but does not keep it from playing; one line, or empty
+    std::string warning;               ///< what is unusual about it, although it plays; one line, or empty
 };
 
 /// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local file, a
@@ -37,14 +37,14 @@ ClipReport report_clip(const std::filesystem::path& path);
 /// report_clip(), runtime when `progress` stopped it.
 int count_decodable_frames(const std::filesystem::path& path, const Progress& progress = {});
 
-/// Where the clip `file` of a preset lies: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
+/// Where the clip `file` of a preset is: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
 /// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file`: where it was looked for, or that it is a
-/// directory or no plain file.
+/// directory or not a plain file.
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> folders);
 
 /// The images of numbered ones, as they are played: from the lowest number on, until one is missing. `path`: as find_clip() found
-/// it. None: it is no such pattern, but a file of its own.
+/// it. Empty: it is not such a pattern, but a single file.
 std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path);
 
 /// Whether every clip of a preset is there and can be decoded: looked for in its folder, then, bare names, in `folders`.

@@ -1,4 +1,4 @@
-// Smoke clips looked through beside the thread that draws. To play a clip its file is read to the end once; of a long video that
+// Smoke clips read in advance, on another thread. To play a clip its file is read to the end once; of a long video that
 // takes seconds. Done here first, on any thread, Effects::set_preset() opens it at once.
 //
 //     auto clips = std::make_shared<lapfx::ClipCache>();
@@ -7,7 +7,7 @@
 //     if (clips->knows(next, folders)) effects.set_preset(next);
 //     else start_job([=] { clips->look_through(next, folders); });   // and meanwhile effects.set_parameters(next)
 //
-// Files are told apart by name, device, inode, size and time of writing: one that was replaced is another one. Any thread; any
+// Files are distinguished by name, device, inode, size and time of writing: a replaced file counts as another. Any thread; any
 // number of Effects may share one.
 #pragma once
 
@@ -33,7 +33,7 @@ class ClipCache {
     /// set_preset() throws that.
     bool look_through(const Preset& preset, std::span<const std::filesystem::path> folders,
                       const Progress& progress = {});
-    /// As if the file had been replaced: the next set_preset() opens it anew. For pictures of a numbered sequence, which may change
+    /// As if the file had been replaced: the next set_preset() opens it again. For pictures of a numbered sequence, which may change
     /// one by one, any of them names the sequence. Empty: all files.
     void forget(const std::filesystem::path& file = {});
 

@@ -20,9 +20,9 @@ struct CurvePoint {
     friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };
 
-/// Points in ascending order of time. What cannot be is left out: a point that is not finite, below 0, or not after the one before.
+/// Points in ascending order of time. Left out is a point that is not finite, below 0, or not after the one before.
 struct Curves {
-    /// On the power of a hot contact at that moment: heat and smoke follow. 0..1, for power has an upper end.
+    /// On the power of a hot contact at that moment: heat and smoke follow. 0..1, because power has a maximum.
     std::vector<CurvePoint> cautery_power;
     /// On the rate at which the blood of open wounds spreads: at 0 it stands still, and it never goes back. Pulse and clotting
     /// keep their times.

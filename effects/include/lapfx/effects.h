@@ -73,20 +73,20 @@ class Effects {
   public:
     /// Uploads the organ and opens the preset's clips. Throws Error.
     Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options = {});
-    /// The same with an organ that was made ready beside this thread (prepared_organ.h): what is left is sending it to the GPU.
+    /// The same with an organ that was prepared on another thread (prepared_organ.h): it only has to be sent to the GPU.
     Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options = {});
     Effects(Effects&&) noexcept;
     Effects& operator=(Effects&&) noexcept;
     ~Effects();
 
-    /// Live: the next frame shows it. Throws Error for a clip that cannot be used, and keeps the former
+    /// Live: the next frame shows it. Throws Error for a clip that cannot be used, and keeps the previous
     /// preset.
     void set_preset(const Preset& preset);
     /// The same, but the clips that play go on: none is opened or let go, and those of the preset that have another file are not
     /// heard of. For a preset whose clips are not there, or not yet (clip_cache.h).
     void set_parameters(const Preset& preset);
-    /// As in EffectsOptions, for all that has happened and will: blood runs anew from its wounds. Blood that set_topology() had
-    /// taken over is gone then. set_gravity throws Error (bad_input) for what is no direction.
+    /// As in EffectsOptions, for all that has happened and will: blood runs again from its wounds. Blood that set_topology() had
+    /// taken over is gone then. set_gravity throws Error (bad_input) for a vector without direction.
     void set_gravity(const glm::dvec3& gravity);
     void set_seed(std::uint32_t seed);
     /// All contacts so far, past and running; what happened is a function of this list and the time.

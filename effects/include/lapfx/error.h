@@ -32,7 +32,7 @@ enum class Failure {
     no_gl = 77,     ///< no usable OpenGL on this machine
 };
 
-/// The one exception type of lapfx. what() holds all faults, a line each.
+/// The one exception type of lapfx. what() contains all faults, one per line.
 class Error : public std::runtime_error {
   public:
     Error(Failure failure, std::vector<Fault> faults);

@@ -1,4 +1,4 @@
-// Files: whole plain files in, never half a file out, and the one way from a name that another file holds to a path.
+// Files: whole plain files in, never half a file out, and the one way from a name in a file to a path.
 //
 //     const fs::path skin = lapfx::named_path(folder_of_the_organ, "maps/skin.png", "liver.obj");  // throws for "../skin.png"
 //     lapfx::write_file("tuned.json", text);
@@ -14,24 +14,24 @@ namespace lapfx {
 /// `longest` bytes.
 std::string read_file(const std::filesystem::path& path, std::size_t longest);
 
-/// Writes a new file beside `path`, flushes it to the disk and renames it. Throws Error (runtime); the old
-/// file is then as it was. Refuses to replace what is not a plain file (a symbolic link, a folder, a pipe)
+/// Writes a new file next to `path`, flushes it to the disk and renames it. Throws Error (runtime); the old
+/// file is then unchanged. Refuses to replace what is not a plain file (a symbolic link, a folder, a pipe)
 /// or is write-protected.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// How far a name may reach that stands in a file.
+/// How far a name in a file may reach.
 enum class Reach {
     inside,  ///< the folder of that file, or below it, once symbolic links are resolved: organs, presets
     anywhere,  ///< any place on this machine: a scene's organ, tool, preset and reference, which a person has chosen by hand
 };
 
-/// Where the file lies that a file in `folder` names. Whether it is there, and is what it should be, is for its reader to find
+/// Where the file is that a file in `folder` names. Whether it is there, and is what it should be, is for its reader to find
 /// out. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name,
                                  Reach reach = Reach::inside, const std::string& file = {},
                                  const std::string& place = {});
 
-/// A file or folder that is made beside `target` and then gets its name. What is still there when this goes, goes, too; and what
+/// A file or folder that is made next to `target` and then renamed to it. What is still there when this goes, goes, too; and what
 /// a process has left in that folder that was ended (killed) meanwhile goes when the next one is made there. Those of running
 /// processes stay: each holds a lock (flock) on its own, which the kernel gives back for it.
 class Beside {

@@ -65,7 +65,7 @@ class KeyingReader {
 /// What smoke is made of it.
 struct KeyingLook {
     KeyingParameters keying{};
-    SmokeClip clip{};  ///< its polarity, crop, fade at the edges and masks hold; its own keying does not
+    SmokeClip clip{};  ///< its polarity, crop, fade at the edges and masks are used; its own keying is not
     glm::dvec3 color{0.62, 0.62, 0.68};     ///< of plume or haze, sRGB
     glm::dvec3 extinction{0.85, 1.0, 1.1};  ///< of plume or haze
     double density = 1.0;                   ///< 1 is as keyed

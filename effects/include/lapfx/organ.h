@@ -52,12 +52,12 @@ struct TriangleCounts {
     std::size_t not_finite = 0;    ///< left out: coordinates are NaN, infinite, or beyond 1e9 mm
     std::size_t without_area = 0;  ///< left out: the corners lie on a line
     std::size_t repeated = 0;      ///< left out: the same triangle was there before
-    std::size_t sewn = 0;  ///< mended: vertices that were moved to the other side of a seam which rounding had torn
+    std::size_t sewn = 0;  ///< repaired: vertices that were moved to the other side of a seam which rounding had torn
 
     std::size_t dropped() const { return unreadable + out_of_range + not_finite + without_area + repeated; }
 };
 
-/// Longest sides that one organ can have, mm: from an ovary of a child to the bowel as it lies. Others are told of as a likely
+/// Longest sides that one organ can have, mm: from the ovary of a child to the bowel in place. Others are reported as a likely
 /// mistake in the unit.
 inline constexpr double shortest_organ = 5.0, longest_organ = 600.0;
 
@@ -72,7 +72,7 @@ struct Organ {
     std::vector<Part> parts;             ///< cover all indices, in order
     std::vector<Material> materials;     ///< at least one
     std::vector<Image> images;
-    std::vector<std::string> warnings;         ///< what was mended or left out, a line each
+    std::vector<std::string> warnings;         ///< what was repaired or left out, a line each
     std::vector<std::filesystem::path> files;  ///< that it was read from, the mesh first; all in its folder or below
     std::vector<std::filesystem::path>
         unread_files;         ///< named in it and there too, but missing or not what they should be
@@ -93,7 +93,7 @@ struct OrganOptions {
 /// extension we cannot read: each named).
 Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
 
-/// What `lapfx inspect` tells of an organ. Edges are counted on the surface after vertices at the same position, and those of
+/// What `lapfx inspect` says about an organ. Edges are counted on the surface after vertices at the same position, and those of
 /// seams that rounding tore, have been joined: a texture seam is not a boundary.
 struct OrganReport {
     std::size_t vertices = 0;

@@ -34,8 +34,8 @@ struct PackedFile {
 };
 
 /// The mesh first, then what it names: material libraries, pictures, buffers, in texts that name each other by the new names.
-/// Only what was read as what it should be comes along, as the very bytes that were read; the rest is named no more, or by a
-/// name that no file has. What an organ holds within itself stays. Throws Error (bad_input) where load_organ() does for want of
+/// Only what was read successfully as what it should be is packed, as the very bytes that were read; the rest is named no more, or by a
+/// name that no file has. What is embedded in an organ stays there. Throws Error (bad_input) where load_organ() does for want of
 /// a file, or for one that may not be followed.
 std::vector<PackedFile> pack_organ(const std::filesystem::path& path);
 

@@ -1,8 +1,8 @@
-// An organ made ready for the effects: loaded, its surface joined, its vessels and fat found. That takes long and needs no
-// OpenGL, so it can be done beside the thread that draws; what is left then is sending it to the GPU.
+// An organ prepared for the effects: loaded, its surface joined, its vessels and fat found. That takes long and needs no
+// OpenGL, so it can be done on another thread than the one that draws; then it only has to be sent to the GPU.
 //
 //     auto coming = std::async(std::launch::async, [=] { return lapfx::prepare_organ(scene, preset.vessels); });
-//     ...                                                       // the render thread goes on with the former organ
+//     ...                                                       // the render thread continues with the previous organ
 //     preview = lapfx::Preview(scene, preset, coming.get());    // render thread
 //
 // Never changes once it is made: any number of Effects and Previews on any threads may share one.

@@ -4,7 +4,7 @@
 //     preset.bleeding.speed = 6.0;                                    // mm/s
 //     lapfx::save_preset(preset, "tuned.json");                       // written beside, then renamed
 //
-// Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit code values. Ranges and help: the rows in
+// Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit levels (0 to 255). Ranges and help: the rows in
 // effects/bleeding/parameters.cpp, effects/cautery/parameters.cpp and effects/smoke/parameters.cpp.
 // Plain data: copy freely; no thread of its own.
 #pragma once

@@ -30,8 +30,8 @@ class Preview {
   public:
     /// Loads the scene's organ and tool and the preset's clips. Throws Error.
     Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options = {});
-    /// The same with an organ that prepare_organ(scene, ...) has made ready: what is left is sending it to the GPU and opening the
-    /// clips. Throws Error (bad_input) when it is another scene's.
+    /// The same with an organ that prepare_organ(scene, ...) has prepared: it only has to be sent to the GPU, and the clips
+    /// opened. Throws Error (bad_input) when it is another scene's.
     Preview(const Scene& scene, const Preset& preset, std::shared_ptr<const PreparedOrgan> organ,
             const PreviewOptions& options);
     Preview(Preview&&) noexcept;
@@ -47,7 +47,7 @@ class Preview {
     void set_parameters(const Preset& preset);  ///< as Effects::set_parameters
     /// Live: colour of the organ, camera, light, gravity, seed, events, port of the tool. The next frame is that of a new Preview of
     /// this scene. Throws Error (bad_input), and changes nothing, when its organ or tool are others: those need a new one; and when
-    /// gravity is no direction.
+    /// gravity has no direction.
     void set_scene(const Scene& scene);
     /// Whether set_scene() takes it: organ and tool are the same.
     bool takes(const Scene& scene) const;

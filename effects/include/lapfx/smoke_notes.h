@@ -1,4 +1,4 @@
-// What of a preset's smoke will not be seen as one might expect, for a person who tunes it: smoke is shown by clips.
+// Which smoke of a preset will not look as expected, for a person who tunes it: smoke is shown by clips.
 #pragma once
 
 #include <string>

@@ -56,7 +56,7 @@ struct ClipStatus {
     glm::ivec2 size{0};  ///< pixels
     int frames = 0;
     double duration = 0.0;     ///< s
-    bool alpha = false;        ///< it brings its own opacity
+    bool alpha = false;        ///< it has its own opacity
     int resident = 0;          ///< frames that are in GPU memory to stay
     std::size_t memory = 0;    ///< bytes, GPU and main memory; frames that clips of one file share count for the first
     int broken = 0;            ///< frames met so far that could not be decoded; the one before is shown in their place

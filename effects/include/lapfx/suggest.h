@@ -20,22 +20,22 @@ namespace lapfx {
 struct KeyingSuggestion {
     KeyingParameters keying{};  ///< luma, chroma, key colour and spill as suggested; the rest as by default
     ClipPolarity polarity = ClipPolarity::light;
-    bool alpha = false;             ///< the clip brings its own opacity: keying is not used
-    double confidence = 0.0;        ///< 0..1; below 0.5 a person should look first
-    double background_noise = 0.0;  ///< code values by which the background strays, 99 % of it
+    bool alpha = false;             ///< the clip has its own opacity: keying is not used
+    double confidence = 0.0;        ///< 0..1; below 0.5 a person should check it
+    double background_noise = 0.0;  ///< levels (0 to 255) within which 99 % of the background stays
     double background_share = 0.0;  ///< of the clip's area over time, 0..1
     bool whole_smoke_seen =
         false;  ///< much of the smoke is of one opacity, perhaps whole; otherwise its luma is assumed
-    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keyed by luma, what it is taken
-    /// for lies in the middle between this and 1. 1 where that is known: keyed by colour.
+    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keyed by luma, the value that is used
+    /// is in the middle between this and 1. 1 where it is known: keyed by colour.
     double least_opacity = 1.0;
-    ClipCrop crop{};                ///< bars beside the picture, that smoke would end at in a straight line
+    ClipCrop crop{};                ///< bars at the picture's edges, where smoke would end in a straight line
     double edge_fade = 0.0;         ///< more than 0 where smoke reaches the picture's edges
-    std::vector<ClipMask> masks{};  ///< marks of the maker, where smoke is rarely
+    std::vector<ClipMask> masks{};  ///< logos and other marks, placed where smoke is rare
     std::string reason;             ///< what was found, one line for people
 
-    /// Into what a clip has of it: keying of its own, polarity, crop, fade and masks. Choke, feather and noise stay, and masks
-    /// that are there; a clip of haze gets no fade.
+    /// Sets the clip's own keying, polarity, crop, fade and masks. Choke, feather and noise stay, and so do the masks
+    /// that it has; a clip of haze gets no fade.
     void apply(SmokeClip& clip) const;
 };
 
@@ -49,7 +49,7 @@ struct SourceSuggestion {
         false;  ///< the clip begins without smoke and shows where it comes from; otherwise the plume's root is taken
 };
 
-/// Where a clip's smoke starts, the place that is put on the tool tip: with keying as suggested, from about 56 frames. How:
+/// Where a clip's smoke starts, the point that is placed at the tool tip: with keying as suggested, from about 56 frames. How:
 /// effects/smoke/source_cpu.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it early: Error (runtime),
 /// or any place.
 SourceSuggestion suggest_source(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);

@@ -1,4 +1,4 @@
-// What the organ's colours tell of its tissue: where vessels run and where there is fat (paper: figure 9).
+// What the organ's colours show about its tissue: where vessels run and where there is fat (paper: figure 9).
 // Formulas and what they were measured on: effects/bleeding/vessel_parameters.cpp. Plain data; any thread.
 #pragma once
 
@@ -21,17 +21,17 @@ struct TissueSample {
               ///< colour and on textures that show no vessels
 };
 
-/// What `lapfx inspect` tells of the tissue.
+/// What `lapfx inspect` says about the tissue.
 struct TissueReport {
-    double known = 0.0;    ///< share of the surface that has colour, 0..1; the shares below are of this
-    double alike = 1.0;    ///< share of the surface where every cut bleeds alike, 0..1: no colour, or no vessels found
-    double vessels = 0.0;  ///< share that is vessel, 0..1
-    double fat = 0.0;      ///< share that is fat, 0..1
+    double known = 0.0;  ///< share of the surface that has colour, 0..1; the shares below are of this
+    double alike = 1.0;  ///< share of the surface where every cut bleeds equally, 0..1: no colour, or no vessels found
+    double vessels = 0.0;        ///< share that is vessel, 0..1
+    double fat = 0.0;            ///< share that is fat, 0..1
     double texels_per_mm = 0.0;  ///< of the finest texture that was looked at; 0: vertex colours, or none
 };
 
-/// What the band passes of vessels and fat are laid over, as counts over the texels (or coloured vertices) of the surface: for
-/// setting the bands by looking. Outside of the range nothing is counted.
+/// What the band passes of vessels and fat are applied to, as counts over the texels (or coloured vertices) of the surface: for
+/// setting the bands by looking. Outside the range nothing is counted.
 struct TissueHistogram {
     static constexpr std::size_t bins = 96;
     static constexpr double least_contrast = 0.0, most_contrast = 0.96;  ///< of vessel_low and vessel_high
@@ -50,7 +50,7 @@ struct TissueHistogram {
 
 /// As report_tissue().
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters = {});
-/// Of an organ that was made ready (prepared_organ.h): only counting is left.
+/// Of a prepared organ (prepared_organ.h): only counting remains.
 TissueHistogram tissue_histogram(const PreparedOrgan& organ, const VesselParameters& parameters = {});
 
 /// Throws nothing but std::bad_alloc. `parameters` must be in range (they are when they come from a preset).

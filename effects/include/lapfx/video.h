@@ -4,9 +4,9 @@
 //     lapfx::Image image;
 //     if (!video.read(video.frame_at(12.5), image)) log("a frame is missing; the one before it is shown");
 //
-// Any video, single image or numbered images ("frame_%04d.png"): one plain local file, or those images; never a URL or what a file
-// names besides. Times in s from the first frame. One thread at a time, any thread; info(), frame_at() and time_of() from others
-// meanwhile, too. Opening reads the whole file once, without decoding it: with gigabytes do that beside the UI.
+// Any video, single image or numbered images ("frame_%04d.png"): one plain local file, or those images; never a URL or a file that a file
+// names. Times in s from the first frame. One thread at a time, any thread; info(), frame_at() and time_of() from others
+// meanwhile, too. Opening reads the whole file once, without decoding it: with gigabytes do that on another thread than the UI.
 #pragma once
 
 #include <atomic>
@@ -25,7 +25,7 @@ struct VideoInfo {
     double duration = 0.0;           ///< s, the last frame's time included
     double frames_per_second = 0.0;  ///< mean
     std::string codec;               ///< FFmpeg's name: "h264"
-    std::string warning;             ///< what is odd about it but does not keep it from playing; one line, or empty
+    std::string warning;             ///< what is unusual about it, although it plays; one line, or empty
 };
 
 class VideoReader {

@@ -14,7 +14,7 @@ struct Lamp {
     glm::dvec3 color{1.0};          ///< sRGB
 };
 
-/// False colour over the tissue, for tuning: what decides, but is not seen.
+/// False colour over the tissue, for tuning: what the effects use but the picture does not show.
 enum class Overlay {
     none,
     vessels,  ///< density of vessels, blue

@@ -74,8 +74,8 @@ TEST_F(ShaderFolder, StagesThatDoNotFitAreNamedTogether) {
 TEST_F(ShaderFolder, AMissingFileIsNamedWithWhatIncludesIt) {
     folder.write("a.frag", "#version 450 core\n#include \"nowhere.glsl\"\nvoid main() {}\n");
     EXPECT_THAT(faults("fullscreen.vert", "a.frag"),
-                ElementsAre("a.frag: the shader file \"nowhere.glsl\" is not there"));
-    EXPECT_THAT(faults("none.vert", "a.frag"), ElementsAre("none.vert: the shader file \"none.vert\" is not there"));
+                ElementsAre("a.frag: the shader file \"nowhere.glsl\" is missing"));
+    EXPECT_THAT(faults("none.vert", "a.frag"), ElementsAre("none.vert: the shader file \"none.vert\" is missing"));
 }
 
 TEST_F(ShaderFolder, FilesThereComeFirstAndTheRestIsEmbedded) {

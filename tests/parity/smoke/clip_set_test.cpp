@@ -280,7 +280,7 @@ TEST_F(ClipSetOnce, MemoryGoesToWholeClipsInTheirOrder) {
     EXPECT_EQ(status[0].warning, "");
     for (const std::size_t i : {1u, 2u}) {
         EXPECT_EQ(status[i].resident, 0);
-        EXPECT_THAT(status[i].warning, testing::HasSubstr("does not fit the memory"));
+        EXPECT_THAT(status[i].warning, testing::HasSubstr("does not fit into the memory"));
     }
     std::size_t used = 0;
     for (const ClipStatus& clip : status) used += clip.memory;

@@ -19,7 +19,7 @@ struct Grip {
         u.push_disabled(disabled);
         const HandleMoves moves =
             put_handle(u, {.label = "Grip", .tip = "What it does", .at = {static_cast<float>(2 * value), 30}});
-        last = edit_by_handle(u, moves, {.minimum = 0, .maximum = 100, .step = 5, .reset = 25},
+        last = edit_by_handle(u, moves, {.minimum = 0, .maximum = 100, .step = 5, .reset = 25, .initial = 10},
                               moves.steps.x + moves.steps.y, static_cast<double>(moves.to.x) / 2, value);
         u.last().number = u.number(value, 0, 100, 5);
         u.draw_with<draw_knob>(u.last(), KnobLook{.color = u.theme().text});
@@ -112,6 +112,9 @@ TEST(DragHandle, DoubleClickAndBackspaceReset) {
     g.value = 80;
     g.ui.frame().focus("Area/Grip").key(Key::backspace);
     EXPECT_EQ(g.value, 25);
+    g.ui.key(Key::backspace, Mods::shift);
+    EXPECT_EQ(g.value, 10) << "the default, as everywhere";
+    EXPECT_EQ(g.committed, 3);
 }
 
 TEST(DragHandle, ADisabledOneTakesNothing) {

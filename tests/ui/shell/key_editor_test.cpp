@@ -79,7 +79,7 @@ TEST_F(KeyEditorTest, EscapeGivesUpAndWhatMovesTheFocusIsRefused) {
     EXPECT_THAT(ui.dump(), testing::Not(testing::HasSubstr("belongs to the whole program")));
     ui.click("**/Keys of File: Open").key(Key::tab);
     EXPECT_EQ(keys("File: Open"), "Ctrl+O");
-    EXPECT_TRUE(ui.exists("**/Tab belongs to the whole program and cannot be given away"));
+    EXPECT_TRUE(ui.exists("**/Tab belongs to the whole program and cannot be changed"));
     ui.click("**/Keys of File: Open").click("**/Keys of File: Save").key('T', Mods::alt);
     EXPECT_EQ(keys("File: Open"), "Ctrl+O") << "only one waits";
     EXPECT_EQ(keys("File: Save"), "Alt+T");

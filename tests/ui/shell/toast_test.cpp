@@ -77,7 +77,8 @@ TEST_F(ToastTest, TheNewestIsSeenAndTheOldestGiveWayToIt) {
     EXPECT_TRUE(ui.exists("Notices/Number 5"));
     EXPECT_GT(ui.rect("Notices/Number 5").y, ui.rect("Notices/Number 4").bottom()) << "at the bottom";
     EXPECT_FALSE(ui.exists("Notices/Number 1"));
-    EXPECT_TRUE(ui.exists("Notices/2 more in the log##rest") || ui.exists("Notices/2 more in the log")) << ui.dump();
+    EXPECT_TRUE(ui.exists("Notices/2 more in All notices##rest") || ui.exists("Notices/2 more in All notices"))
+        << ui.dump();
 }
 
 TEST_F(ToastTest, AnErrorStaysRatherThanWhatGoesByItself) {

@@ -120,7 +120,7 @@ TEST(Expression, ConvertsUnitsOfTheSameKind) {
 
 TEST(Expression, TheFieldsOwnUnitChangesNothing) {
     for (const char* unit :
-         {"mm", "s", "F", "rad", "1/s", "/min", "%", "code values", "clip heights/s", "x", "pixels", "\u00B0"}) {
+         {"mm", "s", "F", "rad", "1/s", "/min", "%", "levels", "clip heights/s", "x", "pixels", "\u00B0"}) {
         EXPECT_EQ(value("0.1 " + std::string(unit), {.unit = unit}), 0.1) << unit;
         EXPECT_EQ(value("0.1", {.unit = unit}), 0.1) << unit;
     }
@@ -174,17 +174,17 @@ TEST(Expression, UnitsAreNotMultipliedIntoOtherKinds) {
     EXPECT_DOUBLE_EQ(value("cos(180 deg) + 2 cm", {.unit = "mm"}), 19) << "degrees only in the brackets";
     EXPECT_EQ(fault("2 mm * 3 mm", {.unit = "mm"}), "5: only one side of * can have a unit");
     EXPECT_EQ(fault("abs(2 mm) * 3 mm", {.unit = "mm"}), "10: only one side of * can have a unit");
-    EXPECT_EQ(fault("(2 mm)^2", {.unit = "mm"}), "6: a value with a unit cannot stand at ^");
-    EXPECT_EQ(fault("(2 mm) cm", {.unit = "mm"}), "7: this has a unit already");
+    EXPECT_EQ(fault("(2 mm)^2", {.unit = "mm"}), "6: a value with a unit cannot be used with ^");
+    EXPECT_EQ(fault("(2 mm) cm", {.unit = "mm"}), "7: there is a unit already");
 }
 
 TEST(Expression, FaultsNameTheirByteAndWhatIsAllowed) {
     EXPECT_EQ(fault("2 mm", {.unit = "s"}), "2: mm is not a time: allowed are us, ms, s, min, h, %");
-    EXPECT_EQ(fault("2 Furlong", {.unit = "mm"}), "2: Furlong is no unit: allowed are um, mm, cm, m, in, %");
+    EXPECT_EQ(fault("2 Furlong", {.unit = "mm"}), "2: Furlong is not a unit: allowed are um, mm, cm, m, in, %");
     EXPECT_EQ(fault("2 mm"), "2: mm: the value has no unit: allowed is %");
-    EXPECT_EQ(fault("2 mm", {.unit = "code values"}), "2: mm does not go with code values: allowed are code values, %");
-    EXPECT_EQ(fault("2 mms", {.unit = "mm"}), "2: mms is no unit: allowed are um, mm, cm, m, in, %");
-    EXPECT_EQ(fault("2 MM", {.unit = "mm"}), "2: MM is no unit: allowed are um, mm, cm, m, in, %");
+    EXPECT_EQ(fault("2 mm", {.unit = "levels"}), "2: mm does not go with levels: allowed are levels, %");
+    EXPECT_EQ(fault("2 mms", {.unit = "mm"}), "2: mms is not a unit: allowed are um, mm, cm, m, in, %");
+    EXPECT_EQ(fault("2 MM", {.unit = "mm"}), "2: MM is not a unit: allowed are um, mm, cm, m, in, %");
     EXPECT_EQ(fault("2 s", {.unit = "%"}), "2: s is not a share: allowed is %");
     EXPECT_EQ(fault(""), "0: expected a number");
     EXPECT_EQ(fault("  "), "2: expected a number");
@@ -240,11 +240,11 @@ TEST(Expression, IsBoundedInLengthAndDepth) {
 
 TEST(Expression, AnyTextGivesANumberOrAFaultWithinIt) {
     const std::vector<std::string> pieces = {
-        "1",    "2.5",  "9e99", ".",           ",",  ";",      "+",      "-",    "*",     "/",    "^",
-        "(",    ")",    "(",    ")",           " ",  "e",      "pi",     "x",    "sqrt(", "sin(", "min(",
-        "max(", "log(", "exp(", "tan",         "mm", "cm",     "s",      "ms",   "mm/s",  "1/s",  "/min",
-        "%",    "degC", "deg",  "code values", "+=", "\u00D7", "\u00B0", "\xFF", "\xC2",  "0",    "1e308"};
-    const char* fields[] = {"", "mm", "s", "mm/s", "1/s", "%", "K", "code values", "x", "deg"};
+        "1",    "2.5",  "9e99", ".",      ",",  ";",      "+",      "-",    "*",     "/",    "^",
+        "(",    ")",    "(",    ")",      " ",  "e",      "pi",     "x",    "sqrt(", "sin(", "min(",
+        "max(", "log(", "exp(", "tan",    "mm", "cm",     "s",      "ms",   "mm/s",  "1/s",  "/min",
+        "%",    "degC", "deg",  "levels", "+=", "\u00D7", "\u00B0", "\xFF", "\xC2",  "0",    "1e308"};
+    const char* fields[] = {"", "mm", "s", "mm/s", "1/s", "%", "K", "levels", "x", "deg"};
     std::mt19937 random(1);
     int numbers = 0;
     for (int i = 0; i < 100000; ++i) {

@@ -176,13 +176,13 @@ TEST_F(Param, TheMenuTellsTheProgramWhatIsItsToDo) {
     ui.right_click("Speed").click(menu("Copy path"));
     EXPECT_TRUE(actions.copy_path);
     EXPECT_FALSE(actions.toggle_lock || actions.toggle_favourite);
-    ui.right_click("Speed").click(menu("Lock for the fit"));
+    ui.right_click("Speed").click(menu("Lock"));
     EXPECT_TRUE(actions.toggle_lock);
     ui.right_click("Speed").click(menu("Favourite"));
     EXPECT_TRUE(actions.toggle_favourite);
     options.locked = options.favourite = true;
     ui.right_click("Speed");
-    EXPECT_TRUE(ui.is(menu("Lock for the fit"), Is::checked));
+    EXPECT_TRUE(ui.is(menu("Lock"), Is::checked));
     EXPECT_TRUE(ui.is(menu("Favourite"), Is::checked));
     ui.key(Key::escape).right_click("Size");
     EXPECT_FALSE(ui.exists("Size menu/Copy path")) << "nobody would do it";

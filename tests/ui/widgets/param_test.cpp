@@ -212,7 +212,7 @@ TEST_F(Param, WhatIsNoNumberIsRefused) {
 TEST_F(Param, AValueThatIsNoNumberIsShownAndCanBeMended) {
     speed = std::nan("");
     ui.frame();
-    EXPECT_EQ(ui.text("Speed"), "no number mm/s");
+    EXPECT_EQ(ui.text("Speed"), "not a number mm/s");
     ui.focus("Speed").key(Key::right).wheel("Speed", {0, 1}, Mods::command);
     EXPECT_EQ(edits.changed, 0) << "no number has no next one";
     ui.drag("Speed", {13, 0});

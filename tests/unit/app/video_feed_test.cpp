@@ -102,7 +102,7 @@ TEST_F(VideoFeedTest, AFileThatVanishesKeepsItsLastFrame) {
     ASSERT_TRUE(comes(feed, [&] { return feed.frame() == 4; }));
     fs::rename(file, folder / "away.avi");
     ASSERT_TRUE(comes(feed, [&] { return !feed.faults().empty(); }));
-    EXPECT_EQ(feed.faults().front().text(), file.string() + ": is gone; its last frame stays");
+    EXPECT_EQ(feed.faults().front().text(), file.string() + ": no longer exists; its last frame stays");
     EXPECT_NE(feed.video(), nullptr);
     EXPECT_EQ(feed.frame(), 4);
     fs::rename(folder / "away.avi", file);

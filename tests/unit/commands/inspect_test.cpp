@@ -47,26 +47,26 @@ TEST_F(InspectCommand, Mesh) {
     const Result result = run("cube.obj");
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
-    EXPECT_EQ(
-        result.out,
-        "cube.obj: mesh\n"
-        "  vertices            8\n"
-        "  triangles           12\n"
-        "  in the file         12 triangles, none left out\n"
-        "  split for blood     into 192 triangles, no edge longer than 4.5 mm\n"
-        "  components          1\n"
-        "  boundary edges      0\n"
-        "  non-manifold edges  0\n"
-        "  size                10.0 x 10.0 x 10.0 mm\n"
-        "  scale               1 mm per unit of the file\n"
-        "  texture coordinates made\n"
-        "  vertex colours      none\n"
-        "  parts               1\n"
-        "                      (unnamed): 12 triangles, material default\n"
-        "  materials           1\n"
-        "                      default: base colour texture none, normal map none, roughness 0.50\n"
-        "  textures            0\n"
-        "  warning             of one colour: density of vessels and fat is not known, and every cut bleeds alike\n");
+    EXPECT_EQ(result.out,
+              "cube.obj: mesh\n"
+              "  vertices            8\n"
+              "  triangles           12\n"
+              "  in the file         12 triangles, none left out\n"
+              "  split for blood     into 192 triangles, no edge longer than 4.5 mm\n"
+              "  components          1\n"
+              "  boundary edges      0\n"
+              "  non-manifold edges  0\n"
+              "  size                10.0 x 10.0 x 10.0 mm\n"
+              "  scale               1 mm per unit of the file\n"
+              "  texture coordinates made\n"
+              "  vertex colours      none\n"
+              "  parts               1\n"
+              "                      (unnamed): 12 triangles, material default\n"
+              "  materials           1\n"
+              "                      default: base colour texture none, normal map none, roughness 0.50\n"
+              "  textures            0\n"
+              "  warning             it has only one colour: density of vessels and fat is not known, and every cut "
+              "bleeds equally\n");
 }
 
 TEST_F(InspectCommand, VideoAndImage) {
@@ -109,7 +109,7 @@ TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {
               "lapfx: gone.glb: no such file\n"
               "lapfx: empty.glb: is empty\n"
               "lapfx: text.mp4: is not a video that can be decoded\n"
-              "lapfx: video.obj: is no OBJ: it is not a text file\n"
+              "lapfx: video.obj: is not an OBJ: it is not a text file\n"
               "lapfx: pipe.mp4: is a pipe or device, expected a plain file\n"
               "lapfx: .: is a folder, expected a file\n");
 }
@@ -166,7 +166,7 @@ TEST_F(InspectCommand, KeyingIsSuggestedForVideosOnly) {
     const Result result = run("--keying cube.obj");
     EXPECT_EQ(result.code, 2);
     EXPECT_EQ(result.out, "");
-    EXPECT_EQ(result.err, "lapfx: cube.obj: is no clip, so there is no keying to suggest\n");
+    EXPECT_EQ(result.err, "lapfx: cube.obj: is not a clip, so there is no keying to suggest\n");
 }
 
 TEST_F(InspectCommand, NumberedImagesAreAClip) {
@@ -186,9 +186,9 @@ TEST_F(InspectCommand, KeyingThatIsAGuessIsWarnedOf) {
     EXPECT_EQ(result.code, 0);
     EXPECT_TRUE(result.out.starts_with("plain.png: image\n  size                128x96\n")) << result.out;
     EXPECT_NE(result.out.find("\n\"polarity\""), std::string::npos) << result.out;
-    EXPECT_EQ(result.err,
-              "lapfx: warning: plain.png: this keying is a guess; look at the clip with it before it goes into a "
-              "preset\n");
+    EXPECT_EQ(
+        result.err,
+        "lapfx: warning: plain.png: this keying is a guess; check the clip with it before you use it in a preset\n");
 }
 
 TEST_F(InspectCommand, AClipWithOpacityOfItsOwnHasNoKeyingToPaste) {
@@ -198,7 +198,7 @@ TEST_F(InspectCommand, AClipWithOpacityOfItsOwnHasNoKeyingToPaste) {
     const Result result = run("--keying alpha.png");
     EXPECT_EQ(result.code, 0);
     EXPECT_EQ(result.err, "");
-    EXPECT_NE(result.out.find("\n  keying              the clip brings its own opacity"), std::string::npos);
+    EXPECT_NE(result.out.find("\n  keying              the clip has its own opacity"), std::string::npos);
     EXPECT_EQ(result.out.find("polarity"), std::string::npos) << result.out;
     EXPECT_EQ(result.out.find("confidence"), std::string::npos) << result.out;
 }

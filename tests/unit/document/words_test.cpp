@@ -69,7 +69,7 @@ TEST(Words, NamesSayWhereAValueStands) {
     for (const Difference& d : differences(before.preset, after.preset))
         words.push_back(d.name + ": " + change_text(d));
     EXPECT_THAT(words, testing::UnorderedElementsAre(
-                           "Keying: Luma low: 16 to 17 of 255", "Clip 2 (haze.mp4): Weight: 1 to 0.25",
+                           "Keying: Luma low: 16 to 17 levels", "Clip 2 (haze.mp4): Weight: 1 to 0.25",
                            "Clip 1 (plume.mp4): Own keying: off to on", testing::StartsWith("Bleeding: ")));
 }
 
@@ -116,7 +116,7 @@ TEST(Tables, WhatCanBeReadIsRead) {
     EXPECT_THAT(told, testing::UnorderedElementsAre(testing::StartsWith("/name: "),
                                                     testing::StartsWith("/bleeding/max_extent: -1"),
                                                     testing::StartsWith("/bleeding/nonsense: ")));
-    EXPECT_THAT(read_what_can_be(preset_table(), &preset, "[[[["), testing::ElementsAre("no JSON"));
+    EXPECT_THAT(read_what_can_be(preset_table(), &preset, "[[[["), testing::ElementsAre("not JSON"));
 }
 
 }  // namespace

@@ -71,7 +71,7 @@ TEST_F(Gltf, OnlyTheDefaultScene) {
     Triangle triangle;
     triangle.json["scene"] = 1;
     triangle.json["scenes"] = json::parse(R"([{"nodes": [0]}, {"nodes": []}])");
-    EXPECT_EQ(fault(triangle), "no triangles: the file holds 1 mesh, none in the scene");
+    EXPECT_EQ(fault(triangle), "no triangles: the file contains 1 mesh, none in the scene");
 }
 
 TEST_F(Gltf, IndicesOfEverySize) {
@@ -231,7 +231,7 @@ TEST_F(Gltf, EveryRangeIsChecked) {
         {R"({"nodes": [{"matrix": [1, 2]}]})", "/nodes/0/matrix: has 2 numbers, expected 16"},
         {R"({"scene": 5})", "/scene: scene 5 is not in the file"},
         {R"({"asset": {"version": "1.0"}})", "/asset/version: is \"1.0\", only 2.0 is read"},
-        {R"({"meshes": 3})", "/meshes: is no array"}};
+        {R"({"meshes": 3})", "/meshes: is not an array"}};
     for (const auto& [patch, reason] : wrong) {
         Triangle triangle;
         const json changes = json::parse(patch);
@@ -251,7 +251,7 @@ TEST_F(Gltf, IndexOutOfRangeIsLeftOutWithAWarning) {
         triangle.add_accessor(bytes_of<std::uint8_t>({0, 1, 2, 0, 1, 9}), 5121, 6, "SCALAR");
     const Organ organ = load(triangle);
     EXPECT_EQ(organ.triangle_count(), 1u);
-    EXPECT_TRUE(has_warning(organ.warnings, "1 triangle names vertices that are not in the file; left out"));
+    EXPECT_TRUE(has_warning(organ.warnings, "1 triangle refers to vertices that are not in the file; left out"));
 }
 
 TEST_F(Gltf, TruncatedAtEveryLengthIsAFault) {
@@ -320,7 +320,7 @@ TEST_F(Gltf, NumbersThatAreNotWholeAreNamed) {
     EXPECT_EQ(with("/meshes/0/primitives/0/indices", true),
               "/meshes/0/primitives/0/indices is true, expected a whole number");
     EXPECT_EQ(with("/scenes/0/nodes/0", 0.5), "/scenes/0/nodes/0 is 0.5, expected a whole number");
-    EXPECT_EQ(with("/meshes/0/primitives", json::object()), "/meshes/0/primitives is no array");
+    EXPECT_EQ(with("/meshes/0/primitives", json::object()), "/meshes/0/primitives is not an array");
     EXPECT_EQ(with("/nodes/0", 7), "/nodes/0 is 7, expected an object");
     EXPECT_EQ(with("/accessors/0/count", 3.0), "no fault");
     EXPECT_EQ(with("/meshes/0/primitives/0", json::object()), "/meshes/0/primitives/0/attributes is missing");
@@ -351,16 +351,17 @@ TEST_F(Gltf, TheReasonIsThatOfTheTriangles) {
     triangle.json.erase("nodes");
     triangle.json.erase("scenes");
     triangle.json.erase("scene");
-    EXPECT_TRUE(has_warning(load(triangle).warnings, "the file has no nodes: every mesh is taken, where it is"));
+    EXPECT_TRUE(has_warning(load(triangle).warnings,
+                            "the file has no nodes: all its meshes are used, each at its own coordinates"));
     triangle.binary = bytes_of<float>({0, 0, 0, 1, 1, 1, 2, 2, 2});
     EXPECT_EQ(fault(triangle), "no triangles that can be drawn: 1 triangle without area");
     triangle.primitive()["mode"] = 0;
-    EXPECT_EQ(fault(triangle), "no triangles: the file holds 1 primitive of points or lines only");
+    EXPECT_EQ(fault(triangle), "no triangles: the file contains 1 primitive of points or lines only");
     triangle.json.erase("meshes");
-    EXPECT_EQ(fault(triangle), "no triangles: the file holds no mesh");
+    EXPECT_EQ(fault(triangle), "no triangles: the file contains no mesh");
     Triangle hidden;
     hidden.json["nodes"] = json::array({json::object()});
-    EXPECT_EQ(fault(hidden), "no triangles: the file holds 1 mesh, none in the scene");
+    EXPECT_EQ(fault(hidden), "no triangles: the file contains 1 mesh, none in the scene");
 }
 
 TEST_F(Gltf, DeepJsonIsRefused) {

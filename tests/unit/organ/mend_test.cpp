@@ -25,7 +25,7 @@ TEST(Mend, EachKindIsCounted) {
 TEST(Mend, DuplicateTriangles) {
     const Organ organ = load("v 0 0 0\nv 9 0 0\nv 0 9 0\nf 1 2 3\nf 2 3 1\nf 3 1 2\n");
     EXPECT_EQ(organ.triangle_count(), 1u);
-    EXPECT_TRUE(has_warning(organ.warnings, "2 triangles are there more than once; drawn once"));
+    EXPECT_TRUE(has_warning(organ.warnings, "2 triangles are in the file more than once; drawn once"));
 }
 
 TEST(Complete, NormalsAreSmoothAcrossSplitVertices) {
@@ -71,7 +71,7 @@ TEST(Complete, CoordinatesThatAreAllAlikeAreReplaced) {
     const Organ organ = load("v 0 0 0\nv 100 0 0\nv 0 100 0\nvt 0.5 0.5\ng lobe\nf 1/1 2/1 3/1\n");
     EXPECT_FALSE(organ.has_uvs);
     EXPECT_EQ(organ.uvs[1] - organ.uvs[0], glm::vec2(2, 0));
-    EXPECT_TRUE(has_warning(organ.warnings, "part lobe: its texture coordinates cover no area; new ones made"));
+    EXPECT_TRUE(has_warning(organ.warnings, "part lobe: its texture coordinates cover no area; new ones were made"));
 }
 
 TEST(Complete, BothSidesOfASheetHaveNormals) {
@@ -95,7 +95,7 @@ TEST(Report, SizesThatAnOrganCannotHave) {
          {std::pair{"4.9", true}, {"5", false}, {"600", false}, {"601", true}, {"980", true}}) {
         const std::string s = size;
         const Organ organ = load_organ(folder.write("m.obj", "v 0 0 0\nv " + s + " 0 0\nv 0 4 0\nf 1 2 3\n"));
-        EXPECT_EQ(has_warning(report(organ).warnings, "no size of an organ (5 to 600 mm)"), odd) << size;
+        EXPECT_EQ(has_warning(report(organ).warnings, "unusual for an organ (5 to 600 mm)"), odd) << size;
     }
 }
 
@@ -104,7 +104,7 @@ TEST(Report, SizeThatCannotBeNamesAScale) {
     const fs::path file = folder.write("m.obj", "v 0 0 0\nv 0.2 0 0\nv 0 0.1 0\nf 1 2 3\n");
     EXPECT_EQ(report(load_organ(file)).warnings,
               std::vector<std::string>{
-                  "its longest side is 0.2 mm, which is no size of an organ (5 to 600 mm); is the unit wrong? scale "
+                  "its longest side is 0.2 mm, which is unusual for an organ (5 to 600 mm); is the unit wrong? scale "
                   "1000 would make it 200 mm"});
     EXPECT_TRUE(has_warning(report(load_organ(file, {.scale = 1e5})).warnings, "scale 1000 would make it 200 mm"));
     EXPECT_TRUE(report(load_organ(file, {.scale = 1000.0})).warnings.empty());

@@ -207,7 +207,7 @@ TEST(Refine, ARoomDoesNotExplode) {
     EXPECT_LE(fine.triangle_count(), 12u + 400'000u);
     EXPECT_GT(fine.triangle_count(), 100'000u) << "as far as it goes";
     EXPECT_LE(longest_edge(fine), plan.longest_edge);
-    EXPECT_TRUE(test::has_warning(report(room).warnings, "blood and burns show only as well as edges of"));
+    EXPECT_TRUE(test::has_warning(report(room).warnings, "blood and burns can be no finer than its edges of"));
 }
 
 TEST(Refine, WhatHasNoMiddleIsLeft) {

@@ -61,7 +61,7 @@ TEST_F(Obj, BadFacesAreCounted) {
     EXPECT_EQ(organ.triangle_count(), 12u);
     EXPECT_TRUE(has_warning(organ.warnings, "4 faces without 3 readable corners left out"));
     EXPECT_TRUE(has_warning(organ.warnings, "1 triangle without area left out"));
-    EXPECT_TRUE(has_warning(organ.warnings, "1 triangle names vertices that are not in the file; left out"));
+    EXPECT_TRUE(has_warning(organ.warnings, "1 triangle refers to vertices that are not in the file; left out"));
 }
 
 TEST_F(Obj, NegativeIndicesContinuationsAndWindowsLines) {
@@ -109,7 +109,8 @@ TEST_F(Obj, MaterialsTexturesAndNormalMaps) {
               (std::vector<int>{30, 20, 10, 255}));
     EXPECT_EQ(organ.materials[static_cast<std::size_t>(organ.parts[2].material)].name, "default");
     EXPECT_TRUE(has_warning(organ.warnings, "texture gone.png: no such file; it is left out"));
-    EXPECT_TRUE(has_warning(organ.warnings, "material lost is not in a material library; drawn plain"));
+    EXPECT_TRUE(
+        has_warning(organ.warnings, "material lost is not in a material library; drawn without colour and texture"));
 }
 
 /* A square ring of 10 corners, the two at the cut named twice.  */
@@ -176,7 +177,7 @@ TEST_F(Obj, TextureWithoutCoordinatesIsToldOf) {
     cv::imwrite((folder.path() / "a.png").string(), cv::Mat(2, 3, CV_8UC3, cv::Scalar(10, 20, 30)));
     folder.write("m.mtl", "newmtl skin\nmap_Kd a.png\n");
     const Organ organ = load("mtllib m.mtl\nv 0 0 0\nv 9 0 0\nv 0 9 0\ng lobe\nusemtl skin\nf 1 2 3\n");
-    EXPECT_TRUE(has_warning(organ.warnings, "part lobe: has a texture, but no texture coordinates; they are made"));
+    EXPECT_TRUE(has_warning(organ.warnings, "part lobe: has a texture, but no texture coordinates; they were made"));
 }
 
 TEST_F(Obj, MissingLibraryIsAWarning) {
@@ -192,12 +193,12 @@ TEST_F(Obj, LibraryThatIsAPipeIsNotWaitedFor) {
 }
 
 TEST_F(Obj, PointsAndOtherFilesAreRefused) {
-    EXPECT_EQ(fault_of(folder.write("m.obj", "v 0 0 0\nv 1 0 0\n")), "no triangles: the file holds 2 points only");
+    EXPECT_EQ(fault_of(folder.write("m.obj", "v 0 0 0\nv 1 0 0\n")), "no triangles: the file contains 2 points only");
     EXPECT_EQ(fault_of(folder.write("m.obj", std::string("\0\0\0\x20"
                                                          "ftypisom",
                                                          12))),
-              "is no OBJ: it is not a text file");
-    EXPECT_EQ(fault_of(folder.write("m.obj", "words\n")), "no triangles: the file holds no surface");
+              "is not an OBJ: it is not a text file");
+    EXPECT_EQ(fault_of(folder.write("m.obj", "words\n")), "no triangles: the file contains no surface");
 }
 
 TEST_F(Ply, TextWithColoursAndDoubles) {
@@ -239,7 +240,7 @@ TEST_F(Ply, ImpossibleCountsAreRefused) {
         "property float z\nend_header\n1 2 3\n";
     EXPECT_EQ(fault_of(folder.write("m.ply", head)), "truncated: the header promises 4000000000 of element vertex");
     EXPECT_EQ(fault_of(folder.write("m.ply", "ply\nformat ascii 1.0\nelement vertex x\nend_header\n")),
-              "line 3: \"x\" is no count");
+              "line 3: \"x\" is not a count");
 }
 
 TEST_F(Stl, BinaryJoinsVertices) {
@@ -283,7 +284,7 @@ TEST(Load, FilesThatAreNoFiles) {
     ASSERT_EQ(mkfifo((folder.path() / "p.obj").c_str(), 0600), 0);
     EXPECT_EQ(fault_of(folder.path() / "p.obj"), "is a pipe, expected a plain file");
     EXPECT_EQ(fault_of(folder.write("m.xyz", "1 2 3")),
-              "is no mesh that is read: .glb, .gltf, .obj, .ply, .stl or .off");
+              "is not a mesh that can be read: .glb, .gltf, .obj, .ply, .stl or .off");
     EXPECT_EQ(fault_of(folder.write("m.obj", cube_obj), {.scale = -1.0}), "scale -1.000000 is not above 0");
 }
 

@@ -157,7 +157,7 @@ TEST_F(BundleTest, GivenUpNothingIsLeftAndTheOldOneStays) {
                         });
                     },
                     Failure::runtime),
-                ElementsAre(HasSubstr("given up")));
+                ElementsAre(HasSubstr("cancelled")));
     EXPECT_EQ(files_in(to_.path()), before);
     EXPECT_EQ(test::read_text(to_ / "ooze/clips/smoke.mp4"), test::read_text(from_ / "a/smoke.mp4"));
 }
@@ -207,13 +207,13 @@ TEST_F(BundleTest, APresetAloneKeepsItsClipsWhereItCan) {
     export_preset(preset, from_ / "a/tuned.json", shipped);
     EXPECT_EQ(load_preset(from_ / "a/tuned.json").smoke.clips[0].file, "smoke.mp4");
     EXPECT_THAT(test::faults_of([&] { export_preset(preset, to_ / "tuned.json", shipped); }),
-                ElementsAre(AllOf(HasSubstr("/smoke/clips/0/file"), HasSubstr("lies outside"))));
+                ElementsAre(AllOf(HasSubstr("/smoke/clips/0/file"), HasSubstr("is outside"))));
     EXPECT_FALSE(fs::exists(to_ / "tuned.json"));
     to_.write("haze_rolling.mp4", "another");
     EXPECT_THAT(test::faults_of([&] {
                     export_preset(preset_with(from_.path(), {"haze_rolling.mp4"}), to_ / "tuned.json", shipped);
                 }),
-                ElementsAre(HasSubstr("would be taken for the shipped clip")));
+                ElementsAre(HasSubstr("would be used instead of the shipped clip")));
 }
 
 TEST_F(BundleTest, AnOrganComesWithTheFilesThatItNamesAndNoOthers) {

@@ -77,7 +77,7 @@ TEST(FrameFilesTest, WhatIsBrokenWhileItWaitsIsFound) {
     for (const auto& entry : fs::recursive_directory_iterator(folder.path()))
         if (entry.is_regular_file()) fs::resize_file(entry.path(), 60);
     EXPECT_THAT(test::faults_of([&] { files->check(); }, Failure::runtime),
-                ElementsAre(AllOf(HasSubstr("out.png"), HasSubstr("does not come back"))));
+                ElementsAre(AllOf(HasSubstr("out.png"), HasSubstr("is not the same when read back"))));
 }
 
 TEST(FrameFilesTest, WhatIsNoFileIsNotReplaced) {
@@ -113,8 +113,8 @@ TEST(RenderOptionsTest, EachFaultNamesItsOption) {
     EXPECT_THAT(faults({.fps = 1000, .to = 86400, .output = "a.mp4"}), ElementsAre("--to: more than a million frames"));
     EXPECT_THAT(faults({.at = -1, .output = "a.png"}), ElementsAre(HasSubstr("--at: -1 is outside")));
     EXPECT_THAT(faults({.output = "a.png"}), ElementsAre(HasSubstr("is one picture")));
-    EXPECT_THAT(faults({.at = 1, .output = "a.mp4"}), ElementsAre(HasSubstr("is not one picture")));
-    EXPECT_THAT(faults({.output = "a.txt"}), ElementsAre(HasSubstr("-o: \"a.txt\" is none of")));
+    EXPECT_THAT(faults({.at = 1, .output = "a.mp4"}), ElementsAre(HasSubstr("is not a single picture")));
+    EXPECT_THAT(faults({.output = "a.txt"}), ElementsAre(HasSubstr("-o: \"a.txt\" is not one of")));
     EXPECT_THAT(faults({.output = "a.mp4", .amounts = "a.mp4"}), ElementsAre(HasSubstr("--amounts")));
 }
 

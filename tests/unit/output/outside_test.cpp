@@ -112,7 +112,7 @@ TEST_F(Outside, AFileInTheFolderIsKeptOnlyAsWhatItShouldBe) {
     EXPECT_THAT(organ.files, ElementsAre(case_ / "organ.obj", case_ / "organ.mtl"));
     EXPECT_THAT(organ.unread_files, ElementsAre(case_ / "id_rsa", case_ / "id_rsa"));
     EXPECT_THAT(organ.warnings, Contains("texture id_rsa: not a PNG, JPEG, WebP or BMP image; it is left out"));
-    EXPECT_THAT(organ.warnings, Contains("material library id_rsa: holds no material"));
+    EXPECT_THAT(organ.warnings, Contains("material library id_rsa: contains no material"));
     write_bundle(bundle("organ.obj"));
     EXPECT_THAT(bundled(), UnorderedElementsAre("bundle.json", "bundle.scene.json", "thumbnail.png", "organ/organ.obj",
                                                 "organ/organ.mtl", "organ/own.png"));
@@ -253,9 +253,9 @@ TEST_F(Outside, AClipLiesInThePresetsFolder) {
     for (const char* number : {"0", "1", "2"}) fs::remove(case_ / ("s" + std::string(number) + ".png"));
     fs::create_symlink(all_ / "home/skin.png", case_ / "s0.png");
     EXPECT_THAT(test::faults_of([&] { find_clip("s%d.png", case_, {}); }),
-                ElementsAre("s%d.png: is a directory; a video file is needed"));
+                ElementsAre("s%d.png: is a folder; a video file is needed"));
     EXPECT_THAT(bundle_of("s%d.png"),
-                ElementsAre(AllOf(HasSubstr("/smoke/clips/0/file: "), HasSubstr("\"s%d.png\": is a directory;"))));
+                ElementsAre(AllOf(HasSubstr("/smoke/clips/0/file: "), HasSubstr("\"s%d.png\": is a folder;"))));
     EXPECT_FALSE(fs::exists(out_));
     fs::remove(case_ / "s0.png");
     fs::remove(case_ / "s%d.png");
@@ -277,7 +277,7 @@ TEST_F(Outside, WhatASceneNamesIsAMeshAPresetAndAVideo) {
     // A person chooses an organ from anywhere. What it is not, is neither shown nor passed on.
     const std::vector<std::string> before = everything();
     EXPECT_THAT(test::faults_of([&] { write_bundle(bundle("../../.ssh/id_rsa")); }),
-                ElementsAre(HasSubstr("is no mesh")));
+                ElementsAre(HasSubstr("is not a mesh")));
     EXPECT_EQ(everything(), before);
     EXPECT_FALSE(fs::exists(out_));
     all_.write("home/liver.obj", triangle_obj);

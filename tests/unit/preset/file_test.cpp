@@ -73,7 +73,7 @@ TEST(ReadFile, NamesWhatIsNoPlainFile) {
                 ElementsAre(at + "/missing: cannot be read: No such file or directory"));
     EXPECT_THAT(read_faults(folder / "dangling"),
                 ElementsAre(at + "/dangling: cannot be read: No such file or directory"));
-    EXPECT_THAT(read_faults(folder.write("empty", "")), ElementsAre(at + "/empty: an empty file"));
+    EXPECT_THAT(read_faults(folder.write("empty", "")), ElementsAre(at + "/empty: the file is empty"));
     EXPECT_THAT(read_faults(""), ElementsAre("no file name"));
 }
 

@@ -60,10 +60,12 @@ TEST(SetParameter, NamesTheFaultAndLeavesTheDocument) {
         {"speed", "3", "speed: no such parameter; nearest is bleeding.speed"},
         {"bleeding", "3", "bleeding: no such parameter; nearest is bleeding.speed"},
         {"smoke.clips.0.wieght", "1", "smoke.clips.0.wieght: no such parameter; nearest is smoke.clips.0.weight"},
-        {"smoke.clips.2.weight", "1", "smoke.clips.2.weight: \"2\" names no element; clips has elements 0 to 1"},
-        {"smoke.clips.-1.weight", "1", "smoke.clips.-1.weight: \"-1\" names no element; clips has elements 0 to 1"},
+        {"smoke.clips.2.weight", "1",
+         "smoke.clips.2.weight: \"2\" is not the number of an element; clips has elements 0 to 1"},
+        {"smoke.clips.-1.weight", "1",
+         "smoke.clips.-1.weight: \"-1\" is not the number of an element; clips has elements 0 to 1"},
         {"smoke.clips.99999999999999999999.weight", "1",
-         "smoke.clips.99999999999999999999.weight: \"99999999999999999999\" names no element; clips has "
+         "smoke.clips.99999999999999999999.weight: \"99999999999999999999\" is not the number of an element; clips has "
          "elements 0 "
          "to 1"},
         {"bleeding.speed", "-3", "bleeding.speed: -3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)"},
@@ -103,7 +105,7 @@ TEST(SetParameter, StrangeKeysAreFaultsToo) {
 TEST(SetParameter, EmptyListSaysSo) {
     Preset preset;
     EXPECT_THAT(faults_of([&] { set_parameter(preset_table(), &preset, "smoke.clips.0.weight", "1"); }),
-                ElementsAre("smoke.clips.0.weight: \"0\" names no element; clips is empty"));
+                ElementsAre("smoke.clips.0.weight: \"0\" is not the number of an element; clips is empty"));
 }
 
 TEST(CheckDocumentValues, FindsRangesAndRulesThatSetLeftBroken) {

@@ -71,9 +71,9 @@ TEST(ReadPreset, NamesEachFault) {
         {R"(, "vessels": {"x": 1})", "/vessels/x: unknown key; nearest is \"region\""},
         {R"(, "a/b~c": 1)", "/a~1b~0c: unknown key; nearest is \"name\""},
         {R"(, "name": 3)", "/name: 3 is not a string of at most 100 characters"},
-        {R"(, "name": "two\nlines")", "/name: \"two\\x0alines\" holds a control character or a line break"},
-        {R"(, "name": "a", "name": "b")", "/name: the key comes twice"},
-        {R"(, "bleeding": {"speed": 1, "speed": 2})", "/bleeding/speed: the key comes twice"},
+        {R"(, "name": "two\nlines")", "/name: \"two\\x0alines\" contains a control character or a line break"},
+        {R"(, "name": "a", "name": "b")", "/name: this key is there twice"},
+        {R"(, "bleeding": {"speed": 1, "speed": 2})", "/bleeding/speed: this key is there twice"},
         {R"(, "smoke": {"clips": {}})", "/smoke/clips: an object is not an array"},
         {R"(, "smoke": {"clips": [3]})", "/smoke/clips/0: 3 is not an object"},
         {R"(, "smoke": {"clips": [{}]})",
@@ -81,7 +81,7 @@ TEST(ReadPreset, NamesEachFault) {
         {R"(, "smoke": {"clips": [{"file": ""}]})",
          "/smoke/clips/0/file: empty; expected the name of a file in the folder of the preset"},
         {R"(, "smoke": {"clips": [{"file": "../a.mp4"}]})",
-         "/smoke/clips/0/file: \"../a.mp4\" leaves the folder; expected the name of a file in the folder of "
+         "/smoke/clips/0/file: \"../a.mp4\" is outside the folder; expected the name of a file in the folder of "
          "the "
          "preset"},
         {R"(, "smoke": {"clips": [{"file": "/a.mp4"}]})",
@@ -102,7 +102,7 @@ TEST(ReadPreset, NamesEachFault) {
         {R"(, "smoke": {"keying": {"chroma_low": 9, "chroma_high": 8}})",
          "/smoke/keying/chroma_low: 9 is above chroma_high (8)"},
         {R"(, "smoke": {"keying": {"luma_low": 220, "luma_high": 999}})",
-         "/smoke/keying/luma_high: 999 is above the maximum 255 code values (allowed: 0 to 255 code values)"},
+         "/smoke/keying/luma_high: 999 is above the maximum 255 levels (allowed: 0 to 255 levels)"},
         {R"(, "cautery": {"coagulation_temperature": 200, "char_temperature": 300})",
          "/cautery/coagulation_temperature: 200 is not below cut_temperature (180)"},
     };

@@ -29,8 +29,8 @@ class NamedPath : public testing::Test {
 
 TEST_F(NamedPath, StaysInTheFolderWhateverTheNameSays) {
     using testing::StartsWith;
-    EXPECT_EQ(fault(""), "a.obj: here: names no file");
-    EXPECT_EQ(fault(std::string("a\0b", 3)), "a.obj: here: the file name holds a NUL character");
+    EXPECT_EQ(fault(""), "a.obj: here: no file name");
+    EXPECT_EQ(fault(std::string("a\0b", 3)), "a.obj: here: the file name contains a NUL character");
     EXPECT_EQ(
         fault("../secret"),
         "a.obj: here: \"../secret\" leads out of the folder; only plain files in the folder of the file that names "
@@ -61,7 +61,7 @@ TEST_F(NamedPath, WhatAPersonHasChosenMayLieAnywhereButIsAFile) {
     EXPECT_EQ(named_path(folder / "case", "/data/liver.glb", Reach::anywhere), "/data/liver.glb");
     EXPECT_EQ(fault("file:///etc/passwd", Reach::anywhere),
               "a.obj: here: \"file:///etc/passwd\" is a URL; only plain files are read");
-    EXPECT_EQ(fault("", Reach::anywhere), "a.obj: here: names no file");
+    EXPECT_EQ(fault("", Reach::anywhere), "a.obj: here: no file name");
 }
 
 }  // namespace

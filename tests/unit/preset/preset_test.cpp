@@ -61,7 +61,7 @@ TEST(SavePreset, RefusesWhatCouldNotBeLoadedAndKeepsTheOldFile) {
     preset.smoke.keying.luma_low = 201.0;
     const auto faults = test::faults_of([&] { save_preset(preset, path); });
     EXPECT_THAT(faults, ElementsAre(testing::HasSubstr("p.json: /bleeding/speed: nan is not a finite number"),
-                                    testing::HasSubstr("/smoke/clips/0/file: \"../x.mp4\" leaves the folder"),
+                                    testing::HasSubstr("/smoke/clips/0/file: \"../x.mp4\" is outside the folder"),
                                     testing::HasSubstr("/smoke/keying/luma_low: 201 is not below luma_high")));
     EXPECT_EQ(test::read_text(path), "old");
 }

@@ -36,7 +36,7 @@ TEST_F(ClipFile, InfoTellsSizeSpeedAndFramesThatDecode) {
 
 TEST_F(ClipFile, WhatIsNoVideoIsNamed) {
     EXPECT_EQ(fault(folder / "none.avi"), "no such file");
-    EXPECT_EQ(fault(folder.path()), "is a directory; a video file is needed");
+    EXPECT_EQ(fault(folder.path()), "is a folder; a video file is needed");
     EXPECT_EQ(fault(folder.write("empty.avi", "")), "is empty");
     EXPECT_EQ(fault(folder.write("text.avi", "This is no video, whatever its name says.\n")),
               "is not a video that can be decoded");
@@ -77,8 +77,8 @@ TEST_F(ClipFile, OfATruncatedFileTheFramesThatAreThereCount) {
     EXPECT_GE(info.frame_count(), 3);
     EXPECT_LE(info.frame_count(), 12);
     const std::string why = fault(folder.write("head.avi", whole.substr(0, 200)));
-    EXPECT_THAT(why, testing::AnyOf("is not a video that can be decoded", "holds no picture",
-                                    "holds no frame that can be decoded"));
+    EXPECT_THAT(why, testing::AnyOf("is not a video that can be decoded", "contains no picture",
+                                    "has no frame that can be decoded"));
 }
 
 class FindClip : public ClipFile {
@@ -123,8 +123,7 @@ TEST_F(FindClip, AFolderIsNoClip) {
     for (const char* name : {"c.avi", "c%d.png"}) fs::create_directory(folder / "preset" / name);
     folder.write("preset/c0.png", "x");
     for (const std::string name : {"c.avi", "c%d.png"})
-        EXPECT_THAT(test::faults_of([&] { find(name); }),
-                    ElementsAre(name + ": is a directory; a video file is needed"));
+        EXPECT_THAT(test::faults_of([&] { find(name); }), ElementsAre(name + ": is a folder; a video file is needed"));
     EXPECT_THAT(clip_images(folder / "preset/c%d.png"), testing::IsEmpty());
 }
 

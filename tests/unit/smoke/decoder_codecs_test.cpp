@@ -369,11 +369,11 @@ TEST_F(CodecTest, ASingleImageIsAClipOfOneFrame) {
 }
 
 TEST_F(CodecTest, SoundAloneHoldsNoPicture) {
-    EXPECT_EQ(fault(make("-f lavfi -i sine=duration=1 -c:a aac s.mp4")), "holds no picture");
-    EXPECT_EQ(fault(make("-f lavfi -i sine=duration=1 s.webm")), "holds no picture");
+    EXPECT_EQ(fault(make("-f lavfi -i sine=duration=1 -c:a aac s.mp4")), "contains no picture");
+    EXPECT_EQ(fault(make("-f lavfi -i sine=duration=1 s.webm")), "contains no picture");
     make("-f lavfi -i color=red:size=32x32 -frames:v 1 cover.png");
     const fs::path cover = make("-i s.mp4 -i cover.png -map 0 -map 1 -c copy -disposition:v:0 attached_pic c.mp4");
-    EXPECT_EQ(fault(cover), "holds no picture") << "a cover is no video";
+    EXPECT_EQ(fault(cover), "contains no picture") << "a cover is no video";
 }
 
 TEST_F(CodecTest, WhatComesBeforeAnEditListsStartIsLeftOut) {

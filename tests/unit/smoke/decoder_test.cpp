@@ -60,7 +60,7 @@ TEST_F(DecoderTest, TheSameFileOnceMore) {
 
 TEST_F(DecoderTest, WhatIsNoClipIsNamed) {
     EXPECT_EQ(fault(folder / "none.avi"), "no such file");
-    EXPECT_EQ(fault(folder.path()), "is a directory; a video file is needed");
+    EXPECT_EQ(fault(folder.path()), "is a folder; a video file is needed");
     EXPECT_EQ(fault(folder.write("empty.avi", "")), "is empty");
     EXPECT_EQ(fault("/dev/null"), "is not a plain file");
     EXPECT_EQ(fault(folder.write("text.avi", "This is no video, whatever its name says.\n")), not_decodable);

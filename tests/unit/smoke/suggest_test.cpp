@@ -223,7 +223,7 @@ TEST(SuggestKeying, BarsAreCroppedAndSmokeAtEdgesFades) {
         EXPECT_EQ(s.crop.left, 0.0);
         EXPECT_EQ(s.crop.right, 0.0);
         EXPECT_GT(s.edge_fade, 0.0) << "smoke ends at the bars";
-        EXPECT_THAT(s.reason, HasSubstr("bars beside the picture are cropped"));
+        EXPECT_THAT(s.reason, HasSubstr("bars at the picture's edges are cropped"));
         EXPECT_LT(glm::distance(s.keying.key_color * 255.0, glm::dvec3(background)), 6.0) << "bars are no background";
         const KeyingSuggestion without = barred(background, 0);
         EXPECT_EQ(without.crop, ClipCrop{}) << without.reason;
@@ -311,7 +311,7 @@ TEST(SuggestKeying, WhatIsNotSmokeBeforeAPlainBackgroundGivesNoConfidence) {
     EXPECT_LT(suggest_for(gradient).confidence, 0.3);
     EXPECT_THAT(suggest_for(gradient).reason, HasSubstr("no plain background"));
     const auto red_balls = [](glm::ivec2 at, int n) { return glm::vec3(220, 30, 20) * ball(at, n, 3.0f); };
-    EXPECT_THAT(suggest_for(red_balls).reason, HasSubstr("colours that smoke has not"));
+    EXPECT_THAT(suggest_for(red_balls).reason, HasSubstr("colours that smoke does not have"));
     EXPECT_LT(suggest_for(red_balls).confidence, 0.5);
     const auto checks = [](glm::ivec2 at, int n) {
         return glm::vec3((at.x + n) % 4 < 2 && at.y > 40 && at.x > 30 && at.x < 60 ? 220.0f : 0.0f);

@@ -1,0 +1,203 @@
+#include "ui/support/texts.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstring>
+
+namespace lapfx::ui {
+
+namespace {
+
+Rect rect_of(const Instance& i) {
+    return {i.x, i.y, i.w, i.h};
+}
+
+glm::vec2 middle(const Rect& r) {
+    return r.at() + r.size() * 0.5F;
+}
+
+/// Whether nothing under it is seen.
+bool covers(const Instance& i) {
+    switch (i.kind) {
+        case InstanceKind::fill:
+            return i.color.a == 255 && (i.border == 0 || i.uv[2] == 1);
+        case InstanceKind::image:
+        case InstanceKind::gradient:
+        case InstanceKind::checker:
+        case InstanceKind::compare:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Ellipses of all sizes and weights that the toolkit draws.
+class Ellipses {
+  public:
+    Ellipses(Fonts& fonts, float em) {
+        for (const float size : {0.85F, 0.86F, 0.9F, 1.0F, 1.15F, 1.25F, 1.5F})
+            for (const Weight weight : {Weight::regular, Weight::medium, Weight::bold})
+                for (const bool monospace : {false, true})
+                    for (const Instance& glyph :
+                         fonts.run("\u2026", {.size = std::round(size * em), .weight = weight, .monospace = monospace})
+                             .glyphs)
+                        glyphs_.push_back(glyph);
+    }
+    bool has(const Instance& glyph) const {
+        return std::any_of(glyphs_.begin(), glyphs_.end(), [&](const Instance& known) {
+            return std::memcmp(known.uv, glyph.uv, sizeof known.uv) == 0;
+        });
+    }
+
+  private:
+    std::vector<Instance> glyphs_;
+};
+
+std::string box_text(const Rect& r) {
+    char text[64];
+    std::snprintf(text, sizeof text, " at %.0f, %.0f (%.0f x %.0f)", static_cast<double>(r.x), static_cast<double>(r.y),
+                  static_cast<double>(r.w), static_cast<double>(r.h));
+    return text;
+}
+
+std::string place_of(std::span<const Node> tree, const TextSeen& text) {
+    const std::uint32_t node = node_of(tree, text);
+    return (node == no_node ? std::string("?")
+                            : path_of(tree, node) + " (" + std::string(name_of(tree[node].role)) + ", \"" +
+                                  std::string(tree[node].text.empty() ? tree[node].shown : tree[node].text) + "\")") +
+           box_text(text.rect);
+}
+
+/// Whether one scrolls it, along `axis`.
+bool scrolled(std::span<const Node> tree, std::uint32_t node, int axis) {
+    for (; node != no_node; node = tree[node].parent)
+        if (tree[node].scrolls[axis]) return true;
+    return false;
+}
+
+/// A control that is called by what is written on it.
+bool is_label_of_control(Role role) {
+    switch (role) {
+        case Role::button:
+        case Role::toggle:
+        case Role::checkbox:
+        case Role::radio:
+        case Role::menu_item:
+        case Role::section:
+        case Role::heading:
+        case Role::column_header:
+            return true;
+        default:
+            return false;
+    }
+}
+
+/// Panes that one pans: what is at their edges may be cut.
+bool is_panned(Role role) {
+    return role == Role::timeline || role == Role::plot || role == Role::curve || role == Role::canvas ||
+           role == Role::image || role == Role::text_field || role == Role::search_field || role == Role::text_area;
+}
+
+bool in_panned(std::span<const Node> tree, std::uint32_t node) {
+    for (; node != no_node; node = tree[node].parent)
+        if (is_panned(tree[node].role)) return true;
+    return false;
+}
+
+}  // namespace
+
+std::vector<TextSeen> texts_seen(const DrawList& list, Fonts& letters, float em) {
+    const Ellipses ellipses(letters, em);
+    std::vector<TextSeen> texts;
+    for (const Batch& batch : list.batches) {
+        const Instance* last = nullptr;
+        for (std::uint32_t n = batch.first; n < batch.first + batch.count; ++n) {
+            const Instance& i = list.instances[n];
+            const Rect clip = list.clips[batch.first_clip + i.clip], rect = rect_of(i);
+            if (i.kind != InstanceKind::glyph) {
+                last = nullptr;
+                if (!covers(i)) continue;
+                const Rect hidden = intersect(rect, clip);
+                for (TextSeen& text : texts)
+                    std::erase_if(text.glyphs,
+                                  [&](const Rect& g) { return hidden.contains(middle(intersect(g, text.clip))); });
+                continue;
+            }
+            if (!rect.overlaps(clip) || i.color.a == 0) continue;
+            // A line goes on to the right, in one colour.
+            const bool on = last != nullptr && std::memcmp(&last->color, &i.color, sizeof i.color) == 0 &&
+                            i.clip == last->clip && i.x > last->x - 0.1F * em && i.x < last->x + last->w + em &&
+                            i.y < last->y + last->h + em && i.y + i.h > last->y - em;
+            if (!on) texts.push_back({.rect = {}, .glyphs = {}, .clip = clip});
+            texts.back().glyphs.push_back(rect);
+            texts.back().elided |= ellipses.has(i);
+            last = &i;
+        }
+    }
+    std::erase_if(texts, [](const TextSeen& t) { return t.glyphs.empty(); });
+    for (TextSeen& text : texts) {
+        glm::vec2 low{1e9F}, high{-1e9F};
+        for (const Rect& glyph : text.glyphs) {
+            const Rect seen = intersect(glyph, text.clip);
+            low = glm::min(low, seen.at()), high = glm::max(high, seen.at() + seen.size());
+        }
+        text.rect = {low.x, low.y, high.x - low.x, high.y - low.y};
+    }
+    return texts;
+}
+
+std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text) {
+    std::uint32_t found = no_node;
+    for (std::uint32_t i = 0; i < tree.size(); ++i) {
+        const Node& node = tree[i];
+        if (node.label.empty() || !node.seen().contains(middle(text.rect))) continue;
+        if (found == no_node || node.layer > tree[found].layer ||
+            (node.layer == tree[found].layer && (node.role != Role::none || tree[found].role == Role::none)))
+            found = i;
+    }
+    return found;
+}
+
+std::vector<std::string> texts_over_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em) {
+    std::vector<std::string> found;
+    const float least = 0.12F * em;  // letters of one line come nearer, and so do those of lines that follow each other
+    for (std::size_t a = 0; a < texts.size(); ++a)
+        for (std::size_t b = a + 1; b < texts.size(); ++b) {
+            const Rect both = intersect(texts[a].rect, texts[b].rect);
+            if (both.w <= least || both.h <= least) continue;
+            const auto meet = [&](const Rect& g, const Rect& h) {
+                const Rect common = intersect(intersect(g, texts[a].clip), intersect(h, texts[b].clip));
+                return common.w > least && common.h > least;
+            };
+            const bool over = std::any_of(texts[a].glyphs.begin(), texts[a].glyphs.end(), [&](const Rect& g) {
+                return std::any_of(texts[b].glyphs.begin(), texts[b].glyphs.end(),
+                                   [&](const Rect& h) { return meet(g, h); });
+            });
+            if (over) found.push_back(place_of(tree, texts[a]) + " and " + place_of(tree, texts[b]));
+        }
+    return found;
+}
+
+std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em) {
+    std::vector<std::string> found;
+    for (const TextSeen& text : texts) {
+        const std::uint32_t node = node_of(tree, text);
+        if (node == no_node) continue;
+        if (text.elided && is_label_of_control(tree[node].role))
+            found.push_back(place_of(tree, text) + ": its label is elided");
+        float sides = 0, height = 0, whole = 0;
+        for (const Rect& glyph : text.glyphs) {
+            const Rect seen = intersect(glyph, text.clip);
+            sides = std::max(sides, glyph.w - seen.w);
+            height = std::max(height, glyph.h - seen.h);
+            whole = std::max(whole, glyph.h);
+        }
+        if (in_panned(tree, node)) continue;
+        if (sides > 0.15F * em && !scrolled(tree, node, 0)) found.push_back(place_of(tree, text) + ": cut at the side");
+        if (height > 0.15F * em && !scrolled(tree, node, 1)) found.push_back(place_of(tree, text) + ": cut in height");
+    }
+    return found;
+}
+
+}  // namespace lapfx::ui
