@@ -209,7 +209,7 @@ void Browser::want_thumbnails() {
     for (const PresetFile& file : files_)
         if (file.fault.empty())
             requests.push_back(
-                {.preset = file.file, .scene = scene_, .time = thumbnail_at * editor_.document.scene().duration});
+                {.file = file.file, .scene = scene_, .time = thumbnail_at * editor_.document.scene().duration});
     maker_->want(std::move(requests));
     if (editor_.options().exact) maker_->finish();
 }
@@ -218,14 +218,14 @@ void Browser::take_thumbnails() {
     if (maker_ == nullptr) return;
     for (const ThumbnailMaker::Result& result : maker_->take()) {
         const auto file =
-            std::find_if(files_.begin(), files_.end(), [&](const auto& f) { return f.file == result.preset; });
+            std::find_if(files_.begin(), files_.end(), [&](const auto& f) { return f.file == result.file; });
         if (file == files_.end()) continue;
         if (!result.fault.empty()) file->tip += "\nNo picture: " + result.fault;
         if (result.rgba.empty()) continue;
         if (file->image == 0) {
-            file->image = editor_.images.add(ThumbnailMaker::size, result.rgba);
+            file->image = editor_.images.add(result.size, result.rgba);
         } else {
-            editor_.images.update(file->image, ThumbnailMaker::size, result.rgba);
+            editor_.images.update(file->image, result.size, result.rgba);
         }
     }
 }

@@ -5,12 +5,14 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <thread>
 #include <tuple>
 
 #include "app/amounts.h"
 #include "app/autosave.h"
 #include "app/browser.h"
 #include "app/exports.h"
+#include "app/file_previews.h"
 #include "app/files.h"
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
@@ -28,13 +30,19 @@ namespace lapfx::app {
 
 namespace {
 
+/// A folder that hangs must not be waited for, not even at the end.
+void run_beside(std::function<void()> work) {
+    std::thread(std::move(work)).detach();
+}
+
 constexpr double still_longest = 0.5;  // s; a frame that took longer (a stopped process) does not make time jump
 
 }  // namespace
 
 Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
     : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}, jobs, std::move(options.early)),
-      file_dialog(options.files != nullptr ? *options.files : ui::system_files()),
+      file_dialog(options.files != nullptr ? *options.files : ui::system_files(),
+                  options.exact ? ui::RunBeside() : run_beside),
       images(image_store),
       options_(std::move(options)),
       settings_(std::make_unique<Settings>(options_.folders)),
@@ -48,10 +56,12 @@ Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
       organ_choice_(std::make_unique<OrganChoice>(*this)),
       reference_(std::make_unique<Reference>(*this)),
       exports_(std::make_unique<Exports>(*this)),
+      file_previews_(std::make_unique<FilePreviews>(*this)),
       files_(std::make_unique<Files>(*this)),
       hot_reload_(std::make_unique<HotReload>(*this)),
       meter_(std::make_unique<Meter>()) {
     timeline.loop = true;
+    file_dialog.show_pictures(file_previews_.get());
     document.set_clip_folders(options_.clip_folders);
 }
 
@@ -229,6 +239,7 @@ void Editor::update(double now) {
     keying_->update(now);
     reference_->update(now);
     exports_->update(now);
+    file_previews_->update();
     hot_reload_->update(now);
     if (options_.exact) return;  // pictures of the editor do not depend on the machine
     if (const auto fault = preview.check_driver(now)) {

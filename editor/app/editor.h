@@ -35,6 +35,7 @@ class AmountsOverTime;
 class Autosave;
 class Browser;
 class Exports;
+class FilePreviews;
 class Files;
 class HotReload;
 class KeyingBench;
@@ -110,8 +111,9 @@ class Editor {
     Reference& reference() { return *reference_; }
     OrganChoice& organ_choice() { return *organ_choice_; }  ///< of the organ dialog
     Exports& exports() { return *exports_; }
-    Meter& meter() { return *meter_; }  ///< what a frame costs
-    Files& files() { return *files_; }  ///< new, open, save, close, and what they ask
+    Meter& meter() { return *meter_; }                         ///< what a frame costs
+    FilePreviews& file_previews() { return *file_previews_; }  ///< of the file dialog
+    Files& files() { return *files_; }                         ///< new, open, save, close, and what they ask
     HotReload& hot_reload() { return *hot_reload_; }
     const EditorOptions& options() const { return options_; }
 
@@ -190,6 +192,7 @@ class Editor {
     std::unique_ptr<OrganChoice> organ_choice_;
     std::unique_ptr<Reference> reference_;
     std::unique_ptr<Exports> exports_;
+    std::unique_ptr<FilePreviews> file_previews_;
     std::unique_ptr<Files> files_;
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;

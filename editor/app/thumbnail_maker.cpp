@@ -27,7 +27,7 @@ namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t longest_text = std::size_t{4} << 20, longest_picture = std::size_t{4} << 20;
-constexpr std::chrono::seconds longest_render{60};
+constexpr std::chrono::minutes left_over{10};  // what a child was writing: it is no longer there
 constexpr std::chrono::milliseconds between_looks{20};
 constexpr int niceness = 19;
 
@@ -55,43 +55,72 @@ class Hash {
     std::uint64_t value_ = 0xcbf29ce484222325ULL;
 };
 
-/// Named after all that its picture depends on. Throws Error.
-std::string name_of(const ThumbnailMaker::Request& request, const ThumbnailMaker::Options& options) {
-    Hash hash;
-    const std::string text = read_file(request.preset, longest_text);
-    const std::string scene_text = read_file(request.scene, longest_text);
+void add_preset(Hash& hash, const fs::path& file, const ThumbnailMaker::Options& options) {
+    const std::string text = read_file(file, longest_text);
     hash.add(text);
-    hash.add(scene_text);
-    hash.add(std::to_string(request.time));
-    const Preset preset = parse_preset(text, request.preset.string(), request.preset.parent_path());
+    const Preset preset = parse_preset(text, file.string(), file.parent_path());
     for (const SmokeClip& clip : preset.smoke.clips)
         hash.add_file(find_clip(clip.file, preset.folder, options.clip_folders));
-    const Scene scene = parse_scene(scene_text, request.scene.string(), request.scene.parent_path());
+}
+
+/// `preset`: also the one that it names.
+void add_scene(Hash& hash, const fs::path& file, bool preset, const ThumbnailMaker::Options& options) {
+    const std::string text = read_file(file, longest_text);
+    hash.add(text);
+    const Scene scene = parse_scene(text, file.string(), file.parent_path());
     hash.add_file(named_path(scene.folder, scene.organ.file, Reach::anywhere));
+    if (preset && !scene.preset.empty())
+        add_preset(hash, named_path(scene.folder, scene.preset, Reach::anywhere), options);
+}
+
+bool is_document(const fs::path& file) {
+    return file.extension() == ".json";
+}
+
+/// Whether it is shown on the scene of the request, which is asked for by none but presets. Throws Error.
+bool on_scene(const ThumbnailMaker::Request& request) {
+    return !request.scene.empty() && is_document(request.file) && check_document(request.file).kind == "preset";
+}
+
+/// Named after all that its picture depends on. Throws Error.
+std::string name_of(const ThumbnailMaker::Request& request, bool on_scene, const ThumbnailMaker::Options& options) {
+    Hash hash;
+    hash.add(std::to_string(options.size.x) + 'x' + std::to_string(options.size.y));
+    if (on_scene) {
+        add_preset(hash, request.file, options);
+        add_scene(hash, request.scene, false, options);
+        hash.add(std::to_string(request.time));
+    } else if (is_document(request.file)) {
+        check_document(request.file).kind == "preset" ? add_preset(hash, request.file, options)
+                                                      : add_scene(hash, request.file, true, options);
+    } else {
+        hash.add_file(request.file);
+    }
     std::error_code error;
     const fs::path program = fs::canonical(options.program, error);
     hash.add_file(error ? options.program : program);
     return hash.text();
 }
 
-/// Empty: it is not a picture of this size.
-std::vector<std::uint8_t> read_picture(const fs::path& file) {
+/// False: it is not a picture, or one that does not fit into `most`.
+bool read_picture(const fs::path& file, glm::ivec2 most, ThumbnailMaker::Result& result) {
     std::error_code error;
-    if (!fs::is_regular_file(file, error)) return {};
+    if (!fs::is_regular_file(file, error)) return false;
     try {
         std::string text = read_file(file, longest_picture);
         const cv::Mat bytes(1, static_cast<int>(text.size()), CV_8U, text.data());
         const cv::Mat picture = cv::imdecode(bytes, cv::IMREAD_COLOR);
-        if (picture.cols != ThumbnailMaker::size.x || picture.rows != ThumbnailMaker::size.y) return {};
-        std::vector<std::uint8_t> rgba;
-        rgba.reserve(picture.total() * 4);
+        if (picture.empty() || picture.cols > most.x || picture.rows > most.y) return false;
+        result.size = {picture.cols, picture.rows};
+        result.rgba.reserve(picture.total() * 4);
         for (int y = 0; y < picture.rows; ++y) {
             const auto* row = picture.ptr<cv::Vec3b>(y);
-            for (int x = 0; x < picture.cols; ++x) rgba.insert(rgba.end(), {row[x][2], row[x][1], row[x][0], 255});
+            for (int x = 0; x < picture.cols; ++x)
+                result.rgba.insert(result.rgba.end(), {row[x][2], row[x][1], row[x][0], 255});
         }
-        return rgba;
+        return true;
     } catch (const std::exception&) {
-        return {};
+        return false;
     }
 }
 
@@ -99,7 +128,7 @@ std::vector<std::uint8_t> read_picture(const fs::path& file) {
 void evict(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> pictures;
-    const fs::file_time_type old = fs::file_time_type::clock::now() - 10 * longest_render;
+    const fs::file_time_type old = fs::file_time_type::clock::now() - left_over;
     for (fs::directory_iterator it(folder, error), end; !error && it != end; it.increment(error)) {
         const fs::path file = it->path();
         const fs::file_time_type used = it->last_write_time(error);
@@ -214,24 +243,27 @@ void ThumbnailMaker::run() {
 }
 
 ThumbnailMaker::Result ThumbnailMaker::make(const Request& request) {
-    Result result{.preset = request.preset, .rgba = {}, .fault = {}};
+    Result result{.file = request.file, .size = {}, .rgba = {}, .fault = {}};
     if (options_.cache.empty()) return result;
     const fs::path folder = options_.cache / "thumbnails";
     std::error_code error;
     try {
-        const fs::path file = folder / (name_of(request, options_) + ".png");
-        result.rgba = read_picture(file);
-        if (!result.rgba.empty()) {
+        const bool preset = on_scene(request);
+        const fs::path file = folder / (name_of(request, preset, options_) + ".png");
+        if (read_picture(file, options_.size, result)) {
             fs::last_write_time(file, fs::file_time_type::clock::now(), error);  // in use: goes last
             return result;
         }
         if (!options_.render) return result;
         fs::create_directories(folder, error);
-        result.fault = render(request, file);
-        if (result.fault.empty()) result.rgba = read_picture(file);
+        result.fault = render(request, preset, file);
+        if (result.fault.empty() && !read_picture(file, options_.size, result))
+            result.fault = "what was made is no picture";
         evict(folder);
     } catch (const Error& failure) {
         result.fault = failure.faults().front().text();
+    } catch (const std::exception& failure) {  // no memory
+        result.fault = request.file.string() + ": " + failure.what();
     }
     return result;
 }
@@ -243,21 +275,29 @@ bool ThumbnailMaker::unwanted(const Request& request) {
 }
 
 /// Gives what went wrong.
-std::string ThumbnailMaker::render(const Request& request, const fs::path& file) {
+std::string ThumbnailMaker::render(const Request& request, bool on_scene, const fs::path& file) {
     const std::string stem =
         file.stem().string() + '-' + std::to_string(::getpid());  // another editor may make it, too
     const fs::path part = file.parent_path() / (stem + ".part.png"), log = file.parent_path() / (stem + ".log");
-    const std::string wished = std::to_string(size.x) + 'x' + std::to_string(size.y);
-    const pid_t child = start(options_.program,
-                              {"lapfx", "render", request.scene.string(), "--preset", request.preset.string(), "--at",
-                               std::to_string(request.time), "--size", wished, "-o", part.string()},
-                              log);
+    std::vector<std::string> arguments{"lapfx", "picture", request.file.string()};
+    if (on_scene)
+        arguments = {"lapfx",
+                     "render",
+                     request.scene.string(),
+                     "--preset",
+                     request.file.string(),
+                     "--at",
+                     std::to_string(request.time)};
+    arguments.insert(
+        arguments.end(),
+        {"--size", std::to_string(options_.size.x) + 'x' + std::to_string(options_.size.y), "-o", part.string()});
+    const pid_t child = start(options_.program, std::move(arguments), log);
     std::error_code error;
     if (child == 0) {
         fs::remove(log, error);
         return options_.program.string() + " cannot be started";
     }
-    const Clock::time_point end = Clock::now() + longest_render;
+    const Clock::time_point end = Clock::now() + options_.longest;
     std::string fault;
     int status = 0;
     while (::waitpid(child, &status, WNOHANG) == 0) {
@@ -265,12 +305,15 @@ std::string ThumbnailMaker::render(const Request& request, const fs::path& file)
         if (!unwanted(request) && !late) continue;
         ::kill(child, SIGKILL);
         ::waitpid(child, &status, 0);
-        fault = late ? "rendering took more than a minute" : "no longer needed";
+        fault = late ? "the picture took more than " + std::to_string(options_.longest.count()) + " s"
+                     : std::string("no longer needed");
         break;
     }
     if (fault.empty() && (!WIFEXITED(status) || WEXITSTATUS(status) != 0)) {
         fault = first_line(log);
-        if (fault.empty()) fault = "rendering ended without a picture";
+        if (fault.empty())
+            fault = WIFSIGNALED(status) ? "the picture could not be made: the program that makes it crashed"
+                                        : "rendering ended without a picture";
     }
     if (fault.empty()) {
         fs::rename(part, file, error);

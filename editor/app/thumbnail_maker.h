@@ -1,14 +1,15 @@
-// Pictures of presets on a scene, made beside the UI: this very program renders them in a child process, niced, one at a time, and
-// they are kept in the cache folder.
+// Pictures of files, made beside the UI: this very program makes them in a child process, niced, one at a time, and they are kept
+// in the cache folder. A file that hangs, crashes or wants all memory does that to the child.
 //
 //     ThumbnailMaker maker({.cache = folders.cache, .clip_folders = ..., .wake = [&] { ui.wake("thumbnail"); }});
-//     maker.want({{.preset = "presets/slow_ooze.json", .scene = "samples/lagb.scene.json", .time = 9}});
+//     maker.want({{.file = "presets/slow_ooze.json", .scene = "samples/lagb.scene.json", .time = 9}, {.file = "liver.glb"}});
 //     for (ThumbnailMaker::Result& result : maker.take()) show(result);   // each frame
 //
-// A picture is found again by what it shows: the texts of preset and scene, their clips and organ, and the program. One that is
-// no longer wanted is not finished. UI thread; the work is on a thread of its own.
+// A picture is found again by what it shows: the texts of preset and scene, their clips and organ, any other file by its name, size
+// and time, and the program. One that is no longer wanted is not finished. UI thread; the work is on a thread of its own.
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <filesystem>
@@ -23,24 +24,28 @@ namespace lapfx::app {
 
 class ThumbnailMaker {
   public:
-    static constexpr glm::ivec2 size{192, 154};
-    static constexpr std::size_t most_kept = 200;  ///< files; the longest unused go
+    static constexpr glm::ivec2 standard_size{192, 154};
+    static constexpr std::size_t most_kept = 300;  ///< files; the longest unused go
 
     struct Options {
         std::filesystem::path cache{};                      ///< empty: nothing is kept, and so nothing is made
         std::vector<std::filesystem::path> clip_folders{};  ///< where bare clip names are looked up
         std::filesystem::path program = "/proc/self/exe";
-        bool render = true;            ///< false: only what is in the cache is shown
-        std::function<void()> wake{};  ///< any thread; a result has come
+        bool render = true;  ///< false: only what is in the cache is shown
+        glm::ivec2 size = standard_size;
+        std::chrono::seconds longest{60};  ///< then a child is ended
+        std::function<void()> wake{};      ///< any thread; a result has come
     };
     struct Request {
-        std::filesystem::path preset, scene;
-        double time = 0;  ///< s
+        std::filesystem::path file;
+        std::filesystem::path scene = {};  ///< where `file` is a preset: it is shown on this one
+        double time = 0;                   ///< s; of a preset, in that scene
         friend bool operator==(const Request&, const Request&) = default;
     };
     struct Result {
-        std::filesystem::path preset;
-        std::vector<std::uint8_t> rgba{};  ///< of `size`; empty: there is none
+        std::filesystem::path file;
+        glm::ivec2 size{0};                ///< Options::size; of what brings its own shape one that fits into that
+        std::vector<std::uint8_t> rgba{};  ///< empty: there is none
         std::string fault{};               ///< why, one line; empty where it was not to be rendered
     };
 
@@ -58,7 +63,7 @@ class ThumbnailMaker {
   private:
     void run();
     Result make(const Request& request);
-    std::string render(const Request& request, const std::filesystem::path& file);
+    std::string render(const Request& request, bool on_scene, const std::filesystem::path& file);
     bool unwanted(const Request& request);
 
     Options options_;

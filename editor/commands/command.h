@@ -8,6 +8,7 @@ namespace lapfx::commands {
 
 void add_render(CLI::App& app);
 void add_sheet(CLI::App& app);
+void add_picture(CLI::App& app);
 void add_edit(CLI::App& app);
 void add_check(CLI::App& app);
 void add_inspect(CLI::App& app);

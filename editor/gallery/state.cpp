@@ -120,6 +120,13 @@ ui::FileSystem::Kind TestFiles::kind(const std::string& path) {
     return path.starts_with("/clips/plume ") ? Kind::file : Kind::nothing;
 }
 
+ui::FilePicture TestFilePictures::picture(ui::Ui&, const std::string& path, const ui::FileEntry&) {
+    using Picture = ui::FilePicture::State;
+    if (path.ends_with(".png")) return {.state = Picture::there, .image = image, .size = size};
+    if (ui::name_of_path(path).starts_with("plume")) return {.state = Picture::coming};
+    return {.state = Picture::failed, .fault = "is not a video that can be decoded"};
+}
+
 GraphsState::GraphsState() {
     constexpr double rate = 60;
     for (int i = 0; i < 600; ++i) {
@@ -145,6 +152,9 @@ GraphsState::GraphsState() {
 }
 
 State::State(ui::ImageStore& images) : lists(images), pictures(images) {
+    shell.file_pictures.image = pictures.smoky.image;
+    shell.file_pictures.size = pictures.smoky.size;
+    shell.files.show_pictures(&shell.file_pictures);
     using ui::Key;
     using ui::key_of;
     using ui::Mods;

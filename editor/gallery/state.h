@@ -83,6 +83,14 @@ struct TestFiles : ui::FileSystem {
     Kind kind(const std::string& path) override;
     std::string home() override { return "/clips"; }
     std::vector<ui::FilePlace> places() override { return {{"Clips", "/clips"}, {"Root", "/"}}; }
+    std::string make_folder(const std::string&) override { return "these folders are nowhere"; }
+};
+
+/// Of those: pictures have one, videos wait for theirs, what has no name in UTF-8 is broken.
+struct TestFilePictures : ui::FilePictures {
+    ui::FilePicture picture(ui::Ui& ui, const std::string& path, const ui::FileEntry& file) override;
+    ui::ImageHandle image = 0;
+    glm::ivec2 size{0};
 };
 
 struct ShellState {
@@ -93,6 +101,7 @@ struct ShellState {
     bool grid = true, wants_palette = false, wants_keys = false;
     ui::Toasts toasts;
     TestFiles disk;
+    TestFilePictures file_pictures;
     ui::FileDialog files{disk};
 };
 

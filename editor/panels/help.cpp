@@ -42,12 +42,23 @@ constexpr SheetLine on_plots[] = {
     {"Zoom to a box", "Shift+drag"},
     {"Fit", "double click"},
 };
+constexpr SheetLine in_file_dialogs[] = {
+    {"Take what all suggestions begin with", "Tab"},
+    {"One of the suggestions", "Up, Down, Enter"},
+    {"Next name that begins so", "letters in the list"},
+    {"Folder above", "Alt+Up"},
+    {"New folder", "Ctrl+Shift+N"},
+    {"Name or path", "Ctrl+L"},
+    {"Hidden files", "Ctrl+H"},
+    {"Read again", "F5"},
+};
 constexpr ui::SheetPart pointer_parts[] = {
     {"Mouse: view, looking freely", in_view},
     {"Mouse: numbers", on_numbers},
     {"Mouse: pictures", on_pictures},
     {"Mouse: timeline", on_times},
     {"Mouse: plots", on_plots},
+    {"Keys: choosing files", in_file_dialogs},
 };
 
 constexpr std::string_view version = LAPFX_VERSION;

@@ -167,7 +167,8 @@ void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
                 .tip = file.tip,
                 .key = file.key};
     };
-    constexpr float aspect = static_cast<float>(app::ThumbnailMaker::size.x) / app::ThumbnailMaker::size.y;
+    constexpr float aspect =
+        static_cast<float>(app::ThumbnailMaker::standard_size.x) / app::ThumbnailMaker::standard_size.y;
     const ui::ThumbnailEvents events =
         ui::thumbnails(ui, "Presets", b.selection, found.size(), item, {.cell = 7.5F, .aspect = aspect});
     if (events.marked != ui::no_row) {

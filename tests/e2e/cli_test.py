@@ -49,6 +49,8 @@ FILES = {
     "no organ.scene.json": json.dumps({**SCENE, "organ": {"file": "nowhere.obj"}}),
     "bad organ.scene.json": json.dumps({**SCENE, "organ": {"file": "words.json"}}),
     "words.glb": "not a mesh at all",
+    "words.txt": "not a picture at all",
+    "wide.ppm": "P6 128 32 255\n" + "\x01" * (3 * 128 * 32),
     "kept.png": "was here before",
     "folder/": None,
 }
@@ -175,6 +177,25 @@ RENDERING = [
     Case("render: numbered images", RENDER + ("--fps", "10", "--to", "0.3", "-o", "out_%04d.png"), 0,
          leaves=("out_0000.png", "out_0001.png", "out_0002.png"),
          then=lambda folder: is_png(folder, "out_0002.png", (64, 48))),
+]
+
+PICTURES = [
+    Case("picture: help", ("picture", "--help"), 0, prints=r"(?s).*FILE.*--size.*"),
+    Case("picture: no file", ("picture", "-o", "out.png"), 2, says="FILE"),
+    Case("picture: no output", ("picture", "organ.obj"), 2, says="--output"),
+    Case("picture: missing", ("picture", "missing.mp4", "-o", "out.png"), 2, "missing.mp4"),
+    Case("picture: a text", ("picture", "words.txt", "-o", "out.png"), 2, "words.txt", says="is a text"),
+    Case("picture: a broken mesh", ("picture", "words.glb", "-o", "out.png"), 2, "words.glb"),
+    Case("picture: a preset out of range", ("picture", "low.json", "-o", "out.png"), 2, "low.json",
+         says=r"/bleeding/speed: -3\b"),
+    Case("picture: a video of it", ("picture", "organ.obj", "-o", "out.mp4"), 2, says=r"out\.mp4"),
+    Case("picture: size of nothing", ("picture", "organ.obj", "--size", "0x48", "-o", "out.png"), 2, says="0x48"),
+    Case("picture: an organ", ("picture", "organ.obj", "--backend", "osmesa", "--size", "64x48", "-o", "out.png"), 0,
+         leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
+    Case("picture: a scene", ("picture", "scene.json", "--backend", "osmesa", "--size", "64x48", "-o", "out.png"), 0,
+         leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
+    Case("picture: an image keeps its shape", ("picture", "wide.ppm", "--size", "64x48", "-o", "out.png"), 0,
+         leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 16))),
 ]
 
 # A cell is 64 by 48, a line of text 16, a gap 4 high and wide: editor/commands/sheet.cpp, Layout.
@@ -310,7 +331,7 @@ def main():
         return 2
     lapfx = os.path.abspath(sys.argv[1])
     tests = [(case.name, lambda folder, case=case: run_case(lapfx, case, folder))
-             for case in USAGE + INPUT + RENDERING + SHEETS]
+             for case in USAGE + INPUT + RENDERING + PICTURES + SHEETS]
     for output in ("out.mp4", "out_%04d.png"):
         for number in (signal.SIGINT, signal.SIGTERM):
             tests.append((f"render: {number.name} while it writes {output}",

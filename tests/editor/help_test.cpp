@@ -38,6 +38,7 @@ TEST_F(HelpTest, TheSheetTellsWhatThePointerDoes) {
     EXPECT_EQ(ui().text("**/All keys/Ten times finer"), "Shift+drag");
     EXPECT_EQ(ui().text("**/All keys/Menu: copy, lock, range"), "right click");
     EXPECT_EQ(ui().text("**/All keys/Undo"), "Ctrl+Z");
+    EXPECT_EQ(ui().text("**/All keys/New folder"), "Ctrl+Shift+N");
     EXPECT_EQ(ui::faults_of(ui().ui().tree()), std::vector<std::string>{});
     ui().key(Key::escape).frame();
     expect_sheet_inside({1440, 900}, 1);

@@ -144,7 +144,7 @@ TEST_F(PresetsPanel, ThumbnailsAreRenderedOnceAndKept) {
         ASSERT_NE(file.image, 0U) << file.name << ": " << file.tip;
         images.push_back(editor().images.find(file.image));
         ASSERT_NE(images.back(), nullptr);
-        EXPECT_EQ(images.back()->size, app::ThumbnailMaker::size);
+        EXPECT_EQ(images.back()->size, app::ThumbnailMaker::standard_size);
     }
     EXPECT_NE(images[0]->pixels, images[4]->pixels) << "another preset is another picture";
     std::size_t kept = 0;

@@ -42,6 +42,7 @@ bool takes_when_editing(Key key, Mods mods) {
 bool takes(Sense sense, Key key, Mods mods) {
     const bool plain = !has(mods, Mods::command) && !has(mods, Mods::alt);
     if (has(sense, Sense::every_key)) return true;
+    if (key == Key::tab) return plain && !has(mods, Mods::shift) && has(sense, Sense::completes);
     if (has(sense, Sense::editing)) return takes_when_editing(key, mods);
     if (has(sense, Sense::keys) && plain && key != Key::tab && key != Key::f6) return true;
     switch (key) {
@@ -90,6 +91,14 @@ bool only_activates(Sense sense) {
 bool begins_entry(Sense sense, Key key) {
     return has(sense, Sense::digits) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key) &&
            printable(key);
+}
+
+/// What a dialog may have a use for, wherever in it the keyboard is.
+bool is_chord(Key key, Mods mods) {
+    if (key >= Key::f1 && key <= Key::f12) return key != Key::f6;
+    const bool arrow = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
+    if (has(mods, Mods::alt)) return arrow || printable(key);
+    return has(mods, Mods::command) && printable(key);
 }
 
 bool moves_by_arrows(Role role) {
@@ -151,6 +160,7 @@ void Ui::route_key(const Event& event) {
         return send(focus_, event);
     }
     key_ran_shortcut_ = press_shortcut(event.key, event.mods);
+    if (!key_ran_shortcut_ && is_chord(event.key, event.mods) && send_to_around(event, Sense::chords)) return;
     if (key_ran_shortcut_ || navigate(event) || !printable(event.key)) return;
     // A letter that nobody wanted: to a picture under the pointer that has a use for letters.
     for (std::uint32_t i = index_before(hot_); i != no_node; i = nodes_before()[i].parent) {

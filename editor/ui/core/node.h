@@ -95,6 +95,9 @@ enum class Sense : std::uint32_t {
     hover_keys = 1 << 21,   ///< `erase` and `copying` under the pointer as well, unless the focus shows its ring
     tab_keys = 1 << 22,     ///< Ctrl+PageUp and Ctrl+PageDown from anything inside it that does not take them
     every_key = 1 << 23,    ///< whatever it is: a chord is being recorded
+    completes = 1 << 24,    ///< Tab, without Shift: a text is open of which more can be taken over
+    /// From anything inside it that does not take them: letters and arrows with Ctrl or Alt, and F1 to F12. A dialog's own keys.
+    chords = 1 << 25,
 };
 constexpr Sense operator|(Sense a, Sense b) {
     return static_cast<Sense>(static_cast<std::uint32_t>(a) | static_cast<std::uint32_t>(b));

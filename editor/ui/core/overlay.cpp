@@ -92,7 +92,11 @@ Node* Ui::open_overlay_node(std::string_view name, Role role, std::string_view l
     const auto index = static_cast<std::uint32_t>(nodes().size() - 1);
     node.axis = axis;
     node.placement = arena().make(at->placement);
-    if (at->kind == OverlayKind::modal) node.is |= Is::modal;
+    if (at->kind == OverlayKind::modal) {
+        node.is |= Is::modal;
+        node.sense = Sense::chords;
+        node.id = at->key;  // not by its label, which a button in it may have, too
+    }
     overlay_roots_[layer] = index;
     stack_.back().node = index;
     return &node;

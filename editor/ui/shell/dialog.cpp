@@ -90,6 +90,7 @@ Dialog::Dialog(Ui& ui, std::string_view name, std::string_view title, const Dial
     cancelled_ = !open_ && state.open;
     state.open = open_;
     if (!open_) return;
+    id_ = node->id;
     node->size[0] = px(std::min(ui.em(options.width), ui.window().x));
     if (options.height > 0) node->size[1] = px(std::min(ui.em(options.height), ui.window().y));
     for (std::uint8_t& pad : node->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(1), 255.0F));

@@ -47,6 +47,8 @@ class Dialog {
         return buttons(std::span(all.begin(), all.size()), stays);
     }
     void close();
+    /// Whose events are the keys (Sense::chords) that nothing in it took.
+    Id id() const { return id_; }
     /// Not open, and closed by Esc since the last build.
     bool cancelled() const { return cancelled_; }
 
@@ -58,6 +60,7 @@ class Dialog {
     Ui& ui_;
     std::string_view name_;
     bool open_ = false, cancelled_ = false;
+    Id id_ = 0;
     ScrollState* body_ = nullptr;  ///< of what is between title and buttons, while it is built
 };
 

@@ -13,6 +13,8 @@ namespace {
 
 constexpr std::string_view overlay = "file dialog", question = "file dialog replace";
 constexpr float width = 56, height = 36, places_width = 11;  // em
+constexpr float preview_width = 16, preview_from = 54;       // em: of the window, below which the list needs the room
+constexpr std::string_view name_field = "Name";
 constexpr std::size_t most_recent = 6;
 constexpr std::size_t most_crumbs = 5;  // of the path bar; the folders above are reached from the first of them
 constexpr TableColumn columns[] = {{.title = "Name", .width = 23},
@@ -44,7 +46,10 @@ void FileDialog::open(Ui& ui, FileRequest request) {
     for (const FileFilter& each : request_.filters) filter_names_.push_back(each.name);
     table_.selection.clear();
     selected_.clear();
+    looked_at_.reset();
     count_.clear();
+    completion_.close();
+    makes_folder_ = false;
     fresh_ = true;
     places_ = files_.places();
     done_.reset();
@@ -69,13 +74,17 @@ void FileDialog::go(const std::string& folder) {
     entries_ = std::move(entries);
     table_.selection.clear();
     selected_.clear();
+    looked_at_.reset();
+    completion_.close();
+    completion_.forget();
+    makes_folder_ = false;
     count_.clear();
     if (request_.task != FileTask::save) name_.clear();
     arrange();
 }
 
-bool FileDialog::passes(const FileEntry& entry) const {
-    if (!hidden_ && entry.name.starts_with('.')) return false;
+bool FileDialog::passes(const FileEntry& entry, bool hidden) const {
+    if (!hidden && entry.name.starts_with('.')) return false;
     if (entry.folder) return true;
     if (request_.task == FileTask::folder) return false;
     const auto index = static_cast<std::size_t>(filter_);
@@ -89,7 +98,7 @@ bool FileDialog::passes(const FileEntry& entry) const {
 void FileDialog::arrange() {
     shown_.clear();
     for (std::uint32_t i = 0; i < entries_.size(); ++i) {
-        if (passes(entries_[i])) shown_.push_back(i);
+        if (passes(entries_[i], hidden_)) shown_.push_back(i);
     }
     const int column = table_.sort_column;
     const bool down = table_.descending;
@@ -110,7 +119,8 @@ void FileDialog::build_path_bar(Ui& ui) {
     std::string next;
     {
         const Row row(ui, {.width = grow(), .cross = Place::center});
-        if (icon_button(ui, Icon::chevron_up, "Folder above", {.quiet = true})) next = parent_of(folder_);
+        if (icon_button(ui, Icon::chevron_up, "Folder above", {.tip = "Folder above (Alt+Up)", .quiet = true}))
+            next = parent_of(folder_);
         std::size_t begin = folder_.size();  // of the first that is shown
         for (std::size_t i = 0; i < most_crumbs && begin > 0; ++i) begin = folder_.rfind('/', begin - 1);
         if (begin == 0 && button(ui, "/", {.quiet = true})) next = "/";
@@ -126,9 +136,12 @@ void FileDialog::build_path_bar(Ui& ui) {
         }
         ui.pop_seed();
         spacer(ui);
-        if (toggle(ui, "Hidden files", hidden_, {.icon = Icon::eye, .tip = "Show hidden files", .quiet = true}))
+        if (button(ui, "New folder", {.icon = Icon::plus, .tip = "Make a folder here (Ctrl+Shift+N)", .quiet = true}))
+            begin_folder();
+        if (toggle(ui, "Hidden files", hidden_,
+                   {.icon = Icon::eye, .tip = "Show hidden files (Ctrl+H)", .quiet = true}))
             arrange();
-        if (icon_button(ui, Icon::reset, "Read again", {.quiet = true})) next = folder_;
+        if (icon_button(ui, Icon::reset, "Read again", {.tip = "Read again (F5)", .quiet = true})) next = folder_;
     }
     if (!next.empty()) go(next);
 }
@@ -170,8 +183,9 @@ void FileDialog::build_table(Ui& ui) {
     };
     const auto key = [this](std::size_t row) { return key_of(row); };
     const RowList::KeyOf keys(key);
-    const TableEvents events = table(ui, "Files", table_, columns, shown_.size(), cell,
-                                     {.multiple = request_.task == FileTask::open_many, .key_of = &keys});
+    const TableEvents events =
+        table(ui, "Files", table_, columns, shown_.size(), cell,
+              {.multiple = request_.task == FileTask::open_many, .key_of = &keys, .letters = true});
     if (events.sorted) arrange();
     if (events.selected) select_from_table();
     if (events.opened >= shown_.size()) return;
@@ -183,36 +197,143 @@ void FileDialog::build_table(Ui& ui) {
     }
 }
 
+void FileDialog::look_at(const FileEntry* entry) {
+    looked_at_.reset();
+    if (entry == nullptr) return;
+    std::string about;
+    date_text(entry->changed, about);
+    if (!entry->folder) about = size_text(entry->size) + ", " + about;
+    looked_at_ = LookedAt{resolve_path(folder_, entry->name), *entry, std::move(about)};
+}
+
 /// What is selected of the kind that is looked for; its name goes into the field.
 void FileDialog::select_from_table() {
     selected_.clear();
+    completion_.close();
+    const FileEntry* current = nullptr;
     for (std::size_t row = 0; row < shown_.size(); ++row) {
+        if (table_.selection.current == key_of(row) && table_.selection.has(key_of(row))) current = &entry(row);
         const bool wanted = entry(row).folder == (request_.task == FileTask::folder);
         if (wanted && table_.selection.has(key_of(row))) selected_.push_back(entry(row).name);
     }
+    look_at(current);
     count_ = selected_.size() > 1 ? std::to_string(selected_.size()) + " files" : std::string();
     if (selected_.size() == 1) name_ = selected_[0];
     if (selected_.size() != 1 && request_.task != FileTask::save) name_.clear();
 }
 
+void FileDialog::begin_folder() {
+    if (makes_folder_) return;
+    new_folder_ = "New folder";
+    makes_folder_ = folder_fresh_ = true;
+    fault_.clear();
+}
+
+/// The keyboard goes back to where it begins.
+void FileDialog::end_folder() {
+    makes_folder_ = false;
+    fresh_ = true;
+    fault_.clear();
+}
+
+void FileDialog::make_folder() {
+    const std::string path = folder_ + (folder_ == "/" ? "" : "/") + new_folder_;
+    std::string fault;
+    if (new_folder_.empty()) {
+        fault = "a name is missing";
+    } else if (new_folder_ == "." || new_folder_ == "..") {
+        fault = "this name means another folder";
+    } else if (new_folder_.find('/') != std::string::npos) {
+        fault = "a name has no \"/\"";
+    } else {
+        fault = files_.make_folder(path);
+    }
+    if (!fault.empty()) {
+        fault_ = "\"" + new_folder_ + "\" cannot be made: " + fault;
+        return;
+    }
+    end_folder();
+    go(path);
+}
+
+/// Its name is typed above the list, where it will be.
+void FileDialog::build_new_folder(Ui& ui) {
+    if (!makes_folder_) return;
+    bool makes = false, gives_up = false;
+    {
+        const Row row(ui, {.width = grow(), .cross = Place::center});
+        if (text_field(ui, "Name of the new folder", new_folder_, {.bytes = 255, .keys_outside = true})) fault_.clear();
+        const Id field = ui.id_of("Name of the new folder");
+        if (std::exchange(folder_fresh_, false)) ui.set_focus(field, true);
+        ui.events_of(field, [&](const Event& event) {
+            if (event.kind != EventKind::key) return;
+            makes |= event.key == Key::enter;
+            gives_up |= event.key == Key::escape;
+        });
+        takes_enter_ |= makes;
+        makes |=
+            icon_button(ui, Icon::check, "Make the folder", {.tip = "Make it and go there (Enter)", .primary = true});
+        gives_up |= icon_button(ui, Icon::cross, "No new folder", {.tip = "No new folder (Esc)", .quiet = true});
+    }
+    if (makes) make_folder();
+    if (gives_up) end_folder();
+    if (makes || gives_up) ui.build_again();
+}
+
+/// Keys that nothing in the dialog took.
+void FileDialog::take_chords(Ui& ui, Id dialog) {
+    std::string next;
+    ui.events_of(dialog, [&](const Event& event) {
+        if (event.kind != EventKind::key) return;
+        const bool command = has(event.mods, Mods::command), shift = has(event.mods, Mods::shift);
+        if (command && shift && event.key == ui::key_of('N')) begin_folder();
+        if (command && event.key == ui::key_of('H')) hidden_ = !hidden_, arrange();
+        if (command && event.key == ui::key_of('L')) ui.set_focus(ui.id_of(name_field), true);
+        if (has(event.mods, Mods::alt) && event.key == Key::up) next = parent_of(folder_);
+        if (event.key == Key::f5) next = folder_;
+    });
+    if (!next.empty()) go(next);
+}
+
+void FileDialog::take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& shown) {
+    ui.events_of(field, [&](const Event& event) {
+        if (event.kind != EventKind::key || has(event.mods, Mods::command)) return;
+        if (completion_.take_key(ui, event.key, name_, shown)) {
+            takes_enter_ |= event.key == Key::enter;
+        } else if (event.key == Key::escape) {
+            leaves_ = true;
+        }
+    });
+}
+
 void FileDialog::build_name(Ui& ui) {
     const Row row(ui, {.width = grow(), .cross = Place::center});
     const std::string_view hint = count_.empty() ? std::string_view("Name, or a path") : count_;
-    if (text_field(ui, "Name", name_, {.placeholder = hint})) fault_.clear();
+    const auto wanted = [this](const FileEntry& each, bool hidden) { return passes(each, hidden || hidden_); };
+    const FunctionRef<bool(const FileEntry&, bool)> is_wanted = wanted;
+    const PathCompletion::Shown shown{folder_, entries_, is_wanted};
+    const Id field = ui.id_of(name_field);
+    if (text_field(ui, name_field, name_, {.placeholder = hint, .keys_outside = true})) {
+        fault_.clear();
+        completion_.search(ui, name_, shown);
+    }
+    Node& node = ui.last();
+    if (node.id == field && completion_.completes()) node.sense = node.sense | Sense::completes;
     const Node* focused = ui.before(ui.focus());
-    if (fresh_ && focused != nullptr && focused->layer == ui.last().layer) {
-        ui.set_focus(ui.last().id, ui.focus_ringed());
+    if (fresh_ && focused != nullptr && focused->layer == node.layer) {
+        ui.set_focus(field, ui.focus_ringed());
         fresh_ = false;
     }
+    take_name_keys(ui, field, shown);
+    if (completion_.build(ui, field, name_, shown)) fault_.clear();
     if (request_.filters.size() < 2) return;
     if (combo(ui, "Kind of file", filter_, filter_names_, {.width = px(ui.em(12))})) arrange();
 }
 
 void FileDialog::accept(Ui& ui) {
     fault_.clear();
-    if (!name_.empty())
-        return accept_typed(ui,
-                            resolve_path(folder_, name_.starts_with("~/") ? files_.home() + name_.substr(1) : name_));
+    completion_.close();
+    if (!name_.empty()) return accept_typed(ui, resolve_path(folder_, expand_home(name_, files_.home())));
     accept_selected();
 }
 
@@ -257,23 +378,35 @@ void FileDialog::accept_typed(Ui& ui, std::string path) {
     }
 }
 
+/// A folder has no picture, and a narrow window needs the room for names.
+bool FileDialog::previews(const Ui& ui) const {
+    return pictures_ != nullptr && request_.task != FileTask::folder && ui.window().x >= ui.em(preview_from);
+}
+
 std::optional<std::vector<std::string>> FileDialog::build(Ui& ui) {
     if (!ui.overlay_open(overlay)) return std::nullopt;
-    accepts_ = false;
+    accepts_ = leaves_ = takes_enter_ = false;
+    const bool pictures = previews(ui);
     {
-        Dialog dialog(ui, overlay, request_.title, {.width = width, .height = height});
+        Dialog dialog(ui, overlay, request_.title, {.width = width + (pictures ? preview_width : 0), .height = height});
+        take_chords(ui, dialog.id());
         build_path_bar(ui);
         {
             const Row row(ui, {.width = grow(), .height = grow(), .cross = Place::stretch});
             build_places(ui);
-            build_table(ui);
+            {
+                const Column list(ui, {.width = grow(), .height = grow()});
+                build_new_folder(ui);
+                build_table(ui);
+            }
+            if (pictures) file_preview(ui, *pictures_, looked_at_ ? &*looked_at_ : nullptr, preview_width);
         }
         if (!fault_.empty()) label(ui, fault_, {.tone = Tone::error, .wrap = true});
         build_name(ui);
         const auto pressed = dialog.buttons(
             {{.label = "Cancel", .cancel = true}, {.label = verb_of(request_.task), .standard = true}}, true);
-        if (pressed == 0) dialog.close();
-        if (pressed == 1 || accepts_) accept(ui);
+        if (pressed == 0 || leaves_) dialog.close();
+        if ((pressed == 1 && !takes_enter_) || accepts_) accept(ui);
     }
     const auto answer =
         ask(ui, question, "Replace the file?",

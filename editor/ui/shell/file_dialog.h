@@ -5,12 +5,16 @@
 //                                               .filters = {{"Pictures", {".exr", ".png"}}}});
 //     if (const auto chosen = files.build(u)) load(chosen->front());
 //
-// A folder is read when it is come to, in one go, and again by the button for it.
+// A folder is read when it is come to, in one go, and again by the button for it. Typed names and paths are completed
+// (shell/path_completion.h); letters typed on the list go to the next name that begins so. Wherever the keyboard is: Ctrl+Shift+N
+// makes a folder, Alt+Up goes to the one above, Ctrl+L to the name, Ctrl+H shows hidden files, F5 reads again.
 #pragma once
 
 #include <optional>
 
+#include "ui/shell/file_preview.h"
 #include "ui/shell/file_system.h"
+#include "ui/shell/path_completion.h"
 #include "ui/widgets/table.h"
 
 namespace lapfx::ui {
@@ -34,7 +38,11 @@ struct FileRequest {
 
 class FileDialog {
   public:
-    explicit FileDialog(FileSystem& files) : files_(files) {}
+    /// `beside`: what reads folders for completion; empty: that is done at once.
+    explicit FileDialog(FileSystem& files, RunBeside beside = {})
+        : files_(files), completion_(files, std::move(beside)) {}
+    /// Of what is selected, beside the list; null: there are none.
+    void show_pictures(FilePictures* pictures) { pictures_ = pictures; }
 
     void open(Ui& ui, FileRequest request);
     /// Once a frame. The paths, when they are chosen; of save one that may exist (the person was asked).
@@ -49,20 +57,30 @@ class FileDialog {
   private:
     void go(const std::string& folder);
     void arrange();
-    bool passes(const FileEntry& entry) const;
+    bool passes(const FileEntry& entry, bool hidden) const;
     const FileEntry& entry(std::size_t row) const { return entries_[shown_[row]]; }
     std::uint64_t key_of(std::size_t row) const;
     void build_path_bar(Ui& ui);
     void build_places(Ui& ui);
     void build_table(Ui& ui);
     void build_name(Ui& ui);
+    void build_new_folder(Ui& ui);
+    void begin_folder();
+    void end_folder();
+    void make_folder();
+    void take_chords(Ui& ui, Id dialog);
+    void take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& shown);
     void select_from_table();
+    void look_at(const FileEntry* entry);
+    bool previews(const Ui& ui) const;
     void accept(Ui& ui);
     void accept_typed(Ui& ui, std::string path);
     void accept_selected();
     void choose(std::vector<std::string> paths) { done_ = std::move(paths); }
 
     FileSystem& files_;
+    FilePictures* pictures_ = nullptr;
+    PathCompletion completion_;
     FileRequest request_;
     std::string folder_, fault_;
     std::vector<FileEntry> entries_;
@@ -74,12 +92,16 @@ class FileDialog {
     bool hidden_ = false;
     std::string name_;                   ///< typed, or of what is selected
     std::vector<std::string> selected_;  ///< names
-    std::string replaces_;               ///< path that exists: waits for the answer
-    std::string cell_;                   ///< of the table, which copies it before it asks for the next
-    std::string count_;                  ///< "3 files", in the field while it is empty
+    std::optional<LookedAt> looked_at_;
+    std::string new_folder_;  ///< its name, while it is typed
+    std::string replaces_;    ///< path that exists: waits for the answer
+    std::string cell_;        ///< of the table, which copies it before it asks for the next
+    std::string count_;       ///< "3 files", in the field while it is empty
     std::vector<std::string_view> filter_names_;
     bool fresh_ = false;  ///< the keyboard has not been given to the field yet
-    bool accepts_ = false;
+    bool accepts_ = false, leaves_ = false;
+    bool takes_enter_ = false;  ///< Enter was for something in the dialog, not for its button
+    bool makes_folder_ = false, folder_fresh_ = false;
     std::optional<std::vector<std::string>> done_;
 };
 

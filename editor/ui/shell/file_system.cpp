@@ -3,10 +3,12 @@
 #include <sys/stat.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
 #include <filesystem>
+#include <system_error>
 
 namespace lapfx::ui {
 
@@ -40,6 +42,11 @@ class SystemFiles : public FileSystem {
         return home != nullptr && home[0] == '/' ? resolve_path("/", home) : "/";
     }
     std::vector<FilePlace> places() override { return {{"Home", home()}, {"Computer", "/"}}; }
+    std::string make_folder(const std::string& path) override {
+        if (::mkdir(path.c_str(), 0777) == 0) return {};  // less what the user's umask takes away
+        if (errno == EEXIST) return "there is a file or folder of this name already";
+        return std::generic_category().message(errno);
+    }
 };
 
 bool digit(char c) {
@@ -79,6 +86,11 @@ std::string resolve_path(std::string_view folder, std::string_view path) {
         }
     }
     return clean.empty() ? "/" : clean;
+}
+
+std::string expand_home(std::string_view path, std::string_view home) {
+    const bool at_home = path == "~" || path.starts_with("~/");
+    return at_home ? std::string(home).append(path.substr(1)) : std::string(path);
 }
 
 std::string_view parent_of(std::string_view path) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,13 +31,20 @@ class FileSystem {
     /// Where a dialog begins when it knows nothing better.
     virtual std::string home() = 0;
     virtual std::vector<FilePlace> places() = 0;
+    /// Makes one, in a folder that is there. Gives why it cannot be made; empty: it is made.
+    virtual std::string make_folder(const std::string& path) = 0;
 };
 
-/// This computer's. What a link leads to counts, not the link.
+/// Runs what it is given, at once or on another thread, and does not wait for that.
+using RunBeside = std::function<void(std::function<void()>)>;
+
+/// This computer's, for any thread. What a link leads to counts, not the link.
 FileSystem& system_files();
 
 /// `path` as seen from `folder`, with ".", ".." and doubled '/' worked out.
 std::string resolve_path(std::string_view folder, std::string_view path);
+/// "~" and "~/a" are `home` and what is in it; all else is as it was.
+std::string expand_home(std::string_view path, std::string_view home);
 std::string_view parent_of(std::string_view path);  ///< of "/": "/"
 std::string_view name_of_path(std::string_view path);
 /// "823 B", "1.2 MB"; thousands, as disks are sold.

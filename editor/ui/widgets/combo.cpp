@@ -2,23 +2,22 @@
 
 #include <cmath>
 
-#include "ui/value/utf8.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/text_field.h"
+#include "ui/widgets/type_ahead.h"
 
 namespace lapfx::ui {
 
 namespace {
 
-constexpr double typed_together = 1;  // s between letters that are searched as one word
 constexpr int most_rows = 14;
 constexpr float bar_width = 0.45F, least_bar = 2;  // em
 
 /// Kept while the list is open, and for what is typed on a closed one.
 struct Choosing {
     ScrollState scroll;
-    std::string filter, typed;
-    double typed_at = -1e9;
+    std::string filter;
+    TypeAhead typed;
     std::vector<std::uint32_t> shown;  ///< choices that the filter leaves
     std::string filtered_by;
     const void* filtered = nullptr;  ///< and of how many
@@ -69,29 +68,12 @@ void draw_bar(Painter& painter, const Node& node, ScrollState* const& scroll) { 
 char lower(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
-bool begins_with(std::string_view text, std::string_view start) {
-    return text.size() >= start.size() &&
-           std::equal(start.begin(), start.end(), text.begin(), [](char a, char b) { return lower(a) == lower(b); });
-}
-
-/// The next after `from` that begins with what has been typed; when that is one letter over and over, the next of that letter.
+/// The next after `from` that begins with what has been typed; `from` when there is none.
 int find_typed(const Choosing& c, std::span<const std::string_view> choices, int from) {
-    const int count = static_cast<int>(choices.size());
-    std::string_view typed = c.typed;
-    const bool same = typed.find_first_not_of(typed.front()) == std::string_view::npos;
-    const int start = same ? from + 1 : std::max(from, 0);
-    if (same) typed = typed.substr(0, 1);
-    for (int i = 0; i < count; ++i) {
-        const int at = (start + i) % count;
-        if (begins_with(choices[static_cast<std::size_t>(at)], typed)) return at;
-    }
-    return from;
-}
-
-void add_typed(Ui& ui, Choosing& c, char32_t letter) {
-    if (ui.time() - c.typed_at > typed_together) c.typed.clear();
-    c.typed_at = ui.time();
-    append(c.typed, letter);
+    const std::size_t count = choices.size();
+    const std::size_t at = c.typed.find(count, from < 0 ? count : static_cast<std::size_t>(from),
+                                        [&](std::size_t i) { return choices[i]; });
+    return at < count ? static_cast<int>(at) : from;
 }
 
 void refilter(Choosing& c, std::span<const std::string_view> choices) {
@@ -149,7 +131,7 @@ bool take_list_key(Ui& ui, Choosing& c, const Event& event, std::span<const std:
     const int last = static_cast<int>(c.shown.size()) - 1;
     const int page = static_cast<int>(list_height(ui, c.shown.size()) / ui.row_height()) - 1;
     if (event.kind == EventKind::text && !filters && event.codepoint > ' ') {
-        add_typed(ui, c, event.codepoint);
+        c.typed.add(event.codepoint, ui.time());
         c.at = find_typed(c, choices, c.at);
         reveal_row(ui, c);
     }
@@ -302,7 +284,7 @@ int closed_choice(Ui& ui, Id id, const Response& r, int chosen, std::span<const 
     ui.events_of(id, [&](const Event& event) {
         if (event.kind == EventKind::text && event.codepoint > ' ') {
             Choosing& c = ui.memory<Choosing>(id);
-            add_typed(ui, c, event.codepoint);
+            c.typed.add(event.codepoint, ui.time());
             next = find_typed(c, choices, next);
         }
         if (event.kind != EventKind::key) return;

@@ -1,5 +1,7 @@
 #include "ui/widgets/rows.h"
 
+#include "ui/widgets/type_ahead.h"
+
 namespace lapfx::ui {
 
 namespace {
@@ -8,6 +10,7 @@ ScrollOptions with_senses(const RowListOptions& options) {
     ScrollOptions area = options.area;
     area.sense = area.sense | Sense::press | Sense::focus | Sense::arrows_y | Sense::pages | Sense::extremes |
                  Sense::activate | Sense::context;
+    if (options.name_of != nullptr) area.sense = area.sense | Sense::typing;
     if (options.columns > 1 || options.left_right) area.sense = area.sense | Sense::arrows_x;
     return area;
 }
@@ -101,6 +104,17 @@ void RowList::go(std::size_t item, Mods mods) {
     }
 }
 
+void RowList::take_letter(const Event& event) {
+    TypeAhead& typed = ui_.memory<TypeAhead>(area_.id());
+    if (has(event.mods, Mods::command) || event.codepoint < ' ') return;
+    if (event.codepoint == ' ' && !typed.open(ui_.time())) return;
+    typed.add(event.codepoint, ui_.time());
+    const std::size_t to = typed.find(options_.count, find(selection_.current), *options_.name_of);
+    if (to >= options_.count) return;
+    go(to, Mods::none);
+    LineWindow::show(area_, to / options_.columns, options_.line_height);
+}
+
 void RowList::take_keys() {
     if (!ui_.has_events(area_.id()) || has(area_.is(), Is::disabled)) return;
     ui_.events_of(area_.id(), [&](const Event& event) {
@@ -109,13 +123,15 @@ void RowList::take_keys() {
             selection_.clear();
             events_.selected = true;
         }
+        if (event.kind == EventKind::text && options_.name_of != nullptr) take_letter(event);
         if (event.kind != EventKind::key) return;
+        const bool spelling = options_.name_of != nullptr && ui_.memory<TypeAhead>(area_.id()).open(ui_.time());
         const std::size_t at = find(selection_.current);
         const auto page = static_cast<std::size_t>(area_.state().view.y / options_.line_height);
         const bool side = event.key == Key::left || event.key == Key::right;
         if (event.key == Key::enter) events_.opened = at;
         if (event.key == Key::menu) events_.context = at;
-        if (event.key == Key::space && at != no_row) {
+        if (event.key == Key::space && at != no_row && !spelling) {
             if (options_.multiple) selection_.toggle(selection_.current), events_.selected = true;
             if (!options_.multiple) events_.marked = at;
         }
@@ -126,6 +142,7 @@ void RowList::take_keys() {
         }
         const std::size_t to = item_after(event.key, at, options_.count, options_.columns, page);
         if (to == no_row) return;
+        if (spelling) ui_.memory<TypeAhead>(area_.id()).clear();
         go(to, has(event.mods, Mods::shift) ? Mods::shift : Mods::none);
         LineWindow::show(area_, to / options_.columns, options_.line_height);
     });

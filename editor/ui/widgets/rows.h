@@ -2,7 +2,8 @@
 // presses that move it. The list has the keyboard, not its items.
 //
 // Press selects; with Ctrl one more or one less, with Shift from the last to this one (where several may be selected). Arrows,
-// PageUp, PageDown, Home and End go to another item and select it, with Shift all between; Enter or a double click opens.
+// PageUp, PageDown, Home and End go to another item and select it, with Shift all between; Enter or a double click opens. Letters
+// go to the next item that begins with them, where items have names.
 #pragma once
 
 #include "ui/widgets/scroll.h"
@@ -43,12 +44,15 @@ struct Selection {
     void clear() { keys.clear(), current = anchor = no_key; }
 };
 
+using NameOf = FunctionRef<std::string_view(std::size_t)>;
+
 struct RowListOptions {
     std::size_t count = 0;
     float line_height = 24;   ///< px
     std::size_t columns = 1;  ///< items in a line
     bool multiple = false;
-    bool left_right = false;  ///< Left and Right are told as `sideways`, when there is one column
+    bool left_right = false;          ///< Left and Right are told as `sideways`, when there is one column
+    const NameOf* name_of = nullptr;  ///< of an item, to be found by typing; must last as long as the list
     ScrollOptions area;
 };
 
@@ -82,6 +86,7 @@ class RowList {
 
   private:
     void take_keys();
+    void take_letter(const Event& event);
     void go(std::size_t item, Mods mods);
     void select_between(std::uint64_t from, std::size_t to);
     std::size_t find(std::uint64_t key) const;

@@ -238,6 +238,8 @@ TableEvents table(Ui& ui, std::string_view label, TableState& state, std::span<c
     const auto number = [](std::size_t row) { return static_cast<std::uint64_t>(row); };
     const RowList::KeyOf by_number = number;
     const RowList::KeyOf& key_of = options.key_of != nullptr ? *options.key_of : by_number;
+    const auto first_text = [&cell](std::size_t row) { return cell(row, 0).text; };
+    const NameOf name_of = first_text;
     TableEvents events;
     const float height = ui.row_height();
     {
@@ -245,6 +247,7 @@ TableEvents table(Ui& ui, std::string_view label, TableState& state, std::span<c
                      {.count = count,
                       .line_height = height,
                       .multiple = options.multiple,
+                      .name_of = options.letters && !columns.empty() ? &name_of : nullptr,
                       .area = {.sideways = true,
                                .width = options.width,
                                .height = options.height,

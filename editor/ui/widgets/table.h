@@ -44,6 +44,7 @@ struct TableOptions {
     Size width = grow(), height = grow();
     /// Of a row, for selection and ids; null: its number.
     const RowList::KeyOf* key_of = nullptr;
+    bool letters = false;  ///< typed letters go to the next row whose first column begins with them
 };
 
 struct TableEvents : RowEvents {

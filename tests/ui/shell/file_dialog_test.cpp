@@ -1,20 +1,16 @@
 #include "ui/shell/file_dialog.h"
 
-#include <gmock/gmock.h>
-
 #include <chrono>
 #include <filesystem>
 #include <fstream>
-#include <map>
 
+#include "ui/shell/file_dialog_fixture.h"
 #include "ui/support/count_allocations.h"
-#include "ui/support/harness.h"
 
 namespace lapfx::ui {
 namespace {
 
 using testing::ElementsAre;
-using testing::HasSubstr;
 
 TEST(FileNames, ComeAsPeopleCount) {
     EXPECT_TRUE(natural_less("shot 9.exr", "shot 10.exr"));
@@ -36,6 +32,13 @@ TEST(FileNames, PathsAreWorkedOut) {
     EXPECT_EQ(parent_of("/home"), "/");
     EXPECT_EQ(parent_of("/"), "/");
     EXPECT_EQ(name_of_path("/home/u"), "u");
+}
+
+TEST(FileNames, ATildeIsHome) {
+    EXPECT_EQ(expand_home("~", "/home/u"), "/home/u");
+    EXPECT_EQ(expand_home("~/a", "/home/u"), "/home/u/a");
+    EXPECT_EQ(expand_home("~a", "/home/u"), "~a");
+    EXPECT_EQ(expand_home("a/~", "/home/u"), "a/~");
 }
 
 TEST(FileNames, SizesAreReadAtAGlance) {
@@ -66,72 +69,13 @@ TEST(SystemFiles, ListsAFolderAndSaysWhyItCannot) {
     EXPECT_EQ(system_files().kind(folder.string()), FileSystem::Kind::folder);
     EXPECT_EQ(system_files().kind((folder / "none").string()), FileSystem::Kind::nothing);
     EXPECT_NE(system_files().list((folder / "none").string(), entries), "");
+    EXPECT_EQ(system_files().make_folder((folder / "made").string()), "");
+    EXPECT_TRUE(std::filesystem::is_directory(folder / "made"));
+    EXPECT_EQ(system_files().make_folder((folder / "made").string()), "there is a file or folder of this name already");
+    EXPECT_EQ(system_files().make_folder((folder / "none" / "made").string()), "No such file or directory");
+    EXPECT_EQ(system_files().make_folder((folder / std::string(300, 'x')).string()), "File name too long");
     std::filesystem::remove_all(folder);
 }
-
-struct MadeUpFiles : FileSystem {
-    std::map<std::string, std::vector<FileEntry>> folders;
-    std::map<std::string, std::string> faults;
-    std::string list(const std::string& folder, std::vector<FileEntry>& entries) override {
-        entries.clear();
-        if (const auto fault = faults.find(folder); fault != faults.end()) return fault->second;
-        const auto at = folders.find(folder);
-        if (at == folders.end()) return "No such file or directory";
-        entries = at->second;
-        return "";
-    }
-    Kind kind(const std::string& path) override {
-        if (folders.contains(path)) return Kind::folder;
-        const auto at = folders.find(std::string(parent_of(path)));
-        if (at == folders.end()) return Kind::nothing;
-        for (const FileEntry& e : at->second) {
-            if (e.name == name_of_path(path)) return e.folder ? Kind::folder : Kind::file;
-        }
-        return Kind::nothing;
-    }
-    std::string home() override { return "/home/u"; }
-    std::vector<FilePlace> places() override { return {{"Home", "/home/u"}, {"Computer", "/"}}; }
-};
-
-class FileDialogTest : public testing::Test {
-  protected:
-    FileDialogTest() {
-        files.folders["/"] = {{.name = "home", .folder = true}};
-        files.folders["/home"] = {{.name = "u", .folder = true}};
-        files.folders["/home/u"] = {{.name = "shot 10.exr", .size = 2'000'000, .changed = 300},
-                                    {.name = "shot 9.exr", .size = 3'000'000, .changed = 100},
-                                    {.name = "notes.txt", .size = 12, .changed = 200},
-                                    {.name = ".secret.exr"},
-                                    {.name = "plates", .folder = true},
-                                    {.name = "locked", .folder = true}};
-        files.folders["/home/u/plates"] = {{.name = "a.EXR"}};
-        files.folders["/home/u/locked"] = {};
-        files.faults["/home/u/locked"] = "Permission denied";
-    }
-    void open(FileRequest request) {
-        dialog.open(ui.ui(), std::move(request));
-        ui.frame().frame();
-    }
-    static FileRequest request(FileTask task) {
-        return {.task = task, .title = "Plates", .filters = {{"Pictures", {".exr", ".png"}}}};
-    }
-    std::vector<std::string> rows() {
-        std::vector<std::string> all;
-        for (const Node& node : ui.ui().tree()) {
-            if (node.role == Role::row) all.emplace_back(node.label);
-        }
-        return all;
-    }
-    bool says(const std::string& text) { return ui.dump().find(text) != std::string::npos; }
-    MadeUpFiles files;
-    FileDialog dialog{files};
-    std::vector<std::string> chosen;
-    int times = 0;
-    Harness ui{[this](Ui& u) {
-                   if (const auto paths = dialog.build(u)) chosen = *paths, ++times;
-               },
-               {1000, 700}};
-};
 
 TEST_F(FileDialogTest, FoldersComeFirstAndOnlyWhatIsLookedFor) {
     open(request(FileTask::open));
@@ -280,6 +224,104 @@ TEST_F(FileDialogTest, NamesThatAreNoUtf8AreShownAndKept) {
     EXPECT_EQ(ui.text("Plates/Name"), "bad\xff.exr");
     ui.click("Plates/Open");
     EXPECT_THAT(chosen, ElementsAre("/home/u/bad\xff.exr"));
+}
+
+TEST_F(FileDialogTest, AFolderIsMadeInPlaceAndGoneInto) {
+    open(request(FileTask::save));
+    ui.click("Plates/New folder");
+    EXPECT_EQ(ui.focused(), "Plates/Name of the new folder");
+    EXPECT_EQ(ui.text("Plates/Name of the new folder"), "New folder");
+    ui.type("takes").key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/home/u/takes") << "what was proposed is typed over";
+    EXPECT_FALSE(ui.exists("Plates/Name of the new folder"));
+    EXPECT_EQ(ui.focused(), "Plates/Name");
+    EXPECT_EQ(times, 0) << "Enter was for the folder";
+    ui.click("**/Folder above");
+    EXPECT_THAT(rows(), testing::Contains("takes"));
+    ui.click("Plates/Name").type("takes/a").key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre("/home/u/takes/a.exr"));
+}
+
+TEST_F(FileDialogTest, WhyAFolderCannotBeMadeIsToldInOneLine) {
+    open(request(FileTask::open));
+    ui.key('n', Mods::command | Mods::shift);
+    EXPECT_EQ(ui.focused(), "Plates/Name of the new folder");
+    const auto refused = [&](const std::string& name, const std::string& reason) {
+        ui.key('a', Mods::command).key(Key::del).type(name).key(Key::enter);
+        EXPECT_TRUE(says("\"" + name + "\" cannot be made: " + reason)) << name << "\n" << ui.dump();
+        EXPECT_EQ(ui.focused(), "Plates/Name of the new folder") << "to be mended there";
+        EXPECT_EQ(dialog.folder(), "/home/u");
+    };
+    refused("", "a name is missing");
+    refused("a/b", "a name has no \"/\"");
+    refused("..", "this name means another folder");
+    refused("plates", "there is a file or folder of this name already");
+    files.faults["/home/u/+"] = "Read-only file system";
+    refused("more", "Read-only file system");
+    ui.type("x");
+    EXPECT_FALSE(says("cannot be made")) << "until it is typed in again";
+    ui.key(Key::escape);
+    EXPECT_FALSE(ui.exists("Plates/Name of the new folder"));
+    EXPECT_TRUE(ui.exists("Plates")) << "Esc gave up the folder alone";
+    EXPECT_EQ(ui.focused(), "Plates/Name");
+}
+
+TEST_F(FileDialogTest, AFolderIsMadeByThePointerToo) {
+    open(request(FileTask::folder));
+    ui.click("Plates/New folder").type("b").click("Plates/Make the folder");
+    EXPECT_EQ(dialog.folder(), "/home/u/b");
+    ui.click("Plates/New folder").click("Plates/No new folder");
+    EXPECT_FALSE(ui.exists("Plates/Name of the new folder"));
+    ui.click("Plates/New folder").click("Plates/Computer");
+    EXPECT_FALSE(ui.exists("Plates/Name of the new folder")) << "it was for the folder that was shown";
+    EXPECT_EQ(files.folders["/home/u/b"].size(), 0U);
+    ui.click("Plates/New folder").type("c").key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/c");
+}
+
+TEST_F(FileDialogTest, HasKeysOfItsOwnWhereverTheKeyboardIs) {
+    open(request(FileTask::open));
+    for (const char* place : {"Plates/Name", "Plates/Files", "Plates/Kind of file", "Plates/Cancel"}) {
+        ui.focus(place).key('h', Mods::command);
+        EXPECT_TRUE(dialog.shows_hidden()) << place;
+        ui.key('h', Mods::command);
+        ui.key(Key::up, Mods::alt);
+        EXPECT_EQ(dialog.folder(), "/home") << place;
+        ui.click("Plates/Home").focus(place);
+        files.listed.clear();
+        ui.key(Key::f5);
+        EXPECT_THAT(files.listed, ElementsAre("/home/u")) << place;
+        ui.focus(place).key('l', Mods::command);
+        EXPECT_EQ(ui.focused(), "Plates/Name") << place;
+    }
+}
+
+TEST_F(FileDialogTest, TypedLettersGoToTheNextNameThatBeginsSo) {
+    open(request(FileTask::open));
+    ui.focus("Plates/Files").type("sh");
+    EXPECT_TRUE(ui.is("Plates/Files/shot 9.exr", Is::selected));
+    EXPECT_EQ(ui.text("Plates/Name"), "shot 9.exr");
+    ui.type("ot 1");
+    EXPECT_TRUE(ui.is("Plates/Files/shot 10.exr", Is::selected)) << "a space is a letter then";
+    ui.frame(1.5).type("p");
+    EXPECT_TRUE(ui.is("Plates/Files/plates", Is::selected)) << "after a second it is another word";
+    ui.key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/home/u/plates");
+}
+
+TEST_F(FileDialogTest, OneLetterOverAndOverGoesFromOneToTheNext) {
+    open(request(FileTask::open_many));
+    ui.focus("Plates/Files").type("s");
+    EXPECT_TRUE(ui.is("Plates/Files/shot 9.exr", Is::selected));
+    ui.type("s");
+    EXPECT_TRUE(ui.is("Plates/Files/shot 10.exr", Is::selected));
+    EXPECT_FALSE(ui.is("Plates/Files/shot 9.exr", Is::selected));
+    ui.type("s");
+    EXPECT_TRUE(ui.is("Plates/Files/shot 9.exr", Is::selected));
+    ui.frame(1.5).type("x");
+    EXPECT_TRUE(ui.is("Plates/Files/shot 9.exr", Is::selected)) << "nothing begins so";
+    ui.frame(1.5).type(" ");
+    EXPECT_FALSE(ui.is("Plates/Files/shot 9.exr", Is::selected)) << "space alone marks, as ever";
 }
 
 TEST_F(FileDialogTest, TenThousandFilesAreQuickAndASteadyFrameAllocatesNothing) {

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 class Thumbnails : public testing::Test {
   protected:
     fs::path program(const std::string& script) {
-        const fs::path file = folder_.write("render.sh", "#!/bin/sh\n" + script + "\n");
+        const fs::path file = folder_.write("render.sh", "#!/bin/bash\n" + script + "\n");
         fs::permissions(file, fs::perms::owner_all);
         return file;
     }
@@ -24,8 +24,11 @@ class Thumbnails : public testing::Test {
     ThumbnailMaker::Request request(const std::string& name, double speed = 4) {
         Preset preset;
         preset.bleeding.speed = speed;
-        return {.preset = folder_.write(name, write_preset(preset)), .scene = scene_, .time = 2};
+        return {.file = folder_.write(name, write_preset(preset)), .scene = scene_, .time = 2};
     }
+    /// A script that notes what it was called with and fails.
+    std::string notes() { return "echo \"$@\" >> " + (folder_.path() / "calls").string() + "; echo no >&2; exit 1"; }
+    std::string calls() const { return test::read_text(folder_.path() / "calls"); }
     static std::vector<ThumbnailMaker::Result> made(ThumbnailMaker& maker, std::vector<ThumbnailMaker::Request> all) {
         maker.want(std::move(all));
         maker.finish();
@@ -98,7 +101,7 @@ TEST_F(Thumbnails, ABrokenPresetAndABrokenPictureAreNoTrouble) {
         options(program("echo no picture > \"${12}\"; for last; do :; done; echo no picture > \"$last\"")));
     EXPECT_TRUE(made(maker, {request("a.json")}).at(0).rgba.empty());
     const fs::path broken = folder_.write("broken.json", "{");
-    EXPECT_NE(made(maker, {{.preset = broken, .scene = scene_, .time = 0}}).at(0).fault.find("broken.json"),
+    EXPECT_NE(made(maker, {{.file = broken, .scene = scene_, .time = 0}}).at(0).fault.find("broken.json"),
               std::string::npos);
 }
 
@@ -118,6 +121,60 @@ TEST_F(Thumbnails, WhatIsNotWantedAnyMoreIsEndedAtOnce) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
+TEST_F(Thumbnails, AnyOtherFileIsShownByItself) {
+    ThumbnailMaker maker(options(program(notes())));
+    made(maker, {{.file = folder_.write("a.mp4", "x")}, {.file = scene_, .scene = folder_.write("other.json", "{}")}});
+    // The organ of the scene is not there: what shows that is the program that was called.
+    EXPECT_NE(calls().find("picture " + (folder_.path() / "a.mp4").string() + " --size 192x154 -o "),
+              std::string::npos);
+    EXPECT_NE(calls().find("picture " + scene_.string()), std::string::npos)
+        << "on itself, not on the one that is open";
+    made(maker, {request("p.json")});
+    EXPECT_NE(calls().find("render " + scene_.string() + " --preset " + (folder_.path() / "p.json").string()),
+              std::string::npos);
+    made(maker, {{.file = folder_.path() / "p.json"}});
+    EXPECT_NE(calls().find("picture " + (folder_.path() / "p.json").string()), std::string::npos);
+}
+
+TEST_F(Thumbnails, AFileIsMadeAnewWhenItHasChanged) {
+    ThumbnailMaker maker(options(program(writes(9))));
+    const fs::path file = folder_.write("a.glb", "x");
+    EXPECT_EQ(made(maker, {{.file = file}}).at(0).size, glm::ivec2(192, 154));
+    made(maker, {{.file = file}});
+    EXPECT_EQ(runs(), 1U);
+    folder_.write("a.glb", "xy");
+    made(maker, {{.file = file}});
+    EXPECT_EQ(runs(), 2U) << "another length";
+    auto large = options(program(writes(9)));
+    large.size = {360, 288};
+    ThumbnailMaker other(large);
+    EXPECT_EQ(made(other, {{.file = file}}).at(0).size, glm::ivec2(360, 288));
+    EXPECT_EQ(runs(), 3U) << "another size is another picture";
+}
+
+TEST_F(Thumbnails, OneThatTakesTooLongOrCrashesIsTold) {
+    auto short_time = options(program("exec sleep 30"));
+    short_time.longest = std::chrono::seconds(1);
+    ThumbnailMaker slow(short_time);
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_EQ(made(slow, {{.file = folder_.write("a.mp4", "x")}}).at(0).fault, "the picture took more than 1 s");
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+    ThumbnailMaker crashing(options(program("kill -SEGV $$")));
+    EXPECT_NE(made(crashing, {{.file = folder_.path() / "a.mp4"}}).at(0).fault.find("crashed"), std::string::npos);
+    for (const auto& entry : fs::directory_iterator(folder_.path() / "cache" / "thumbnails"))
+        ADD_FAILURE() << entry.path() << " is left";
+}
+
+TEST_F(Thumbnails, OneThatIsLargerThanAskedForIsRefused) {
+    auto large = options(program(writes(9)));
+    const fs::path script = program("set -- \"$1\" \"$2\" --size 500x10 \"${@: -2}\"\n" + writes(9));
+    large.program = script;
+    ThumbnailMaker maker(large);
+    const auto results = made(maker, {{.file = folder_.write("a.mp4", "x")}});
+    EXPECT_TRUE(results.at(0).rgba.empty());
+    EXPECT_EQ(results.at(0).fault, "what was made is no picture");
+}
+
 TEST_F(Thumbnails, OpensNoWindow) {
     ThumbnailMaker maker(options(program("test -z \"$DISPLAY$WAYLAND_DISPLAY\" || exit 1; echo none >&2; exit 1")));
     ::setenv("DISPLAY", ":77", 1);
@@ -126,16 +183,16 @@ TEST_F(Thumbnails, OpensNoWindow) {
     EXPECT_EQ(results.at(0).fault, "none");
 }
 
-TEST_F(Thumbnails, KeepsTwoHundred) {
+TEST_F(Thumbnails, KeepsThreeHundred) {
     const fs::path kept = folder_.path() / "cache" / "thumbnails";
     fs::create_directories(kept);
-    for (int i = 0; i < 230; ++i) {
+    for (int i = 0; i < 330; ++i) {
         const fs::path file = folder_.write("cache/thumbnails/" + std::to_string(i) + ".png", "x");
         fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(1000 - i));
     }
     ThumbnailMaker maker(options(program(writes(5))));
     made(maker, {request("a.json")});
-    EXPECT_EQ(std::distance(fs::directory_iterator(kept), fs::directory_iterator()), 200);
+    EXPECT_EQ(std::distance(fs::directory_iterator(kept), fs::directory_iterator()), 300);
     EXPECT_FALSE(fs::exists(kept / "30.png")) << "the longest unused";
     EXPECT_TRUE(fs::exists(kept / "31.png"));
 }

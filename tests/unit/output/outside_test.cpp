@@ -291,9 +291,14 @@ TEST_F(Outside, AThumbnailIsNotMadeOfAClipThatLeadsOut) {
     write("o.ply", "x");
     const fs::path ran = all_ / "ran", program = all_.write("program.sh", "#!/bin/sh\ntouch " + ran.string() + "\n");
     fs::permissions(program, fs::perms::owner_all);
-    app::ThumbnailMaker maker(
-        {.cache = all_ / "cache", .clip_folders = {}, .program = program, .render = true, .wake = {}});
-    maker.want({{.preset = write("p.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "link.avi"}]})")),
+    app::ThumbnailMaker maker({.cache = all_ / "cache",
+                               .clip_folders = {},
+                               .program = program,
+                               .render = true,
+                               .size = {192, 154},
+                               .longest = std::chrono::seconds(60),
+                               .wake = {}});
+    maker.want({{.file = write("p.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "link.avi"}]})")),
                  .scene = write("s.json", test::scene_text()),
                  .time = 1}});
     maker.finish();

@@ -1,0 +1,114 @@
+#include "app/file_previews.h"
+
+#include <algorithm>
+#include <array>
+
+#include "app/editor.h"
+#include "app/open.h"
+
+namespace lapfx::app {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr double thumbnail_at = 0.6;  // of the scene's duration, as in the panel of presets
+
+constexpr std::array<std::string_view, 26> pictured{
+    ".json", ".mp4", ".mov", ".m4v", ".mkv",  ".webm", ".avi",  ".mpg", ".mpeg", ".wmv", ".ts",  ".ogv", ".gif",
+    ".png",  ".jpg", ".jpe", ".bmp", ".jpeg", ".webp", ".tiff", ".tif", ".exr",  ".hdr", ".ppm", ".pgm", ".tga"};
+
+/// What is left of "lapfx: FILE: reason": the name stands above it.
+std::string reason_in(std::string fault, const std::string& path) {
+    constexpr std::string_view program = "lapfx: ";
+    if (fault.starts_with(program)) fault.erase(0, program.size());
+    if (fault.starts_with(path + ": ")) fault.erase(0, path.size() + 2);
+    return fault;
+}
+
+}  // namespace
+
+bool has_picture(std::string_view path) {
+    std::string extension = fs::path(path).extension().string();
+    for (char& c : extension)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return std::find(pictured.begin(), pictured.end(), extension) != pictured.end() || is_organ_name(path);
+}
+
+FilePreviews::~FilePreviews() = default;
+
+FilePreviews::Kept& FilePreviews::kept_for(const std::string& path, const ui::FileEntry& file) {
+    const auto same = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.path == path; });
+    if (same != kept_.end() && same->bytes == file.size && same->changed == file.changed) return *same;
+    if (same != kept_.end()) {
+        if (same->image != 0) editor_.images.remove(same->image);
+        kept_.erase(same);
+        begun_.clear();
+    }
+    if (kept_.size() >= most_kept) {
+        const auto oldest =
+            std::min_element(kept_.begin(), kept_.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
+        if (oldest->image != 0) editor_.images.remove(oldest->image);
+        kept_.erase(oldest);
+    }
+    return kept_.emplace_back(Kept{.path = path, .bytes = file.size, .changed = file.changed});
+}
+
+/// One at a time: what was begun before is given up.
+void FilePreviews::begin(const std::string& path) {
+    if (maker_ == nullptr) {
+        ThumbnailMaker::Options options;
+        options.cache = editor_.options().folders.cache;
+        options.clip_folders = editor_.options().clip_folders;
+        if (!program_.empty()) options.program = program_;
+        options.size = size;
+        options.longest = longest;
+        options.wake = [this] { editor_.ui().wake("a file's picture"); };
+        maker_ = std::make_unique<ThumbnailMaker>(std::move(options));
+    }
+    const fs::path& open = editor_.document.scene_file();
+    const fs::path sample = editor_.options().data_folder / "samples" / "lagb.scene.json";
+    maker_->want({{.file = path,
+                   .scene = open.empty() ? sample : fs::absolute(open),
+                   .time = thumbnail_at * editor_.document.scene().duration}});
+    begun_ = path;
+}
+
+ui::FilePicture FilePreviews::picture(ui::Ui& ui, const std::string& path, const ui::FileEntry& file) {
+    using State = ui::FilePicture::State;
+    if (!has_picture(path) || (editor_.options().exact && program_.empty())) return {};
+    asked_ = true;
+    if (looked_at_ != path) looked_at_ = path, since_ = ui.time();
+    Kept& kept = kept_for(path, file);
+    kept.used = ++uses_;
+    if (kept.made && kept.image != 0) return {.state = State::there, .image = kept.image, .size = kept.size};
+    if (kept.made) return {.state = State::failed, .fault = kept.fault};
+    if (ui.time() < since_ + rests) {
+        ui.wake_at(since_ + rests, "a file is looked at");
+    } else if (begun_ != path) {
+        begin(path);
+    }
+    return {.state = State::coming};
+}
+
+void FilePreviews::take(ThumbnailMaker::Result&& result) {
+    const std::string path = result.file.string();
+    if (begun_ == path) begun_.clear();
+    const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.path == path; });
+    if (kept == kept_.end()) return;
+    kept->made = true;
+    kept->size = result.size;
+    if (!result.rgba.empty()) kept->image = editor_.images.add(result.size, result.rgba);
+    kept->fault = result.fault.empty() ? "there is no folder to make pictures in" : reason_in(result.fault, path);
+}
+
+void FilePreviews::update() {
+    if (maker_ == nullptr) return;
+    for (ThumbnailMaker::Result& result : maker_->take()) take(std::move(result));
+    const bool asked = std::exchange(asked_, false);
+    if (asked || begun_.empty()) return;
+    maker_->want({});
+    begun_.clear();
+}
+
+}  // namespace lapfx::app

@@ -1,0 +1,105 @@
+// lapfx picture: a small picture of any file that the editor opens. File dialogs ask a child process for it: what a stranger's file
+// does, it does there.
+#include <sys/resource.h>
+
+#include <new>
+#include <opencv2/imgproc.hpp>
+
+#include "app/open.h"
+#include "commands/command.h"
+#include "commands/options.h"
+#include "commands/session.h"
+#include "lapfx/video.h"
+#include "output/files.h"
+
+namespace lapfx::commands {
+
+namespace {
+
+struct Options {
+    std::string file, output, size = "360x288", backend = "auto";
+};
+
+constexpr double in_video = 0.4;  // of its duration: smoke clips begin with nothing
+constexpr double in_scene = 0.6;  // of its duration: blood and smoke are both there
+constexpr rlim_t most_memory = rlim_t{4} << 30, most_seconds = 120;
+
+/// Nobody may be there to end it, and nobody wants its core.
+void limit(int what, rlim_t most) {
+    rlimit now{};
+    if (::getrlimit(what, &now) != 0) return;
+    now.rlim_cur = std::min(now.rlim_max, most);
+    ::setrlimit(what, &now);
+}
+
+Error refused(const std::string& file, Failure failure, const std::string& reason) {
+    return {failure, Fault{.file = file, .place = "", .reason = reason}};
+}
+
+/// In its own shape, no larger than `most`.
+Image fitted(Image image, glm::ivec2 most) {
+    const double scale =
+        std::min({1.0, static_cast<double>(most.x) / image.width, static_cast<double>(most.y) / image.height});
+    if (scale == 1.0) return image;
+    Image small{.width = std::max(1, static_cast<int>(std::lround(image.width * scale))),
+                .height = std::max(1, static_cast<int>(std::lround(image.height * scale))),
+                .pixels = {},
+                .name = ""};
+    small.pixels.resize(static_cast<std::size_t>(small.width) * static_cast<std::size_t>(small.height) * 4);
+    const cv::Mat from(image.height, image.width, CV_8UC4, image.pixels.data());
+    cv::Mat to(small.height, small.width, CV_8UC4, small.pixels.data());
+    cv::resize(from, to, to.size(), 0, 0, cv::INTER_AREA);
+    return small;
+}
+
+Image picture_of_video(const std::string& file, glm::ivec2 size) {
+    VideoReader video(file);
+    Image image;
+    const int frame = video.frame_at(in_video * video.info().duration);
+    if (!video.read(frame, image) && (frame == 0 || !video.read(0, image)))
+        throw refused(file, Failure::bad_input, "is a video of which no frame can be decoded");
+    return fitted(std::move(image), size);
+}
+
+/// An organ from the front, a preset on the sample scene.
+Image picture_of_scene(const std::string& file, app::FileKind kind, glm::ivec2 size, Backend backend) {
+    app::Opened opened = kind == app::FileKind::preset ? app::open_sample(data_folder()) : app::Opened{};
+    app::open_files(opened, {file});
+    const Scene& scene = opened.content.scene;
+    const Context context = Context::create(backend);
+    Preview preview(scene, opened.content.preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
+    return preview.image(kind == app::FileKind::organ ? 0 : in_scene * scene.duration, size);
+}
+
+void run(const Options& o) {
+    const glm::ivec2 size = parse_size(o.size);
+    const Backend backend = parse_backend(o.backend);
+    if (!o.output.ends_with(".png")) throw wrong_option("-o", "\"" + o.output + "\" is not a .png");
+    check_folder(o.output);
+    limit(RLIMIT_DATA, most_memory);
+    limit(RLIMIT_CPU, most_seconds);
+    limit(RLIMIT_CORE, 0);
+    try {
+        const app::FileKind kind = app::kind_of(o.file);
+        output::write_png(o.output, kind == app::FileKind::video ? picture_of_video(o.file, size)
+                                                                 : picture_of_scene(o.file, kind, size, backend));
+    } catch (const std::bad_alloc&) {
+        throw refused(o.file, Failure::runtime, "needs more than 4 GB of memory");
+    }
+}
+
+}  // namespace
+
+void add_picture(CLI::App& app) {
+    auto o = std::make_shared<Options>();
+    CLI::App* verb = app.add_subcommand("picture", "Make a small picture of any file that the editor opens");
+    verb->add_option("FILE", o->file, "A video (a frame of it), an image, an organ, a scene or a preset")->required();
+    verb->add_option("--size", o->size, "WxH in pixels; a video or an image keeps its shape and fits into that")
+        ->capture_default_str();
+    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
+    verb->add_option("-o,--output", o->output, "The picture: out.png")->required();
+    verb->footer("Example: lapfx picture my_organ.glb -o my_organ.png");
+    verb->callback([o] { run(*o); });
+}
+
+}  // namespace lapfx::commands

@@ -1,0 +1,35 @@
+// Reads folders beside the UI, one at a time: a folder may lie at the other end of a slow network, or of one that is gone.
+#pragma once
+
+#include <memory>
+
+#include "ui/core/ui.h"
+#include "ui/shell/file_system.h"
+
+namespace lapfx::ui {
+
+class FolderReader {
+  public:
+    /// `beside`: empty: read at once. `files` must outlive all that was read, also after this has gone.
+    FolderReader(FileSystem& files, RunBeside beside) : files_(files), beside_(std::move(beside)) {}
+    ~FolderReader() { forget(); }
+    FolderReader(const FolderReader&) = delete;
+    FolderReader& operator=(const FolderReader&) = delete;
+
+    /// What is in `folder`; null: it is still being read, and the UI is woken when it has been. What cannot be read holds nothing.
+    /// A folder asked for before another one is read anew.
+    const std::vector<FileEntry>* read(Ui& ui, const std::string& folder);
+    /// What was read, and what is being read, is not wanted any more. Before the Ui goes.
+    void forget();
+
+  private:
+    static constexpr std::size_t most_left = 4;  ///< that were given up and still hang; then no other is begun
+    struct Reading;
+
+    FileSystem& files_;
+    RunBeside beside_;
+    std::shared_ptr<Reading> now_;
+    std::vector<std::weak_ptr<Reading>> left_;
+};
+
+}  // namespace lapfx::ui

@@ -1,0 +1,63 @@
+// What a name or path may become while it is typed: the entries of its folder that begin so, in a list at its field.
+//
+// Tab takes the longest part that all of them begin with. Arrows mark one, Enter or a click takes it, Esc closes the list. The
+// keyboard stays in the field. A path may begin with "~", "/" or "..".
+#pragma once
+
+#include "ui/shell/folder_reader.h"
+#include "ui/widgets/rows.h"
+
+namespace lapfx::ui {
+
+/// What has all of `names` as its continuation, as they spell it; at least `typed`, which begins them all but for the case of
+/// letters: where they differ in that, it stays as it was typed.
+std::string longest_common(std::span<const std::string_view> names, std::string_view typed);
+
+class PathCompletion {
+  public:
+    static constexpr std::size_t most_found = 500;  ///< what comes after in order is left out
+    static constexpr std::size_t rows = 8;          ///< seen at once
+
+    /// The folder that is shown, and which of any folder's entries are looked for (`hidden`: also those that begin with a dot).
+    struct Shown {
+        const std::string& folder;
+        const std::vector<FileEntry>& entries;
+        const FunctionRef<bool(const FileEntry&, bool hidden)>& wanted;
+    };
+
+    PathCompletion(FileSystem& files, RunBeside beside) : files_(files), reader_(files, std::move(beside)) {}
+
+    /// After `typed` was edited by hand.
+    void search(Ui& ui, std::string_view typed, const Shown& shown);
+    void close();
+    /// What folders hold may have changed.
+    void forget() { reader_.forget(); }
+    bool open() const { return open_; }
+    /// Whether Tab is for it: there is more to take, or a folder is still being read.
+    bool completes() const { return waits_ || extends_; }
+    /// A key of the field, which leaves Enter, Esc and arrows to this. Gives whether it was taken; `typed` may have changed.
+    bool take_key(Ui& ui, Key key, std::string& typed, const Shown& shown);
+    /// Once a frame after the field. Gives whether `typed` has changed.
+    bool build(Ui& ui, Id field, std::string& typed, const Shown& shown);
+
+  private:
+    struct Found {
+        std::string name;
+        bool folder = false;
+    };
+    void collect(const std::vector<FileEntry>& entries, std::string_view stem, const Shown& shown);
+    void take(Ui& ui, std::size_t index, std::string& typed, const Shown& shown);
+    void take_common(Ui& ui, std::string& typed, const Shown& shown);
+    std::size_t put_rows(Ui& ui);
+    void move(int step);
+
+    FileSystem& files_;
+    FolderReader reader_;
+    std::string head_, common_;  ///< typed up to the last '/', and what Tab makes of the rest
+    std::vector<Found> found_;   ///< in order
+    std::size_t marked_ = no_row, first_ = 0;
+    bool open_ = false, waits_ = false, extends_ = false;
+    bool tab_waits_ = false;  ///< Tab was pressed while the folder was being read
+};
+
+}  // namespace lapfx::ui

@@ -1,0 +1,28 @@
+#include "ui/widgets/type_ahead.h"
+
+#include <algorithm>
+
+#include "ui/value/utf8.h"
+
+namespace lapfx::ui {
+
+namespace {
+
+char lower(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+}  // namespace
+
+bool begins_with(std::string_view text, std::string_view start) {
+    return text.size() >= start.size() &&
+           std::equal(start.begin(), start.end(), text.begin(), [](char a, char b) { return lower(a) == lower(b); });
+}
+
+void TypeAhead::add(char32_t letter, double now) {
+    if (!open(now)) typed_.clear();
+    at_ = now;
+    if (typed_.size() < longest) append(typed_, letter);
+}
+
+}  // namespace lapfx::ui

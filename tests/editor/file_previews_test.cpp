@@ -1,0 +1,171 @@
+// Pictures in the file dialog: what the program itself makes of which file, and what becomes of broken and hanging ones.
+#include "app/file_previews.h"
+
+#include <chrono>
+#include <fstream>
+#include <thread>
+
+#include "app/layouts.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+class FilePreviewsTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        editor().layouts().shown.close("View");
+        open_sample();
+        fs::create_directories(files());
+    }
+    fs::path files() const { return folder() / "files"; }
+    fs::path write(const std::string& name, const std::string& text) {
+        std::ofstream(files() / name, std::ios::binary) << text;
+        return files() / name;
+    }
+    fs::path copy(const fs::path& from) {
+        fs::copy_file(fs::path(LAPFX_SOURCE_DIR) / from, files() / from.filename());
+        return files() / from.filename();
+    }
+    fs::path program() const { return fs::path(LAPFX_BINARY_DIR) / "lapfx"; }
+    fs::path script(const std::string& lines) {
+        const fs::path file = folder() / "make.sh";
+        std::ofstream(file) << "#!/bin/sh\n" << lines << '\n';
+        fs::permissions(file, fs::perms::owner_all);
+        return file;
+    }
+    void make_with(const fs::path& by) { editor().file_previews().make_with(by); }
+    void choose_from_files() {
+        editor().ask_file({.title = "Look", .folder = files().string()}, [](const auto&) {});
+        ui().frame().frame();
+    }
+    /// Selects it, and waits until its picture is there or not; what the preview then is called.
+    std::string look(const std::string& name) {
+        ui().click("Look/Files/" + name);
+        ui().frame(app::FilePreviews::rests + 0.01);
+        const Clock::time_point end = Clock::now() + std::chrono::seconds(60);
+        while (ui().is("Look/Preview", ui::Is::busy) && Clock::now() < end) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            ui().frame();
+        }
+        return ui().text("Look/Preview");
+    }
+    bool says(const std::string& text) { return ui().dump().find(text) != std::string::npos; }
+    std::size_t kept() const {
+        std::error_code error;
+        std::size_t count = 0;
+        for (const auto& each : fs::directory_iterator(folder() / "cache" / "thumbnails", error))
+            count += each.path().extension() == ".png" ? 1U : 100U;
+        return count;
+    }
+};
+
+TEST_F(FilePreviewsTest, EveryKindOfFileHasItsPicture) {
+    if (!fs::exists(program())) GTEST_SKIP() << program() << " is not built";
+    make_with(program());
+    write("a.ppm", "P6 8 4 255\n" + std::string(3 * 8 * 4, '\x01'));
+    copy("presets/slow_ooze.json");
+    write("organ.obj", "v -50 -50 0\nv 50 -50 0\nv 50 50 0\nf 1 2 3\n");
+    fs::path clip;
+    for (const auto& each : fs::directory_iterator(fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips"))
+        if (app::has_picture(each.path().string())) clip = each.path();
+    ASSERT_FALSE(clip.empty());
+    fs::copy_file(clip, files() / ("clip" + clip.extension().string()));
+    write("notes.txt", "nothing to see");
+    choose_from_files();
+    for (const std::string& name : {std::string("a.ppm"), std::string("slow_ooze.json"), std::string("organ.obj"),
+                                    "clip" + clip.extension().string()})
+        EXPECT_EQ(look(name), "a picture") << name << ui().dump();
+    EXPECT_EQ(kept(), 4U);
+    EXPECT_EQ(look("notes.txt"), "no picture");
+    EXPECT_FALSE(says("The picture is being made"));
+    EXPECT_EQ(kept(), 4U) << "and nothing else is left there";
+}
+
+TEST_F(FilePreviewsTest, ABrokenFileShowsWhyInOneLine) {
+    if (!fs::exists(program())) GTEST_SKIP() << program() << " is not built";
+    make_with(program());
+    write("broken.glb", "not a mesh");
+    write("text.mp4", "not a video");
+    write("cut.json", R"({"format": "lapfx.preset", "vers)");
+    choose_from_files();
+    EXPECT_EQ(look("broken.glb"), "no picture");
+    EXPECT_TRUE(ui().exists("Look"));
+    EXPECT_EQ(look("text.mp4"), "no picture");
+    EXPECT_TRUE(says("is a text, and neither")) << ui().dump();
+    EXPECT_FALSE(says("lapfx: ")) << "the reason alone";
+    EXPECT_EQ(look("cut.json"), "no picture");
+    EXPECT_EQ(kept(), 0U);
+}
+
+TEST_F(FilePreviewsTest, OneThatHangsHoldsUpNothing) {
+    make_with(script("exec sleep 100"));
+    write("a.mp4", "x");
+    write("b.txt", "x");
+    choose_from_files();
+    ui().click("Look/Files/a.mp4").frame(1);
+    EXPECT_TRUE(editor().file_previews().busy());
+    const Clock::time_point begin = Clock::now();
+    for (int i = 0; i < 10; ++i) ui().frame();
+    EXPECT_LT(Clock::now() - begin, std::chrono::seconds(5)) << "frames go on";
+    EXPECT_TRUE(ui().is("Look/Preview", ui::Is::busy));
+    ui().click("Look/Files/b.txt").frame();
+    for (int i = 0; i < 300 && editor().file_previews().busy(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ui().frame();
+    }
+    EXPECT_FALSE(editor().file_previews().busy()) << "what nobody looks at is not finished";
+    ui().click("Look/Files/a.mp4").frame(1);
+    EXPECT_TRUE(editor().file_previews().busy());
+    ui().click("Look/Cancel");
+    for (int i = 0; i < 300 && editor().file_previews().busy(); ++i) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ui().frame();
+    }
+    EXPECT_FALSE(editor().file_previews().busy()) << "nor once the dialog is closed";
+}
+
+TEST_F(FilePreviewsTest, FilesThatArePassedByAreNotBegun) {
+    make_with(script("echo run >> " + (folder() / "runs").string() + "; exit 1"));
+    for (int i = 0; i < 9; ++i) write("take " + std::to_string(i) + ".mp4", "x");
+    choose_from_files();
+    ui().focus("Look/Files");
+    for (int i = 0; i < 9; ++i) ui().key(ui::Key::down).frame(0.05);
+    EXPECT_FALSE(fs::exists(folder() / "runs"));
+    EXPECT_EQ(look("take 8.mp4"), "no picture");
+    std::ifstream runs(folder() / "runs");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(runs), {}), "run\n");
+    EXPECT_EQ(look("take 8.mp4"), "no picture");
+    ui().frame(1).frame(1);
+    std::ifstream again(folder() / "runs");
+    EXPECT_EQ(std::string(std::istreambuf_iterator<char>(again), {}), "run\n") << "what failed is not tried again";
+}
+
+TEST_F(FilePreviewsTest, SeenFilesAreKeptUntilTheyChangeAndNeverMoreThanAFew) {
+    make_with(script("echo run >> " + (folder() / "runs").string() + "; exit 1"));
+    const auto runs = [&] {
+        std::ifstream file(folder() / "runs");
+        return std::string(std::istreambuf_iterator<char>(file), {}).size() / 4;
+    };
+    write("a.mp4", "x");
+    write("b.mp4", "x");
+    choose_from_files();
+    look("a.mp4"), look("b.mp4"), look("a.mp4");
+    EXPECT_EQ(runs(), 2U);
+    write("a.mp4", "longer");
+    ui().click("Look/Read again");
+    look("a.mp4");
+    EXPECT_EQ(runs(), 3U) << "another file by now";
+    EXPECT_TRUE(app::has_picture("/a/B.MP4"));
+    EXPECT_TRUE(app::has_picture("/a/b.Glb"));
+    EXPECT_FALSE(app::has_picture("/a/b.txt"));
+    EXPECT_FALSE(app::has_picture("/a.mp4/b"));
+}
+
+}  // namespace
+}  // namespace lapfx::test
