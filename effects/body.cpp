@@ -13,7 +13,9 @@ Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm
       bleed_(std::in_place, surface(), down),
       cautery_(surface(), [this](const glm::dvec3& place) { return tissue_.wound_strength(place); }),
       bleed_gpu_(organ.positions.size(), seed, down),
-      organ_gpu_(organ, &bleed_gpu_.values()) {}
+      organ_gpu_(organ, &bleed_gpu_.values(), foundation_->pixels) {
+    foundation_->let_go_pixels();
+}
 
 void Body::set_down(glm::dvec3 down) {
     bleed_.emplace(surface(), down);
@@ -21,8 +23,12 @@ void Body::set_down(glm::dvec3 down) {
     bleed_gpu_.set_down(down);
 }
 
-std::size_t Body::memory() const {
-    return surface().memory() + tissue_.memory() + organ_gpu_.memory() + bleed_gpu_.values().size();
+MemoryUse Body::memory_use() const {
+    return {.surface = foundation_->surface_memory(),
+            .pixels = foundation_->pixel_memory(),
+            .densities = foundation_->tissue.shared_memory() + tissue_.own_memory(),
+            .geometry = organ_gpu_.geometry_memory() + bleed_gpu_.values().size(),
+            .textures = organ_gpu_.texture_memory()};
 }
 
 void Body::set(std::span<const ToolContact> contacts, const Preset& preset) {

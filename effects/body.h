@@ -11,6 +11,7 @@
 #include "bleeding/bleed_gpu.h"
 #include "cautery/cautery.h"
 #include "foundation.h"
+#include "lapfx/memory.h"
 #include "lapfx/preset.h"
 #include "lapfx/view.h"
 #include "organ/moved_surface.h"
@@ -42,7 +43,7 @@ class Body {
     void draw() const noexcept;
 
     void collect(std::vector<gl::Program*>& programs) { organ_gpu_.collect(programs); }  ///< for gl::rebuild()
-    std::size_t memory() const;  ///< bytes, of main memory and the GPU
+    MemoryUse memory_use() const;  ///< what it shares with other bodies of the organ among it
     std::size_t left_out_wounds() const { return cautery_.left_out(); }
     /// Whether a tip at a place of the rest shape touches tissue.
     bool touches(const glm::dvec3& place) const { return cautery::touches(surface(), place); }

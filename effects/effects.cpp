@@ -262,8 +262,11 @@ bool Effects::late() const noexcept {
     return state_->smoke.clips().late();
 }
 
-std::size_t Effects::memory() const noexcept {
-    return state_->body->memory() + state_->smoke.clips().memory();
+MemoryUse Effects::memory_use() const noexcept {
+    MemoryUse use = state_->body->memory_use();
+    use.clips = state_->smoke.clips().memory();
+    use.targets = state_->smoke.target_memory();
+    return use;
 }
 
 std::size_t Effects::uploaded() const noexcept {

@@ -11,22 +11,34 @@
 namespace lapfx {
 
 struct Foundation {
-    /// `midpoints`: as RefinedOrgan::midpoints, of what the organ was split from.
+    /// `midpoints`: as RefinedOrgan::midpoints, of what the organ was split from. `pixels`: of the organ's images, where these have
+    /// none themselves; empty: copies of what is needed.
     Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages = {},
-               std::vector<glm::uvec2> midpoints = {});
+               std::vector<glm::uvec2> midpoints = {}, organ::PixelList pixels = {});
     Foundation(const Foundation&) = delete;
     Foundation& operator=(const Foundation&) = delete;
 
-    std::size_t memory() const {  ///< bytes
-        return surface.memory() + tissue.memory() + midpoints.size() * sizeof(glm::uvec2);
+    /// Textures have been sent to the GPU: pixels that can be decoded again need not be kept.
+    void let_go_pixels() const {
+        for (const auto& one : pixels)
+            if (one) one->let_go();
     }
+    std::size_t pixel_memory() const {  ///< bytes
+        std::size_t bytes = 0;
+        for (const auto& one : pixels) bytes += one ? one->memory() : 0;
+        return bytes;
+    }
+    std::size_t surface_memory() const { return surface.memory() + midpoints.size() * sizeof(glm::uvec2); }
 
     std::vector<glm::uvec2> midpoints;
     Surface surface;
-    bleeding::TissueDensity tissue;  ///< to be copied by whom it changes; refers to `surface`
+    organ::PixelList pixels;         ///< by image, null where nobody needs them
+    bleeding::TissueDensity tissue;  ///< to be copied by whom it changes, and set; refers to `surface`
 };
 
 struct PreparedOrgan::State {
+    std::size_t own_memory() const;  ///< bytes, without the foundation
+
     Organ organ;
     std::shared_ptr<const Foundation> foundation;
     // Of prepare_organ(scene): what it was made from.

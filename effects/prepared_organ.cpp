@@ -47,10 +47,12 @@ std::shared_ptr<const PreparedOrgan> unless_stopped(const F& work) {
 }  // namespace
 
 Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages,
-                       std::vector<glm::uvec2> between)
+                       std::vector<glm::uvec2> between, organ::PixelList given)
     : midpoints(std::move(between)),
       surface(organ, stages.part(0.0, 0.3)),
-      tissue(organ, surface, vessels, stages.part(0.3, 1.0)) {
+      pixels(given.empty() ? organ::copied_pixels(organ) : std::move(given)),
+      tissue(organ, surface, vessels, stages.part(0.3, 1.0), pixels) {
+    tissue.rest();  // what was made is there for the first copy that is set so
     stages.reach(1.0);
 }
 
@@ -85,8 +87,14 @@ bool PreparedOrgan::made_for(const Scene& scene) const {
            tool.scale == scene.tool.scale;
 }
 
+std::size_t PreparedOrgan::State::own_memory() const {
+    return bytes_of(organ) + (tool ? bytes_of(*tool) : 0);
+}
+
 std::size_t PreparedOrgan::memory() const {
-    return bytes_of(state_->organ) + (state_->tool ? bytes_of(*state_->tool) : 0) + state_->foundation->memory();
+    const Foundation& known = *state_->foundation;
+    return state_->own_memory() + known.surface_memory() + known.pixel_memory() + known.tissue.shared_memory() +
+           known.tissue.own_memory();
 }
 
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels,
@@ -97,16 +105,18 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
         made->organ_source = scene.organ;
         made->tool_source = scene.tool;
         made->folder = scene.folder;
-        RefinedOrgan fine = refined_of(
-            organ::load(path_of(scene, scene.organ.file, "/organ/file"),
-                        {.scale = scene.organ.scale, .rotation = scene.organ.rotation}, stages.part(0.0, loaded)),
-            stages.part(loaded, refined));
+        std::vector<organ::Encoded> encoded;
+        RefinedOrgan fine = refined_of(organ::load(path_of(scene, scene.organ.file, "/organ/file"),
+                                                   {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
+                                                   stages.part(0.0, loaded), &encoded),
+                                       stages.part(loaded, refined));
         made->organ = std::move(fine.organ);
+        organ::PixelList pixels = organ::take_pixels(made->organ, encoded);
         if (!scene.tool.file.empty())
             made->tool = organ::load(path_of(scene, scene.tool.file, "/tool/file"),
                                      {.scale = scene.tool.scale, .rotation = {}}, stages.part(refined, tool_loaded));
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
-                                                              std::move(fine.midpoints));
+                                                              std::move(fine.midpoints), std::move(pixels));
         return made;
     });
 }
@@ -118,8 +128,9 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
         auto made = std::make_unique<PreparedOrgan::State>();
         RefinedOrgan fine = refined_of(std::move(organ), stages.part(0.0, split));
         made->organ = std::move(fine.organ);
+        organ::PixelList pixels = organ::take_pixels(made->organ, {});
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(split, 1.0),
-                                                              std::move(fine.midpoints));
+                                                              std::move(fine.midpoints), std::move(pixels));
         return made;
     });
 }

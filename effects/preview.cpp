@@ -182,11 +182,15 @@ StreamingTimes Preview::streaming_times() const {
 bool Preview::late() const {
     return state_->effects.late();
 }
-std::size_t Preview::memory() const {
+MemoryUse Preview::memory_use() const {
     const State& s = *state_;
-    // What is known of the organ is in both.
-    return s.effects.memory() + s.prepared->memory() - s.prepared->state().foundation->memory() +
-           (s.tool ? s.tool->memory() : 0);
+    MemoryUse use = s.effects.memory_use();
+    use.surface += s.prepared->state().own_memory();  // what is known of the organ is in it already
+    use.targets += s.frame.memory();
+    if (!s.tool) return use;
+    use.geometry += s.tool->geometry_memory();
+    use.textures += s.tool->texture_memory();
+    return use;
 }
 TissueSample Preview::tissue(const glm::dvec3& position) const {
     return state_->effects.tissue(position);

@@ -52,6 +52,14 @@ void AmountSeries::add(double time, const Amounts& amounts) {
 
 /// Kept from job to job: what has not changed costs nothing then. A job that was cancelled may still be in it for a moment.
 struct AmountsOverTime::Model {
+    /// Gives back what it takes, the organ among it, which nobody else may need. False while a job works with it. UI thread.
+    bool let_go() {
+        const std::unique_lock lock(mutex, std::try_to_lock);
+        if (!lock) return false;
+        model.reset(), organ.reset();
+        return true;
+    }
+
     std::mutex mutex;
     std::shared_ptr<const PreparedOrgan> organ;  // what it was made of
     glm::dvec3 gravity{0.0};
@@ -90,7 +98,12 @@ void AmountsOverTime::update(double now) {
         stopped_ = true;
         ++version_;
     }
-    if (std::exchange(wanted_, false)) follow(now);
+    if (std::exchange(wanted_, false)) {
+        held_ = true;
+        follow(now);
+    } else if (held_ && !job_) {  // nobody looks: what has been worked out is enough
+        held_ = !model_->let_go();
+    }
 }
 
 void AmountsOverTime::follow(double now) {

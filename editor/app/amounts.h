@@ -87,6 +87,7 @@ class AmountsOverTime {
 
     Editor& editor_;
     bool wanted_ = false, stopped_ = false;
+    bool held_ = false;           // the model may hold something
     std::uint64_t followed_ = 0;  // version of the document
     std::uint64_t organ_ = 0;     // and of the preview's organ
     std::string wanted_key_;      // all that the amounts depend on

@@ -1,19 +1,6 @@
 #include "app/meter.h"
 
-#include <unistd.h>
-
-#include <cstdio>
-
 namespace lapfx::app {
-
-std::size_t resident_memory() {
-    std::FILE* file = std::fopen("/proc/self/statm", "r");
-    if (file == nullptr) return 0;
-    std::size_t all = 0, resident = 0;
-    const int read = std::fscanf(file, "%zu %zu", &all, &resident);
-    std::fclose(file);
-    return read == 2 ? resident * static_cast<std::size_t>(::sysconf(_SC_PAGESIZE)) : 0;
-}
 
 void Meter::frame(double now, bool playing, bool drawn) {
     constexpr double weight = 0.1;  // of a new frame in the mean
@@ -26,7 +13,7 @@ void Meter::frame(double now, bool playing, bool drawn) {
     played_ = playing;
     if (now - looked_ < look_every) return;
     looked_ = now;
-    memory_ = resident_memory();
+    memory_ = ProcessMemory::now();
 }
 
 }  // namespace lapfx::app

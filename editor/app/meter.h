@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "app/gpu_timer.h"
+#include "app/memory.h"
 
 namespace lapfx::app {
 
@@ -15,17 +16,12 @@ class Meter {
     void frame(double now, bool playing, bool drawn);
     /// Pictures of the scene a second while it plays: what one sees, however often the window is drawn; 0: it stands.
     double frames_per_second() const { return rate_; }
-    std::size_t memory() const {
-        return memory_;
-    }  ///< bytes of the process that are in main memory; at most a second old
+    ProcessMemory memory() const { return memory_; }  ///< at most a second old
 
   private:
     double last_ = -1, looked_ = -1e9, rate_ = 0;
     bool played_ = false;
-    std::size_t memory_ = 0;
+    ProcessMemory memory_;
 };
-
-/// Bytes of this process in main memory; 0 where that is not known.
-std::size_t resident_memory();
 
 }  // namespace lapfx::app

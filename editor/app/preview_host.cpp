@@ -160,6 +160,7 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
     const auto make = [&](const Preset& preset) {
         try {
             preview_ = std::make_unique<Preview>(wanted_.scene, preset, organ, options_);
+            glReleaseShaderCompiler();  // a software renderer's is large
             organ_faults_.clear();
             scene_fault_ = false;
             return true;
@@ -319,8 +320,10 @@ std::shared_ptr<const PreparedOrgan> PreviewHost::organ_of(const Scene& scene) c
     return organ_ && organ_->made_for(scene) ? organ_ : nullptr;
 }
 
-std::size_t PreviewHost::memory() const {
-    return preview_ ? preview_->memory() : 0;
+MemoryUse PreviewHost::memory_use() const {
+    MemoryUse use = preview_ ? preview_->memory_use() : MemoryUse{};
+    use.targets += target_.memory() + small_.memory();
+    return use;
 }
 
 // --- the driver ---------------------------------------------------------------------------------------------------------

@@ -112,7 +112,9 @@ class PreviewHost {
     std::optional<Fault> check_driver(double now);
     bool lost() const { return lost_; }
 
-    std::size_t memory() const;  ///< bytes of organ and clips, in main memory and on the GPU
+    /// Bytes of the preview and of the picture that it is drawn into.
+    MemoryUse memory_use() const;
+    std::size_t memory() const { return memory_use().total(); }
 
     /// What is known of clips: another preview that uses it looks through none of them again.
     const std::shared_ptr<ClipCache>& clip_cache() const { return options_.clip_cache; }

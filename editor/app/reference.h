@@ -88,7 +88,8 @@ class Reference {
     void update(double now);
     /// Once after each frame: draws the preview for comparing, if it is seen. Gives whether it differs.
     bool draw();
-    bool compares() const { return compares_; }  ///< that picture was asked for in the last build
+    std::size_t memory() const { return copy_.target.memory(); }  ///< bytes on the GPU
+    bool compares() const { return compares_; }                   ///< that picture was asked for in the last build
 
   private:
     class ReferencePixels;

@@ -20,6 +20,10 @@ class Target {
     glm::ivec2 size() const { return size_; }
     unsigned texture() const { return texture_; }  ///< GL name; 0 before the first resize()
     unsigned framebuffer() const { return framebuffer_; }
+    /// Bytes on the GPU.
+    std::size_t memory() const {
+        return texture_ == 0 ? 0 : 4 * static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y);
+    }
     /// Rows from the top. Waits for the GPU.
     Image read() const;
 

@@ -1,5 +1,8 @@
 // lapfx edit: the editor, in a window or as a picture of it.
+#include <malloc.h>
+
 #include <iostream>
+#include <utility>
 
 #include "app/autosave.h"
 #include "app/files.h"
@@ -83,6 +86,21 @@ void follow_scale(window::UiWindow& window, app::Settings& settings, float& agre
     agreed = settings.scale;
 }
 
+/// What is held beside the clips has no budget: a line on stderr about once a second, for tests.
+class MemoryLog {
+  public:
+    void tell(app::Editor& editor, double now) {
+        const std::size_t bytes = editor.meter().memory().all;
+        if (bytes == 0 || now - told_ < 1) return;
+        told_ = now;
+        std::cerr << "memory at " << now << " s: " << bytes << " bytes, " << editor.preview.memory_use().clips
+                  << " of clips\n";
+    }
+
+  private:
+    double told_ = -1e9;
+};
+
 void show_window(const Options& o) {
     if (!o.dump_on_close.empty()) check_folder(o.dump_on_close);
     app::Opened opened = open_all(o.files);
@@ -118,6 +136,8 @@ void show_window(const Options& o) {
     editor->autosave().find();
     if (o.at < 0) editor->timeline.speed = 1;  // what it is about is seen at once
     double touched = -1;                       // s: the last input that the editor knows of
+    MemoryLog memory_log;
+    bool was_busy = false;  // jobs leave the heap in pieces
     const window::UiProgram program{.update =
                                         [&](double now) {
                                             if (o.scale <= 0) follow_scale(window, settings, scale);
@@ -126,6 +146,7 @@ void show_window(const Options& o) {
                                             touched = window.last_input();
                                             editor->meter().ui = window.statistics().ui_seconds;
                                             editor->update(now);
+                                            if (o.statistics) memory_log.tell(*editor, now);
                                             window.set_title(editor->files().title());
                                         },
                                     .build =
@@ -136,7 +157,9 @@ void show_window(const Options& o) {
                                     .draw =
                                         [&] {
                                             const bool changed = editor->draw();
-                                            window.set_busy(editor->jobs.busy());
+                                            const bool busy = editor->jobs.busy();
+                                            window.set_busy(busy);
+                                            if (std::exchange(was_busy, busy) && !busy) malloc_trim(0);
                                             return changed;
                                         },
                                     .may_close =
@@ -186,7 +209,7 @@ void add_edit(CLI::App& app) {
         "Write all widgets with names, values and places instead of opening a window: .json, or one line per widget");
     verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
     verb->add_flag("--statistics", o->statistics,
-                   "Print a line on stderr for every frame of the window, and why it was drawn");
+                   "Print a line on stderr for every frame of the window and why it was drawn, and the memory that the window uses");
     verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });
 }

@@ -1,6 +1,8 @@
 #include "document/document.h"
 
 #include <algorithm>
+#include <type_traits>
+#include <utility>
 
 #include "lapfx/clip.h"
 #include "lapfx/file.h"
@@ -77,6 +79,19 @@ std::string name_within(const fs::path& whole, const fs::path& folder) {
     const bool spelled = lies_in(whole, folder) && lies_in(real(whole), real(folder));
     const fs::path name = spelled ? whole.lexically_relative(folder) : real(whole).lexically_relative(real(folder));
     return as_path(name.generic_string());
+}
+
+std::size_t bytes_of(const Scene& scene) {
+    const Curves& c = scene.curves;
+    return sizeof scene + scene.events.size() * sizeof(ToolContact) +
+           (c.cautery_power.size() + c.bleeding_strength.size() + c.emission.size()) * sizeof(c.emission[0]);
+}
+
+std::size_t bytes_of(const Preset& preset) {
+    std::size_t bytes = sizeof preset + preset.description.size() + preset.tags.size();
+    for (const SmokeClip& clip : preset.smoke.clips)
+        bytes += sizeof clip + clip.file.size() + clip.masks.size() * sizeof(clip.masks[0]);
+    return bytes;
 }
 
 [[noreturn]] void fail_reading_back(const fs::path& file) {
@@ -250,14 +265,48 @@ void Document::begin(std::string name) {
     before_ = content_;
 }
 
+/// Shares with `like`, which may be null, what is the same to the letter.
+KeptContent Document::kept(const Content& content, const KeptContent* like) const {
+    const bool same_scene = like != nullptr && like->scene->folder == content.scene.folder &&
+                            write_scene(*like->scene) == write_scene(content.scene);
+    const bool same_preset = like != nullptr && like->preset->folder == content.preset.folder &&
+                             write_preset(*like->preset) == write_preset(content.preset);
+    return {.scene = same_scene ? like->scene : std::make_shared<const Scene>(content.scene),
+            .preset = same_preset ? like->preset : std::make_shared<const Preset>(content.preset)};
+}
+
 void Document::commit() {
     if (!open_) return;
     open_ = false;
     if (same(before_, content_)) return;
     steps_.resize(done_);
-    steps_.push_back({.id = ++last_step_, .name = std::move(name_), .before = std::move(before_), .after = content_});
-    if (steps_.size() > most_steps) steps_.erase(steps_.begin());
+    KeptContent before = kept(before_, steps_.empty() ? nullptr : &steps_.back().after);
+    KeptContent after = kept(content_, &before);
+    before_ = {};
+    steps_.push_back(
+        {.id = ++last_step_, .name = std::move(name_), .before = std::move(before), .after = std::move(after)});
+    forget_oldest();
     done_ = steps_.size();
+}
+
+std::size_t Document::step_memory() const {
+    std::size_t bytes = steps_.capacity() * sizeof(Step);
+    KeptContent last;  // steps share with their neighbours alone
+    const auto add = [&](const KeptContent& content) {
+        if (content.scene != last.scene) bytes += bytes_of(*content.scene);
+        if (content.preset != last.preset) bytes += bytes_of(*content.preset);
+        last = content;
+    };
+    for (const Step& step : steps_) {
+        add(step.before);
+        add(step.after);
+    }
+    return bytes;
+}
+
+void Document::forget_oldest() {
+    const auto too_much = [&] { return steps_.size() > most_steps || step_memory() > most_step_bytes; };
+    while (steps_.size() > 1 && too_much()) steps_.erase(steps_.begin());
 }
 
 void Document::cancel() {
@@ -276,27 +325,36 @@ void Document::set(const Content& content) {
 
 void Document::undo() {
     if (open_) return cancel();
-    if (done_ > 0) set(steps_[--done_].before);
+    if (done_ > 0) set(steps_[--done_].before.copy());
 }
 
 void Document::redo() {
-    if (can_redo()) set(steps_[done_++].after);
+    if (can_redo()) set(steps_[done_++].after.copy());
 }
 
 void Document::rename(Named what, const std::string& name) {
     commit();
-    const auto name_of = [what](Content& c) -> std::string& {
-        return what == Named::scene ? c.scene.name : c.preset.name;
+    std::string& now = what == Named::scene ? content_.scene.name : content_.preset.name;
+    const std::string before = std::exchange(now, name);
+    // What was shared still is: the last one that was renamed, and what it became.
+    const auto rename = [&](auto& kept, auto& last, auto& renamed) {
+        if (kept->name != before) return;
+        if (kept != last) {
+            auto copy = std::make_shared<std::remove_const_t<std::remove_reference_t<decltype(*kept)>>>(*kept);
+            copy->name = name;
+            last = std::exchange(kept, std::move(copy));
+            renamed = kept;
+        } else {
+            kept = renamed;
+        }
     };
-    const std::string before = name_of(content_);
-    const auto rename = [&](Content& c) {
-        if (name_of(c) == before) name_of(c) = name;
-    };
-    rename(content_);
-    for (Step& step : steps_) {
-        rename(step.before);
-        rename(step.after);
-    }
+    std::shared_ptr<const Scene> last_scene, renamed_scene;
+    std::shared_ptr<const Preset> last_preset, renamed_preset;
+    for (Step& step : steps_)
+        for (KeptContent* kept : {&step.before, &step.after}) {
+            if (what == Named::scene) rename(kept->scene, last_scene, renamed_scene);
+            if (what == Named::preset) rename(kept->preset, last_preset, renamed_preset);
+        }
     touched();
 }
 

@@ -4,7 +4,7 @@
 //     document.take(edit, "Speed", [&](Content& c) { c.preset.bleeding.speed = speed; });  // a widget's gesture: one step
 //     document.undo();
 //
-// A step is the whole content before and after: both are small, and undo is then as simple as it can be. Files are named from
+// A step is the whole content before and after, which makes undo as simple as it can be; steps share what they have in common. Files are named from
 // the folder that the scene or the preset has, and both are one value: nothing but writing a file names them anew. Values may break a
 // rule between them while they are edited (faults()); they are kept, and told. UI thread.
 #pragma once
@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -57,16 +58,24 @@ std::filesystem::path real_clip(const std::string& file, const std::filesystem::
 /// does, else the preset's own, else the deepest. Those in `shipped`, the folders of the search path, get bare names.
 void gather_clips(Preset& preset, const std::filesystem::path& home, const std::vector<std::filesystem::path>& shipped);
 
+/// A content that is kept: scene and preset may be those of other steps.
+struct KeptContent {
+    std::shared_ptr<const Scene> scene;
+    std::shared_ptr<const Preset> preset;
+    Content copy() const { return {.scene = *scene, .preset = *preset}; }
+};
+
 /// One thing that was done.
 struct Step {
     std::uint64_t id = 0;  ///< no other step of this document has it
     std::string name;      ///< "Speed", "Move event"
-    Content before, after;
+    KeptContent before, after;
 };
 
 class Document {
   public:
-    static constexpr std::size_t most_steps = 500;
+    /// What goes beyond either is forgotten, the oldest first; the newest step never is.
+    static constexpr std::size_t most_steps = 500, most_step_bytes = std::size_t{32} << 20;
 
     /// An empty one, of which nothing would be lost.
     Document();
@@ -130,6 +139,7 @@ class Document {
     void redo();
     /// Steps done and undone; the first done() of them are in effect.
     const std::vector<Step>& steps() const { return steps_; }
+    std::size_t step_memory() const;  ///< bytes that steps take
     std::size_t done() const { return done_; }
     void go_to(std::size_t done);  ///< undoes or redoes until so many are in effect
     enum class Named { scene, preset };
@@ -180,6 +190,8 @@ class Document {
   private:
     void touched() { ++version_; }
     void set(const Content& content);
+    KeptContent kept(const Content& content, const KeptContent* like) const;
+    void forget_oldest();
     void forget_steps();
     std::string text_in(const Scene& scene, const std::filesystem::path& folder) const;
     std::string text_in(const Preset& preset, const std::filesystem::path& folder) const;

@@ -305,7 +305,11 @@ std::string change_text(const Difference& d) {
 }
 
 std::string change_of(const Step& step) {
-    const std::vector<Difference> all = differences(step.before, step.after);
+    const KeptContent &before = step.before, &after = step.after;
+    std::vector<Difference> all;
+    if (before.preset != after.preset) all = differences(*before.preset, *after.preset);
+    if (before.scene != after.scene)
+        for (Difference& d : differences(*before.scene, *after.scene)) all.push_back(std::move(d));
     if (all.empty()) return {};
     if (all.size() > 1) return summary(all);
     const Difference& d = all.front();

@@ -17,7 +17,7 @@ namespace {
 
 /// Counted beside the UI, whenever the organ or what the counts depend on is another.
 struct Counts {
-    std::shared_ptr<const PreparedOrgan> organ;
+    std::weak_ptr<const PreparedOrgan> organ;  // it may go while nobody looks at this
     double vessel_width = -1;
     std::optional<TissueHistogram> histogram;
     std::vector<Fault> faults;
@@ -30,7 +30,7 @@ struct StripMemory {
 void count(app::Editor& editor, const std::shared_ptr<Counts>& counts,
            const std::shared_ptr<const PreparedOrgan>& organ) {
     const VesselParameters parameters = editor.document.preset().vessels;
-    if (counts->organ != organ) *counts = {};
+    if (counts->organ.lock() != organ) *counts = {};
     counts->organ = organ;
     counts->vessel_width = parameters.vessel_width;
     counts->counting = editor.jobs.start(
@@ -53,7 +53,7 @@ void follow(app::Editor& editor, StripMemory& memory) {
     if (counts.counting && counts.counting->cancelled()) counts.counting.reset();  // by whoever lists jobs
     if (counts.counting) return;
     const std::shared_ptr<const PreparedOrgan> organ = editor.preview.organ_of(editor.document.scene());
-    if (organ && (counts.organ != organ || counts.vessel_width != editor.document.preset().vessels.vessel_width))
+    if (organ && (counts.organ.lock() != organ || counts.vessel_width != editor.document.preset().vessels.vessel_width))
         count(editor, memory.counts, organ);
 }
 

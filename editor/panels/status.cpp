@@ -1,9 +1,11 @@
 // The bottom line: what is open, what is being done, what it costs.
+#include <algorithm>
 #include <cstdio>
 
 #include "app/exports.h"
 #include "app/hot_reload.h"
 #include "app/layouts.h"
+#include "app/memory.h"
 #include "app/meter.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
@@ -35,16 +37,33 @@ void jobs(ui::Ui& ui, app::Editor& editor) {
         job.cancel();
 }
 
+std::string_view megabytes(ui::Ui& ui, std::size_t bytes) {
+    return formatted(ui, "%.0f MB", static_cast<double>(bytes) / 1e6);
+}
+
+/// What holds it, a line each.
+std::string_view memory_tip(ui::Ui& ui, app::Editor& editor) {
+    const app::ProcessMemory process = editor.meter().memory();
+    const bool software = editor.options().software;  // then textures are in main memory, too
+    std::string_view tip = "Main memory that the editor uses:";
+    std::size_t known = process.files;
+    for (const app::MemoryPart& part : app::memory_parts(editor)) {
+        if (part.bytes < 500'000) continue;
+        const bool elsewhere = part.gpu && !software;
+        if (!elsewhere) known += part.bytes;
+        tip = ui.join({tip, "\n", part.name, "  ", megabytes(ui, part.bytes), elsewhere ? " on the GPU" : ""});
+    }
+    return ui.join({tip, "\nProgram and libraries  ", megabytes(ui, process.files), "\nDriver, decoders, all else  ",
+                    megabytes(ui, process.all - std::min(process.all, known))});
+}
+
 void costs(ui::Ui& ui, app::Editor& editor) {
     ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * editor.meter().scene.seconds()),
                     {.number = true, .width = 7.5F, .tip = "Time to draw one frame of the scene"});
     ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * editor.meter().ui),
                     {.number = true, .width = 5.5F, .tip = "Time to build and draw the panels, per frame"});
-    ui::status_text(ui, "Memory", formatted(ui, "%.0f MB", static_cast<double>(editor.meter().memory()) / 1e6),
-                    {.number = true,
-                     .width = 4.5F,
-                     .tip = ui.join({"Main memory in use by the editor; the organ and clips of the preview use ",
-                                     formatted(ui, "%.0f MB", static_cast<double>(editor.preview.memory()) / 1e6)})});
+    ui::status_text(ui, "Memory", megabytes(ui, editor.meter().memory().all),
+                    {.number = true, .width = 4.5F, .tip = memory_tip(ui, editor)});
 }
 
 }  // namespace
@@ -72,7 +91,7 @@ void status_bar(ui::Ui& ui, app::Editor& editor) {
     if (meter.frames_per_second() > 0)
         ui::status_text(ui, "Frame rate", formatted(ui, "%.0f fps", meter.frames_per_second()),
                         {.number = true, .width = 4, .tip = "Pictures of the scene per second while it plays"});
-    if (meter.memory() > 0) costs(ui, editor);  // pictures of the editor do not depend on the machine
+    if (meter.memory().all > 0) costs(ui, editor);  // pictures of the editor do not depend on the machine
     const app::EditorOptions& o = editor.options();
     ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",
                     {.tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});

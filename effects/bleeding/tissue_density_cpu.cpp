@@ -1,6 +1,7 @@
 #include "bleeding/tissue_density_cpu.h"
 
 #include <numbers>
+#include <utility>
 
 #include "bleeding/point_blur_cpu.h"
 #include "bleeding/tissue_color_cpu.h"
@@ -38,13 +39,12 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The colour of a vertex that no texture covers, linear.
-glm::dvec3 color_of(const Organ& organ, const Material& material, std::uint32_t vertex) {
+/// The colour of a vertex that no texture covers, linear. `image`: what multiplies it, of one colour, or it would not come to this; or null.
+glm::dvec3 color_of(const Organ& organ, const Material& material, const Image* image, std::uint32_t vertex) {
     glm::dvec3 color = glm::dvec3(organ.colors[vertex]) * glm::dvec3(material.base_color);
-    if (material.base_color_image >= 0) {  // of one colour, or it would not come to this
-        const Image& image = organ.images[static_cast<std::size_t>(material.base_color_image)];
-        for (int c = 0; c < 3 && image.pixels.size() >= 4; ++c) {
-            const double srgb = image.pixels[static_cast<std::size_t>(c)] / 255.0;
+    if (image != nullptr && image->pixels.size() >= 4) {
+        for (int c = 0; c < 3; ++c) {
+            const double srgb = image->pixels[static_cast<std::size_t>(c)] / 255.0;
             color[c] *= srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
         }
     }
@@ -54,14 +54,15 @@ glm::dvec3 color_of(const Organ& organ, const Material& material, std::uint32_t 
 }  // namespace
 
 TissueDensity::TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters,
-                             const organ::Stages& stages)
+                             const organ::Stages& stages, organ::PixelList pixels)
     : surface_(surface), parameters_(parameters) {
+    if (pixels.empty()) pixels = organ::copied_pixels(organ);
     maps_.resize(organ.images.size());
     for (const Material& material : organ.materials) {
         if (material.base_color_image < 0) continue;
-        std::optional<DensityMap>& map = maps_[static_cast<std::size_t>(material.base_color_image)];
+        const auto image = static_cast<std::size_t>(material.base_color_image);
         stages.reach(0.0);
-        if (!map) map.emplace(organ, material.base_color_image);
+        if (!maps_[image]) maps_[image].emplace(organ, material.base_color_image, pixels[image]);
     }
     for (std::optional<DensityMap>& map : maps_)
         if (map && !map->tells()) map.reset();
@@ -69,12 +70,13 @@ TissueDensity::TissueDensity(const Organ& organ, const Surface& surface, const V
     auto mesh = std::make_shared<Mesh>();
     mesh->uvs = organ.uvs;
     find_sources(organ, *mesh);
-    take_colors(organ, *mesh);
+    take_colors(organ, pixels, *mesh);
     mesh_ = std::move(mesh);
     make(stages.part(0.3, 1.0));
 }
 
 void TissueDensity::find_sources(const Organ& organ, Mesh& mesh) const {
+    mesh.corners.reserve(organ.triangle_count());
     for (std::size_t i = 0; i + 2 < organ.indices.size(); i += 3)
         mesh.corners.emplace_back(organ.indices[i], organ.indices[i + 1], organ.indices[i + 2]);
     mesh.source.assign(mesh.corners.size(), by_vertex);
@@ -86,7 +88,7 @@ void TissueDensity::find_sources(const Organ& organ, Mesh& mesh) const {
     }
 }
 
-void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
+void TissueDensity::take_colors(const Organ& organ, const organ::PixelList& pixels, Mesh& mesh) {
     const std::size_t count = organ.positions.size();
     mesh.areas.assign(count, 0.0f);
     mesh.redness.assign(count, 0.0f);
@@ -94,14 +96,17 @@ void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
     glm::dvec3 low(1.0), high(0.0);
     for (const Part& part : organ.parts) {
         const Material& material = organ.materials[static_cast<std::size_t>(part.material)];
+        if (part.index_count < 3 || mesh.source[part.first_index / 3] != by_vertex) continue;
+        const std::shared_ptr<const Image> image =
+            material.base_color_image < 0 ? nullptr
+                                          : pixels[static_cast<std::size_t>(material.base_color_image)]->get();
         for (std::size_t t = part.first_index / 3; t < (part.first_index + part.index_count) / 3; ++t) {
-            if (mesh.source[t] != by_vertex) continue;
             const glm::dvec3 a(organ.positions[mesh.corners[t].x]), b(organ.positions[mesh.corners[t].y]),
                 c(organ.positions[mesh.corners[t].z]);
             const double area = 0.5 * glm::length(glm::cross(b - a, c - a));
             for (int corner = 0; corner < 3; ++corner) {
                 const std::uint32_t vertex = mesh.corners[t][corner];
-                const glm::dvec3 color = color_of(organ, material, vertex);
+                const glm::dvec3 color = color_of(organ, material, image.get(), vertex);
                 mesh.areas[vertex] += static_cast<float>(area / 3);
                 mesh.redness[vertex] = static_cast<float>(redness(color.r, color.g));
                 mesh.lab[vertex] = glm::vec3(lab_of(color));
@@ -120,14 +125,18 @@ void TissueDensity::take_colors(const Organ& organ, Mesh& mesh) {
 }
 
 void TissueDensity::set(const VesselParameters& p) {
-    const VesselParameters& old = parameters_;
-    const bool same = p.vessel_low == old.vessel_low && p.vessel_high == old.vessel_high &&
-                      p.vessel_width == old.vessel_width && p.vessel_color == old.vessel_color &&
-                      p.vessel_tolerance == old.vessel_tolerance && p.fat_low == old.fat_low &&
-                      p.fat_high == old.fat_high && p.smoothing == old.smoothing;
+    const bool same = same_maps(p, parameters_), rested = std::exchange(rests_, false);
     parameters_ = p;
-    if (same) return;
-    make({});
+    if (!same) return make({});
+    if (!rested) return;
+    for (std::optional<DensityMap>& map : maps_)
+        if (map) map->set(parameters_);
+}
+
+void TissueDensity::rest() {
+    rests_ = true;
+    for (std::optional<DensityMap>& map : maps_)
+        if (map) map->rest();
 }
 
 void TissueDensity::make(const organ::Stages& stages) {
@@ -141,13 +150,20 @@ void TissueDensity::make(const organ::Stages& stages) {
     ++version_;
 }
 
-std::size_t TissueDensity::memory() const {
+std::size_t TissueDensity::shared_memory() const {
     const Mesh& m = *mesh_;
     std::size_t bytes = m.source.size() * sizeof(int) + m.corners.size() * sizeof(glm::uvec3) +
                         m.points.size() * sizeof(glm::vec3) + (m.areas.size() + m.redness.size()) * sizeof(float) +
-                        m.lab.size() * sizeof(glm::vec3) + (m.uvs.size() + vertex_values_.size()) * sizeof(glm::vec2);
+                        m.lab.size() * sizeof(glm::vec3) + m.uvs.size() * sizeof(glm::vec2);
     for (const std::optional<DensityMap>& map : maps_)
-        if (map) bytes += map->memory();
+        if (map) bytes += map->shared_memory();
+    return bytes;
+}
+
+std::size_t TissueDensity::own_memory() const {
+    std::size_t bytes = vertex_values_.size() * sizeof(glm::vec2);
+    for (const std::optional<DensityMap>& map : maps_)
+        if (map) bytes += map->own_memory();
     return bytes;
 }
 
@@ -318,13 +334,15 @@ namespace lapfx {
 TissueReport report_tissue(const Organ& organ, const VesselParameters& parameters) {
     const organ::FineOrgan fine(organ);
     const Surface surface(fine.organ());
-    return bleeding::TissueDensity(fine.organ(), surface, parameters).report();
+    return bleeding::TissueDensity(fine.organ(), surface, parameters, {}, organ::borrowed_pixels(fine.organ()))
+        .report();
 }
 
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters) {
     const organ::FineOrgan fine(organ);
     const Surface surface(fine.organ());
-    return bleeding::TissueDensity(fine.organ(), surface, parameters).histogram(parameters);
+    return bleeding::TissueDensity(fine.organ(), surface, parameters, {}, organ::borrowed_pixels(fine.organ()))
+        .histogram(parameters);
 }
 
 }  // namespace lapfx

@@ -18,12 +18,15 @@ namespace lapfx::bleeding {
 
 class TissueDensity {
   public:
-    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ.
+    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ. `pixels`: of the organ's
+    /// images, where they have none themselves; empty: copies of theirs.
     TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {},
-                  const organ::Stages& stages = {});
+                  const organ::Stages& stages = {}, organ::PixelList pixels = {});
 
     /// Live: maps are made again only when a parameter that they depend on has changed.
     void set(const VesselParameters& parameters);
+    /// Keeps no maps for itself: copies have them once they are set, and this one has none.
+    void rest();
 
     /// Means over the region of influence: a disc of radius `region` around the nearest place of the surface. NaN: 0.
     TissueSample sample(const glm::dvec3& position) const noexcept;
@@ -44,7 +47,9 @@ class TissueDensity {
     const std::vector<glm::vec2>& vertex_values() const { return vertex_values_; }
     /// Rises whenever the densities have changed.
     int version() const { return version_; }
-    std::size_t memory() const;  ///< bytes
+    /// Bytes that copies share, and those that are this one's. Pixels are neither's.
+    std::size_t shared_memory() const;
+    std::size_t own_memory() const;
 
   private:
     static constexpr int by_vertex = -1, unknown = -2;
@@ -63,7 +68,7 @@ class TissueDensity {
         std::vector<glm::vec3> lab;         // per vertex
     };
     void find_sources(const Organ& organ, Mesh& mesh) const;
-    static void take_colors(const Organ& organ, Mesh& mesh);
+    static void take_colors(const Organ& organ, const organ::PixelList& pixels, Mesh& mesh);
     void make(const organ::Stages& stages);
     void set_vertices();
     bool tells(int source) const noexcept;
@@ -76,7 +81,7 @@ class TissueDensity {
     std::vector<std::optional<DensityMap>> maps_;  // per image; none where it tells nothing
     std::shared_ptr<const Mesh> mesh_;
     std::vector<glm::vec2> vertex_values_;
-    bool vertices_show_vessels_ = false;
+    bool vertices_show_vessels_ = false, rests_ = false;
     int version_ = 0;
 };
 

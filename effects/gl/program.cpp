@@ -64,6 +64,9 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
     glAttachShader(name(), vertex_shader.get());
     glAttachShader(name(), fragment_shader.get());
     glLinkProgram(name());
+    // What is attached stays as long as the program, with all that its compiler knew.
+    glDetachShader(name(), vertex_shader.get());
+    glDetachShader(name(), fragment_shader.get());
     GLint done = 0;
     glGetProgramiv(name(), GL_LINK_STATUS, &done);
     if (done == GL_FALSE)

@@ -93,6 +93,7 @@ class Images {
             return -1;
         }
         organ_.images.push_back(std::move(image));
+        organ_.encoded.push_back(std::make_shared<const Bytes>(bytes.begin(), bytes.end()));
         return static_cast<int>(organ_.images.size()) - 1;
     }
 

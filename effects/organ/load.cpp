@@ -72,7 +72,8 @@ void organ::refuse_format(const std::string& file) {
     refuse(file, "", "is not a mesh that can be read: .glb, .gltf, .obj, .ply, .stl or .off");
 }
 
-Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages) {
+Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages,
+                  std::vector<Encoded>* encoded) {
     const std::string file = path.string();
     if (!std::isfinite(options.scale) || options.scale < 0.0)
         organ::refuse(file, "", "scale " + std::to_string(options.scale) + " is not above 0");
@@ -89,6 +90,7 @@ Organ organ::load(const std::filesystem::path& path, const OrganOptions& options
     const double scale = options.scale > 0.0 ? options.scale : format == Format::gltf ? 1000.0 : 1.0;
     organ::Missing missing;
     std::vector<std::filesystem::path> files = std::move(raw.files), unread = std::move(raw.unread_files);
+    if (encoded != nullptr) *encoded = std::move(raw.encoded);
     Organ organ = organ::mend(std::move(raw), file, scale, missing);
     organ::transform(organ, to_millimetres(scale, options.rotation));
     organ.name = path.stem().string();

@@ -3,6 +3,7 @@
 
 #include "lapfx/organ.h"
 #include "organ/file.h"
+#include "organ/pixels.h"
 #include "organ/stages.h"
 
 namespace lapfx::organ {
@@ -15,7 +16,8 @@ Format format_of(const std::filesystem::path& path, const Bytes& bytes);
 /// Of none of them.
 [[noreturn]] void refuse_format(const std::string& file);
 
-/// As load_organ(). Throws Stopped when the stages say so.
-Organ load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages);
+/// As load_organ(). Throws Stopped when the stages say so. `encoded`: where the files of its images go to, by image.
+Organ load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages,
+           std::vector<Encoded>* encoded = nullptr);
 
 }  // namespace lapfx::organ

@@ -78,9 +78,10 @@ fs::path texture_path(const fs::path& folder, std::string name) {
 }
 
 /// Empty, or why it is none.
-std::string decode_texture(const fs::path& path, const std::string& name, Image& image) {
+std::string decode_texture(const fs::path& path, const std::string& name, Image& image, Encoded& encoded) {
     try {
-        return decode_image(read_file(path, name), image);
+        encoded = std::make_shared<const Bytes>(read_file(path, name));
+        return decode_image(*encoded, image);
     } catch (const Error& error) {
         return error.faults().front().reason;
     }
@@ -173,13 +174,15 @@ class Library {
             if (!is_new) return index = same->second;
             Image image;
             image.name = name;
-            const std::string fault = decode_texture(path, name, image);
+            Encoded encoded;
+            const std::string fault = decode_texture(path, name, image, encoded);
             (fault.empty() ? organ_.files : organ_.unread_files).push_back(path);
             if (!fault.empty()) {
                 leave_out(fault);
                 return -1;
             }
             organ_.images.push_back(std::move(image));
+            organ_.encoded.push_back(std::move(encoded));
             return index = same->second = static_cast<int>(organ_.images.size()) - 1;
         } catch (const Error& error) {
             leave_out(error.faults().front().reason);

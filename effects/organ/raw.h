@@ -9,6 +9,7 @@
 
 #include "lapfx/error.h"
 #include "lapfx/organ.h"
+#include "organ/pixels.h"
 
 namespace lapfx::organ {
 
@@ -33,6 +34,7 @@ struct RawOrgan {
     std::vector<RawPart> parts;
     std::vector<Material> materials;
     std::vector<Image> images;
+    std::vector<Encoded> encoded;  ///< by image: the file that it was decoded from
     std::vector<std::string> warnings;
     std::vector<std::filesystem::path> files;  ///< besides the one that was asked for: read, and what they should be
     std::vector<std::filesystem::path> unread_files;

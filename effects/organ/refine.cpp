@@ -225,7 +225,11 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const Stages& stages) {
 
 RefinedOrgan organ::refine(Organ organ, const RefinePlan& plan, const Stages& stages) {
     RefinedOrgan refined{.organ = std::move(organ), .midpoints = {}};
-    if (plan.splits) Refiner(refined, plan.length).run(plan.triangles, stages);
+    if (!plan.splits) return refined;
+    Refiner(refined, plan.length).run(plan.triangles, stages);
+    const auto fit = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };  // room to grow is half of them
+    Organ& o = refined.organ;
+    fit(o.positions, o.normals, o.tangents, o.uvs, o.colors, o.indices, refined.midpoints);
     return refined;
 }
 

@@ -47,6 +47,11 @@ void Frame::resize(glm::ivec2 size) {
     size_ = size;
 }
 
+std::size_t Frame::memory() const noexcept {
+    constexpr std::size_t pixel = 8 + 4;  // colour, depth
+    return static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) * pixel * (samples + 1);
+}
+
 void Frame::begin_scene() const noexcept {
     glBindFramebuffer(GL_FRAMEBUFFER, scene_.name());
     glViewport(0, 0, size_.x, size_.y);

@@ -18,6 +18,7 @@ class Frame {
     void begin_scene() const noexcept;              ///< binds and clears the multisampled target
     void begin_smoke() const noexcept;              ///< resolves it; binds the resolved colour
     gl::Program& post() noexcept { return post_; }  ///< for gl::rebuild()
+    std::size_t memory() const noexcept;            ///< bytes on the GPU
     GLuint scene_depth() const noexcept { return resolved_depth_.name(); }
     /// Writes the finished picture into `framebuffer`, lower left corner first.
     void finish(GLuint framebuffer, float exposure, float vignette) const noexcept;

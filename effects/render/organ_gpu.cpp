@@ -27,7 +27,7 @@ gl::Buffer buffer_of(const std::vector<T>& data) {
 
 }  // namespace
 
-OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
+OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels)
     : plain_("organ.vert", "organ.frag"),
       wounded_(bleed != nullptr ? gl::Program("wounded.vert", "wounded.frag") : gl::Program()),
       marks_(buffer_of(std::vector<glm::vec2>(organ.positions.size(), glm::vec2(0.0f)))),
@@ -49,17 +49,18 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed)
     vertex_array_.attribute(7, vertices_[0], 3);
     vertex_array_.attribute(8, marks_, 2);  // until there are densities
     vertex_array_.indices(indices_);
-    upload_textures(organ);
+    upload_textures(organ, pixels);
 }
 
-void OrganGpu::upload_textures(const Organ& organ) {
+void OrganGpu::upload_textures(const Organ& organ, const organ::PixelList& pixels) {
     // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice.
     std::vector<GLuint> color(organ.images.size(), 0), normal(organ.images.size(), 0);
     const auto texture = [&](int image, std::vector<GLuint>& known, GLenum format, const gl::Texture& none) {
         if (image < 0) return none.name();
         const auto i = static_cast<std::size_t>(image);
         if (known[i] == 0) {
-            textures_.push_back(upload(organ.images[i], format));
+            const bool apart = organ.images[i].pixels.empty() && i < pixels.size() && pixels[i] != nullptr;
+            textures_.push_back(apart ? upload(*pixels[i]->get(), format) : upload(organ.images[i], format));
             known[i] = textures_.back().name();
         }
         return known[i];
@@ -75,9 +76,14 @@ void OrganGpu::upload_textures(const Organ& organ) {
                               .double_sided = m.double_sided});
 }
 
-std::size_t OrganGpu::memory() const {
+std::size_t OrganGpu::geometry_memory() const {
     std::size_t bytes = marks_.size() + rest_.size() + indices_.size() + vertex_density_.size();
     for (const gl::Buffer& buffer : vertices_) bytes += buffer.size();
+    return bytes;
+}
+
+std::size_t OrganGpu::texture_memory() const {
+    std::size_t bytes = 0;
     const auto pixels = [](const gl::Texture& texture) {
         return static_cast<std::size_t>(texture.size().x) * static_cast<std::size_t>(texture.size().y) * 4 / 3;
     };  // with their smaller levels

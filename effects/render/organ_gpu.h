@@ -8,6 +8,7 @@
 #include "lapfx/organ.h"
 #include "lapfx/view.h"
 #include "organ/changed_vertices.h"
+#include "organ/pixels.h"
 
 namespace lapfx::render {
 
@@ -20,8 +21,8 @@ struct DensityPicture {
 class OrganGpu {
   public:
     /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument, which neither
-    /// bleeds nor chars. Throws Error (runtime) when the shader does not compile.
-    OrganGpu(const Organ& organ, const gl::Buffer* bleed);
+    /// bleeds nor chars. `pixels`: of the images that have none themselves. Throws Error (runtime) when the shader does not compile.
+    OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {});
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
     /// bytes sent.
@@ -33,7 +34,8 @@ class OrganGpu {
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
     /// Multiplies the colours of all materials; linear.
     void set_color(glm::vec3 color) { color_ = color; }
-    std::size_t memory() const;  ///< bytes on the GPU
+    std::size_t geometry_memory() const;  ///< bytes on the GPU
+    std::size_t texture_memory() const;   ///< bytes on the GPU
     /// Every program of it, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
     /// `model`: organ space to scene space, rigid.
@@ -47,7 +49,7 @@ class OrganGpu {
         float roughness, normal_scale;
         bool double_sided;
     };
-    void upload_textures(const Organ& organ);
+    void upload_textures(const Organ& organ, const organ::PixelList& pixels);
     void draw_part(const gl::Program& program, const Part& part) const noexcept;
 
     void draw_parts(const gl::Program& program) const noexcept;

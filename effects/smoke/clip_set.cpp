@@ -226,11 +226,12 @@ void ClipSet::State::evict(std::span<const Loop> played, std::size_t buffers) {
     for (const std::shared_ptr<ClipFile>& file : files)
         if (const std::size_t i = clip_of(file); i < clips.size() && clips[i].player->scheme() == Scheme::resident)
             used += store_memory(*file, played[i]);
+    std::size_t kept = 0;
     std::erase_if(files, [&](const std::shared_ptr<ClipFile>& file) {
         if (clip_of(file) < clips.size()) return false;
         if (file->store.count() == 0) return true;
-        used += file->store.memory();
-        return used > options.memory;
+        kept += file->store.memory();
+        return kept > options.kept_memory || used + kept > options.memory;
     });
 }
 
@@ -271,6 +272,20 @@ void ClipSet::set(std::span<const SmokeClip> wanted, const std::filesystem::path
     s.files = std::move(files);
     s.evict(played, buffers);
     s.sums.open += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+std::optional<bool> ClipSet::known_alpha(const SmokeClip& clip, const std::filesystem::path& preset_folder,
+                                         std::span<const std::filesystem::path> search_path) const {
+    try {
+        const std::filesystem::path path = clip_path(clip.file, preset_folder, search_path);
+        const FileStamp stamp = stamp_of(path);
+        if (const std::shared_ptr<ClipFile> file = state_->opened(path, stamp)) return file->info.alpha;
+        const std::optional<KnownClip> known = state_->cache ? state_->cache->state().find(path, stamp) : std::nullopt;
+        if (known && known->faults.empty()) return known->info.alpha;
+    } catch (const Error&) {
+        // set() tells.
+    }
+    return std::nullopt;
 }
 
 std::size_t ClipSet::size() const {

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -25,6 +26,10 @@ class ClipSet {
     /// keeps what it had.
     void set(std::span<const SmokeClip> clips, const std::filesystem::path& preset_folder,
              std::span<const std::filesystem::path> search_path);
+
+    /// Whether a clip that set() could be given brings its own opacity, if that is known without opening it.
+    std::optional<bool> known_alpha(const SmokeClip& clip, const std::filesystem::path& preset_folder,
+                                    std::span<const std::filesystem::path> search_path) const;
 
     std::size_t size() const;
     const ClipInfo& info(std::size_t clip) const;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <limits>
 
 namespace lapfx::smoke {
 
@@ -83,6 +84,8 @@ int ClipStream::next_behind() const {
 }
 
 int ClipStream::urgency() {
+    closing_ = resting_ && !closed_;
+    if (closing_ && !stop_) return std::numeric_limits<int>::max();  // after all that is to be seen
     if (stop_ || resting_) return -1;
     find_window();
     int soon = 0;
@@ -99,14 +102,20 @@ int ClipStream::urgency() {
 }
 
 void ClipStream::begin() {
+    closed_ = closing_;  // a decoder that is read from opens its file
+    if (closing_) return;
     into_->index = -1;  // nobody finds it while it is written without the lock
 }
 
 void ClipStream::run() noexcept {
-    whole_ = decoder_.read(wanted_, into_->picture, &stop_);
+    if (closing_)
+        decoder_.rest();
+    else
+        whole_ = decoder_.read(wanted_, into_->picture, &stop_);
 }
 
 void ClipStream::end() {
+    if (closing_) return;
     into_->index = newest_ = wanted_;
     if (resting_) *into_ = Slot();
     work_.decode = decoder_.decode_seconds();
@@ -192,6 +201,7 @@ bool ClipStream::rest() noexcept {
     find_window();
     if (!window_.empty()) return false;
     resting_ = true;
+    pool_.wake();
     lent_ = nullptr;
     newest_ = -1;
     for (Slot& slot : slots_)
@@ -202,6 +212,11 @@ bool ClipStream::rest() noexcept {
 ClipStream::Work ClipStream::work() const noexcept {
     const std::lock_guard lock(pool_.mutex());
     return work_;
+}
+
+bool ClipStream::closed() const noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    return closed_;
 }
 
 std::size_t ClipStream::memory() const noexcept {

@@ -48,10 +48,11 @@ class ClipStream : private DecodePool::Job {
     void set_loop(Loop loop) noexcept;
     /// From now on `buffers` of those it was made with, at least 1.
     void set_buffers(int buffers) noexcept;
-    /// Gives its buffers' memory back if all frames of its loop are kept: true. Until then: false.
+    /// Gives its buffers' memory back if all frames of its loop are kept: true, and a worker closes the file. Until then: false.
     bool rest() noexcept;
 
     Work work() const noexcept;
+    bool closed() const noexcept;  ///< its file is, since it rests
     std::size_t memory() const noexcept;
     /// One that the render thread reads, or the newest: besides the buffers, so that decoding ahead never waits for them.
     static constexpr int spare_slots = 1;
@@ -77,7 +78,8 @@ class ClipStream : private DecodePool::Job {
 
     DecodePool& pool_;
     const std::vector<std::uint8_t>* kept_;
-    Decoder decoder_;  // the worker's while it runs
+    Decoder decoder_;       // the worker's while it runs
+    bool closing_ = false;  // what it runs is closing the file; found by urgency()
 
     // under the pool's mutex
     std::vector<Slot> slots_;
@@ -89,6 +91,7 @@ class ClipStream : private DecodePool::Job {
     int newest_ = -1;       // the frame that was decoded last
     bool behind_ = false;   // decoding does not keep up: it goes on from the newest frame, not from the current one
     bool resting_ = false;  // all of the loop is kept
+    bool closed_ = false;   // the decoder rests, too
     const Slot* lent_ = nullptr;  // the render thread reads it
     int wanted_ = -1;             // found by urgency(): the frame to decode next, and where to
     Slot* into_ = nullptr;

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "smoke/clip_index.h"
+#include "smoke/file_stamp.h"
 #include "smoke/frame_converter.h"
 #include "smoke/frame_reader.h"
 
@@ -81,7 +82,7 @@ int ClipInfo::frame_at(double time) const {
 }
 
 struct Decoder::State {
-    State(const fs::path& clip, Layout wanted) : path(clip), layout(wanted) {}
+    State(const fs::path& clip, Layout wanted) : path(clip), stamp(stamp_of(clip)), layout(wanted) {}
 
     void look_through(int maximum_frames, const organ::Stages& stages);
     void open_known(const ClipInfo& known);
@@ -95,8 +96,11 @@ struct Decoder::State {
     Step jump(int index, const std::atomic<bool>* stop);
     const SeekPoint* point_before(int frame) const;
     bool read(int index, Picture& into, const std::atomic<bool>* stop);
+    void rest();
+    void wake();
 
     const fs::path path;
+    const FileStamp stamp;  ///< before it was opened
     const Layout layout;
     ClipInfo info;
     glm::ivec2 size{0};  ///< of pictures
@@ -107,7 +111,7 @@ struct Decoder::State {
     Decoded ahead;       ///< the good frame after it, if that is decoded already
     Decoded next;        ///< scratch
     bool placed = true;  ///< the reader stands right behind `shown` and `ahead`
-    bool ended = false;
+    bool ended = false, rests = false;
     std::vector<bool> failed;  ///< images of a sequence that could not be read once: they are not tried again
     double decode_seconds = 0.0;
 };
@@ -266,9 +270,24 @@ Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
     return Step::frame;
 }
 
+void Decoder::State::rest() {
+    for (Decoded* one : {&shown, &ahead, &next}) one->clear();
+    reader.reset();
+    rests = true;
+}
+
+void Decoder::State::wake() {
+    if (!rests) return;
+    if (stamp_of(path) != stamp) throw bad_clip(path, "is another file than the one that was opened");
+    if (!index->sequence) reader = std::make_unique<FrameReader>(path);
+    placed = true;
+    ended = rests = false;
+}
+
 bool Decoder::State::read(int frame, Picture& into, const std::atomic<bool>* stop) {
     assert(frame >= 0 && frame < info.frame_count());
     const double start = seconds();
+    wake();
     const Step result = decode_to(frame, stop);
     decode_seconds += seconds() - start;
     if (result == Step::stopped) return false;
@@ -324,6 +343,14 @@ bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noex
     } catch (const std::bad_alloc&) {  // it keeps what it had
     }
     return false;
+}
+
+void Decoder::rest() noexcept {
+    state_->rest();
+}
+
+bool Decoder::rests() const {
+    return state_->rests;
 }
 
 double Decoder::decode_seconds() const {

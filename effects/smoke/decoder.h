@@ -70,6 +70,11 @@ class Decoder {
     /// it was. Throws nothing; never opens another file.
     bool read(int index, Picture& into, const std::atomic<bool>* stop = nullptr) noexcept;
 
+    /// Closes the file and gives back what decoding takes, 10 to 13 frames. The next read() opens it again; another file under its
+    /// name, or none, gives no frames then.
+    void rest() noexcept;
+    bool rests() const;
+
     /// s spent in decoding and converting, and in copying into pictures, since it was made.
     double decode_seconds() const;
     double copy_seconds() const;

@@ -71,7 +71,7 @@ Smoke::Smoke(std::uint32_t seed, const StreamingOptions& options, std::shared_pt
 
 void Smoke::set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path) {
     SmokeParameters wanted = preset.smoke;
-    prepare(wanted);
+    prepare(wanted, [&](std::size_t i) { return clips_.known_alpha(wanted.clips[i], preset.folder, search_path); });
     clips_.set(wanted.clips, preset.folder, search_path);
     take(std::move(wanted));
 }
@@ -90,7 +90,7 @@ void Smoke::set_parameters(const SmokeParameters& parameters) {
         clip.crossfade = playing.crossfade;
         left.erase(same);
     }
-    prepare(wanted);
+    prepare(wanted, [&](std::size_t i) { return clips_.info(i).alpha; });
     take(std::move(wanted));
 }
 
@@ -107,13 +107,18 @@ void Smoke::take(SmokeParameters wanted) {
     gpu_.set_clip_pixels(pixels[static_cast<int>(ClipRole::plume)], pixels[static_cast<int>(ClipRole::haze)]);
 }
 
-void Smoke::prepare(const SmokeParameters& wanted) {
+/// `alpha`: whether a clip brings its own opacity, which takes other programs; both are made where nobody knows yet.
+void Smoke::prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha) {
     const auto hazes = static_cast<int>(std::count_if(wanted.clips.begin(), wanted.clips.end(),
                                                       [](const SmokeClip& c) { return c.role == ClipRole::haze; }));
-    for (const SmokeClip& clip : wanted.clips)
+    for (std::size_t i = 0; i < wanted.clips.size(); ++i) {
+        const SmokeClip& clip = wanted.clips[i];
+        const std::optional<bool> known = alpha(i);
         for (const bool has_alpha : {false, true})
-            gpu_.prepare(clip, layout_of(options_.scheme), has_alpha, keying_for(clip, wanted),
-                         2 * hazes);  // twice: cross-fades
+            if (known.value_or(has_alpha) == has_alpha)
+                gpu_.prepare(clip, layout_of(options_.scheme), has_alpha, keying_for(clip, wanted),
+                             2 * hazes);  // twice: cross-fades
+    }
 }
 
 void Smoke::set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat) {

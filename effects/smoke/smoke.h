@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <vector>
@@ -52,6 +53,7 @@ class Smoke {
     }
     const ClipSet& clips() const { return clips_; }
     /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
+    std::size_t target_memory() const noexcept { return gpu_.memory(); }  ///< bytes on the GPU
     double shading_seconds() const { return gpu_.timer().seconds(); }
     std::uint64_t shaded() const { return gpu_.timer().spans(); }
 
@@ -62,7 +64,7 @@ class Smoke {
         std::optional<ClipFrame> fading;
         double fade = 0.0;
     };
-    void prepare(const SmokeParameters& wanted);
+    void prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha);
     void take(SmokeParameters wanted);
     void set_haze();
     Shown show(std::size_t clip, double time, Policy policy) noexcept;

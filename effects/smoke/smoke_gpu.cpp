@@ -110,6 +110,17 @@ void SmokeGpu::collect(std::vector<gl::Program*>& programs) {
     for (gl::Program* program : {&tiles_.program(), &resolve_even_, &view_depth_}) programs.push_back(program);
 }
 
+std::size_t SmokeGpu::memory() const noexcept {
+    const auto pixels = [](const gl::Texture& texture) {
+        return texture.name() == 0
+                   ? 0
+                   : static_cast<std::size_t>(texture.size().x) * static_cast<std::size_t>(texture.size().y);
+    };
+    std::size_t bytes = pixels(sum_depth_) * 4;
+    for (const Role& r : roles_) bytes += pixels(r.sum) * 8;
+    return bytes;
+}
+
 void SmokeGpu::set_clip_pixels(int plume, int haze) noexcept {
     role(ClipRole::plume).clip_pixels = plume;
     role(ClipRole::haze).clip_pixels = haze;

@@ -45,6 +45,7 @@ class SmokeGpu {
 
     /// Every program of it, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
+    std::size_t memory() const noexcept;  ///< bytes of targets on the GPU
     const gl::Timer& timer() const { return timer_; }
 
   private:

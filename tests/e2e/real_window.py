@@ -38,11 +38,11 @@ def wait_for(what, condition, limit=LIMIT_S):
 class Display:
     """An X server that nobody else uses."""
 
-    def __init__(self, folder):
+    def __init__(self, folder, screen="1280x1024"):
         self.log = open(os.path.join(folder, "xvfb.log"), "w", encoding="utf-8")
         read, write = os.pipe()
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write), "-screen", "0", screen + "x24", "-nolisten", "tcp"],
             pass_fds=[write], stdout=self.log, stderr=self.log)
         os.close(write)
         with os.fdopen(read) as number:
@@ -188,7 +188,7 @@ def cases_of(names, wanted):
     return [(name[5:], case) for name, case in names.items() if name.startswith("case_") and wanted in name]
 
 
-def run(test, cases, window):
+def run(test, cases, window, **display_options):
     """Each case with a function that opens windows, which is made by `window(display, folder)`. The exit code."""
     for program in ("Xvfb", "xdotool"):
         if shutil.which(program) is None:
@@ -197,7 +197,7 @@ def run(test, cases, window):
     failed = 0
     with tempfile.TemporaryDirectory(prefix=f"lapfx {test} ") as folder:
         try:
-            display = Display(folder)
+            display = Display(folder, **display_options)
             try:
                 for name, case in cases:
                     print(f"{name} ... ", end="", flush=True)

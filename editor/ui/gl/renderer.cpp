@@ -65,6 +65,7 @@ GLuint link(std::string_view vertex, std::string_view fragment, std::string_view
         program = glCreateProgram();
         for (const GLuint stage : stages) glAttachShader(program, stage);
         glLinkProgram(program);
+        for (const GLuint stage : stages) glDetachShader(program, stage);  // they would stay as long as the program
         GLint done = GL_FALSE;
         glGetProgramiv(program, GL_LINK_STATUS, &done);
         if (done != GL_TRUE) {

@@ -40,6 +40,7 @@
 #include "lapfx/context.h"
 #include "lapfx/curves.h"
 #include "lapfx/error.h"
+#include "lapfx/memory.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/streaming.h"
@@ -156,8 +157,9 @@ class Effects {
     /// Whether the last draw_smoke() had to show an older frame of a clip than the one that was due (never if it waits for
     /// clips): drawing the same time again then gives a better picture.
     bool late() const noexcept;
-    /// Bytes of main memory and of the GPU: organ, what is known of it, and frames of clips.
-    std::size_t memory() const noexcept;
+    /// Bytes of main memory and of the GPU, by what they are for; and all of them.
+    MemoryUse memory_use() const noexcept;
+    std::size_t memory() const noexcept { return memory_use().total(); }
     /// Bytes that the last seek sent to the GPU.
     std::size_t uploaded() const noexcept;
     /// The tissue around the place of the organ nearest to `position`, mm: means over the preset's region of influence (paper:

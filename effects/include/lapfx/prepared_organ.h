@@ -21,7 +21,9 @@ namespace lapfx {
 
 class PreparedOrgan {
   public:
-    const Organ& organ() const;  ///< with its long triangles split (refine.h)
+    /// With its long triangles split (refine.h). Its images have their names and sizes but no pixels: these are kept until they
+    /// have been sent to a GPU, and decoded again when they are needed.
+    const Organ& organ() const;
     /// Every file that was read for it or looked for: organ, textures, materials, the instrument.
     std::vector<std::filesystem::path> files() const;
     /// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are those, as

@@ -64,8 +64,10 @@ class Preview {
     Amounts amounts() const;
     std::vector<ClipStatus> clips() const;
     StreamingTimes streaming_times() const;
-    bool late() const;                                      ///< as Effects::late
-    std::size_t memory() const;                             ///< bytes of main memory and of the GPU
+    bool late() const;  ///< as Effects::late
+    /// As Effects', with what a picture is drawn into, the instrument, and the organ's own data, which may be shared.
+    MemoryUse memory_use() const;
+    std::size_t memory() const { return memory_use().total(); }
     TissueSample tissue(const glm::dvec3& position) const;  ///< as Effects::tissue
 
     /// Where the organ is under a pixel (origin top left) of a frame of `size`.

@@ -42,9 +42,12 @@ struct StreamingOptions {
     SmokeResolution resolution = SmokeResolution::balanced;
     /// Bytes for frames, on the GPU and decoded ahead in main memory together. Clips that are being decoded have their
     /// buffers first (at least two frames each, whatever the budget). What is left goes to resident clips, whole clips in the
-    /// order of the preset. Clips that are no longer in the preset are kept for when they come back, and evicted first, the one
-    /// drawn longest ago first. Not in it: what FFmpeg's decoders keep for themselves while they decode, 10 to 13 frames a clip.
+    /// order of the preset. Not in it: what FFmpeg's decoders keep for themselves while they decode, 10 to 13 frames a clip; once
+    /// all of a clip is resident its decoder is closed.
     std::size_t memory = std::size_t{1} << 30;
+    /// Of these bytes, for clips that are no longer in the preset, for a host that goes to and fro between presets: they are evicted
+    /// first, the one drawn longest ago first. 0: they go at once, and are decoded again when they come back.
+    std::size_t kept_memory = 0;
     LateClips late = LateClips::repeat;
     int threads = 0;           ///< that decode; 0: as many as there are cores
     bool gpu_timings = false;  ///< time shading with timer queries, where the driver has them

@@ -298,7 +298,7 @@ TEST_F(ClipSetOnce, WithTooLittleMemoryEverythingStillPlays) {
 TEST_F(ClipSetOnce, AClipThatComesBackIsStillThereAndTheOldestGoesFirst) {
     // One that plays, and one that is kept.
     const std::size_t room = head_memory({.size = size}, Scheme::resident, 8) + (2 * frames + 1) * frame_bytes();
-    ClipSet set({.scheme = Scheme::resident, .memory = room});
+    ClipSet set({.scheme = Scheme::resident, .memory = room, .kept_memory = room});
     for (const char* name : {"a.avi", "b.avi"}) {
         this->set(set, clips({name}));
         play(set);
@@ -314,6 +314,36 @@ TEST_F(ClipSetOnce, AClipThatComesBackIsStillThereAndTheOldestGoesFirst) {
     EXPECT_EQ(set.status()[0].resident, frames);
     this->set(set, clips({"b.avi"}));
     EXPECT_EQ(set.status()[0].resident, 0);
+}
+
+TEST_F(ClipSetOnce, AClipThatLeavesThePresetLeavesTheMemory) {
+    ClipSet set({.scheme = Scheme::resident});
+    this->set(set, clips({"a.avi"}));
+    play(set);
+    const std::size_t one = set.memory();
+    EXPECT_EQ(one, frames * frame_bytes()) << "resting, it has its frames and nothing else";
+    for (const char* other : {"b.avi", "c.avi"}) {
+        this->set(set, clips({"a.avi", other}));
+        play(set);
+        EXPECT_EQ(set.memory(), 2 * one);
+        this->set(set, clips({"a.avi"}));
+        EXPECT_EQ(set.memory(), one) << other;
+    }
+    const auto sent = set.times().uploaded;
+    play(set);
+    EXPECT_EQ(set.times().uploaded, sent) << "what stayed was not decoded again";
+    this->set(set, {});
+    EXPECT_EQ(set.memory(), 0u);
+}
+
+TEST_F(ClipSetOnce, WhatIsKeptForLaterIsBounded) {
+    const std::size_t clip = frames * frame_bytes();
+    ClipSet set({.scheme = Scheme::resident, .kept_memory = clip});
+    for (const char* name : {"a.avi", "b.avi", "c.avi"}) {
+        this->set(set, clips({name}));
+        play(set);
+    }
+    EXPECT_EQ(set.memory(), 2 * clip) << "c plays, b is kept";
 }
 
 TEST_F(ClipSetOnce, AnotherFileUnderTheSameNameIsAnotherClip) {

@@ -70,6 +70,50 @@ TEST(DocumentHistory, FollowsAModel) {
     }
 }
 
+TEST(DocumentHistory, StepsShareWhatTheyHaveInCommon) {
+    Document document;
+    Content content;
+    content.scene.events.resize(1000);
+    document.open(std::move(content));
+    const std::size_t events = 1000 * sizeof(ToolContact);
+    const auto speed = [&](double value) {
+        document.change("Speed", [&](Content& c) { c.preset.bleeding.speed = value; });
+    };
+    for (int i = 1; i <= 20; ++i) speed(i);
+    for (const Step& step : document.steps()) {
+        EXPECT_EQ(step.before.scene, document.steps()[0].before.scene);
+        EXPECT_EQ(step.after.scene, step.before.scene);
+        EXPECT_NE(step.after.preset, step.before.preset);
+    }
+    for (std::size_t i = 1; i < 20; ++i)
+        EXPECT_EQ(document.steps()[i].before.preset, document.steps()[i - 1].after.preset);
+    EXPECT_LT(document.step_memory(), events + 21 * (sizeof(Preset) + 3 * sizeof(Step))) << "one scene, 21 presets";
+    const std::size_t twenty = document.step_memory();
+    for (int i = 0; i < 20; ++i) document.undo();
+    EXPECT_EQ(document.preset().bleeding.speed, BleedingParameters{}.speed);
+    for (int i = 0; i < 20; ++i) document.redo();
+    EXPECT_EQ(document.preset().bleeding.speed, 20.0);
+    EXPECT_EQ(document.step_memory(), twenty);
+    document.rename(Document::Named::scene, "Renamed");
+    EXPECT_EQ(document.step_memory(), twenty) << "what was shared still is";
+    document.undo();
+    EXPECT_EQ(document.scene().name, "Renamed");
+}
+
+TEST(DocumentHistory, ForgetsTheOldestStepsThatTakeTooMuch) {
+    Document document;
+    const std::size_t count = Document::most_step_bytes / sizeof(ToolContact) / 4;  // four such scenes fill it
+    for (int i = 1; i <= 9; ++i)
+        document.change("Events", [&](Content& c) { c.scene.events.assign(count, {.time = static_cast<double>(i)}); });
+    EXPECT_LE(document.step_memory(), Document::most_step_bytes);
+    EXPECT_GE(document.steps().size(), 2U);
+    EXPECT_LE(document.steps().size(), 3U);
+    EXPECT_EQ(document.done(), document.steps().size());
+    EXPECT_EQ(document.scene().events[0].time, 9.0);
+    document.undo();
+    EXPECT_EQ(document.scene().events[0].time, 8.0);
+}
+
 TEST_F(DocumentFiles, SavedIsSavedUntilItDiffers) {
     EXPECT_FALSE(document_.unsaved()) << "of an empty one nothing would be lost";
     document_.open({});

@@ -8,7 +8,11 @@ namespace lapfx::document {
 namespace {
 
 Step step(std::string name, const Content& before, const Content& after) {
-    return {.id = 1, .name = std::move(name), .before = before, .after = after};
+    const auto kept = [](const Content& content) {
+        return KeptContent{.scene = std::make_shared<const Scene>(content.scene),
+                           .preset = std::make_shared<const Preset>(content.preset)};
+    };
+    return {.id = 1, .name = std::move(name), .before = kept(before), .after = kept(after)};
 }
 
 Content content() {

@@ -24,6 +24,14 @@ Organ striped() {
     return organ;
 }
 
+VesselParameters fine_vessels() {
+    VesselParameters vessels;
+    vessels.vessel_low = 0.0;
+    vessels.vessel_high = 0.02;
+    vessels.smoothing = 0.1;
+    return vessels;
+}
+
 TEST(PreparedOrgan, ProgressAscendsToTheEnd) {
     std::vector<double> shares;
     const auto made = prepare_organ(striped(), {}, [&](double share) {
@@ -50,18 +58,51 @@ TEST(PreparedOrgan, CanBeStoppedWhereverItAsks) {
 
 TEST(PreparedOrgan, CopiesOfItsTissueAreSetOnTheirOwn) {
     const auto made = prepare_organ(striped());
-    const bleeding::TissueDensity& first = made->state().foundation->tissue;
-    bleeding::TissueDensity copy = first;
+    bleeding::TissueDensity first = made->state().foundation->tissue, copy = first;
+    first.set({});
     const glm::dvec3 place(3.0, 0.0, 5.0);
-    EXPECT_EQ(copy.vessels(place), first.vessels(place));
-    VesselParameters other;
-    other.vessel_low = 0.0;
-    other.vessel_high = 0.02;
-    other.smoothing = 0.1;
     const double before = first.vessels(place);
+    EXPECT_GT(before, 0.0);
+    const VesselParameters other = fine_vessels();
     copy.set(other);
     EXPECT_NE(copy.vessels(place), before);
     EXPECT_EQ(first.vessels(place), before);
+    copy.set({});
+    EXPECT_EQ(copy.vessels(place), before);
+}
+
+TEST(PreparedOrgan, CopiesOfItsTissueThatAreSetToTheSameShareTheirMaps) {
+    constexpr std::size_t texels = 64 * 64, map = 2 * texels;
+    const auto made = prepare_organ(striped());
+    const bleeding::TissueDensity& shared = made->state().foundation->tissue;
+    const std::size_t per_vertex = made->organ().positions.size() * sizeof(glm::vec2);
+    const std::size_t all = shared.shared_memory();
+    bleeding::TissueDensity first = shared, second = shared;
+    first.set({});
+    second.set({});
+    EXPECT_EQ(first.map(0)->values().data(), second.map(0)->values().data());
+    EXPECT_EQ(first.own_memory(), per_vertex);
+    EXPECT_EQ(shared.shared_memory(), all) << "what was made at first is theirs";
+    first.set(fine_vessels());
+    EXPECT_EQ(first.own_memory(), per_vertex) << "the newest is the one that is shared";
+    EXPECT_EQ(second.own_memory(), per_vertex + map);
+    second.set(fine_vessels());
+    EXPECT_EQ(second.own_memory(), per_vertex);
+    EXPECT_EQ(first.map(0)->values().data(), second.map(0)->values().data());
+    EXPECT_EQ(shared.shared_memory(), all);
+}
+
+TEST(PreparedOrgan, EachByteIsCountedOnce) {
+    constexpr std::size_t texels = 64 * 64;
+    const auto made = prepare_organ(striped());
+    const Foundation& known = *made->state().foundation;
+    EXPECT_EQ(known.pixel_memory(), 4 * texels);
+    EXPECT_TRUE(made->organ().images[0].pixels.empty());
+    EXPECT_EQ(made->memory(), made->state().own_memory() + known.surface_memory() + known.pixel_memory() +
+                                  known.tissue.shared_memory() + known.tissue.own_memory());
+    // Two bytes of densities and a bit for whether it is on the surface; the rest is of the mesh.
+    const std::size_t mesh = known.tissue.shared_memory() - 2 * texels - texels / 8;
+    EXPECT_LT(mesh, made->organ().triangle_count() * 64);
 }
 
 TEST(PreparedOrgan, TellsTheFilesThatItIsMadeOf) {

@@ -100,6 +100,29 @@ TEST_P(ClipStreamTest, DecodesNothingThatIsKept) {
     EXPECT_EQ(shown(stream, 5), 5) << "what is no longer kept is decoded again";
 }
 
+TEST_P(ClipStreamTest, ClosesItsFileWhileAllOfItIsKept) {
+    ClipStream stream = open(GetParam());
+    for (int i = 0; i < frames; ++i) {
+        ASSERT_EQ(shown(stream, i), i);
+        const std::lock_guard lock(pool.mutex());
+        kept[static_cast<std::size_t>(i)] = 1;
+    }
+    EXPECT_FALSE(stream.closed());
+    ASSERT_TRUE(stream.rest());
+    EXPECT_TRUE(becomes_true([&] { return stream.closed(); }));
+    stream.aim(3);
+    ASSERT_TRUE(stream.rest());
+    EXPECT_TRUE(stream.closed()) << "where it is looked at makes no difference";
+    {
+        const std::lock_guard lock(pool.mutex());
+        kept[5] = 0;
+    }
+    EXPECT_EQ(shown(stream, 5), 5) << "it is opened again";
+    EXPECT_FALSE(stream.closed());
+    EXPECT_EQ(stream.work().decoded, static_cast<std::uint64_t>(frames + 1));
+    EXPECT_EQ(stream.work().broken, 0);
+}
+
 INSTANTIATE_TEST_SUITE_P(Buffers, ClipStreamTest, testing::Values(1, 2, 3, 8, 64));
 
 using ClipStreamOnce = ClipStreamTest;

@@ -40,6 +40,34 @@ TEST_F(DecoderTest, AStopLeavesThePictureAndTheNextReadIsRight) {
     EXPECT_EQ(picture.bytes, frames[3]);
 }
 
+TEST_F(DecoderTest, AfterARestItGivesTheSameFramesAndHoldsNoFileInBetween) {
+    const fs::path clip = test::write_clip(folder / "c.avi", 9);
+    const std::vector<Bytes> frames = frames_of(clip);
+    const auto open_files = [] {
+        const fs::directory_iterator all("/proc/self/fd");
+        return std::distance(begin(all), end(all));
+    };
+    const auto before = open_files();
+    Decoder decoder(clip, Layout::planar);
+    EXPECT_EQ(open_files(), before + 1);
+    Picture picture;
+    for (const int index : {4, 5, 0, 8}) {
+        decoder.rest();
+        EXPECT_TRUE(decoder.rests());
+        EXPECT_EQ(open_files(), before);
+        EXPECT_TRUE(decoder.read(index, picture)) << index;
+        EXPECT_EQ(picture.bytes, frames[static_cast<std::size_t>(index)]) << index;
+        EXPECT_FALSE(decoder.rests());
+    }
+    decoder.rest();
+    test::write_clip(folder / "other.avi", 12);
+    fs::rename(folder / "other.avi", clip);
+    EXPECT_FALSE(decoder.read(2, picture)) << "another file under its name";
+    EXPECT_EQ(picture.bytes, frames[8]) << "nothing of that is shown";
+    fs::remove(clip);
+    EXPECT_FALSE(decoder.read(2, picture));
+}
+
 TEST_F(DecoderTest, TheSameFileOnceMore) {
     const fs::path clip = test::write_clip(folder / "c.avi", 9);
     const std::vector<Bytes> frames = frames_of(clip);

@@ -1,0 +1,30 @@
+// What holds the editor's memory: for the status bar, and for whoever wonders.
+//
+//     for (const MemoryPart& part : memory_parts(editor)) std::printf("%s: %.0f MB\n", part.name, part.bytes / 1e6);
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace lapfx::app {
+
+class Editor;
+
+struct MemoryPart {
+    const char* name;
+    std::size_t bytes;
+    bool gpu;  ///< it lies on the GPU where there is one
+};
+
+/// Bytes of this process that are in main memory; all 0 where that is not known.
+struct ProcessMemory {
+    std::size_t all = 0;
+    std::size_t files = 0;  ///< of them, those that are read from files: programs and libraries
+
+    static ProcessMemory now();
+};
+
+/// All that the editor knows of, the largest that depend on the document first. UI thread, context current.
+std::array<MemoryPart, 8> memory_parts(Editor& editor);
+
+}  // namespace lapfx::app

@@ -1,0 +1,126 @@
+#!/usr/bin/env python3
+"""What the editor's window holds in main memory while it is used at random, on the sample scene.
+
+memory_test.py LAPFX [SECONDS]: 60 s unless told otherwise; of more than 120 s every ten seconds are printed, too. 77 where Xvfb,
+xdotool or OpenGL is missing, or the process's memory cannot be read.
+
+A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts, overlays,
+snapshots, undo. A slow machine does less of it in the same time. What counts is all memory but the frames of clips, which have a
+budget of their own (StreamingOptions::memory).
+"""
+import random
+import re
+import subprocess
+import sys
+import time
+
+import editor_test
+import real_window
+
+MOST = 500e6  # bytes beside the clips
+GROWTH = 40e6  # bytes, from its first use to its end: caches fill up, maps are made for other values
+SETTLED_S = 25  # the organ is loaded, clips have played through, every layout has been seen
+WIDTH, HEIGHT = 1440, 900
+MENU_BAR = 34  # px: what lies there may close the window
+LINE = re.compile(r"^memory at ([0-9.e+-]+) s: (\d+) bytes, (\d+) of clips$", re.MULTILINE)
+LAYOUTS = ["ctrl+1", "ctrl+2", "ctrl+3", "ctrl+4"]
+KEYS = LAYOUTS + ["space", "Home", "v", "t", "g", "e", "a", "shift+a", "m", "f", "Tab", "Left", "Right", "Escape", "Escape",
+                  "ctrl+z", "ctrl+z", "ctrl+y", "ctrl+r", "ctrl+k", "Page_Down", "BackSpace"]
+TOOLS = "123456"
+
+
+class Person:
+    def __init__(self, editor, seed):
+        self.editor = editor
+        self.random = random.Random(seed)
+
+    def xdotool(self, *arguments):
+        subprocess.run(["xdotool", *map(str, arguments)], env=self.editor.environment, check=False, capture_output=True,
+                       timeout=real_window.LIMIT_S)
+
+    def place(self):
+        return self.random.randrange(4, WIDTH - 4), self.random.randrange(MENU_BAR, HEIGHT - 4)
+
+    def drag(self, x, y, reach):
+        path = []
+        for _ in range(6):
+            path += ["mousemove_relative", "--", self.random.randint(-reach, reach), self.random.randint(-reach, reach),
+                     "sleep", "0.03"]
+        self.xdotool("mousemove", "--window", self.editor.window, x, y, "mousedown", "1", *path, "mouseup", "1")
+
+    def act(self):
+        kind = self.random.random()
+        if kind < 0.35:
+            self.drag(*self.place(), 25)
+        elif kind < 0.5:
+            x, y = self.place()
+            self.xdotool("mousemove", "--window", self.editor.window, x, y, "click", "1")
+        elif kind < 0.62:
+            x, y = self.place()
+            self.xdotool("mousemove", "--window", self.editor.window, x, y, "click", "--repeat", self.random.randint(1, 5),
+                         self.random.choice("45"))
+        elif kind < 0.72:
+            self.xdotool("key", "Escape", "key", self.random.choice(TOOLS))
+            self.drag(WIDTH // 2 + self.random.randint(-150, 150), HEIGHT // 3 + self.random.randint(-80, 80), 12)
+            self.xdotool("key", "0")
+        else:
+            self.xdotool("key", self.random.choice(KEYS))
+
+    def look_around(self):
+        for keys in LAYOUTS + LAYOUTS[:1]:
+            self.xdotool("key", keys)
+            time.sleep(1.5)
+
+
+class Held:
+    """The window's own word for it, about once a second: (s, bytes, bytes of clips)."""
+
+    def __init__(self, editor):
+        self.editor = editor
+
+    def all(self):
+        return [(float(m[1]), int(m[2]), int(m[3])) for m in LINE.finditer(self.editor.text())]
+
+    def beside_clips(self, begin, end):
+        found = [held - clips for t, held, clips in self.all() if begin <= t <= end]
+        assert found, f"nothing was told of memory from {begin:.0f} to {end:.0f} s"
+        return sum(found) / len(found)
+
+
+def use(open_editor, seconds):
+    with open_editor() as editor:
+        held = Held(editor)
+        person = Person(editor, 11)
+        if not real_window.wait_for("word of memory", held.all):
+            raise real_window.Skip("the process's memory is not known")
+        person.look_around()
+        start, told = time.monotonic(), 0
+        while time.monotonic() - start < SETTLED_S + seconds:
+            assert editor.process.poll() is None, f"it ended with {editor.process.returncode}: {editor.text()[-2000:]}"
+            person.act()
+            if seconds > 120 and time.monotonic() - start > 10 * told:
+                _, all_of_it, clips = held.all()[-1]
+                print(f"\n{10 * told:4d} s: {all_of_it / 1e6:4.0f} MB, clips {clips / 1e6:4.0f}", end="", flush=True)
+                told += 1
+        last = held.all()[-1][0]
+        first = held.all()[0][0] + SETTLED_S
+        begin, end = held.beside_clips(first - 5, first + 10), held.beside_clips(last - 15, last)
+        most = max(all_of_it - clips for t, all_of_it, clips in held.all() if t >= first)
+        said = f"{begin / 1e6:.0f} MB beside the clips at first, {end / 1e6:.0f} at the end, at most {most / 1e6:.0f}"
+        assert max(begin, end) <= MOST, f"{said}; allowed: {MOST / 1e6:.0f}"
+        assert end - begin <= GROWTH, f"{said}; allowed to grow by {GROWTH / 1e6:.0f}"
+        return said
+
+
+def main(arguments):
+    seconds = float(arguments[1]) if len(arguments) > 1 else 60.0
+    editor_test.SIZE = (WIDTH, HEIGHT)
+
+    def window(display, folder):
+        return lambda *options: editor_test.Editor(arguments[0], "", display, folder, *options)
+    return real_window.run("memory", [("random_use", lambda open_editor: use(open_editor, seconds))], window,
+                           screen=f"{WIDTH}x{HEIGHT}")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

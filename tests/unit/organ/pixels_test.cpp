@@ -1,0 +1,79 @@
+#include "organ/pixels.h"
+
+#include <gtest/gtest.h>
+
+#include <opencv2/imgcodecs.hpp>
+
+#include "organ/image.h"
+
+namespace lapfx::organ {
+namespace {
+
+constexpr std::size_t decoded_bytes = 64 * 48 * 4;
+
+Encoded encoded_picture(const char* extension) {
+    cv::Mat pixels(48, 64, CV_8UC3);
+    for (int y = 0; y < pixels.rows; ++y)
+        for (int x = 0; x < pixels.cols; ++x)
+            pixels.at<cv::Vec3b>(y, x) = {static_cast<std::uint8_t>(3 * x), static_cast<std::uint8_t>(5 * y), 90};
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(extension, pixels, bytes);
+    return std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
+}
+
+Image decoded(const Encoded& encoded) {
+    Image image;
+    EXPECT_EQ(decode_image(*encoded, image), "");
+    return image;
+}
+
+TEST(Pixels, AreDecodedAgainAsTheyWere) {
+    for (const char* extension : {".png", ".jpg", ".webp"}) {
+        const Encoded file = encoded_picture(extension);
+        const Image expected = decoded(file);
+        const Pixels pixels(expected, file);
+        EXPECT_EQ(pixels.memory(), decoded_bytes + file->size());
+        pixels.let_go();
+        EXPECT_EQ(pixels.memory(), file->size()) << extension;
+        {
+            const auto again = pixels.get();
+            EXPECT_TRUE(again->pixels == expected.pixels) << extension;
+            EXPECT_EQ(again->width, 64);
+            EXPECT_EQ(pixels.memory(), decoded_bytes + file->size());
+            EXPECT_EQ(pixels.get(), again) << "while somebody has them they are decoded once";
+        }
+        EXPECT_EQ(pixels.memory(), file->size()) << "and then they are gone";
+    }
+}
+
+TEST(Pixels, ThatComeFromNoFileStay) {
+    const Image image = decoded(encoded_picture(".png"));
+    const Pixels pixels(image, nullptr);
+    pixels.let_go();
+    EXPECT_EQ(pixels.memory(), decoded_bytes);
+    EXPECT_TRUE(pixels.get()->pixels == image.pixels);
+}
+
+TEST(Pixels, OfAnOrganAreTakenOutOfItOrCopiedOrLent) {
+    const Encoded file = encoded_picture(".png");
+    Organ organ;
+    organ.images = {decoded(file), decoded(file)};
+    organ.images[1].name = "normals";
+    organ.materials = {{.name = "m", .base_color_image = 0, .normal_image = 1}};
+    const std::vector<std::uint8_t> expected = organ.images[0].pixels;
+
+    const PixelList copies = copied_pixels(organ), lent = borrowed_pixels(organ);
+    ASSERT_EQ(copies.size(), 2U);
+    EXPECT_EQ(copies[1], nullptr) << "of what is only drawn nobody asks for pixels";
+    EXPECT_EQ(lent[0]->get().get(), organ.images.data());
+    EXPECT_EQ(lent[0]->memory(), 0U);
+
+    const PixelList taken = take_pixels(organ, {file, file});
+    for (const Image& image : organ.images) EXPECT_TRUE(image.pixels.empty());
+    EXPECT_EQ(organ.images[1].name, "normals");
+    EXPECT_EQ(organ.images[1].width, 64);
+    for (const auto& one : {taken[0], taken[1], copies[0]}) EXPECT_TRUE(one->get()->pixels == expected);
+}
+
+}  // namespace
+}  // namespace lapfx::organ
