@@ -5,23 +5,24 @@
 
 #include "bleeding/tissue_density_cpu.h"
 #include "lapfx/prepared_organ.h"
+#include "organ/refine.h"
 #include "organ/stages.h"
 #include "organ/surface.h"
 
 namespace lapfx {
 
 struct Foundation {
-    /// `midpoints`: as RefinedOrgan::midpoints, of what the organ was split from.
+    /// `unsplit`: what the organ was split from.
     Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages = {},
-               std::vector<glm::uvec2> midpoints = {});
+               organ::Unsplit unsplit = {});
     Foundation(const Foundation&) = delete;
     Foundation& operator=(const Foundation&) = delete;
 
     std::size_t memory() const {  ///< bytes
-        return surface.memory() + tissue.memory() + midpoints.size() * sizeof(glm::uvec2);
+        return surface.memory() + tissue.memory() + unsplit.memory();
     }
 
-    std::vector<glm::uvec2> midpoints;
+    organ::Unsplit unsplit;
     Surface surface;
     bleeding::TissueDensity tissue;  ///< to be copied by whom it changes; refers to `surface`
 };
