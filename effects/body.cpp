@@ -13,7 +13,9 @@ Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm
       bleed_(std::in_place, surface(), down),
       cautery_(surface(), [this](const glm::dvec3& place) { return tissue_.wound_strength(place); }),
       bleed_gpu_(organ.positions.size(), seed, down),
-      organ_gpu_(organ, &bleed_gpu_.values(), foundation_->pixels) {
+      organ_gpu_(organ, &bleed_gpu_.values(), foundation_->pixels, foundation_->unsplit),
+      touched_(organ.triangle_count()),
+      is_touched_(vertices_, 0) {
     foundation_->let_go_pixels();
 }
 
@@ -62,18 +64,27 @@ std::span<const glm::vec3> Body::follow(std::span<const glm::vec3> given, std::v
 void Body::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
     assert((positions.size() == given_vertices() || positions.size() == vertices_) &&
            (normals.empty() || normals.size() == positions.size()));
-    if (positions.size() < vertices_) positions = follow(positions, positions_);
+    const bool midway = positions.size() < vertices_;
+    if (midway) positions = follow(positions, positions_);
     moved_.move(positions);
-    if (!normals.empty() && normals.size() < vertices_) {
-        normals = follow(normals, normals_);
-        for (std::size_t v = given_vertices(); v < vertices_; ++v)
-            if (const float length = glm::length(normals_[v]); length > 0.0f) normals_[v] /= length;
-    } else if (normals.empty()) {
-        normals_.resize(positions.size());
+    if (normals.empty()) {
+        normals_.resize(vertices_);
         moved_.normals(normals_);
-        normals = normals_;
+    } else if (midway) {
+        normals_.resize(vertices_);
+        std::copy(normals.begin(), normals.end(), normals_.begin());
     }
-    organ_gpu_.set_shape(positions, normals);
+    if (midway) set_normals_midway();
+    organ_gpu_.set_shape(positions, normals.empty() || midway ? normals_ : normals, midway || midpoints().empty());
+}
+
+/// Of the vertices that splitting has made: no facet shows that the organ as it was given has not.
+void Body::set_normals_midway() {
+    for (std::size_t i = 0; i < midpoints().size(); ++i) {
+        const glm::vec3 sum = normals_[midpoints()[i].x] + normals_[midpoints()[i].y];
+        const float length = glm::length(sum);
+        normals_[given_vertices() + i] = length > 1e-6f ? sum / length : normals_[midpoints()[i].x];
+    }
 }
 
 void Body::set_overlay(Overlay overlay) {
@@ -126,13 +137,26 @@ std::size_t Body::seek(double time) noexcept {
     cautery_.update(time);
     if (wounds_version_ != cautery_.wounds_version()) take_wounds();
     bleed_->update(time);
-    return bleed_gpu_.send(bleed_->values(), bleed_->changed().take()) +
-           organ_gpu_.send_marks(cautery_.marks(), cautery_.changed().take());
+    const std::span<const VertexRun> bled = bleed_->changed().take(), marked = cautery_.changed().take();
+    touch(bled, [&](std::uint32_t v) { return bleed_->values()[v].x > bleed_->dry(); });
+    touch(marked, [&](std::uint32_t v) { return cautery_.marks()[v] != glm::vec2(0.0f); });
+    return bleed_gpu_.send(bleed_->values(), bled) + organ_gpu_.send_marks(cautery_.marks(), marked);
+}
+
+/// Once touched, a triangle counts for good: blood and time go to and fro.
+template <class Touched>
+void Body::touch(std::span<const VertexRun> changed, const Touched& is_touched) noexcept {
+    for (const VertexRun& run : changed)
+        for (std::uint32_t v = run.begin; v < run.end; ++v) {
+            if (is_touched_[v] != 0 || !is_touched(v)) continue;
+            is_touched_[v] = 1;
+            for (const std::uint32_t t : surface().triangles_at(surface().weld[v])) touched_.touch(t);
+        }
 }
 
 void Body::draw() const noexcept {
     bleed_gpu_.bind();
-    organ_gpu_.draw(glm::mat4(1.0f));
+    organ_gpu_.draw(glm::mat4(1.0f), &touched_);
 }
 
 }  // namespace lapfx

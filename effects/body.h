@@ -58,11 +58,14 @@ class Body {
     void take_wounds();
     void send_density();
     std::span<const glm::vec3> follow(std::span<const glm::vec3> given, std::vector<glm::vec3>& all) const;
+    void set_normals_midway();
+    template <class Touched>
+    void touch(std::span<const VertexRun> changed, const Touched& is_touched) noexcept;
     std::vector<std::uint32_t> sources_of(const Body& former, std::span<const std::uint32_t> origin) const;
 
     const Surface& surface() const { return foundation_->surface; }
     /// As RefinedOrgan::midpoints: the last ones of the vertices.
-    const std::vector<glm::uvec2>& midpoints() const { return foundation_->midpoints; }
+    const std::vector<glm::uvec2>& midpoints() const { return foundation_->unsplit.midpoints; }
     std::size_t given_vertices() const { return vertices_ - midpoints().size(); }
 
     std::shared_ptr<const Foundation> foundation_;
@@ -78,6 +81,8 @@ class Body {
     VesselParameters vessels_;
     bleeding::BleedGpu bleed_gpu_;
     render::OrganGpu organ_gpu_;
+    render::TouchedTriangles touched_;
+    std::vector<char> is_touched_;  // per vertex
     Overlay overlay_ = Overlay::none;
     int sent_density_ = -1;  // the version that was sent
 };

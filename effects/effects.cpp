@@ -23,7 +23,7 @@ namespace lapfx {
 namespace {
 
 std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const VesselParameters& vessels) {
-    return std::make_shared<const Foundation>(fine.organ(), vessels, organ::Stages{}, fine.take_midpoints());
+    return std::make_shared<const Foundation>(fine.organ(), vessels, organ::Stages{}, fine.take_unsplit());
 }
 
 }  // namespace

@@ -5,16 +5,17 @@
 
 #include "bleeding/tissue_density_cpu.h"
 #include "lapfx/prepared_organ.h"
+#include "organ/refine.h"
 #include "organ/stages.h"
 #include "organ/surface.h"
 
 namespace lapfx {
 
 struct Foundation {
-    /// `midpoints`: as RefinedOrgan::midpoints, of what the organ was split from. `pixels`: of the organ's images, where these have
-    /// none themselves; empty: copies of what is needed.
+    /// `unsplit`: what the organ was split from. `pixels`: of the organ's images, where these have none themselves; empty: copies of
+    /// what is needed.
     Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages = {},
-               std::vector<glm::uvec2> midpoints = {}, organ::PixelList pixels = {});
+               organ::Unsplit unsplit = {}, organ::PixelList pixels = {});
     Foundation(const Foundation&) = delete;
     Foundation& operator=(const Foundation&) = delete;
 
@@ -28,9 +29,9 @@ struct Foundation {
         for (const auto& one : pixels) bytes += one ? one->memory() : 0;
         return bytes;
     }
-    std::size_t surface_memory() const { return surface.memory() + midpoints.size() * sizeof(glm::uvec2); }
+    std::size_t surface_memory() const { return surface.memory() + unsplit.memory(); }
 
-    std::vector<glm::uvec2> midpoints;
+    organ::Unsplit unsplit;
     Surface surface;
     organ::PixelList pixels;         ///< by image, null where nobody needs them
     bleeding::TissueDensity tissue;  ///< to be copied by whom it changes, and set; refers to `surface`

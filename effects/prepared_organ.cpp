@@ -29,7 +29,7 @@ std::filesystem::path path_of(const Scene& scene, const std::string& file, const
     return named_path(scene.folder, file, Reach::anywhere, "", place);
 }
 
-RefinedOrgan refined_of(Organ organ, const organ::Stages& stages) {
+organ::SplitOrgan split_of(Organ organ, const organ::Stages& stages) {
     const organ::RefinePlan plan = organ::plan_refine(organ, stages.part(0.0, 0.0));
     return organ::refine(std::move(organ), plan, stages);
 }
@@ -47,8 +47,8 @@ std::shared_ptr<const PreparedOrgan> unless_stopped(const F& work) {
 }  // namespace
 
 Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages,
-                       std::vector<glm::uvec2> between, organ::PixelList given)
-    : midpoints(std::move(between)),
+                       organ::Unsplit from, organ::PixelList given)
+    : unsplit(std::move(from)),
       surface(organ, stages.part(0.0, 0.3)),
       pixels(given.empty() ? organ::copied_pixels(organ) : std::move(given)),
       tissue(organ, surface, vessels, stages.part(0.3, 1.0), pixels) {
@@ -106,17 +106,17 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
         made->tool_source = scene.tool;
         made->folder = scene.folder;
         std::vector<organ::Encoded> encoded;
-        RefinedOrgan fine = refined_of(organ::load(path_of(scene, scene.organ.file, "/organ/file"),
-                                                   {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
-                                                   stages.part(0.0, loaded), &encoded),
-                                       stages.part(loaded, refined));
+        organ::SplitOrgan fine = split_of(organ::load(path_of(scene, scene.organ.file, "/organ/file"),
+                                                      {.scale = scene.organ.scale, .rotation = scene.organ.rotation},
+                                                      stages.part(0.0, loaded), &encoded),
+                                          stages.part(loaded, refined));
         made->organ = std::move(fine.organ);
         organ::PixelList pixels = organ::take_pixels(made->organ, encoded);
         if (!scene.tool.file.empty())
             made->tool = organ::load(path_of(scene, scene.tool.file, "/tool/file"),
                                      {.scale = scene.tool.scale, .rotation = {}}, stages.part(refined, tool_loaded));
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
-                                                              std::move(fine.midpoints), std::move(pixels));
+                                                              std::move(fine.from), std::move(pixels));
         return made;
     });
 }
@@ -126,11 +126,11 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
     return unless_stopped([&] {
         const organ::Stages stages(progress);
         auto made = std::make_unique<PreparedOrgan::State>();
-        RefinedOrgan fine = refined_of(std::move(organ), stages.part(0.0, split));
+        organ::SplitOrgan fine = split_of(std::move(organ), stages.part(0.0, split));
         made->organ = std::move(fine.organ);
         organ::PixelList pixels = organ::take_pixels(made->organ, {});
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(split, 1.0),
-                                                              std::move(fine.midpoints), std::move(pixels));
+                                                              std::move(fine.from), std::move(pixels));
         return made;
     });
 }

@@ -39,6 +39,8 @@ StateGuard::StateGuard() noexcept {
     glGetIntegerv(GL_DEPTH_FUNC, &depth_function_);
     glGetBooleanv(GL_DEPTH_WRITEMASK, &depth_mask_);
     for (int i = 0; i < 6; ++i) glGetIntegerv(blend_queries[i], &blend_[i]);
+    glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &offset_factor_);
+    glGetFloatv(GL_POLYGON_OFFSET_UNITS, &offset_units_);
 }
 
 StateGuard::~StateGuard() {
@@ -65,6 +67,7 @@ StateGuard::~StateGuard() {
     glBindVertexArray(as_name(vertex_array_));
     glDepthFunc(as_enum(depth_function_));
     glDepthMask(depth_mask_);
+    glPolygonOffset(offset_factor_, offset_units_);
     glBlendFuncSeparate(as_enum(blend_[0]), as_enum(blend_[1]), as_enum(blend_[2]), as_enum(blend_[3]));
     glBlendEquationSeparate(as_enum(blend_[4]), as_enum(blend_[5]));
 }

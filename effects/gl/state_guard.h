@@ -18,8 +18,8 @@ class StateGuard {
     StateGuard& operator=(const StateGuard&) = delete;
 
   private:
-    static constexpr std::array<GLenum, 5> switches{GL_BLEND, GL_DEPTH_TEST, GL_CULL_FACE, GL_MULTISAMPLE,
-                                                    GL_SCISSOR_TEST};
+    static constexpr std::array<GLenum, 6> switches{GL_BLEND,       GL_DEPTH_TEST,   GL_CULL_FACE,
+                                                    GL_MULTISAMPLE, GL_SCISSOR_TEST, GL_POLYGON_OFFSET_FILL};
     static constexpr int uniform_bindings = 3;
     static constexpr int texture_units = 14;
 
@@ -32,6 +32,7 @@ class StateGuard {
     std::array<GLint, texture_units> textures_{}, texture_arrays_{}, samplers_{};
     GLint program_ = 0, vertex_array_ = 0, depth_function_ = 0, active_texture_ = 0, uniform_buffer_ = 0;
     GLint blend_[6] = {};
+    GLfloat offset_factor_ = 0.0f, offset_units_ = 0.0f;
     GLboolean depth_mask_ = GL_TRUE;
 };
 

@@ -98,12 +98,14 @@ constexpr std::size_t indices_between_stages = std::size_t{3} << 16;
 
 class Refiner {
   public:
-    Refiner(RefinedOrgan& out, double length) : organ_(out.organ), midpoints_(out.midpoints), limit_(length * length) {
+    Refiner(organ::SplitOrgan& out, double length) : organ_(out.organ), from_(out.from), limit_(length * length) {
         places_ = places_of(organ_);
     }
 
     void run(std::size_t triangles, const organ::Stages& stages) {
-        const std::vector<std::uint32_t> before = std::move(organ_.indices);
+        from_.parts = organ_.parts;
+        from_.indices = std::move(organ_.indices);
+        const std::vector<std::uint32_t>& before = from_.indices;
         indices_.reserve(3 * triangles);
         std::size_t told = 0;
         for (Part& part : organ_.parts) {
@@ -159,11 +161,11 @@ class Refiner {
         o.tangents.emplace_back(tangent, o.tangents[a].w);
         o.uvs.push_back(0.5f * (o.uvs[a] + o.uvs[b]));
         o.colors.push_back(0.5f * (o.colors[a] + o.colors[b]));
-        midpoints_.emplace_back(a, b);
+        from_.midpoints.emplace_back(a, b);
     }
 
     Organ& organ_;
-    std::vector<glm::uvec2>& midpoints_;
+    organ::Unsplit& from_;
     double limit_;  // mm2
     std::vector<glm::vec3> places_;
     std::vector<std::uint32_t> indices_;
@@ -223,14 +225,14 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const Stages& stages) {
     }
 }
 
-RefinedOrgan organ::refine(Organ organ, const RefinePlan& plan, const Stages& stages) {
-    RefinedOrgan refined{.organ = std::move(organ), .midpoints = {}};
-    if (!plan.splits) return refined;
-    Refiner(refined, plan.length).run(plan.triangles, stages);
+organ::SplitOrgan organ::refine(Organ organ, const RefinePlan& plan, const Stages& stages) {
+    SplitOrgan split{.organ = std::move(organ), .from = {}};
+    if (!plan.splits) return split;
+    Refiner(split, plan.length).run(plan.triangles, stages);
     const auto fit = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };  // room to grow is half of them
-    Organ& o = refined.organ;
-    fit(o.positions, o.normals, o.tangents, o.uvs, o.colors, o.indices, refined.midpoints);
-    return refined;
+    Organ& o = split.organ;
+    fit(o.positions, o.normals, o.tangents, o.uvs, o.colors, o.indices, split.from.midpoints);
+    return split;
 }
 
 RefineReport report_refine(const Organ& organ) {
@@ -240,11 +242,12 @@ RefineReport report_refine(const Organ& organ) {
 
 RefinedOrgan refine(Organ organ) {
     const organ::RefinePlan plan = organ::plan_refine(organ);
-    return organ::refine(std::move(organ), plan);
+    organ::SplitOrgan split = organ::refine(std::move(organ), plan);
+    return {.organ = std::move(split.organ), .midpoints = std::move(split.from.midpoints)};
 }
 
 organ::FineOrgan::FineOrgan(const Organ& organ) : given_(organ) {
-    if (const RefinePlan plan = plan_refine(organ); plan.splits) refined_ = refine(organ, plan);
+    if (const RefinePlan plan = plan_refine(organ); plan.splits) split_ = refine(organ, plan);
 }
 
 }  // namespace lapfx

@@ -22,7 +22,21 @@ struct RefinePlan {
     bool bounded() const { return length > longest_wanted; }  ///< most_added would not have done for longest_wanted
 };
 RefinePlan plan_refine(const Organ& organ, const Stages& stages = {});
-RefinedOrgan refine(Organ organ, const RefinePlan& plan, const Stages& stages = {});
+
+/// What an organ was split from. All empty: it was not.
+struct Unsplit {
+    std::vector<glm::uvec2> midpoints;   ///< as RefinedOrgan::midpoints
+    std::vector<std::uint32_t> indices;  ///< the triangles as they were
+    std::vector<Part> parts;             ///< of those
+    std::size_t memory() const {         ///< bytes
+        return midpoints.size() * sizeof(glm::uvec2) + indices.size() * sizeof(std::uint32_t);
+    }
+};
+struct SplitOrgan {
+    Organ organ;
+    Unsplit from;
+};
+SplitOrgan refine(Organ organ, const RefinePlan& plan, const Stages& stages = {});
 
 /// An organ that is fine enough for blood: the one that was given, or a copy whose long triangles are split.
 class FineOrgan {
@@ -30,15 +44,12 @@ class FineOrgan {
     /// Keeps a reference to `organ`.
     explicit FineOrgan(const Organ& organ);
 
-    const Organ& organ() const { return refined_ ? refined_->organ : given_; }
-    /// As RefinedOrgan::midpoints.
-    std::vector<glm::uvec2> take_midpoints() {
-        return refined_ ? std::move(refined_->midpoints) : std::vector<glm::uvec2>();
-    }
+    const Organ& organ() const { return split_ ? split_->organ : given_; }
+    Unsplit take_unsplit() { return split_ ? std::move(split_->from) : Unsplit(); }
 
   private:
     const Organ& given_;
-    std::optional<RefinedOrgan> refined_;
+    std::optional<SplitOrgan> split_;
 };
 
 }  // namespace lapfx::organ

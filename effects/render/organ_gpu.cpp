@@ -25,16 +25,25 @@ gl::Buffer buffer_of(const std::vector<T>& data) {
     return gl::Buffer(std::span<const T>(data));
 }
 
+/// Those from `begin` to `end` of the bound indices.
+void draw_triangles(std::size_t begin, std::size_t end) noexcept {
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - begin)), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(3 * begin * sizeof(std::uint32_t)));
+}
+
 }  // namespace
 
-OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels)
+OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels,
+                   const organ::Unsplit& unsplit)
     : plain_("organ.vert", "organ.frag"),
       wounded_(bleed != nullptr ? gl::Program("wounded.vert", "wounded.frag") : gl::Program()),
       marks_(buffer_of(std::vector<glm::vec2>(organ.positions.size(), glm::vec2(0.0f)))),
       indices_(buffer_of(organ.indices)),
+      unsplit_indices_(buffer_of(unsplit.indices)),
       white_(one_texel({255, 255, 255, 255})),
       flat_(one_texel({128, 128, 255, 255})),
       parts_(organ.parts),
+      unsplit_parts_(unsplit.parts),
       tissue_(bleed != nullptr) {
     vertices_.push_back(buffer_of(organ.positions));
     vertices_.push_back(buffer_of(organ.normals));
@@ -48,7 +57,6 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::Pix
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
     vertex_array_.attribute(8, marks_, 2);  // until there are densities
-    vertex_array_.indices(indices_);
     upload_textures(organ, pixels);
 }
 
@@ -77,7 +85,8 @@ void OrganGpu::upload_textures(const Organ& organ, const organ::PixelList& pixel
 }
 
 std::size_t OrganGpu::geometry_memory() const {
-    std::size_t bytes = marks_.size() + rest_.size() + indices_.size() + vertex_density_.size();
+    std::size_t bytes =
+        marks_.size() + rest_.size() + indices_.size() + unsplit_indices_.size() + vertex_density_.size();
     for (const gl::Buffer& buffer : vertices_) bytes += buffer.size();
     return bytes;
 }
@@ -103,7 +112,8 @@ std::size_t OrganGpu::send_marks(std::span<const glm::vec2> values, std::span<co
     return bytes;
 }
 
-void OrganGpu::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
+void OrganGpu::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, bool midway) {
+    midway_ = midway;
     if (rest_.size() == 0) {
         rest_ = gl::Buffer(vertices_[0].size());
         glCopyNamedBufferSubData(vertices_[0].name(), rest_.name(), 0, 0, static_cast<GLsizeiptr>(rest_.size()));
@@ -135,30 +145,59 @@ void OrganGpu::send_density(std::span<const DensityPicture> images, std::span<co
             material.density = densities_[static_cast<std::size_t>(material.image)].name();
 }
 
-void OrganGpu::draw(const glm::mat4& model) const noexcept {
+void OrganGpu::draw(const glm::mat4& model, const TouchedTriangles* touched) const noexcept {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
     glDepthMask(GL_TRUE);
     glDisable(GL_BLEND);
+    glDisable(GL_POLYGON_OFFSET_FILL);
     glBindVertexArray(vertex_array_.name());
     // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program draws the
     // triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth, which is not
     // less, and is not shaded again.
-    for (const gl::Program* program : {&wounded_, &plain_}) {
-        if (program->name() == 0) continue;
-        program->set("u_model", model);
-        program->set("u_tissue", tissue_ ? 1 : 0);
-        program->set("u_overlay", static_cast<int>(overlay_));
-        program->use();
-        draw_parts(*program);
+    if (wounded_.name() != 0) draw_wounded(model, touched);
+    draw_plain(model);
+}
+
+void OrganGpu::draw_wounded(const glm::mat4& model, const TouchedTriangles* touched) const noexcept {
+    vertex_array_.indices(indices_);
+    use(wounded_, model);
+    for (const Part& part : parts_) {
+        const std::size_t begin = part.first_index / 3, end = begin + part.index_count / 3;
+        use(wounded_, part);
+        if (touched == nullptr)
+            draw_triangles(begin, end);
+        else
+            touched->for_each(begin, end, draw_triangles);
     }
 }
 
-void OrganGpu::draw_parts(const gl::Program& program) const noexcept {
-    for (const Part& part : parts_) draw_part(program, part);
+/// Splitting has changed neither the shape nor what is linear in a triangle, so tissue that nothing has happened to is drawn as
+/// it was given: fewer triangles. Rounding sets their depth off, so they step back by more than that behind the wounded ones.
+/// Drawing them all leaves no crack where they meet. What the overlays show is known at every vertex.
+void OrganGpu::draw_plain(const glm::mat4& model) const noexcept {
+    const bool unsplit = !unsplit_parts_.empty() && midway_ && overlay_ == Overlay::none;
+    if (unsplit) {
+        glEnable(GL_POLYGON_OFFSET_FILL);
+        glPolygonOffset(0.01f, 4.0f);  // a hundredth of a pixel, and of the depth's last places
+    }
+    vertex_array_.indices(unsplit ? unsplit_indices_ : indices_);
+    use(plain_, model);
+    for (const Part& part : unsplit ? unsplit_parts_ : parts_) {
+        use(plain_, part);
+        draw_triangles(part.first_index / 3, (part.first_index + part.index_count) / 3);
+    }
+    glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void OrganGpu::draw_part(const gl::Program& program, const Part& part) const noexcept {
+void OrganGpu::use(const gl::Program& program, const glm::mat4& model) const noexcept {
+    program.set("u_model", model);
+    program.set("u_tissue", tissue_ ? 1 : 0);
+    program.set("u_overlay", static_cast<int>(overlay_));
+    program.use();
+}
+
+void OrganGpu::use(const gl::Program& program, const Part& part) const noexcept {
     const Material& material = materials_[static_cast<std::size_t>(part.material)];
     // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never culled.
     const bool cull = !tissue_ && !material.double_sided;
@@ -169,9 +208,6 @@ void OrganGpu::draw_part(const gl::Program& program, const Part& part) const noe
     program.set("u_base_factor", material.factor * glm::vec4(color_, 1.0f));
     program.set("u_roughness", material.roughness);
     program.set("u_normal_scale", material.normal_scale);
-    const auto offset = static_cast<std::size_t>(part.first_index) * sizeof(std::uint32_t);
-    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(part.index_count), GL_UNSIGNED_INT,
-                   reinterpret_cast<const void*>(offset));
 }
 
 }  // namespace lapfx::render

@@ -9,6 +9,8 @@
 #include "lapfx/view.h"
 #include "organ/changed_vertices.h"
 #include "organ/pixels.h"
+#include "organ/refine.h"
+#include "render/touched_triangles.h"
 
 namespace lapfx::render {
 
@@ -21,14 +23,17 @@ struct DensityPicture {
 class OrganGpu {
   public:
     /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument, which neither
-    /// bleeds nor chars. `pixels`: of the images that have none themselves. Throws Error (runtime) when the shader does not compile.
-    OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {});
+    /// bleeds nor chars. `pixels`: of the images that have none themselves. `unsplit`: what the organ was split from. Throws Error
+    /// (runtime) when the shader does not compile.
+    OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {},
+             const organ::Unsplit& unsplit = {});
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
     /// bytes sent.
     std::size_t send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
-    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue.
-    void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals);
+    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue. `midway`: those that splitting has
+    /// made still lie midway between their two.
+    void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, bool midway);
     /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
     void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
@@ -38,8 +43,8 @@ class OrganGpu {
     std::size_t texture_memory() const;   ///< bytes on the GPU
     /// Every program of it, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
-    /// `model`: organ space to scene space, rigid.
-    void draw(const glm::mat4& model) const noexcept;
+    /// `model`: organ space to scene space, rigid. `touched`: all triangles with blood or marks; null: any may have some.
+    void draw(const glm::mat4& model, const TouchedTriangles* touched = nullptr) const noexcept;
 
   private:
     struct Material {
@@ -50,16 +55,17 @@ class OrganGpu {
         bool double_sided;
     };
     void upload_textures(const Organ& organ, const organ::PixelList& pixels);
-    void draw_part(const gl::Program& program, const Part& part) const noexcept;
-
-    void draw_parts(const gl::Program& program) const noexcept;
+    void use(const gl::Program& program, const glm::mat4& model) const noexcept;
+    void use(const gl::Program& program, const Part& part) const noexcept;
+    void draw_wounded(const glm::mat4& model, const TouchedTriangles* touched) const noexcept;
+    void draw_plain(const glm::mat4& model) const noexcept;
 
     gl::Program plain_, wounded_;
     gl::VertexArray vertex_array_;
     std::vector<gl::Buffer> vertices_;
     gl::Buffer marks_;
     gl::Buffer rest_;  // positions at rest, once the organ has moved
-    gl::Buffer indices_;
+    gl::Buffer indices_, unsplit_indices_;
     std::vector<gl::Texture> textures_;
     std::vector<gl::Texture> densities_;  // per image, made when an overlay first needs them
     gl::Buffer vertex_density_;
@@ -67,8 +73,9 @@ class OrganGpu {
     glm::vec3 color_{1.0f};
     gl::Texture white_, flat_;
     std::vector<Material> materials_;
-    std::vector<Part> parts_;
+    std::vector<Part> parts_, unsplit_parts_;
     bool tissue_;
+    bool midway_ = true;
 };
 
 }  // namespace lapfx::render

@@ -12,6 +12,8 @@ constexpr GLenum integers[] = {GL_CURRENT_PROGRAM,
                                GL_VERTEX_ARRAY_BINDING,
                                GL_DEPTH_FUNC,
                                GL_DEPTH_WRITEMASK,
+                               GL_POLYGON_OFFSET_FACTOR,
+                               GL_POLYGON_OFFSET_UNITS,
                                GL_BLEND_SRC_RGB,
                                GL_BLEND_DST_RGB,
                                GL_BLEND_SRC_ALPHA,
@@ -30,8 +32,8 @@ constexpr GLenum integers[] = {GL_CURRENT_PROGRAM,
                                GL_UNPACK_SKIP_ROWS,
                                GL_UNPACK_SKIP_PIXELS,
                                GL_PIXEL_UNPACK_BUFFER_BINDING};
-constexpr GLenum switches[] = {GL_BLEND,        GL_DEPTH_TEST,   GL_CULL_FACE,       GL_MULTISAMPLE,
-                               GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB};
+constexpr GLenum switches[] = {GL_BLEND,        GL_DEPTH_TEST,   GL_CULL_FACE,        GL_MULTISAMPLE,
+                               GL_SCISSOR_TEST, GL_STENCIL_TEST, GL_FRAMEBUFFER_SRGB, GL_POLYGON_OFFSET_FILL};
 
 constexpr int units = 16;
 
@@ -83,7 +85,7 @@ class StateTest : public test::SceneTest {
     }
 
     Effects effects() const {
-        Effects made(test::plane(80.0, 40), preset, {.clip_folders = {}, .wait_for_clips = true});
+        Effects made(test::plane(80.0, 10), preset, {.clip_folders = {}, .wait_for_clips = true});
         made.set_contacts(scene.events);
         return made;
     }
@@ -104,6 +106,7 @@ class StateTest : public test::SceneTest {
     static void put_back() {
         for (const GLenum query : switches) glDisable(query);
         glDepthMask(GL_TRUE);
+        glPolygonOffset(0.0f, 0.0f);
         glBlendFunc(GL_ONE, GL_ZERO);
         glBlendEquation(GL_FUNC_ADD);
         glBindBuffer(GL_PIXEL_UNPACK_BUFFER, 0);
@@ -139,6 +142,7 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         glScissor(1, 2, 60, 40);
         glDepthFunc(on ? GL_GEQUAL : GL_NOTEQUAL);
         glDepthMask(on ? GL_FALSE : GL_TRUE);
+        glPolygonOffset(on ? 3.0f : 0.0f, on ? -2.0f : 0.0f);
         glBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_SRC_ALPHA);
         glBlendEquationSeparate(GL_FUNC_SUBTRACT, GL_MAX);
         for (GLuint i = 0; i < units; ++i) {
@@ -197,6 +201,8 @@ TEST_F(StateTest, WhatTheHostHasSetDoesNotChangeThePicture) {
                     glEnable(GL_DEPTH_TEST);
                     glDepthFunc(GL_NEVER);
                     glDepthMask(GL_FALSE);
+                    glEnable(GL_POLYGON_OFFSET_FILL);
+                    glPolygonOffset(1.0f, 1e6f);
                 }));
     const gl::Buffer buffer(1 << 20);
     EXPECT_TRUE(plain == drawn([&] {
