@@ -126,6 +126,10 @@ void add_bench(CLI::App& app) {
         add("streaming", "Smoke clips by the paper's schemes and ours, as in its table 2, and FFmpeg for comparison",
             bench_streaming);
     streaming->add_option("--plot", options->plot, "Draw the panels of the paper's figure 10 to this PNG");
+    streaming->add_option("--only", options->only, "Measure this ratio alone, in about a minute")->excludes("--plot");
+    streaming->add_option("--rounds", options->rounds, "Times that each case is measured; the best is kept")
+        ->check(CLI::Range(1, 20))
+        ->capture_default_str();
 }
 
 }  // namespace lapfx::commands

@@ -8,8 +8,9 @@
 // screen's resolution, ours as Effects does unless told otherwise. FFmpeg has the same picture to make: every clip keyed and
 // scaled over the whole frame; unscaled, where they cover a quarter of it, is a ratio of its own. After the warm-up (a loop of
 // the clips for resident, else a few frames) `measured` frames. Times per frame are medians; waiting, sending, decoding and
-// copying are means, since the buffered scheme does not send in every frame. The table is gone through three times and the
-// best round of each case is kept: what else the machine does must not fall on one of them.
+// copying are means, since the buffered scheme does not send in every frame. The table is gone through three times (--rounds) and
+// the best round of each case is kept: what else the machine does must not fall on one of them. --only measures the two cases of
+// one ratio, in turns.
 #include "commands/bench_streaming.h"
 
 #include <algorithm>
@@ -30,7 +31,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr int stream_counts[] = {1, 2, 3, 5, 8, 10, 15, 30, 60};
-constexpr int warm_up = 4, measured = 16, rounds = 3;
+constexpr int warm_up = 4, measured = 16;
 constexpr std::size_t memory = std::size_t{3} << 30;  // for 60 resident clips
 
 struct Way {
@@ -40,10 +41,11 @@ struct Way {
     int step = 1;  ///< frames of a clip in a cycle of the display
     LateClips late = LateClips::repeat;
 };
-constexpr Way ways[] = {{"pipeline", Scheme::pipeline, SmokeResolution::screen},
-                        {"buffered", Scheme::buffered, SmokeResolution::screen},
-                        {"buffered planar", Scheme::buffered_planar, SmokeResolution::balanced},
-                        {"resident", Scheme::resident, SmokeResolution::balanced}};
+constexpr Way pipeline_way{"pipeline", Scheme::pipeline, SmokeResolution::screen};
+constexpr Way buffered_way{"buffered", Scheme::buffered, SmokeResolution::screen};
+constexpr Way resident_way{"resident", Scheme::resident, SmokeResolution::balanced};
+constexpr Way ways[] = {
+    pipeline_way, buffered_way, {"buffered planar", Scheme::buffered_planar, SmokeResolution::balanced}, resident_way};
 
 /// The paper's schemes where the display is late; its own buffering skips frames then.
 constexpr Way pipeline_late{"pipeline, late", Scheme::pipeline, SmokeResolution::screen, 2};
@@ -190,14 +192,33 @@ const StreamingRow& find(std::span<const StreamingRow> rows, std::string_view sc
                          [&](const StreamingRow& r) { return r.scheme == scheme && r.streams == streams; });
 }
 
-void add_ratios(std::span<const StreamingRow> rows, std::map<std::string, double>& ratios) {
-    const auto sending = [&](const char* scheme) { return find(rows, scheme, 15).sending; };
-    // The paper's: late, so that buffering shows half as many frames. Beside it the same frames shown at the same rate.
-    ratios["upload_buffered_over_pipeline_15"] = sending(buffered_late.name) / sending(pipeline_late.name);
-    ratios["upload_buffered_over_pipeline_15_nothing_skipped"] = sending("buffered") / sending("pipeline");
-    ratios["upload_resident_over_pipeline_15"] = sending("resident") / sending("pipeline");
-    ratios["upload_resident_over_buffered_15"] = sending("resident") / sending("buffered");
-    ratios["smoke_ours_over_paper_15"] = find(rows, "resident", 15).frame / find(rows, "pipeline", 15).frame;
+/// One figure by two ways, one over the other.
+struct Quotient {
+    const char* name;
+    const Way *above, *below;
+    double StreamingRow::*figure;
+};
+constexpr int compared_streams = 15;
+/// The paper's: late, so that buffering shows half as many frames. Beside it the same frames shown at the same rate.
+constexpr Quotient quotients[] = {
+    {"upload_buffered_over_pipeline_15", &buffered_late, &pipeline_late, &StreamingRow::sending},
+    {"upload_buffered_over_pipeline_15_nothing_skipped", &buffered_way, &pipeline_way, &StreamingRow::sending},
+    {"upload_resident_over_pipeline_15", &resident_way, &pipeline_way, &StreamingRow::sending},
+    {"upload_resident_over_buffered_15", &resident_way, &buffered_way, &StreamingRow::sending},
+    {"smoke_ours_over_paper_15", &resident_way, &pipeline_way, &StreamingRow::frame}};
+
+double value_of(const Quotient& quotient, std::span<const StreamingRow> rows) {
+    return find(rows, quotient.above->name, compared_streams).*quotient.figure /
+           find(rows, quotient.below->name, compared_streams).*quotient.figure;
+}
+
+const Quotient& find_quotient(const std::string& name) {
+    std::string names;
+    for (const Quotient& quotient : quotients) {
+        if (name == quotient.name) return quotient;
+        names += (names.empty() ? "" : ", ") + std::string(quotient.name);
+    }
+    throw wrong_option("--only", name + " is none of " + names);
 }
 
 void compare_with_ffmpeg(const BenchClips& clips, BenchReport& report, std::span<const StreamingRow> rows,
@@ -224,29 +245,51 @@ void compare_with_ffmpeg(const BenchClips& clips, BenchReport& report, std::span
     progress.step();
 }
 
-}  // namespace
-
-BenchReport bench_streaming(const BenchOptions& options) {
-    const Context context = Context::create(Backend::automatic);
-    BenchReport report{.bench = "streaming", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
-    const BenchClips clips(stream_counts[std::size(stream_counts) - 1]);
-    const HostFrame host;
+/// The two cases of one ratio, in turns.
+void measure_one(const Quotient& quotient, const HostFrame& host, int rounds, BenchReport& report) {
+    const BenchClips clips(compared_streams);
     std::vector<StreamingRow> rows;
-    Progress progress("measuring", rounds * static_cast<int>(std::size(ways) * std::size(stream_counts)) + 5);
+    Progress progress("measuring", 2 * rounds);
     for (int round = 0; round < rounds; ++round)
+        for (const Way* way : {quotient.above, quotient.below}) {
+            keep_best(rows, measure(host, *way, compared_streams, clips));
+            progress.step();
+        }
+    for (const StreamingRow& row : rows) report.rows.push_back(as_bench_row(row));
+    report.ratios[quotient.name] = value_of(quotient, rows);
+}
+
+void measure_all(const HostFrame& host, const BenchOptions& options, BenchReport& report) {
+    const BenchClips clips(stream_counts[std::size(stream_counts) - 1]);
+    std::vector<StreamingRow> rows;
+    Progress progress("measuring", options.rounds * static_cast<int>(std::size(ways) * std::size(stream_counts)) + 5);
+    for (int round = 0; round < options.rounds; ++round)
         for (const Way& way : ways)
             for (const int streams : stream_counts) {
                 keep_best(rows, measure(host, way, streams, clips));
                 progress.step();
             }
-    for (int round = 0; round < rounds; ++round)
+    for (int round = 0; round < options.rounds; ++round)
         for (const Way& way : {pipeline_late, buffered_late, whole_clip})
-            keep_best(rows, measure(host, way, 15, clips));
+            keep_best(rows, measure(host, way, compared_streams, clips));
     for (const StreamingRow& row : rows) report.rows.push_back(as_bench_row(row));
-    add_ratios(rows, report.ratios);
+    for (const Quotient& quotient : quotients) report.ratios[quotient.name] = value_of(quotient, rows);
     compare_with_ffmpeg(clips, report, rows, progress);
     report.table = streaming_table(rows);
     if (!options.plot.empty()) plot_streaming(rows, options.plot);
+}
+
+}  // namespace
+
+BenchReport bench_streaming(const BenchOptions& options) {
+    const Quotient* only = options.only.empty() ? nullptr : &find_quotient(options.only);
+    const Context context = Context::create(Backend::automatic);
+    BenchReport report{.bench = "streaming", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
+    const HostFrame host;
+    if (only != nullptr)
+        measure_one(*only, host, options.rounds, report);
+    else
+        measure_all(host, options, report);
     return report;
 }
 

@@ -39,7 +39,8 @@ class DecodePool {
     void join(Job& job);
     /// Waits until the piece that is being worked at is done.
     void leave(Job& job);
-    /// Something may have become urgent. With or without the mutex.
+    /// Something may have become urgent. What urgency() looks at was changed under the mutex, or a thread that has just looked sleeps
+    /// on; this itself may be called without it.
     void wake() { work_.notify_one(); }
     /// Waits until a piece is done. Any thread, under the mutex.
     void wait_for_piece(std::unique_lock<std::mutex>& lock) { done_.wait(lock); }

@@ -28,7 +28,10 @@ class Gate : private DecodePool::Job {
         pool_.leave(*this);
     }
     void shut() {
-        shut_ = true;
+        {
+            const std::lock_guard lock(pool_.mutex());
+            shut_ = true;
+        }
         pool_.wake();
         while (!inside_) std::this_thread::yield();
     }
@@ -57,7 +60,10 @@ class Idle : private DecodePool::Job {
     explicit Idle(DecodePool& pool) : pool_(pool) { pool.join(*this); }
     ~Idle() override { pool_.leave(*this); }
     void wait() {
-        asked_ = true;
+        {
+            const std::lock_guard lock(pool_.mutex());
+            asked_ = true;
+        }
         pool_.wake();
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
         while (asked_) {
@@ -178,7 +184,9 @@ TEST_F(ClipPlayerTest, SkipShowsSomethingNewHoweverSlowTheDecoderIs) {
     for (int i = 0; i < 60; ++i) {
         gate.shut();
         seen.insert(cycle(i % frames, Policy::skip));
-        if (i % 5 == 0) gate.open();  // a moment's worth of decoding in every fifth cycle
+        if (i % 5 != 0) continue;
+        gate.open();  // a moment's worth of decoding in every fifth cycle
+        idle.wait();
     }
     EXPECT_GE(seen.size(), 6u);
     EXPECT_EQ(seen.count(-1), 0u);
