@@ -14,9 +14,10 @@ namespace {
 
 constexpr double thumbnail_at = 0.6;  // of the scene's duration, as in the panel of presets
 
-constexpr std::array<std::string_view, 26> pictured{
-    ".json", ".mp4", ".mov", ".m4v", ".mkv",  ".webm", ".avi",  ".mpg", ".mpeg", ".wmv", ".ts",  ".ogv", ".gif",
-    ".png",  ".jpg", ".jpe", ".bmp", ".jpeg", ".webp", ".tiff", ".tif", ".exr",  ".hdr", ".ppm", ".pgm", ".tga"};
+/// What the core decodes, besides organs.
+constexpr std::array<std::string_view, 21> pictured{".json", ".mp4",  ".mov",  ".m4v", ".mkv", ".webm", ".avi",
+                                                    ".mpg",  ".mpeg", ".wmv",  ".ts",  ".ogv", ".gif",  ".png",
+                                                    ".jpg",  ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".exr"};
 
 /// What is left of "lapfx: FILE: reason": the name stands above it.
 std::string reason_in(std::string fault, const std::string& path) {
@@ -63,6 +64,7 @@ void FilePreviews::begin(const std::string& path) {
         if (!program_.empty()) options.program = program_;
         options.size = size;
         options.longest = longest;
+        options.niceness = niceness;
         options.wake = [this] { editor_.ui().wake("a file's picture"); };
         maker_ = std::make_unique<ThumbnailMaker>(std::move(options));
     }
@@ -106,7 +108,10 @@ void FilePreviews::update() {
     if (maker_ == nullptr) return;
     for (ThumbnailMaker::Result& result : maker_->take()) take(std::move(result));
     const bool asked = std::exchange(asked_, false);
-    if (asked || begun_.empty()) return;
+    if (asked) return;
+    // What has failed is tried again when it is come back to: the machine may have been busy.
+    std::erase_if(kept_, [](const Kept& each) { return each.made && each.image == 0; });
+    if (begun_.empty()) return;
     maker_->want({});
     begun_.clear();
 }

@@ -22,7 +22,8 @@ class FilePreviews : public ui::FilePictures {
     static constexpr glm::ivec2 size{360, 288};
     static constexpr std::size_t most_kept = 24;        ///< pictures in memory, the newest looked at
     static constexpr double rests = 0.15;               ///< s that a file is selected before its picture is begun
-    static constexpr std::chrono::seconds longest{20};  ///< then there is none
+    static constexpr std::chrono::seconds longest{60};  ///< then there is none
+    static constexpr int niceness = 5;                  ///< of what makes one: a person waits for it
 
     explicit FilePreviews(Editor& editor) : editor_(editor) {}
     ~FilePreviews() override;

@@ -29,7 +29,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t longest_text = std::size_t{4} << 20, longest_picture = std::size_t{4} << 20;
 constexpr std::chrono::minutes left_over{10};  // what a child was writing: it is no longer there
 constexpr std::chrono::milliseconds between_looks{20};
-constexpr int niceness = 19;
 
 /// FNV-1a of 64 bits: the same on every machine and in every version.
 class Hash {
@@ -155,7 +154,7 @@ std::vector<char*> environment_without_display() {
 }
 
 /// 0: it could not be started.
-pid_t start(const fs::path& program, std::vector<std::string> arguments, const fs::path& log) {
+pid_t start(const fs::path& program, std::vector<std::string> arguments, const fs::path& log, int niceness) {
     std::vector<char*> pointers;
     for (std::string& argument : arguments) pointers.push_back(argument.data());
     pointers.push_back(nullptr);
@@ -291,7 +290,7 @@ std::string ThumbnailMaker::render(const Request& request, bool on_scene, const 
     arguments.insert(
         arguments.end(),
         {"--size", std::to_string(options_.size.x) + 'x' + std::to_string(options_.size.y), "-o", part.string()});
-    const pid_t child = start(options_.program, std::move(arguments), log);
+    const pid_t child = start(options_.program, std::move(arguments), log, options_.niceness);
     std::error_code error;
     if (child == 0) {
         fs::remove(log, error);

@@ -65,7 +65,8 @@ Image picture_of_video(const std::string& file, glm::ivec2 size) {
 Image picture_of_scene(const std::string& file, app::FileKind kind, glm::ivec2 size, Backend backend) {
     app::Opened opened = kind == app::FileKind::preset ? app::open_sample(data_folder()) : app::Opened{};
     app::open_files(opened, {file});
-    const Scene& scene = opened.content.scene;
+    Scene& scene = opened.content.scene;
+    if (kind == app::FileKind::organ) scene.camera.vignette = 0;  // nobody looks through an endoscope
     const Context context = Context::create(backend);
     Preview preview(scene, opened.content.preset, {.clip_folders = clip_folders(), .wait_for_clips = true});
     return preview.image(kind == app::FileKind::organ ? 0 : in_scene * scene.duration, size);

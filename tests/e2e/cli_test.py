@@ -30,6 +30,9 @@ SCENE = {
 ORGAN = """v -50 -50 0\nv 50 -50 0\nv 50 50 0\nv -50 50 0
 vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1
 f 1/1/1 2/2/1 3/3/1\nf 1/1/1 3/3/1 4/4/1\n"""
+# 96 by 24 pixels, all alike: a BMP, whose bytes are ASCII.
+WIDE = struct.pack("<2sIIIIiiHHIIIIII", b"BM", 6966, 0, 54, 40, 96, 24, 1, 24, 0, 6912, 0, 0, 0, 0).decode("ascii")
+WIDE += "\x01" * 6912
 
 
 def document(kind, **values):
@@ -50,7 +53,7 @@ FILES = {
     "bad organ.scene.json": json.dumps({**SCENE, "organ": {"file": "words.json"}}),
     "words.glb": "not a mesh at all",
     "words.txt": "not a picture at all",
-    "wide.ppm": "P6 128 32 255\n" + "\x01" * (3 * 128 * 32),
+    "wide.bmp": WIDE,
     "kept.png": "was here before",
     "folder/": None,
 }
@@ -194,7 +197,7 @@ PICTURES = [
          leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
     Case("picture: a scene", ("picture", "scene.json", "--backend", "osmesa", "--size", "64x48", "-o", "out.png"), 0,
          leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 48))),
-    Case("picture: an image keeps its shape", ("picture", "wide.ppm", "--size", "64x48", "-o", "out.png"), 0,
+    Case("picture: an image keeps its shape", ("picture", "wide.bmp", "--size", "64x48", "-o", "out.png"), 0,
          leaves=("out.png",), then=lambda folder: is_png(folder, "out.png", (64, 16))),
 ]
 

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::string_view overlay = "file dialog", question = "file dialog replace";
 constexpr float width = 56, height = 36, places_width = 11;  // em
-constexpr float preview_width = 16, preview_from = 54;       // em: of the window, below which the list needs the room
-constexpr std::string_view name_field = "Name";
+constexpr float preview_width = 16, preview_from = 50;       // em: of the window, below which the list needs the room
+constexpr std::string_view name_field = "Name", list_name = "Files";
 constexpr std::size_t most_recent = 6;
 constexpr std::size_t most_crumbs = 5;  // of the path bar; the folders above are reached from the first of them
 constexpr TableColumn columns[] = {{.title = "Name", .width = 23},
@@ -184,7 +184,7 @@ void FileDialog::build_table(Ui& ui) {
     const auto key = [this](std::size_t row) { return key_of(row); };
     const RowList::KeyOf keys(key);
     const TableEvents events =
-        table(ui, "Files", table_, columns, shown_.size(), cell,
+        table(ui, list_name, table_, columns, shown_.size(), cell,
               {.multiple = request_.task == FileTask::open_many, .key_of = &keys, .letters = true});
     if (events.sorted) arrange();
     if (events.selected) select_from_table();
@@ -302,8 +302,19 @@ void FileDialog::take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& s
             takes_enter_ |= event.key == Key::enter;
         } else if (event.key == Key::escape) {
             leaves_ = true;
+        } else if (event.key == Key::down) {
+            go_to_list(ui);
         }
     });
+}
+
+/// From the field below it, with one key.
+void FileDialog::go_to_list(Ui& ui) {
+    ui.set_focus(ui.id_of(list_name), true);
+    if (shown_.empty() || !table_.selection.keys.empty() || !name_.empty()) return;
+    table_.selection.only(key_of(0));
+    select_from_table();
+    ui.build_again();
 }
 
 void FileDialog::build_name(Ui& ui) {

@@ -7,7 +7,8 @@
 //
 // A folder is read when it is come to, in one go, and again by the button for it. Typed names and paths are completed
 // (shell/path_completion.h); letters typed on the list go to the next name that begins so. Wherever the keyboard is: Ctrl+Shift+N
-// makes a folder, Alt+Up goes to the one above, Ctrl+L to the name, Ctrl+H shows hidden files, F5 reads again.
+// makes a folder, Alt+Up goes to the one above, Ctrl+L to the name, Ctrl+H shows hidden files, F5 reads again. Down goes from the
+// name to the list where there is nothing to suggest.
 #pragma once
 
 #include <optional>
@@ -70,6 +71,7 @@ class FileDialog {
     void make_folder();
     void take_chords(Ui& ui, Id dialog);
     void take_name_keys(Ui& ui, Id field, const PathCompletion::Shown& shown);
+    void go_to_list(Ui& ui);
     void select_from_table();
     void look_at(const FileEntry* entry);
     bool previews(const Ui& ui) const;

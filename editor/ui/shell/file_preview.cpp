@@ -14,12 +14,17 @@ struct PictureLook {
     ImageHandle image;
     glm::vec2 size;
     Icon icon;
+    std::string_view hint;  ///< in place of all
     friend bool operator==(const PictureLook&, const PictureLook&) = default;
 };
 
 void draw_picture(Painter& painter, const Node& node, const PictureLook& look) {
     const Theme& t = painter.theme();
     const Rect rect = node.rect();
+    if (!look.hint.empty()) {
+        painter.text(rect, look.hint, painter.text_style(), t.text_dim, Align::center);
+        return;
+    }
     painter.fill(rect, t.canvas);
     if (look.image == 0) {
         if (look.icon != Icon::none) painter.icon(rect.inset(rect.w * 0.4F, rect.h * 0.4F), look.icon, t.text_dim);
@@ -83,7 +88,8 @@ void file_preview(Ui& ui, FilePictures& pictures, const LookedAt* file, float wi
     frame.size[1] = px(std::round(ui.em(width) / aspect));
     frame.is |= when(picture.state == State::coming, Is::busy);
     frame.text = words_for(file, picture.state);
-    PictureLook look{0, glm::vec2(picture.size), file == nullptr ? Icon::none : icon_of(file->file, picture.state)};
+    PictureLook look{0, glm::vec2(picture.size), Icon::none, file == nullptr ? "Selected files are shown here" : ""};
+    if (file != nullptr) look.icon = icon_of(file->file, picture.state);
     if (picture.state == State::there && picture.size.x > 0 && picture.size.y > 0) look.image = picture.image;
     ui.draw_with<draw_picture>(frame, look);
     if (file == nullptr) return;

@@ -122,8 +122,10 @@ bool PathCompletion::take_key(Ui& ui, Key key, std::string& typed, const Shown& 
             return true;
         case Key::up:
         case Key::down:
-            if (!open_ && !typed.empty()) search(ui, typed, shown);
-            if (!found_.empty()) open_ = true, move(key == Key::down ? 1 : -1);
+            if (!open_) search(ui, typed, shown);
+            if (found_.empty()) return waits_;
+            open_ = true;
+            move(key == Key::down ? 1 : -1);
             return true;
         case Key::escape: {
             const bool was = open_ || waits_;

@@ -296,6 +296,18 @@ TEST_F(FileDialogTest, HasKeysOfItsOwnWhereverTheKeyboardIs) {
     }
 }
 
+TEST_F(FileDialogTest, DownGoesFromTheNameToTheList) {
+    open(request(FileTask::open));
+    ui.key(Key::down);
+    EXPECT_EQ(ui.focused(), "Plates/Files");
+    EXPECT_TRUE(ui.is("Plates/Files/locked", Is::selected)) << "the first, to be seen";
+    ui.key(Key::down).key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/home/u/plates");
+    ui.click("Plates/Name").type("zz").key(Key::down);
+    EXPECT_EQ(ui.focused(), "Plates/Files");
+    EXPECT_EQ(ui.text("Plates/Name"), "zz") << "what was typed stays";
+}
+
 TEST_F(FileDialogTest, TypedLettersGoToTheNextNameThatBeginsSo) {
     open(request(FileTask::open));
     ui.focus("Plates/Files").type("sh");

@@ -297,6 +297,7 @@ TEST_F(Outside, AThumbnailIsNotMadeOfAClipThatLeadsOut) {
                                .render = true,
                                .size = {192, 154},
                                .longest = std::chrono::seconds(60),
+                               .niceness = 19,
                                .wake = {}});
     maker.want({{.file = write("p.json", test::preset_text(R"(, "smoke": {"clips": [{"file": "link.avi"}]})")),
                  .scene = write("s.json", test::scene_text()),
