@@ -23,7 +23,7 @@ void silence_opencv() {
 }
 
 /// Every frame is decoded: what a file says of itself may not be so.
-int decodable_frames(const std::filesystem::path& file) {
+DecodableFrames decodable_frames(const std::filesystem::path& file) {
     constexpr int steps = 100;
     Progress progress("decoding " + file.filename().string(), steps);
     int done = 0;
@@ -53,7 +53,7 @@ void inspect_image(const std::filesystem::path& file) {
 
 void inspect_video(const std::filesystem::path& file) {
     const ClipReport report = report_clip(file);
-    const int decodable = decodable_frames(file);
+    const DecodableFrames decodable = decodable_frames(file);
     const auto number = [](const char* format, double value) {
         char text[64];
         std::snprintf(text, sizeof text, format, value);
@@ -64,7 +64,12 @@ void inspect_video(const std::filesystem::path& file) {
               << "  frames per second   " << number("%.6g", report.frames_per_second)
               << (report.variable_frame_rate ? ", the average of a variable rate\n" : "\n")  //
               << "  frames              " << report.frames
-              << (decodable == report.frames ? "\n" : ", of which " + std::to_string(decodable) + " can be decoded\n")
+              << (decodable.count == report.frames ? ""
+                                                   : ", of which " + std::to_string(decodable.count) +
+                                                         " can be decoded; the one before shows in their place")
+              << (decodable.end < report.duration ? ", none after " + number("%.3f s", decodable.end) +
+                                                        " (a clip's \"out\" there leaves them away)\n"
+                                                  : "\n")
               << "  duration            " << number("%.3f s", report.duration) << '\n'
               << "  codec               " << report.codec << '\n'
               << "  pixel format        " << report.pixel_format << (report.alpha ? ", with opacity\n" : "\n");

@@ -1,7 +1,5 @@
 #include "gl/pixel_buffer.h"
 
-#include <cstring>
-
 #include "gl/unpack_guard.h"
 
 namespace lapfx::gl {
@@ -20,12 +18,14 @@ PixelBuffer::PixelBuffer(std::size_t bytes) : name_(make_buffer()), size_(bytes)
     glNamedBufferStorage(name_.get(), static_cast<GLsizeiptr>(bytes), nullptr, GL_MAP_WRITE_BIT);
 }
 
-bool PixelBuffer::write(std::span<const std::uint8_t> bytes) const noexcept {
-    if (bytes.empty() || bytes.size() > size_) return false;
-    void* mapped = glMapNamedBufferRange(name_.get(), 0, static_cast<GLsizeiptr>(bytes.size()),
+std::span<std::uint8_t> PixelBuffer::map() const noexcept {
+    void* mapped = glMapNamedBufferRange(name_.get(), 0, static_cast<GLsizeiptr>(size_),
                                          GL_MAP_WRITE_BIT | GL_MAP_INVALIDATE_BUFFER_BIT);
-    if (mapped == nullptr) return false;
-    std::memcpy(mapped, bytes.data(), bytes.size());
+    if (mapped == nullptr) return {};
+    return {static_cast<std::uint8_t*>(mapped), size_};
+}
+
+bool PixelBuffer::unmap() const noexcept {
     return glUnmapNamedBuffer(name_.get()) == GL_TRUE;
 }
 

@@ -12,6 +12,25 @@ namespace {
 /// Frames that a clip goes on by in one cycle when it plays, however fast; more is a jump.
 constexpr int most_played_steps = 16;
 
+bool buffers_frames(Scheme scheme) {
+    return scheme == Scheme::buffered || scheme == Scheme::buffered_planar;
+}
+
+/// Its memory; of a buffer that has none nothing stays.
+std::span<std::uint8_t> map(gl::PixelBuffer& buffer) {
+    const std::span<std::uint8_t> memory = buffer.map();
+    if (memory.empty()) buffer = gl::PixelBuffer();
+    return memory;
+}
+
+/// So many of one picture, and their memory.
+std::vector<std::span<std::uint8_t>> make_memory(std::vector<gl::PixelBuffer>& buffers, std::size_t count,
+                                                 std::size_t bytes) {
+    std::vector<std::span<std::uint8_t>> memory;
+    for (std::size_t i = 0; i < count; ++i) memory.push_back(map(buffers.emplace_back(bytes)));
+    return memory;
+}
+
 }  // namespace
 
 ClipFile::ClipFile(const std::filesystem::path& where, const FileStamp& seen, const Decoder& decoder)
@@ -38,15 +57,28 @@ ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder
             if (settings.crossfade <= 0.0) break;
             decoder = Decoder(file_->path, layout, file_->info);
         }
+        std::vector<std::span<std::uint8_t>> memory;
+        if (buffers_frames(scheme)) {
+            memory = make_memory(head.memory, static_cast<std::size_t>(buffers + ClipStream::spare_slots),
+                                 file_->format.bytes());
+            head.on_gpu.resize(static_cast<std::size_t>(file_->info.frame_count()));
+        }
         head.stream = std::make_unique<ClipStream>(pool, std::move(decoder), head.loop, buffers,
-                                                   scheme == Scheme::resident ? &file_->store.present() : nullptr);
+                                                   scheme == Scheme::resident ? &file_->store.present()
+                                                   : memory.empty()           ? nullptr
+                                                                              : &head.on_gpu,
+                                                   memory);
         head.sent = SentFrames(file_->format, scheme);
     }
 }
 
 void ClipPlayer::set_buffers(int buffers) noexcept {
-    for (Head& head : heads_)
-        if (head.stream) head.stream->set_buffers(buffers);
+    for (Head& head : heads_) {
+        if (!head.stream) continue;
+        head.stream->set_buffers(buffers);
+        for (int slot; (slot = head.stream->give_back()) >= 0;)
+            head.memory[static_cast<std::size_t>(slot)] = gl::PixelBuffer();
+    }
 }
 
 void ClipPlayer::set_loops(const SmokeClip& settings) noexcept {
@@ -75,8 +107,7 @@ int ClipPlayer::Head::step() const {
 ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& times) noexcept {
     Head& place = heads_[static_cast<std::size_t>(head)];
     // A clip that is to stay on the GPU needs all of its frames, and pipeline sends none ahead that could be shown for two cycles.
-    const bool skips = scheme_ == Scheme::buffered || scheme_ == Scheme::buffered_planar;
-    if (policy == Policy::skip && !skips) policy = Policy::latest;
+    if (policy == Policy::skip && !buffers_frames(scheme_)) policy = Policy::latest;
     place.ask(index, policy);
     return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
                                        : streamed_frame(place, index, policy, times);
@@ -88,8 +119,8 @@ ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, Strea
     if (!store.has(index)) {
         head.rests = false;
         const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
-        shown = decoded.index;
-        if (decoded.picture != nullptr) keep(shown, *decoded.picture, times);
+        shown = decoded.bytes.empty() ? -1 : decoded.index;
+        if (shown >= 0) keep(decoded, times);
         if (shown != index) ++misses_;
     } else if (!head.rests) {
         head.stream->aim(index);
@@ -100,15 +131,15 @@ ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, Strea
     return store.frame(head.shown, file_->info.color);
 }
 
-void ClipPlayer::keep(int index, const Picture& picture, StreamingTimes& times) noexcept {
+void ClipPlayer::keep(const ClipStream::Shown& decoded, StreamingTimes& times) noexcept {
     {
         const Stopwatch watch(times.upload);
-        times.uploaded_bytes += file_->store.upload(index, picture);
+        times.uploaded_bytes += file_->store.upload(decoded.index, decoded.bytes);
     }
     ++times.uploaded;
     {
         const std::lock_guard lock(pool_.mutex());
-        file_->store.mark(index);
+        file_->store.mark(decoded.index);
     }
     pool_.wake();
 }
@@ -121,14 +152,31 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
         head.sent.show_newest();  // this one is skipped
     } else {
         const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
-        if (decoded.picture != nullptr) {
-            if (!head.sent.holds(decoded.index)) head.sent.send(decoded.index, *decoded.picture, {}, times);
-            head.sent.show(decoded.index);
-        }
+        send(head, decoded, {}, times);
+        head.sent.show(decoded.index);
         head.late = decoded.index != index;
     }
     if (head.sent.shown() != index) ++misses_;
     return head.sent.frame(file_->info.color);
+}
+
+/// Of buffering the driver's own memory, which the frame was decoded to, is read by the GPU, and fresh memory takes its place: the frame
+/// is on the GPU then and need not be decoded again before it has made room for another one.
+void ClipPlayer::send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
+                      StreamingTimes& times) noexcept {
+    if (decoded.bytes.empty() || head.sent.holds(decoded.index)) return;
+    const Stopwatch watch(times.upload);
+    const auto slot = static_cast<std::size_t>(decoded.slot);
+    gl::PixelBuffer* from = slot < head.memory.size() && head.memory[slot].made() ? &head.memory[slot] : nullptr;
+    const std::size_t bytes = head.sent.send(decoded.index, decoded.bytes, from, needed);
+    times.uploaded_bytes += bytes;
+    times.uploaded += bytes > 0 ? 1 : 0;
+    if (!head.on_gpu.empty()) {
+        const std::lock_guard lock(pool_.mutex());
+        std::fill(head.on_gpu.begin(), head.on_gpu.end(), std::uint8_t{0});
+        head.sent.mark(head.on_gpu);
+    }
+    if (from != nullptr) head.stream->take(decoded.slot, map(*from));
 }
 
 /// Table 1's FrameCoalescing: two frames go in one cycle and none in the next, after the drawing and without waiting for them.
@@ -140,7 +188,7 @@ void ClipPlayer::coalesce(Head& head, bool turn, StreamingTimes& times) noexcept
     Ahead ahead;
     for (std::size_t i = 0; i < ahead.size(); ++i)
         ahead[i] = head.loop.after(head.asked, static_cast<int>(i + 1) * step);
-    const auto there = [&](int index) { return head.sent.holds(index) || head.stream->peek(index) != nullptr; };
+    const auto there = [&](int index) { return head.sent.holds(index) || !head.stream->peek(index).bytes.empty(); };
     if (head.policy == Policy::skip) {
         if (turn) head.late = head.outruns_the_display() || !there(ahead[0]) || !there(ahead[1]);
         if (head.late) {
@@ -160,11 +208,7 @@ void ClipPlayer::coalesce(Head& head, bool turn, StreamingTimes& times) noexcept
 
 /// Of a clip that is late one frame goes where two would: it is shown in this cycle's place and the next one's.
 void ClipPlayer::skip_one(Head& head, const Ahead& ahead, StreamingTimes& times) noexcept {
-    if (!head.sent.holds(ahead[0])) {
-        const ClipStream::Shown decoded = head.stream->frame(ahead[0], Policy::skip, times.wait);
-        if (decoded.picture != nullptr && !head.sent.holds(decoded.index))
-            head.sent.send(decoded.index, *decoded.picture, {}, times);
-    }
+    if (!head.sent.holds(ahead[0])) send(head, head.stream->frame(ahead[0], Policy::skip, times.wait), {}, times);
     head.stream->aim(ahead[2], head.step());
 }
 
@@ -173,9 +217,9 @@ void ClipPlayer::send_ahead(Head& head, const Ahead& ahead, int most, StreamingT
     for (const int index : ahead) {
         if (most == 0) return;
         if (head.sent.holds(index)) continue;
-        const Picture* picture = head.stream->peek(index);
-        if (picture == nullptr) return;
-        head.sent.send(index, *picture, ahead, times);
+        const ClipStream::Shown decoded = head.stream->peek(index);
+        if (decoded.bytes.empty()) return;
+        send(head, decoded, ahead, times);
         --most;
     }
 }
@@ -187,8 +231,7 @@ void ClipPlayer::end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept 
         if (scheme_ == Scheme::resident) {
             // What has been decoded ahead goes to the GPU before it is due: a clip that plays fast or is jumped about in
             // becomes whole too. One frame a cycle, so that no frame takes long.
-            if (const ClipStream::Shown decoded = head.stream->peek_any(); decoded.picture != nullptr)
-                keep(decoded.index, *decoded.picture, times);
+            if (const ClipStream::Shown decoded = head.stream->peek_any(); !decoded.bytes.empty()) keep(decoded, times);
             head.rests = head.stream->rest();
         } else if (head.now) {
             // Figure 3: once a frame has been sent, the signal to retrieve the next one is given.

@@ -56,6 +56,8 @@ class ClipPlayer {
 
   private:
     struct Head {
+        std::vector<gl::PixelBuffer> memory;  // buffering: where the stream decodes to
+        std::vector<std::uint8_t> on_gpu;     // buffering: a byte for each frame, not 0 where `sent` holds it
         std::unique_ptr<ClipStream> stream;
         SentFrames sent;   // streaming schemes
         int shown = -1;    // resident: frame number; -1: nothing yet
@@ -76,10 +78,12 @@ class ClipPlayer {
 
     ClipFrame resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
     ClipFrame streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
+    void send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
+              StreamingTimes& times) noexcept;
     void coalesce(Head& head, bool turn, StreamingTimes& times) noexcept;
     void skip_one(Head& head, const Ahead& ahead, StreamingTimes& times) noexcept;
     void send_ahead(Head& head, const Ahead& ahead, int most, StreamingTimes& times) noexcept;
-    void keep(int index, const Picture& picture, StreamingTimes& times) noexcept;
+    void keep(const ClipStream::Shown& decoded, StreamingTimes& times) noexcept;
 
     DecodePool& pool_;
     std::shared_ptr<ClipFile> file_;

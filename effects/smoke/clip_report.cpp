@@ -43,7 +43,7 @@ ClipReport report_clip(const std::filesystem::path& path) {
     return smoke::report_of(smoke::Decoder(path, smoke::Layout::planar, maximum_frames).info());
 }
 
-int count_decodable_frames(const std::filesystem::path& path, const Progress& progress) {
+DecodableFrames count_decodable_frames(const std::filesystem::path& path, const Progress& progress) {
     try {
         smoke::Decoder decoder(path, smoke::Layout::planar, maximum_frames);
         return decoder.count_decodable(organ::Stages(progress));

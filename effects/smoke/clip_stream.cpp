@@ -14,7 +14,8 @@ constexpr int most_played_steps = 16;
 
 }  // namespace
 
-ClipStream::ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers, const std::vector<std::uint8_t>* kept)
+ClipStream::ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers, const std::vector<std::uint8_t>* kept,
+                       std::span<const std::span<std::uint8_t>> memory)
     : pool_(pool),
       kept_(kept),
       decoder_(std::move(decoder)),
@@ -23,6 +24,8 @@ ClipStream::ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers
       loop_(loop),
       current_(loop.first),
       broken_(static_cast<std::size_t>(decoder_.info().frame_count())) {
+    assert(memory.empty() || memory.size() == slots_.size());
+    for (std::size_t i = 0; i < memory.size(); ++i) slots_[i].given = memory[i];
     window_.reserve(buffers_);
     find_window();
     pool_.join(*this);
@@ -66,7 +69,7 @@ ClipStream::Slot* ClipStream::free_slot() {
     for (Slot& slot : slots_) {
         const bool needed = slot.index >= 0 && (in_window(slot.index) || slot.index == newest_);
         if (&slot == lent_ || needed) continue;
-        if (best == nullptr || slot.picture.bytes.size() > best->picture.bytes.size()) best = &slot;
+        if (best == nullptr || slot.bytes().size() > best->bytes().size()) best = &slot;
     }
     return best;
 }
@@ -105,19 +108,23 @@ void ClipStream::begin() {
     closed_ = closing_;  // a decoder that is read from opens its file
     if (closing_) return;
     into_->index = -1;  // nobody finds it while it is written without the lock
+    written_ = into_;
 }
 
 void ClipStream::run() noexcept {
     if (closing_)
         decoder_.rest();
-    else
+    else if (into_->given.empty())
         whole_ = decoder_.read(wanted_, into_->picture, &stop_);
+    else
+        whole_ = decoder_.read(wanted_, into_->given, &stop_);
 }
 
 void ClipStream::end() {
     if (closing_) return;
     into_->index = newest_ = wanted_;
-    if (resting_) *into_ = Slot();
+    written_ = nullptr;
+    if (resting_) into_->clear();
     work_.decode = decoder_.decode_seconds();
     work_.copy = decoder_.copy_seconds();
     ++work_.decoded;
@@ -157,25 +164,53 @@ ClipStream::Shown ClipStream::frame(int index, Policy policy, double& waited) no
         waited += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
     const bool any = behind_ || policy == Policy::skip;
-    if (slot == nullptr && any && newest_ >= 0) slot = find(newest_);
-    if (slot == nullptr) return {};
-    lent_ = slot;  // no worker writes over it until the next call
-    return {&slot->picture, slot->index};
+    if (slot == nullptr && any && newest_ >= 0) {
+        slot = find(newest_);
+        if (slot == nullptr) return {.bytes = {}, .index = newest_};
+    }
+    return lend(slot);
 }
 
-const Picture* ClipStream::peek(int index) noexcept {
-    const std::lock_guard lock(pool_.mutex());
-    const Slot* slot = in_window(index) ? find(index) : nullptr;
+/// No worker writes over it until the next call.
+ClipStream::Shown ClipStream::lend(const Slot* slot) {
     lent_ = slot;
-    return slot == nullptr ? nullptr : &slot->picture;
+    if (slot == nullptr) return {};
+    return {slot->bytes(), slot->index, static_cast<int>(slot - slots_.data())};
+}
+
+ClipStream::Shown ClipStream::peek(int index) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    return lend(in_window(index) ? find(index) : nullptr);
 }
 
 ClipStream::Shown ClipStream::peek_any() noexcept {
     const std::lock_guard lock(pool_.mutex());
     const auto found =
         std::find_if(slots_.begin(), slots_.end(), [&](const Slot& s) { return s.index >= 0 && !is_kept(s.index); });
-    lent_ = found == slots_.end() ? nullptr : &*found;
-    return lent_ == nullptr ? Shown{} : Shown{&lent_->picture, lent_->index};
+    return lend(found == slots_.end() ? nullptr : &*found);
+}
+
+void ClipStream::take(int slot, std::span<std::uint8_t> memory) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    Slot& taken = slots_[static_cast<std::size_t>(slot)];
+    assert(&taken == lent_);
+    lent_ = nullptr;
+    taken.clear();
+    taken.given = memory;
+    pool_.wake();
+}
+
+int ClipStream::give_back() noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    const auto given = [](const Slot& slot) { return !slot.given.empty(); };
+    if (static_cast<std::size_t>(std::count_if(slots_.begin(), slots_.end(), given)) <= buffers_ + spare_slots)
+        return -1;
+    const auto idle = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+        return given(slot) && slot.index < 0 && &slot != written_ && &slot != lent_;
+    });
+    if (idle == slots_.end()) return -1;
+    idle->given = {};
+    return static_cast<int>(idle - slots_.begin());
 }
 
 void ClipStream::set_loop(Loop loop) noexcept {
@@ -192,7 +227,7 @@ void ClipStream::set_buffers(int buffers) noexcept {
     buffers_ = std::clamp(static_cast<std::size_t>(buffers), std::size_t{1}, slots_.size() - spare_slots);
     find_window();
     for (Slot& slot : slots_)
-        if (slot.index >= 0 && !in_window(slot.index) && &slot != lent_) slot = Slot();
+        if (slot.index >= 0 && !in_window(slot.index) && &slot != lent_) slot.clear();
     pool_.wake();
 }
 
@@ -205,7 +240,7 @@ bool ClipStream::rest() noexcept {
     lent_ = nullptr;
     newest_ = -1;
     for (Slot& slot : slots_)
-        if (slot.index >= 0) slot = Slot();
+        if (slot.index >= 0) slot.clear();
     return true;
 }
 
@@ -223,7 +258,7 @@ std::size_t ClipStream::memory() const noexcept {
     const std::lock_guard lock(pool_.mutex());
     std::size_t bytes = 0;
     for (const Slot& slot : slots_)
-        if (slot.index >= 0) bytes += slot.picture.bytes.capacity();
+        bytes += !slot.given.empty() ? slot.given.size() : slot.index >= 0 ? slot.picture.bytes.capacity() : 0;
     return bytes;
 }
 

@@ -5,6 +5,7 @@
 
 #include <atomic>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "smoke/decode_pool.h"
@@ -24,25 +25,32 @@ class ClipStream : private DecodePool::Job {
     };
 
     /// `buffers`: at least 1. `kept`, unless null: a byte for each frame of the clip, not 0 for those that need not be
-    /// decoded; it is changed under the pool's mutex only. Both `pool` and `kept` outlive the stream.
+    /// decoded; it is changed under the pool's mutex only. `memory`: where the frames are decoded to, buffers + spare_slots of them,
+    /// each of the format's bytes or empty; what has none takes its own. `pool`, `kept` and the memory outlive the stream.
     ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers,
-               const std::vector<std::uint8_t>* kept = nullptr);
+               const std::vector<std::uint8_t>* kept = nullptr, std::span<const std::span<std::uint8_t>> memory = {});
     /// Waits for the frame that is being decoded; a long way to a frame is cut short.
     ~ClipStream() override;
 
-    /// A decoded frame and its number.
+    /// A decoded frame.
     struct Shown {
-        const Picture* picture = nullptr;  ///< valid until the next call
-        int index = -1;
+        std::span<const std::uint8_t> bytes;  ///< valid until the next call; none: it is not there, or not any more
+        int index = -1;                       ///< its number
+        int slot = -1;                        ///< of the memory that it is in
     };
     /// Frame `index`. Under Policy::latest, when it is late: the newest one that there is of a clip that plays on (one that takes
     /// longer to decode than to play is shown in slow motion), none after a jump. Under Policy::skip, when it is late: the newest one,
-    /// and decoding goes on from `index`. `waited` grows by the s of waiting.
+    /// and decoding goes on from `index`. Of a newest one that was taken there is but the number. `waited` grows by the s of waiting.
     Shown frame(int index, Policy policy, double& waited) noexcept;
-    /// A frame among the next ones that is decoded already, or null; it does not move the stream.
-    const Picture* peek(int index) noexcept;
+    /// A frame among the next ones that is decoded already, or none; it does not move the stream.
+    Shown peek(int index) noexcept;
     /// Any decoded frame that is not kept yet.
     Shown peek_any() noexcept;
+    /// The frame that was given last is not needed any more, and `memory` takes the place of its own; empty: nothing does.
+    void take(int slot, std::span<std::uint8_t> memory) noexcept;
+    /// The slot of memory that is given to the stream, that nobody reads or writes and that it has too much of; it takes no frame any
+    /// more. -1: none.
+    int give_back() noexcept;
     /// Decode from `index` on, each `step`-th frame.
     void aim(int index, int step = 1) noexcept;
     void set_loop(Loop loop) noexcept;
@@ -60,7 +68,11 @@ class ClipStream : private DecodePool::Job {
   private:
     struct Slot {
         int index = -1;  ///< frame number that it holds
-        Picture picture;
+        std::span<std::uint8_t> given;
+        Picture picture;  ///< unless memory was given
+
+        std::span<const std::uint8_t> bytes() const { return given.empty() ? std::span(picture.bytes) : given; }
+        void clear() { index = -1, picture = {}; }
     };
 
     int urgency() override;
@@ -68,6 +80,7 @@ class ClipStream : private DecodePool::Job {
     void run() noexcept override;
     void end() override;
 
+    Shown lend(const Slot* slot);
     Slot* find(int index);
     Slot* free_slot();
     void move_to(int index);
@@ -95,6 +108,7 @@ class ClipStream : private DecodePool::Job {
     const Slot* lent_ = nullptr;  // the render thread reads it
     int wanted_ = -1;             // found by urgency(): the frame to decode next, and where to
     Slot* into_ = nullptr;
+    const Slot* written_ = nullptr;     // by the worker
     bool whole_ = true;                 // what is being decoded came out whole
     std::vector<std::uint8_t> broken_;  // a byte for each frame of the clip
     Work work_;

@@ -87,7 +87,7 @@ struct Decoder::State {
     void look_through(int maximum_frames, const organ::Stages& stages);
     void open_known(const ClipInfo& known);
     void describe(const AVFrame& frame, const ClipIndex& found);
-    int count_decodable(const organ::Stages& stages);
+    DecodableFrames count_decodable(const organ::Stages& stages);
     bool brings_opacity();
     Step decode_to(int index, const std::atomic<bool>* stop);
     Step decode_image(int index, const std::atomic<bool>* stop);
@@ -95,7 +95,8 @@ struct Decoder::State {
     Step step(Decoded& into, const std::atomic<bool>* stop);
     Step jump(int index, const std::atomic<bool>* stop);
     const SeekPoint* point_before(int frame) const;
-    bool read(int index, Picture& into, const std::atomic<bool>* stop);
+    bool reach(int index, const std::atomic<bool>* stop);
+    bool write(int index, std::span<std::uint8_t> into);
     void rest();
     void wake();
 
@@ -143,14 +144,17 @@ void Decoder::State::look_through(int maximum_frames, const organ::Stages& stage
     info.alpha = has_alpha(shown.frame->format) && brings_opacity();
 }
 
-int Decoder::State::count_decodable(const organ::Stages& stages) {
+DecodableFrames Decoder::State::count_decodable(const organ::Stages& stages) {
     const int frames = info.frame_count();
-    int count = 0;
+    DecodableFrames found;
     for (int at = 0; at < frames; ++at) {
-        if (decode_to(at, nullptr) == Step::frame && shown.number == at) ++count;
+        if (decode_to(at, nullptr) == Step::frame && shown.number == at) {
+            ++found.count;
+            found.end = at + 1 < frames ? info.times[static_cast<std::size_t>(at) + 1] : info.duration;
+        }
         stages.reach(static_cast<double>(at + 1) / frames);
     }
-    return count;
+    return found;
 }
 
 void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
@@ -284,13 +288,19 @@ void Decoder::State::wake() {
     ended = rests = false;
 }
 
-bool Decoder::State::read(int frame, Picture& into, const std::atomic<bool>* stop) {
+/// False when it was stopped.
+bool Decoder::State::reach(int frame, const std::atomic<bool>* stop) {
     assert(frame >= 0 && frame < info.frame_count());
     const double start = seconds();
     wake();
     const Step result = decode_to(frame, stop);
     decode_seconds += seconds() - start;
-    if (result == Step::stopped) return false;
+    return result != Step::stopped;
+}
+
+/// What was reached; whether it is `frame` itself.
+bool Decoder::State::write(int frame, std::span<std::uint8_t> into) {
+    assert(into.size() == converter->format().bytes());
     if (shown.number < 0) {
         converter->make_black(into);
         return false;
@@ -324,7 +334,7 @@ PictureFormat Decoder::format() const {
     return {.size = state_->size, .layout = state_->layout, .alpha = state_->info.alpha};
 }
 
-int Decoder::count_decodable(const organ::Stages& stages) {
+DecodableFrames Decoder::count_decodable(const organ::Stages& stages) {
     return state_->count_decodable(stages);
 }
 
@@ -334,14 +344,28 @@ void Decoder::scale_to(glm::ivec2 size) {
 }
 
 bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noexcept {
+    const std::size_t bytes = format().bytes();
     try {
-        return state_->read(index, into, stop);
+        if (!state_->reach(index, stop)) return false;
+        into.bytes.resize(bytes);
+        return state_->write(index, into.bytes);
     } catch (const std::exception&) {  // no memory, or the file is no video any more
     }
     try {
-        if (into.bytes.size() != format().bytes()) state_->converter->make_black(into);
+        if (into.bytes.size() == bytes) return false;
+        into.bytes.resize(bytes);
+        state_->converter->make_black(into.bytes);
     } catch (const std::bad_alloc&) {  // it keeps what it had
     }
+    return false;
+}
+
+bool Decoder::read(int index, std::span<std::uint8_t> into, const std::atomic<bool>* stop) noexcept {
+    try {
+        return state_->reach(index, stop) && state_->write(index, into);
+    } catch (const std::exception&) {
+    }
+    state_->converter->make_black(into);
     return false;
 }
 

@@ -8,9 +8,11 @@
 #include <atomic>
 #include <filesystem>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
+#include "lapfx/clip.h"
 #include "organ/stages.h"
 #include "smoke/picture.h"
 
@@ -59,8 +61,8 @@ class Decoder {
 
     const ClipInfo& info() const;
     PictureFormat format() const;
-    /// How many frames can be decoded: all are, in order. Throws organ::Stopped.
-    int count_decodable(const organ::Stages& stages);
+    /// Decodes all frames, in order. Throws organ::Stopped.
+    DecodableFrames count_decodable(const organ::Stages& stages);
     /// Pictures are of this size from now on, whatever the file's.
     void scale_to(glm::ivec2 size);
 
@@ -69,6 +71,8 @@ class Decoder {
     /// good one before it, or black; then false. `stop`, if given, ends a long way to a frame early: false, and `into` is as
     /// it was. Throws nothing; never opens another file.
     bool read(int index, Picture& into, const std::atomic<bool>* stop = nullptr) noexcept;
+    /// The same into memory of format().bytes(), which is written once, in order, and not read.
+    bool read(int index, std::span<std::uint8_t> into, const std::atomic<bool>* stop = nullptr) noexcept;
 
     /// Closes the file and gives back what decoding takes, 10 to 13 frames. The next read() opens it again; another file under its
     /// name, or none, gives no frames then.

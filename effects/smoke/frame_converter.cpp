@@ -127,10 +127,10 @@ bool has_alpha(int pixel_format) {
 bool is_opaque(const AVFrame& frame) {
     if (!has_alpha(frame.format)) return true;
     const PictureFormat format{.size = {frame.width, frame.height}, .layout = Layout::planar, .alpha = true};
-    Picture picture;
-    FrameConverter(format, color_of(frame)).convert(frame, picture);
-    const auto opacity = picture.bytes.end() - static_cast<std::ptrdiff_t>(format.alpha_bytes());
-    return std::all_of(opacity, picture.bytes.end(), [](std::uint8_t a) { return a == 255; });
+    std::vector<std::uint8_t> bytes(format.bytes());
+    FrameConverter(format, color_of(frame)).convert(frame, bytes);
+    const auto opacity = bytes.end() - static_cast<std::ptrdiff_t>(format.alpha_bytes());
+    return std::all_of(opacity, bytes.end(), [](std::uint8_t a) { return a == 255; });
 }
 
 /// Whether a frame's planes are those of a planar picture as they are.
@@ -195,7 +195,7 @@ void FrameConverter::copy_rgb(const AVFrame& frame, std::uint8_t* into) const {
     if (format_.alpha) copy_rows(frame.data[3], frame.linesize[3], into, size.x, size.y);
 }
 
-void FrameConverter::convert(const AVFrame& frame, Picture& into) {
+void FrameConverter::convert(const AVFrame& frame, std::span<std::uint8_t> into) {
     const AVFrame* from = &frame;
     if (!fits(frame)) {
         const Stopwatch watch(convert_seconds_);
@@ -204,17 +204,16 @@ void FrameConverter::convert(const AVFrame& frame, Picture& into) {
         from = scaled_.get();
     }
     const Stopwatch watch(copy_seconds_);
-    into.bytes.resize(format_.bytes());
     if (format_.layout == Layout::planar)
-        copy_planar(*from, into.bytes.data());
+        copy_planar(*from, into.data());
     else
-        copy_rgb(*from, into.bytes.data());
+        copy_rgb(*from, into.data());
 }
 
-void FrameConverter::make_black(Picture& into) const {
-    into.bytes.assign(format_.bytes(), 0);
+void FrameConverter::make_black(std::span<std::uint8_t> into) const {
+    std::memset(into.data(), 0, into.size());
     if (format_.layout == Layout::rgb) return;
-    std::uint8_t* luma = into.bytes.data();
+    std::uint8_t* luma = into.data();
     std::memset(luma, color_.full_range ? 0 : 16, format_.color_bytes());
     std::memset(luma + format_.color_bytes(), 128, format_.chroma_bytes());
 }

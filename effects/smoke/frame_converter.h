@@ -1,6 +1,8 @@
 // From FFmpeg's frames, of whatever pixel format and size, to a clip's pictures. Not thread safe.
 #pragma once
 
+#include <span>
+
 #include "smoke/clip_index.h"
 #include "smoke/libav.h"
 #include "smoke/picture.h"
@@ -23,10 +25,11 @@ class FrameConverter {
     const PictureFormat& format() const { return format_; }
     const ClipColor& color() const { return color_; }
 
-    /// `into` holds the frame, scaled to the format's size. Throws std::bad_alloc, or Error for what cannot be converted.
-    void convert(const AVFrame& frame, Picture& into);
+    /// `into`, of the format's bytes, holds the frame, scaled to the format's size; it is written once, in order, and not read.
+    /// Throws std::bad_alloc, or Error for what cannot be converted.
+    void convert(const AVFrame& frame, std::span<std::uint8_t> into);
     /// Nothing to be seen.
-    void make_black(Picture& into) const;
+    void make_black(std::span<std::uint8_t> into) const;
 
     double convert_seconds() const { return convert_seconds_; }
     double copy_seconds() const { return copy_seconds_; }

@@ -25,15 +25,16 @@ FrameTextures::FrameTextures(const PictureFormat& format, int layers) : format_(
     if (format.alpha) alpha_ = planes(format.size, layers, GL_R8, GL_RED, 0);
 }
 
-std::size_t FrameTextures::upload(int layer, const Picture& picture, const gl::PixelBuffer* through) const noexcept {
-    if (picture.bytes.size() != format_.bytes()) return 0;
-    const bool buffered = through != nullptr && through->write(picture.bytes);
+std::size_t FrameTextures::upload(int layer, std::span<const std::uint8_t> bytes,
+                                  const gl::PixelBuffer* from) const noexcept {
+    if (from != nullptr && !from->unmap()) return 0;
+    if (bytes.size() != format_.bytes()) return 0;
     const auto send = [&](const gl::Texture& plane, GLenum channels, std::size_t offset) {
         if (plane.name() == 0) return;
-        if (buffered)
-            through->upload(plane, channels, offset, layer);
+        if (from != nullptr)
+            from->upload(plane, channels, offset, layer);
         else
-            plane.upload(channels, picture.bytes.data() + offset, layer);
+            plane.upload(channels, bytes.data() + offset, layer);
     };
     send(color_, format_.layout == Layout::planar ? GL_RED : GL_RGB, 0);
     send(chroma_, GL_RG, format_.color_bytes());
@@ -62,8 +63,8 @@ FrameTextures& FrameStore::chunk(int index) {
     return chunk;
 }
 
-std::size_t FrameStore::upload(int index, const Picture& picture) {
-    return chunk(index).upload(index % layers, picture);
+std::size_t FrameStore::upload(int index, std::span<const std::uint8_t> bytes) {
+    return chunk(index).upload(index % layers, bytes);
 }
 
 void FrameStore::mark(int index) {

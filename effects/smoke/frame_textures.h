@@ -15,9 +15,10 @@ class FrameTextures {
     FrameTextures() = default;
     FrameTextures(const PictureFormat& format, int layers);
 
-    /// A picture of another size than the format's is not sent. `through`: unless null, a buffer of the format's bytes that it goes
-    /// by. Gives the bytes sent.
-    std::size_t upload(int layer, const Picture& picture, const gl::PixelBuffer* through = nullptr) const noexcept;
+    /// A picture of other bytes than the format's is not sent. `from`: unless null, `bytes` are its memory, and it is unmapped. Gives
+    /// the bytes sent.
+    std::size_t upload(int layer, std::span<const std::uint8_t> bytes,
+                       const gl::PixelBuffer* from = nullptr) const noexcept;
     ClipFrame frame(int layer, const ColorMatrix& matrix) const noexcept;
     bool made() const { return color_.name() != 0; }
 
@@ -33,7 +34,7 @@ class FrameStore {
 
     bool has(int index) const { return present_[static_cast<std::size_t>(index)] != 0; }
     /// Bytes sent; mark() it then.
-    std::size_t upload(int index, const Picture& picture);
+    std::size_t upload(int index, std::span<const std::uint8_t> bytes);
     void mark(int index);
     /// Black while has(index) is false.
     ClipFrame frame(int index, const ColorMatrix& matrix);

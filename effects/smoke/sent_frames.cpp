@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "smoke/stopwatch.h"
-
 namespace lapfx::smoke {
 
 namespace {
@@ -12,19 +10,14 @@ std::size_t textures_of(Scheme scheme) {
     return scheme == Scheme::resident ? 0u : scheme == Scheme::pipeline ? 1u : 4u;
 }
 
-std::size_t pixel_buffers_of(Scheme scheme) {
-    return scheme == Scheme::resident || scheme == Scheme::pipeline ? 0u : 2u;
-}
-
 }  // namespace
 
 SentFrames::SentFrames(const PictureFormat& format, Scheme scheme) : places_(textures_of(scheme)) {
     for (Place& place : places_) place.texture = FrameTextures(format, 1);
-    for (std::size_t i = 0; i < pixel_buffers_of(scheme); ++i) buffers_[i] = gl::PixelBuffer(format.bytes());
 }
 
 std::size_t SentFrames::memory(const PictureFormat& format, Scheme scheme) {
-    return (textures_of(scheme) + pixel_buffers_of(scheme)) * format.bytes();
+    return textures_of(scheme) * format.bytes();
 }
 
 std::size_t SentFrames::find(int index) const {
@@ -44,15 +37,15 @@ SentFrames::Place& SentFrames::place_for(std::span<const int> needed) {
     return best != nullptr ? *best : places_.front();
 }
 
-void SentFrames::send(int index, const Picture& picture, std::span<const int> needed, StreamingTimes& times) noexcept {
-    const Stopwatch watch(times.upload);
+std::size_t SentFrames::send(int index, std::span<const std::uint8_t> bytes, const gl::PixelBuffer* from,
+                             std::span<const int> needed) noexcept {
     Place& place = place_for(needed);
-    const gl::PixelBuffer& buffer = buffers_[next_buffer_++ % buffers_.size()];
-    times.uploaded_bytes += place.texture.upload(0, picture, buffer.made() ? &buffer : nullptr);
-    ++times.uploaded;
+    const std::size_t sent = place.texture.upload(0, bytes, from);
+    if (sent == 0) return 0;
     if (place.index == shown_) shown_ = index;  // pipeline has no other one
     place.index = newest_ = index;
     place.used = ++clock_;
+    return sent;
 }
 
 void SentFrames::show(int index) noexcept {
@@ -60,6 +53,11 @@ void SentFrames::show(int index) noexcept {
     if (at == places_.size()) return;
     places_[at].used = ++clock_;
     shown_ = index;
+}
+
+void SentFrames::mark(std::span<std::uint8_t> held) const noexcept {
+    for (const Place& place : places_)
+        if (place.index >= 0) held[static_cast<std::size_t>(place.index)] = 1;
 }
 
 ClipFrame SentFrames::frame(const ColorMatrix& matrix) const noexcept {

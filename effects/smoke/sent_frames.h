@@ -1,7 +1,6 @@
 // The few frames of one place in a clip that are on the GPU while the paper's schemes stream them. Render thread, context current.
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
@@ -18,12 +17,16 @@ class SentFrames {
     SentFrames(const PictureFormat& format, Scheme scheme);
 
     bool holds(int index) const { return find(index) < places_.size(); }
-    /// Sends frame `index`, which it does not hold yet, in the place of one that is neither shown nor `needed`.
-    void send(int index, const Picture& picture, std::span<const int> needed, StreamingTimes& times) noexcept;
+    /// Sends frame `index`, which it does not hold yet, in the place of one that is neither shown nor `needed`. `from`: as
+    /// FrameTextures::upload(). Gives the bytes sent; 0: nothing has changed.
+    std::size_t send(int index, std::span<const std::uint8_t> bytes, const gl::PixelBuffer* from,
+                     std::span<const int> needed) noexcept;
     /// Show this one from now on; held.
     void show(int index) noexcept;
     /// Show the one that was sent last; one has been.
     void show_newest() noexcept { show(newest_); }
+    /// Sets the bytes of the frames that it holds.
+    void mark(std::span<std::uint8_t> held) const noexcept;
     int shown() const { return shown_; }  ///< frame number; -1: nothing yet
 
     /// What is shown.
@@ -42,8 +45,6 @@ class SentFrames {
     Place& place_for(std::span<const int> needed);
 
     std::vector<Place> places_;
-    std::array<gl::PixelBuffer, 2> buffers_;  // of buffering: for the two frames of a cycle
-    std::size_t next_buffer_ = 0;
     std::uint64_t clock_ = 0;
     int shown_ = -1, newest_ = -1;
 };

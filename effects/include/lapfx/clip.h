@@ -33,9 +33,15 @@ struct ClipReport {
 /// playlist, not a video that can be decoded, a side over 8192 pixels.
 ClipReport report_clip(const std::filesystem::path& path);
 
-/// How many of ClipReport::frames can be decoded. Decodes them all: takes as long as that takes. Throws Error: bad_input as
-/// report_clip(), runtime when `progress` stopped it.
-int count_decodable_frames(const std::filesystem::path& path, const Progress& progress = {});
+struct DecodableFrames {
+    int count = 0;  ///< of ClipReport::frames
+    double end =
+        0.0;  ///< s, when the last of them is over: SmokeClip::out that leaves away what cannot be decoded after it
+};
+
+/// Which of a clip's frames can be decoded. Decodes them all: takes as long as that takes. Throws Error: bad_input as report_clip(),
+/// runtime when `progress` stopped it.
+DecodableFrames count_decodable_frames(const std::filesystem::path& path, const Progress& progress = {});
 
 /// Where the clip `file` of a preset is: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
 /// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file`: where it was looked for, or that it is a

@@ -192,6 +192,19 @@ TEST_F(ClipPlayerTest, SkipShowsSomethingNewHoweverSlowTheDecoderIs) {
     EXPECT_EQ(seen.count(-1), 0u);
 }
 
+TEST_F(ClipPlayerTest, BufferingDecodesEachFrameOnceIntoMemoryThatItGivesBack) {
+    for (int i = 0; i < 2 * frames; ++i) ASSERT_EQ(cycle(i % frames, Policy::wait), i % frames) << i;
+    idle.wait();
+    EXPECT_LE(player->work().decoded, 2u * frames + 2 + buffers) << "what has been sent is not decoded again";
+    EXPECT_LE(times.uploaded, 2u * frames + 2) << "nor is it sent again";
+    const std::size_t bytes = file->format.bytes();
+    EXPECT_EQ(player->memory(), (buffers + 1 + 4) * bytes) << "decoded ahead, one on its way, four sent";
+    player->set_buffers(2);
+    EXPECT_EQ(player->memory(), (2 + 1 + 4) * bytes);
+    for (int i = 0; i < frames; ++i) ASSERT_EQ(cycle(i, Policy::wait), i);
+    EXPECT_EQ(player->memory(), (2 + 1 + 4) * bytes);
+}
+
 TEST_F(ClipPlayerTest, AfterAJumpTheRightFrameComesWithoutWaitingForItsTurn) {
     for (int i = 0; i < 4; ++i) cycle(i, Policy::wait);
     EXPECT_EQ(shown(20, Policy::wait), 20);

@@ -36,7 +36,7 @@ TEST_F(ClipReportTest, VariableRatesAndRoundedTimesAreToldApart) {
 TEST_F(ClipReportTest, FramesThatCanBeDecodedAreCountedUnlessStopped) {
     const std::filesystem::path clip = test::write_clip(folder / "c.avi", 7, {80, 32}, 12.5);
     std::vector<double> shares;
-    EXPECT_EQ(count_decodable_frames(clip, [&](double share) { return shares.push_back(share), true; }), 7);
+    EXPECT_EQ(count_decodable_frames(clip, [&](double share) { return shares.push_back(share), true; }).count, 7);
     EXPECT_EQ(shares.back(), 1.0);
     EXPECT_EQ(test::faults_of([&] { count_decodable_frames(clip, [](double share) { return share < 0.5; }); },
                               Failure::runtime),

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "lapfx/clip.h"
+#include "smoke/playhead.h"
 #include "unit/smoke/decoder_support.h"
 
 namespace lapfx::smoke {
@@ -325,7 +326,25 @@ TEST_F(CodecTest, AFrameThatFailsIsTheOneBefore) {
     }
     EXPECT_GE(broken, 1);
     EXPECT_LE(broken, 3);
-    EXPECT_EQ(count_decodable_frames(clip), 30 - broken);
+    EXPECT_EQ(count_decodable_frames(clip).count, 30 - broken);
+    EXPECT_EQ(count_decodable_frames(clip).end, decoder.info().duration);
+}
+
+TEST_F(CodecTest, WhereTheLastFrameThatDecodesEndsIsTold) {
+    const fs::path clip =
+        make("-f lavfi -i testsrc2=size=160x120:rate=10:duration=6 -c:v libx264 -g 8 -movflags +faststart e.mp4");
+    damage(clip, 0.8, 1.0);
+    const ClipReport report = report_clip(clip);
+    ASSERT_EQ(report.frames, 60) << "the packets are all there";
+    const DecodableFrames found = count_decodable_frames(clip);
+    EXPECT_LT(found.count, 55);
+    EXPECT_LT(found.end, report.duration - 0.5);
+    Decoder decoder(clip, Layout::planar);
+    const Loop played = main_loop(decoder.info(), SmokeClip{.file = "e.mp4", .out = found.end});
+    EXPECT_EQ(played.first, 0);
+    Picture picture;
+    EXPECT_TRUE(decoder.read(played.last, picture)) << "out there plays the last one that decodes";
+    for (int i = played.last + 1; i < 60; ++i) EXPECT_FALSE(decoder.read(i, picture)) << i;
 }
 
 TEST_F(CodecTest, AnotherSizeMidwayIsScaledToTheFirst) {
