@@ -270,11 +270,25 @@ void KeyingBench::update(double now) {
         suggestion_ && (one == nullptr || editor_.clip != suggested_clip_ || one->file != suggested_for_))
         forget_suggestion();
     shown_ = std::exchange(wanted_, false);
-    if (!shown_ || job_) return;
+    if (job_) return;
+    if (!shown_) return let_go();
     follow_backdrop();
     const Request& wanted = request();
     if (asked_ && *asked_ == wanted) return;
     start(wanted);
+}
+
+/// While nobody looks it holds neither an open clip nor pictures; the next look makes them anew, in a moment.
+void KeyingBench::let_go() {
+    if (!asked_) return;
+    asked_.reset();
+    work_ = std::make_shared<BenchWork>();
+    backdrop_.reset();
+    backdrop_time_ = -1;
+    frames_ = 0;
+    for (ui::ImageHandle& handle : handles_)
+        if (handle != 0) editor_.images.remove(std::exchange(handle, 0));
+    for (BenchPixels& pixels : pixels_) pixels.image = {};
 }
 
 void KeyingBench::start(const Request& request) {

@@ -125,6 +125,7 @@ class KeyingBench {
     struct Result;
     const Request& request() const;  ///< for what is seen now
     void follow_backdrop();
+    void let_go();
     void start(const Request& request);
     void take(Result& result);
     void show_pictures(Result& result);

@@ -1,6 +1,7 @@
 // lapfx edit: the editor, in a window or as a picture of it.
 #include <malloc.h>
 
+#include <chrono>
 #include <iostream>
 #include <utility>
 
@@ -8,6 +9,7 @@
 #include "app/files.h"
 #include "app/hot_reload.h"
 #include "app/layouts.h"
+#include "app/memory.h"
 #include "app/meter.h"
 #include "app/open.h"
 #include "app/settings.h"
@@ -90,15 +92,34 @@ void follow_scale(window::UiWindow& window, app::Settings& settings, float& agre
 class MemoryLog {
   public:
     void tell(app::Editor& editor, double now) {
-        const std::size_t bytes = editor.meter().memory().all;
-        if (bytes == 0 || now - told_ < 1) return;
+        if (now - told_ < 1) return;
         told_ = now;
+        const std::size_t bytes = app::ProcessMemory::now().all;
+        if (bytes == 0) return;
         std::cerr << "memory at " << now << " s: " << bytes << " bytes, " << editor.preview.memory_use().clips
                   << " of clips\n";
     }
 
   private:
     double told_ = -1e9;
+};
+
+/// Jobs and compiled shaders leave the heap in pieces: a tenth of it would stay for good.
+class HeapKeeper {
+  public:
+    /// After each frame.
+    void tidy(bool busy) {
+        constexpr std::chrono::seconds now_and_then{10};
+        const auto now = std::chrono::steady_clock::now();
+        const bool done = std::exchange(busy_, busy) && !busy;
+        if (!done && now - last_ < now_and_then) return;
+        last_ = now;
+        malloc_trim(0);
+    }
+
+  private:
+    bool busy_ = false;
+    std::chrono::steady_clock::time_point last_{};
 };
 
 void show_window(const Options& o) {
@@ -137,7 +158,7 @@ void show_window(const Options& o) {
     if (o.at < 0) editor->timeline.speed = 1;  // what it is about is seen at once
     double touched = -1;                       // s: the last input that the editor knows of
     MemoryLog memory_log;
-    bool was_busy = false;  // jobs leave the heap in pieces
+    HeapKeeper heap;
     const window::UiProgram program{.update =
                                         [&](double now) {
                                             if (o.scale <= 0) follow_scale(window, settings, scale);
@@ -159,7 +180,7 @@ void show_window(const Options& o) {
                                             const bool changed = editor->draw();
                                             const bool busy = editor->jobs.busy();
                                             window.set_busy(busy);
-                                            if (std::exchange(was_busy, busy) && !busy) malloc_trim(0);
+                                            heap.tidy(busy);
                                             return changed;
                                         },
                                     .may_close =

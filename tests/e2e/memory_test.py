@@ -17,9 +17,12 @@ import time
 import editor_test
 import real_window
 
-MOST = 500e6  # bytes beside the clips
-GROWTH = 40e6  # bytes, from its first use to its end: caches fill up, maps are made for other values
-SETTLED_S = 25  # the organ is loaded, clips have played through, every layout has been seen
+MOST = 525e6  # bytes beside the clips, as it opens and plays: 455 to 500 were seen, the more the busier the machine
+# After every layout was used: a preview beside the reference has more pixels, and a driver without a GPU keeps the triangles of the
+# frame that it draws, up to 100 MB of them, which come and go.
+MOST_USED = 675e6
+GROWTH = 100e6  # bytes, from when all of it has been used once to the end
+USED_S = 45  # of random use, or half of it if that is more, until all of it has been used
 WIDTH, HEIGHT = 1440, 900
 MENU_BAR = 34  # px: what lies there may close the window
 LINE = re.compile(r"^memory at ([0-9.e+-]+) s: (\d+) bytes, (\d+) of clips$", re.MULTILINE)
@@ -87,27 +90,43 @@ class Held:
         return sum(found) / len(found)
 
 
+def play(editor, held):
+    """Until all clips are in memory, at most two minutes; gives the bytes beside them."""
+    editor.xdotool("key", "space")
+
+    def played():
+        latest = [clips for *_, clips in held.all()[-10:]]
+        return len(latest) == 10 and latest[0] > 0 and len(set(latest)) == 1
+    real_window.wait_for("clips that have been played", played, 120)
+    last = held.all()[-1][0]
+    return held.beside_clips(last - 5, last)
+
+
 def use(open_editor, seconds):
     with open_editor() as editor:
         held = Held(editor)
-        person = Person(editor, 11)
         if not real_window.wait_for("word of memory", held.all):
             raise real_window.Skip("the process's memory is not known")
+        opened = play(editor, held)
+        said = f"{opened / 1e6:.0f} MB beside the clips as it opens"
+        assert opened <= MOST, f"{said}; allowed: {MOST / 1e6:.0f}"
+        person = Person(editor, 11)
         person.look_around()
         start, told = time.monotonic(), 0
-        while time.monotonic() - start < SETTLED_S + seconds:
+        used, all_used = None, max(USED_S, seconds / 2)
+        while time.monotonic() - start < USED_S + seconds:
             assert editor.process.poll() is None, f"it ended with {editor.process.returncode}: {editor.text()[-2000:]}"
             person.act()
+            if used is None and time.monotonic() - start > all_used:
+                used = held.all()[-1][0]
             if seconds > 120 and time.monotonic() - start > 10 * told:
                 _, all_of_it, clips = held.all()[-1]
                 print(f"\n{10 * told:4d} s: {all_of_it / 1e6:4.0f} MB, clips {clips / 1e6:4.0f}", end="", flush=True)
                 told += 1
         last = held.all()[-1][0]
-        first = held.all()[0][0] + SETTLED_S
-        begin, end = held.beside_clips(first - 5, first + 10), held.beside_clips(last - 15, last)
-        most = max(all_of_it - clips for t, all_of_it, clips in held.all() if t >= first)
-        said = f"{begin / 1e6:.0f} MB beside the clips at first, {end / 1e6:.0f} at the end, at most {most / 1e6:.0f}"
-        assert max(begin, end) <= MOST, f"{said}; allowed: {MOST / 1e6:.0f}"
+        begin, end = held.beside_clips(used - 15, used), held.beside_clips(last - 15, last)
+        said += f", {begin / 1e6:.0f} once all has been used, {end / 1e6:.0f} at the end"
+        assert max(begin, end) <= MOST_USED, f"{said}; allowed: {MOST_USED / 1e6:.0f}"
         assert end - begin <= GROWTH, f"{said}; allowed to grow by {GROWTH / 1e6:.0f}"
         return said
 

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "app/amounts.h"
+#include "app/keying_bench.h"
 #include "app/reference.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"
@@ -136,6 +137,32 @@ TEST_F(EditorMemory, ZoomStepsBesideTheReferenceLeaveNoTargetsBehind) {
     reference.show_at(1);
     ui().frame().frame();
     EXPECT_EQ(held(), before);
+}
+
+TEST_F(EditorMemory, TheKeyingBenchHoldsNothingWhileNobodyLooks) {
+    constexpr std::size_t picture_bytes = 720 * 480 * 4;
+    const auto pictures = [&] {
+        std::size_t bytes = 0;
+        for (const ui::StoredImage& image : editor().images.all()) bytes += image.pixels.size();
+        return bytes;
+    };
+    layout("Key");
+    layout("Tune");
+    ui().frame().frame();
+    const std::size_t before = pictures();
+    layout("Key");
+    ui().frame().frame();
+    ASSERT_TRUE(editor().keying().ready());
+    EXPECT_GE(pictures(), before + 4 * picture_bytes) << "source, matte, keyed, composite";
+    const glm::vec4 matte = editor().keying().picture(app::BenchView::matte).pixels->pixel({360, 240});
+    layout("Tune");
+    ui().frame().frame();
+    EXPECT_EQ(pictures(), before);
+    EXPECT_FALSE(editor().keying().ready());
+    layout("Key");
+    ui().frame().frame();
+    ASSERT_TRUE(editor().keying().ready());
+    EXPECT_EQ(editor().keying().picture(app::BenchView::matte).pixels->pixel({360, 240}), matte);
 }
 
 TEST_F(EditorMemory, ThePictureIsTheSameFromPixelsThatWereDecodedAgain) {
