@@ -1,11 +1,10 @@
-// The finder of overlapping and cut texts is itself tried, on what it has to find.
+// The finder of overlapping texts is itself tried, on what it has to find.
 #include "ui/support/texts.h"
 
 #include <gmock/gmock.h>
 
 #include "ui/support/harness.h"
 #include "ui/widgets/basic.h"
-#include "ui/widgets/scroll.h"
 
 namespace lapfx::ui {
 namespace {
@@ -13,7 +12,6 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-using testing::SizeIs;
 
 std::vector<TextSeen> seen(Harness& ui) {
     texts_seen(*ui.output().list, Harness::fonts(), ui.ui().em(1));  // its ellipses may move letters in the atlas
@@ -49,42 +47,6 @@ TEST(Texts, TwoOverEachOtherAreFoundUnlessSomethingOpaqueIsBetween) {
     shift = 0, opaque = true;
     ui.frame();
     EXPECT_THAT(over(ui), IsEmpty()) << "what is covered is not seen";
-    EXPECT_THAT(cut(ui), IsEmpty());
-}
-
-TEST(Texts, ALabelOfAButtonIsNotToBeElidedAValueMay) {
-    float width = 60;
-    Harness ui([&](Ui& u) {
-        const Column column(u, {.width = px(200)});
-        button(u, "Use for all clips", {.width = px(width)});
-        label(u, "a value that is too long for its place in this column");
-    });
-    EXPECT_THAT(cut(ui), ElementsAre(HasSubstr("Use for all clips")));
-    width = 200;
-    ui.frame();
-    EXPECT_THAT(cut(ui), IsEmpty());
-}
-
-TEST(Texts, AClipThatTakesPartOfALineIsFoundWhereNobodyScrolls) {
-    bool scrolls = false;
-    Harness ui([&](Ui& u) {
-        const auto lines = [&] {
-            for (const char* line : {"one line", "two lines", "three lines"}) label(u, line);
-        };
-        if (scrolls) {
-            const Column column(u, {.width = px(200), .height = px(42)});
-            const ScrollArea area(u, "Lines");
-            return lines();
-        }
-        Node& box = u.open(Role::group, "Lines", Axis::y);
-        box.size[0] = px(200), box.size[1] = px(42);
-        box.clips = true;
-        lines();
-        u.close();
-    });
-    EXPECT_THAT(cut(ui), SizeIs(1));
-    scrolls = true;
-    ui.frame().frame();
     EXPECT_THAT(cut(ui), IsEmpty());
 }
 
