@@ -1,10 +1,13 @@
 // Factors over the scene's time on cautery power, bleeding and smoke, drawn by hand.
 #include <cmath>
+#include <optional>
 
 #include "document/curve_text.h"
 #include "panels/panels.h"
 #include "ui/canvas/curve_editor.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/combo.h"
+#include "ui/widgets/scroll.h"
 
 namespace lapfx::panels {
 
@@ -22,9 +25,10 @@ constexpr std::array<CurveKind, 3> kinds = {{
     {"emission", &Curves::emission},
 }};
 
-constexpr double roundest = 1000.0;   // parts of a s, and of the value: what a hand can mean
-constexpr double same_moment = 2e-3;  // s; a point is there already
-constexpr double usual_high = 2.0;    // of the value axis, until a point goes there
+constexpr double roundest = 1000.0;                   // parts of a s, and of the value: what a hand can mean
+constexpr double same_moment = 2e-3;                  // s; a point is there already
+constexpr float least_height = 10, curve_height = 6;  // em
+constexpr double usual_high = 2.0;                    // of the value axis, until a point goes there
 
 /// One curve as it is shown.
 struct ShownCurve {
@@ -186,14 +190,24 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
                                       document::curve_table(kinds[2].key)};
     static const std::array names = {tables[0]->name, tables[1]->name, tables[2]->name};
     auto& memory = ui.memory<CurvesShown>(ui.id_of("Curves"));
+    const float height = ui.rect_before(ui.parent().id).h;
+    ui.follow_size(ui.parent());
+    const bool low = height > 0 && height < ui.em(least_height);  // all of it scrolls then
+    std::optional<ui::ScrollArea> all;
+    if (low) all.emplace(ui, "All of it");
     ui::Node& room = ui.open(ui::Role::group, "Area", ui::Axis::y);
-    room.size[0] = room.size[1] = ui::grow();
+    room.size[0] = ui::grow(), room.size[1] = low ? ui::fit() : ui::grow();
     room.gap = ui.em(0.2F);
     ui.follow_size(room);
     float wanted = 0;
     for (const std::string_view name : names) wanted += ui.text_width(name) + ui.em(1.6F);
-    const bool one_row = ui.rect_before(room.id).w > wanted + ui.em(22);
+    const float width = ui.rect_before(room.id).w;
+    const bool one_row = width > wanted + ui.em(22), narrow = width > 0 && width < wanted;
     const auto choose = [&] {
+        if (narrow) {
+            ui::combo(ui, "Curve", memory.kind, names, {.width = ui::grow()});
+            return;
+        }
         const ui::Row row(ui, {.width = one_row ? ui::px(wanted) : ui::grow()});
         ui::segmented(ui, "Curve", memory.kind, names);
     };
@@ -204,7 +218,7 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
         if (one_row) choose(), ui::space(ui, 0.6F);
         number = static_cast<std::size_t>(memory.kind);
         CurveTools tools(ui, editor, kinds[number], *tables[number]);
-        value_now(ui, editor, tools.points());
+        if (!narrow) value_now(ui, editor, tools.points());  // the plot shows it as well
         ui::spacer(ui);
         tools.build();
     }
@@ -227,7 +241,7 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
                                             .live = editor.timeline.time,
                                             .tools = false,
                                             .width = ui::grow(),
-                                            .height = ui::grow(),
+                                            .height = low ? ui::px(ui.em(curve_height)) : ui::grow(),
                                             .tip = table.help});
     if (edit.began || edit.changed || edit.committed || edit.cancelled) take(editor, edit, kind, table, shown);
     ui.close();

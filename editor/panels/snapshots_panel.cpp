@@ -20,7 +20,7 @@ constexpr int now = static_cast<int>(Snapshots::count);
 constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", "C", "D", "Now"};
 
 // em: of the panel's width, below which rows leave things out; of its height, below which it scrolls.
-constexpr float whole_row = 24, named_row = 17, worded_row = 14, whole_height = 24, least_table = 9;
+constexpr float whole_row = 24, named_row = 17, worded_row = 16, whole_height = 24, least_table = 9;
 
 /// Of the four slots, for these versions; a name has the file it is of where that is another one than the document's.
 struct SlotNames {

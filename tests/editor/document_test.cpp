@@ -73,8 +73,8 @@ TEST_F(EditorDocument, WhatSavingWillDoWithShippedFilesIsSaidBefore) {
     set_speed(7.5);
     editor().ask_to_close();
     ASSERT_TRUE(asked("Save changes before closing?"));
-    EXPECT_THAT(editor().files().question()->text, HasSubstr("\"gastric_banding.json\" came with lapfx and stays as "
-                                                             "it is: saving asks for a name"));
+    EXPECT_THAT(editor().files().question()->text, HasSubstr("\"gastric_banding.json\" came with lapfx and stays "
+                                                             "unchanged: saving asks for a new name"));
     say("Save as...");
     EXPECT_TRUE(ui().exists("Save preset as"));
     ui().key(Key::escape).frame();
@@ -83,7 +83,7 @@ TEST_F(EditorDocument, WhatSavingWillDoWithShippedFilesIsSaidBefore) {
     editor().ask_to_close();
     ASSERT_TRUE(asked("Save changes before closing?"));
     EXPECT_THAT(editor().files().question()->text,
-                HasSubstr("and \"lagb.scene.json\" came with lapfx and stay as they"));
+                HasSubstr("and \"lagb.scene.json\" came with lapfx and stay unchanged"));
     EXPECT_TRUE(ui().exists("**/Save all as..."));
     say("Cancel");
     EXPECT_FALSE(editor().closed());

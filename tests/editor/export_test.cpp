@@ -190,6 +190,7 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
     EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("is outside"));
     ui().click("New export/Form/Make a bundle instead").frame();
     set_file(path("out/together"));
+    ui().click("New export/Form/Copy these files").frame();  // the clip is not in the scene's folder
     export_it();
     EXPECT_THAT(news(), HasSubstr("Exported together ("));
     const Preset read = load_preset(folder() / "out/together/together.json");

@@ -37,7 +37,9 @@ struct MenuState {
     Id keys = 0;  ///< Level::keys that had the keyboard in the last build
     // of the bar that is being built
     int bar_count = 0, bar_index = 0;
-    int bar_want = -1;  ///< its menu to be opened next, by Left and Right
+    float bar_text = 0, bar_texts = 0;  ///< px of the titles: of those so far, and of all of the last build
+    float bar_pad = 0;                  ///< px beside a title
+    int bar_want = -1;                  ///< its menu to be opened next, by Left and Right
     std::array<char, 96> open_bar_menu{};
 };
 
@@ -314,12 +316,21 @@ MenuBar::MenuBar(Ui& ui) : ui_(ui) {
     node.size[0] = grow();
     node.padding[0] = node.padding[2] = static_cast<std::uint8_t>(ui.em(0.3F));
     ui.draw_with<draw_bar>(node, ui.theme().panel);
-    state_of(ui).bar_index = 0;
+    ui.follow_size(node);
+    MenuState& state = state_of(ui);
+    state.bar_index = 0;
+    state.bar_text = 0;
+    state.bar_pad = ui.em(0.6F);
+    // In a narrow window titles come nearer to each other, so that none is cut.
+    const float room = ui.rect_before(node.id).w - 2 * ui.em(0.3F) - state.bar_texts;
+    if (state.bar_count > 0 && room < 2 * static_cast<float>(state.bar_count) * state.bar_pad)
+        state.bar_pad = std::max(ui.em(0.2F), std::floor(room / (2 * static_cast<float>(state.bar_count))));
 }
 
 MenuBar::~MenuBar() {
     MenuState& state = state_of(ui_);
     state.bar_count = state.bar_index;
+    state.bar_texts = state.bar_text;
     ui_.close();
 }
 
@@ -332,7 +343,9 @@ BarMenu::BarMenu(Ui& ui, std::string_view label) : ui_(ui) {
     Node& node =
         ui.leaf(Role::menu_item, label, Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_y);
     const Id id = node.id;
-    node.size[0] = px(std::ceil(ui.text_width(node.shown)) + 2 * ui.em(0.6F));
+    const float title = std::ceil(ui.text_width(node.shown));
+    state.bar_text += title;
+    node.size[0] = px(title + 2 * state.bar_pad);
     node.size[1] = px(ui.row_height());
     const Response r = ui.respond(node);
     bool opens = r.pressed || r.clicked, down = false;

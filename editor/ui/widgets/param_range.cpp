@@ -8,6 +8,7 @@ namespace lapfx::ui {
 namespace {
 
 constexpr float least_zone = 0.15F;  // of the field, of each handle
+constexpr float least_field = 3.8F;  // em: a letter and a number of three digits
 
 struct RangeLook {
     LabelLook label;
@@ -166,14 +167,21 @@ Edit range_param(Ui& ui, std::string_view label, double& low, double& high, cons
 
 Edit vector_param(Ui& ui, std::string_view label, std::span<double> values, const ParamOptions& options,
                   std::span<const double> standards, std::string_view letters) {
-    open_row(ui, Role::group, label, options);
+    const Rect row = open_row(ui, Role::group, label, options);
+    const std::size_t count = std::min(values.size(), letters.size());
+    // Side by side in a narrow panel nothing is left of the numbers: there they stand one below the other.
+    const float each = row.w * (1 - caption_share) / static_cast<float>(std::max<std::size_t>(count, 1));
+    const bool stacked = row.w > 0 && each < ui.em(least_field);
+    if (stacked) ui.parent().size[1] = fit();
+    ui.follow_size(ui.parent());
     const bool to_standard = put_name(ui, options);
-    Node& fields = ui.open(Role::none, {}, Axis::x);  // the gaps are between them alone: they begin where others do
+    // The gaps are between them alone: they begin where others do.
+    Node& fields = ui.open(Role::none, {}, stacked ? Axis::y : Axis::x);
     fields.size[0] = grow();
     fields.gap = ui.em(0.2F);
     LabelLook look{.locked = options.locked, .disabled = ui.disabled()};
     Edit edit;
-    for (std::size_t i = 0; i < std::min(values.size(), letters.size()); ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const ParamOptions one = with_standard(options, standards, i);
         if (to_standard && !ui.disabled()) edit |= reset(values[i], one);
         edit |= number_field(ui, letters.substr(i, 1), values[i], one);

@@ -107,7 +107,7 @@ TEST_F(ToastTest, ALongOneInASmallWindowStaysWithinIt) {
     EXPECT_LE(card.right(), 500);
     EXPECT_LE(card.bottom(), 400 - ui.ui().row_height()) << "the status bar is free";
     EXPECT_EQ(shown(), 1U) << "there is no room for the others";
-    ui.click("Notices/3 more in the log");
+    ui.click("Notices/3 more in All notices");
     EXPECT_TRUE(ui.exists("All notices/Log/" + text)) << "all of it is there: " << ui.dump();
     EXPECT_TRUE(ui.exists("All notices/Log/second"));
 }

@@ -151,7 +151,8 @@ std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text) {
     std::uint32_t found = no_node;
     for (std::uint32_t i = 0; i < tree.size(); ++i) {
         const Node& node = tree[i];
-        if (node.label.empty() || !node.seen().contains(middle(text.rect))) continue;
+        // A splitter is drawn over what lies at its sides and has no text of its own.
+        if (node.label.empty() || node.role == Role::splitter || !node.seen().contains(middle(text.rect))) continue;
         if (found == no_node || node.layer > tree[found].layer ||
             (node.layer == tree[found].layer && (node.role != Role::none || tree[found].role == Role::none)))
             found = i;
@@ -194,8 +195,11 @@ std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector
             whole = std::max(whole, glyph.h);
         }
         if (in_panned(tree, node)) continue;
-        if (sides > 0.15F * em && !scrolled(tree, node, 0)) found.push_back(place_of(tree, text) + ": cut at the side");
-        if (height > 0.15F * em && !scrolled(tree, node, 1)) found.push_back(place_of(tree, text) + ": cut in height");
+        if (text.elided && text.glyphs.size() <= 2) found.push_back(place_of(tree, text) + ": nothing of it is left");
+        if (sides > 0.15F * em && !scrolled(tree, node, 0))
+            found.push_back(place_of(tree, text) + ": cut at the side by" + box_text(text.clip));
+        if (height > 0.15F * em && !scrolled(tree, node, 1))
+            found.push_back(place_of(tree, text) + ": cut in height by" + box_text(text.clip));
     }
     return found;
 }

@@ -4,6 +4,7 @@
 
 #include "ui/support/count_allocations.h"
 #include "ui/support/harness.h"
+#include "ui/support/texts.h"
 #include "ui/widgets/field.h"
 #include "ui/widgets/param.h"
 
@@ -178,6 +179,26 @@ TEST(VectorParam, ItsNumbersAreCalledWhatTheyAre) {
     EXPECT_EQ(ui.value("Extinction/R"), 0.2);
     EXPECT_EQ(ui.value("Extinction/B"), 0.8);
     EXPECT_FALSE(ui.exists("Extinction/X"));
+}
+
+TEST(VectorParam, StandsOneBelowTheOtherWhereNothingWouldBeLeftOfItsNumbers) {
+    double value[] = {-120, 250, 40};
+    Harness ui([&](Ui& u) {
+        Column column(u);
+        vector_param(u, "Port", value, {.minimum = -1000, .maximum = 1000});
+    });
+    EXPECT_EQ(ui.rect("Port/X").y, ui.rect("Port/Z").y);
+    ui.size.x = 240;
+    ui.frame();
+    EXPECT_GE(ui.rect("Port/Z").y, ui.rect("Port/Y").bottom());
+    EXPECT_GE(ui.rect("Port/Y").y, ui.rect("Port/X").bottom());
+    EXPECT_EQ(ui.rect("Port").h, ui.rect("Port/Z").bottom() - ui.rect("Port/X").y);
+    EXPECT_THAT(
+        cut_texts(ui.ui().tree(), texts_seen(*ui.output().list, Harness::fonts(), ui.ui().em(1)), ui.ui().em(1)),
+        testing::IsEmpty());
+    ui.size.x = 640;
+    ui.frame();
+    EXPECT_EQ(ui.rect("Port/X").y, ui.rect("Port/Z").y);
 }
 
 TEST(VectorParam, ZeroIsShownAsWhatItStandsFor) {

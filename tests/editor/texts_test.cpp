@@ -1,0 +1,69 @@
+// In every layout, scale and size of the window: no text lies over another, and none is cut so that it cannot be read. A value may
+// end in an ellipsis, the label of a button may not.
+#include "ui/support/texts.h"
+#include <gmock/gmock.h>
+
+#include "app/layouts.h"
+#include "app/reference.h"
+#include "app/settings.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+using testing::IsEmpty;
+
+struct Shape {
+    float scale;
+    glm::ivec2 size;
+};
+constexpr std::array<Shape, 4> shapes = {{{1, {1440, 900}}, {1.5F, {1440, 900}}, {2, {1440, 900}}, {1, {500, 400}}}};
+
+class TextsTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (IsSkipped()) return;
+        open_sample();
+        editor().reference().choose_sample();
+        ui().frame().frame();
+    }
+    void shape(const Shape& to) {
+        ui().scale = to.scale;
+        ui().size = to.size;
+        ui().frame().frame().frame();
+    }
+    void expect_readable(const std::string& what) {
+        const float em = ui().ui().em(1);
+        const auto texts = ui::texts_seen(*ui().output().list, ui::Harness::fonts(), em);
+        EXPECT_GE(texts.size(), 10U) << what;
+        EXPECT_THAT(ui::texts_over_texts(ui().ui().tree(), texts, em), IsEmpty()) << what;
+        EXPECT_THAT(ui::cut_texts(ui().ui().tree(), texts, em), IsEmpty()) << what;
+    }
+    /// Each panel that is a tab in front, then each of those behind.
+    void expect_readable_everywhere(const std::string& name) {
+        for (const Shape& to : shapes) {
+            char text[64];
+            std::snprintf(text, sizeof text, " at %.1f, %d x %d", static_cast<double>(to.scale), to.size.x, to.size.y);
+            shape(to);
+            expect_readable(name + text);
+            for (const std::string_view panel : app::panel_names) {
+                if (editor().layouts().seen(panel) || editor().layouts().shown.find(panel) < 0) continue;
+                editor().layouts().shown.show(panel);
+                ui().frame().frame();
+                expect_readable(name + text + ", " + std::string(panel) + " in front");
+            }
+        }
+    }
+};
+
+TEST_F(TextsTest, NoneLiesOverAnotherOrIsCut) {
+    for (const std::string_view name : {"Tune", "Key", "Compare", "Stage"}) {
+        shape(shapes[0]);
+        layout(name);
+        expect_readable_everywhere(std::string(name));
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::test
