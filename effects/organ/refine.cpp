@@ -107,6 +107,7 @@ class Refiner {
         from_.indices = std::move(organ_.indices);
         const std::vector<std::uint32_t>& before = from_.indices;
         indices_.reserve(3 * triangles);
+        known_.reserve((triangles - before.size() / 3) * 3 / 4);  // about two new triangles for each
         std::size_t told = 0;
         for (Part& part : organ_.parts) {
             const auto first = static_cast<std::uint32_t>(indices_.size());
@@ -211,18 +212,40 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const Stages& stages) {
     AtLeast at_least;
     for (const std::size_t t : coarse) at_least.add(corners_of(organ, places, t));
     const std::size_t most = coarse.size() + most_added;
-    for (;; plan.length *= 1.25) {
-        // Not for the first length: what lies too far out for floats between its ends is less than at_least says.
-        if (plan.bounded() && at_least.triangles(plan.length) > static_cast<double>(most)) continue;
+    const auto length_of = [](int step) { return longest_wanted * std::pow(1.25, step); };
+    const auto made_by = [&](int step) {
         stages.reach(0.0);
         ++plan.counts;
+        const double length = length_of(step);
         std::size_t made = 0;
         for (std::size_t i = 0; i < coarse.size() && made <= most; ++i)
-            made += count(corners_of(organ, places, coarse[i]), plan.length * plan.length, most - made);
-        if (made > most) continue;
-        plan.triangles += made - coarse.size();
-        return plan;
+            made += count(corners_of(organ, places, coarse[i]), length * length, most - made);
+        return made;
+    };
+    int step = 0;
+    std::size_t made = made_by(step);
+    if (made > most) {
+        // The first step that will do: most often that of the estimate; of long and thin triangles, which it says little of,
+        // found by doubling strides, then by halves. Not for step 0: what lies too far out for floats between its ends is
+        // less than the estimate.
+        int too_fine = 0;
+        for (step = 1; at_least.triangles(length_of(step)) > static_cast<double>(most); ++step) too_fine = step;
+        for (int stride = 1; (made = made_by(step)) > most; stride *= 2) {
+            too_fine = step;
+            step += stride;
+        }
+        while (step - too_fine > 1) {
+            const int middle = (step + too_fine) / 2;
+            const std::size_t there = made_by(middle);
+            if (there > most)
+                too_fine = middle;
+            else
+                step = middle, made = there;
+        }
+        plan.length = length_of(step);
     }
+    plan.triangles += made - coarse.size();
+    return plan;
 }
 
 organ::SplitOrgan organ::refine(Organ organ, const RefinePlan& plan, const Stages& stages) {

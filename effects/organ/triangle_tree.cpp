@@ -75,34 +75,45 @@ void TriangleTree::build(TriangleMesh mesh) {
     nodes_.clear();
     order_.clear();
     if (mesh.triangles.empty()) return;
-    std::vector<glm::vec3> centres(mesh.triangles.size());
-    order_.resize(mesh.triangles.size());
-    for (std::uint32_t t = 0; t < order_.size(); ++t) {
+    // All that is asked of a triangle, moved along with it: each level of the tree reads its part from end to end.
+    struct Item {
+        glm::vec3 centre, low, high;
+        std::uint32_t triangle;
+    };
+    std::vector<Item> items(mesh.triangles.size());
+    order_.resize(items.size());
+    for (std::uint32_t t = 0; t < items.size(); ++t) {
         order_[t] = t;
-        for (const std::uint32_t point : mesh.triangles[t]) centres[t] += glm::vec3(mesh.positions[point]) / 3.0f;
+        Node box;
+        fit(box, t, 1, mesh);
+        items[t] = {.centre = glm::vec3(0.0f), .low = box.low, .high = box.high, .triangle = t};
+        for (const std::uint32_t point : mesh.triangles[t]) items[t].centre += glm::vec3(mesh.positions[point]) / 3.0f;
     }
     struct Job {
         std::uint32_t first, count;
         std::uint32_t parent;  ///< whose second child this is
     };
     constexpr std::uint32_t none = 0xffffffff;
-    std::vector<Job> jobs{{0, static_cast<std::uint32_t>(order_.size()), none}};
-    nodes_.reserve(order_.size());
+    std::vector<Job> jobs{{0, static_cast<std::uint32_t>(items.size()), none}};
+    nodes_.reserve(items.size());
     while (!jobs.empty()) {
         const Job job = jobs.back();
         jobs.pop_back();
         if (job.parent != none) nodes_[job.parent].first = static_cast<std::uint32_t>(nodes_.size());
-        Node node{.low = {}, .high = {}, .first = job.first, .count = job.count};
-        fit(node, job.first, job.count, mesh);
+        const auto begin = items.begin() + job.first, end = begin + job.count;
+        Node node{.low = begin->low, .high = begin->high, .first = job.first, .count = job.count};
+        for (auto item = begin; item != end; ++item) {
+            node.low = glm::min(node.low, item->low);
+            node.high = glm::max(node.high, item->high);
+        }
         const auto index = static_cast<std::uint32_t>(nodes_.size());
         if (job.count > leaf_size) {
             const glm::vec3 size = node.high - node.low;
             const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
             const std::uint32_t half = job.count / 2;
-            const auto begin = order_.begin() + job.first;
             // Ties go by number, so that the tree is the same everywhere.
-            std::nth_element(begin, begin + half, begin + job.count, [&](std::uint32_t a, std::uint32_t b) {
-                return centres[a][axis] != centres[b][axis] ? centres[a][axis] < centres[b][axis] : a < b;
+            std::nth_element(begin, begin + half, end, [axis](const Item& a, const Item& b) {
+                return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.triangle < b.triangle;
             });
             node.count = 0;
             jobs.push_back({job.first + half, job.count - half, index});
@@ -110,6 +121,7 @@ void TriangleTree::build(TriangleMesh mesh) {
         }
         nodes_.push_back(node);
     }
+    for (std::size_t i = 0; i < items.size(); ++i) order_[i] = items[i].triangle;
 }
 
 void TriangleTree::refit(TriangleMesh mesh) noexcept {

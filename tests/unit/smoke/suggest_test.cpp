@@ -73,7 +73,8 @@ class SuggestFromFile : public testing::Test {
 };
 
 TEST_F(SuggestFromFile, EvenlyLitSmokeOnBlackIsKeyedTo3Percent) {
-    // What is dim could as well be thin: it is taken for the middle.
+    // What is dim could as well be thin: whole smoke of brightness 0.7 and white smoke of opacity 0.7 are the same picture, so
+    // nothing in it tells them apart. 0.85 is taken, 0.15 from either; a tighter bound for the one is a looser one for the other.
     const Smoke dim = dim_plume(), thick = thick_plume();
     for (const Smoke& smoke : {plume(), thick, wisps(), dim})
         for (const float noise : {0.0f, 3.0f}) {
@@ -103,7 +104,8 @@ TEST_F(SuggestFromFile, ColouredAndGreyBackgroundsKeyLikeBlackAndGreen) {
     EXPECT_LE(on_blue.error.smoke, 0.06);
     EXPECT_GT(on_blue.found.keying.chroma_high, 60.0);
     const Result on_grey = suggest(thick_plume(), {.background = grey, .sensor_noise = 2.0f});
-    EXPECT_LE(on_grey.error.smoke, 0.18) << "dim or thin: before grey that is 52 to 100 %";
+    // White smoke of opacity 0.52 before this grey is the same picture as this smoke: 0.76 is taken, 0.24 from either.
+    EXPECT_LE(on_grey.error.smoke, 0.18);
     EXPECT_EQ(on_grey.found.polarity, ClipPolarity::light);
     EXPECT_GT(on_grey.found.keying.luma_low, luma(grey));
     // The same smoke is darker than white.
