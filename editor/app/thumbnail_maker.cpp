@@ -257,7 +257,7 @@ ThumbnailMaker::Result ThumbnailMaker::make(const Request& request) {
         fs::create_directories(folder, error);
         result.fault = render(request, preset, file);
         if (result.fault.empty() && !read_picture(file, options_.size, result))
-            result.fault = "what was made is no picture";
+            result.fault = "what was made is not a picture";
         evict(folder);
     } catch (const Error& failure) {
         result.fault = failure.faults().front().text();
