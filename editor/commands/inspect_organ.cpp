@@ -46,9 +46,11 @@ std::string counts_text(const TriangleCounts& counts) {
 
 void print_parts(const Organ& organ) {
     row("parts", std::to_string(organ.parts.size()));
-    for (const Part& part : organ.parts)
-        row("", named(part.name) + ": " + std::to_string(part.index_count / 3) + " triangles, material " +
-                    named(organ.materials[static_cast<std::size_t>(part.material)].name));
+    for (const Part& part : organ.parts) {
+        const std::uint32_t count = part.index_count / 3;
+        row("", named(part.name) + ": " + std::to_string(count) + (count == 1 ? " triangle" : " triangles") +
+                    ", material " + named(organ.materials[static_cast<std::size_t>(part.material)].name));
+    }
 }
 
 std::string image_text(const Organ& organ, int image) {

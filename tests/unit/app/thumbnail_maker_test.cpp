@@ -172,7 +172,7 @@ TEST_F(Thumbnails, OneThatIsLargerThanAskedForIsRefused) {
     ThumbnailMaker maker(large);
     const auto results = made(maker, {{.file = folder_.write("a.mp4", "x")}});
     EXPECT_TRUE(results.at(0).rgba.empty());
-    EXPECT_EQ(results.at(0).fault, "what was made is no picture");
+    EXPECT_EQ(results.at(0).fault, "what was made is not a picture");
 }
 
 TEST_F(Thumbnails, OpensNoWindow) {
