@@ -15,9 +15,7 @@ Body::Body(const Organ& organ, std::shared_ptr<const Foundation> foundation, glm
       bleed_gpu_(organ.positions.size(), seed, down),
       organ_gpu_(organ, &bleed_gpu_.values(), foundation_->pixels, foundation_->unsplit),
       touched_(organ.triangle_count()),
-      is_touched_(vertices_, 0) {
-    foundation_->let_go_pixels();
-}
+      is_touched_(vertices_, 0) {}
 
 void Body::set_down(glm::dvec3 down) {
     bleed_.emplace(surface(), down);
@@ -34,10 +32,11 @@ MemoryUse Body::memory_use() const {
 }
 
 void Body::set(std::span<const ToolContact> contacts, const Preset& preset) {
+    tissue_.set(preset.vessels);
+    foundation_->let_go_pixels();  // not before the first set(), which may need them as they were loaded
     if (preset.vessels != vessels_) cautery_.strengths_changed();
     vessels_ = preset.vessels;
     bleeding_ = preset.bleeding;
-    tissue_.set(vessels_);
     bleed_gpu_.set(bleeding_);
     send_density();
     set_contacts(contacts, preset);

@@ -51,6 +51,7 @@ class Body {
     const bleeding::BleedField& bleed() const { return *bleed_; }
     const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
     const bleeding::TissueDensity& tissue() const { return tissue_; }
+    const organ::PixelList& pixels() const { return foundation_->pixels; }
 
   private:
     static constexpr std::uint32_t gone = 0xffffffff;

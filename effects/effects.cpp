@@ -22,8 +22,10 @@ namespace lapfx {
 
 namespace {
 
-std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const VesselParameters& vessels) {
-    return std::make_shared<const Foundation>(fine.organ(), vessels, organ::Stages{}, fine.take_unsplit());
+std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const VesselParameters& vessels,
+                                                organ::PixelList pixels = {}) {
+    return std::make_shared<const Foundation>(fine.organ(), vessels, organ::Stages{}, fine.take_unsplit(),
+                                              std::move(pixels));
 }
 
 }  // namespace
@@ -168,7 +170,12 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     State& s = *state_;
     assert(origin.size() == organ.positions.size());
     organ::FineOrgan fine(organ);
-    auto body = std::make_unique<Body>(fine.organ(), foundation_of(fine, s.preset.vessels), s.down, s.options.seed);
+    organ::PixelList pixels = organ::copied_pixels(fine.organ(), s.body->pixels());
+    std::vector<std::shared_ptr<const Image>> needed;  // until the end: decoded once
+    for (const auto& one : pixels)
+        if (one) needed.push_back(one->get());
+    auto foundation = foundation_of(fine, s.preset.vessels, std::move(pixels));
+    auto body = std::make_unique<Body>(fine.organ(), std::move(foundation), s.down, s.options.seed);
     body->set_strength(FactorCurve(s.curves.bleeding_strength));
     body->set(s.acting(), s.preset);
     body->set_overlay(s.overlay);

@@ -20,15 +20,8 @@ struct Foundation {
     Foundation& operator=(const Foundation&) = delete;
 
     /// Textures have been sent to the GPU: pixels that can be decoded again need not be kept.
-    void let_go_pixels() const {
-        for (const auto& one : pixels)
-            if (one) one->let_go();
-    }
-    std::size_t pixel_memory() const {  ///< bytes
-        std::size_t bytes = 0;
-        for (const auto& one : pixels) bytes += one ? one->memory() : 0;
-        return bytes;
-    }
+    void let_go_pixels() const { organ::let_go(pixels); }
+    std::size_t pixel_memory() const { return organ::memory_of(pixels); }  ///< bytes
     std::size_t surface_memory() const { return surface.memory() + unsplit.memory(); }
 
     organ::Unsplit unsplit;
@@ -38,12 +31,14 @@ struct Foundation {
 };
 
 struct PreparedOrgan::State {
-    std::size_t own_memory() const;  ///< bytes, without the foundation
+    std::size_t own_memory() const;  ///< bytes, without the foundation and without pixels
+    std::size_t tool_pixel_memory() const { return organ::memory_of(tool_pixels); }
 
     Organ organ;
     std::shared_ptr<const Foundation> foundation;
     // Of prepare_organ(scene): what it was made from.
     std::optional<Organ> tool;
+    organ::PixelList tool_pixels;  // of its images, which have none themselves
     SceneOrgan organ_source;
     SceneTool tool_source;
     std::filesystem::path folder;

@@ -18,11 +18,10 @@ std::size_t bytes_of(const std::vector<T>& data) {
     return data.size() * sizeof(T);
 }
 
+/// Its images are without pixels.
 std::size_t bytes_of(const Organ& organ) {
-    std::size_t bytes = bytes_of(organ.positions) + bytes_of(organ.normals) + bytes_of(organ.tangents) +
-                        bytes_of(organ.uvs) + bytes_of(organ.colors) + bytes_of(organ.indices);
-    for (const Image& image : organ.images) bytes += image.pixels.size();
-    return bytes;
+    return bytes_of(organ.positions) + bytes_of(organ.normals) + bytes_of(organ.tangents) + bytes_of(organ.uvs) +
+           bytes_of(organ.colors) + bytes_of(organ.indices);
 }
 
 std::filesystem::path path_of(const Scene& scene, const std::string& file, const std::string& place) {
@@ -73,6 +72,10 @@ std::vector<std::filesystem::path> PreparedOrgan::files() const {
     return files;
 }
 
+std::vector<std::filesystem::path> PreparedOrgan::tool_files() const {
+    return state_->tool ? state_->tool->files : std::vector<std::filesystem::path>();
+}
+
 bool PreparedOrgan::made_for(const Scene& scene) const {
     const SceneOrgan& organ = state_->organ_source;
     const SceneTool& tool = state_->tool_source;
@@ -93,8 +96,8 @@ std::size_t PreparedOrgan::State::own_memory() const {
 
 std::size_t PreparedOrgan::memory() const {
     const Foundation& known = *state_->foundation;
-    return state_->own_memory() + known.surface_memory() + known.pixel_memory() + known.tissue.shared_memory() +
-           known.tissue.own_memory();
+    return state_->own_memory() + state_->tool_pixel_memory() + known.surface_memory() + known.pixel_memory() +
+           known.tissue.shared_memory() + known.tissue.own_memory();
 }
 
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels,
@@ -112,9 +115,13 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
                                           stages.part(loaded, refined));
         made->organ = std::move(fine.organ);
         organ::PixelList pixels = organ::take_pixels(made->organ, encoded);
-        if (!scene.tool.file.empty())
-            made->tool = organ::load(path_of(scene, scene.tool.file, "/tool/file"),
-                                     {.scale = scene.tool.scale, .rotation = {}}, stages.part(refined, tool_loaded));
+        if (!scene.tool.file.empty()) {
+            std::vector<organ::Encoded> tool_encoded;
+            made->tool =
+                organ::load(path_of(scene, scene.tool.file, "/tool/file"), {.scale = scene.tool.scale, .rotation = {}},
+                            stages.part(refined, tool_loaded), &tool_encoded);
+            made->tool_pixels = organ::take_pixels(*made->tool, tool_encoded);
+        }
         made->foundation = std::make_shared<const Foundation>(made->organ, vessels, stages.part(tool_loaded, 1.0),
                                                               std::move(fine.from), std::move(pixels));
         return made;

@@ -40,7 +40,9 @@ struct Preview::State {
         : scene(wanted),
           prepared(require_same(wanted, std::move(made))),
           effects(prepared, preset, effects_options(wanted, options)) {
-        if (prepared->state().tool) tool.emplace(*prepared->state().tool, nullptr);
+        const PreparedOrgan::State& known = prepared->state();
+        if (known.tool) tool.emplace(*known.tool, nullptr, known.tool_pixels);
+        organ::let_go(known.tool_pixels);  // they have been sent to the GPU
         effects.set_curves(scene.curves);
         effects.set_contacts(scene.events);
         effects.set_overlay(options.overlay);
@@ -186,6 +188,7 @@ MemoryUse Preview::memory_use() const {
     const State& s = *state_;
     MemoryUse use = s.effects.memory_use();
     use.surface += s.prepared->state().own_memory();  // what is known of the organ is in it already
+    use.pixels += s.prepared->state().tool_pixel_memory();
     use.targets += s.frame.memory();
     if (!s.tool) return use;
     use.geometry += s.tool->geometry_memory();

@@ -30,7 +30,7 @@ namespace lapfx::app {
 
 namespace {
 
-/// A folder that hangs must not be waited for, not even at the end.
+/// A folder that hangs must not be waited for, not even at the end. Throws std::system_error: there are too many threads.
 void run_beside(std::function<void()> work) {
     std::thread(std::move(work)).detach();
 }

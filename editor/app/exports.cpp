@@ -197,7 +197,8 @@ void Exports::look_outside() {
         const Scene* scene = form.with_scene ? &document.scene() : nullptr;
         const auto organ = scene != nullptr ? editor_.preview.organ_of(*scene) : nullptr;
         found = output::outside_files(document.preset(), scene, home(), editor_.options().clip_folders,
-                                      organ ? std::span(organ->organ().files) : std::span<const fs::path>());
+                                      organ ? std::span(organ->organ().files) : std::span<const fs::path>(),
+                                      organ ? organ->tool_files() : std::vector<fs::path>());
         std::erase_if(found, [&](const output::SourceFile& s) { return editor_.files().shipped(s.file); });
     }
     if (found == outside_) return;

@@ -39,12 +39,15 @@ bool has_picture(std::string_view path) {
 FilePreviews::~FilePreviews() = default;
 
 FilePreviews::Kept& FilePreviews::kept_for(const std::string& path, const ui::FileEntry& file) {
+    const fs::path& scene = editor_.document.scene_file();
+    const double time = time_in_scene();
     const auto same = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.path == path; });
-    if (same != kept_.end() && same->bytes == file.size && same->changed == file.changed) return *same;
     if (same != kept_.end()) {
+        const bool on_same = !path.ends_with(".json") || (same->scene == scene && same->time == time);
+        if (on_same && same->bytes == file.size && same->changed == file.changed) return *same;
         if (same->image != 0) editor_.images.remove(same->image);
         kept_.erase(same);
-        begun_.clear();
+        give_up();
     }
     if (kept_.size() >= most_kept) {
         const auto oldest =
@@ -52,11 +55,33 @@ FilePreviews::Kept& FilePreviews::kept_for(const std::string& path, const ui::Fi
         if (oldest->image != 0) editor_.images.remove(oldest->image);
         kept_.erase(oldest);
     }
-    return kept_.emplace_back(Kept{.path = path, .bytes = file.size, .changed = file.changed});
+    return kept_.emplace_back(
+        Kept{.path = path, .bytes = file.size, .changed = file.changed, .scene = scene, .time = time});
+}
+
+double FilePreviews::time_in_scene() const {
+    return thumbnail_at * editor_.document.scene().duration;
+}
+
+/// What is being made, and what has been and was not taken yet, is of a file that is another by now.
+void FilePreviews::give_up() {
+    begun_.clear();
+    if (maker_ == nullptr) return;
+    maker_->want({});
+    maker_->take();
+}
+
+/// Scenes, clips and organs that pictures depend on may have been written meanwhile. What is the same is still in the cache.
+void FilePreviews::begin() {
+    give_up();
+    for (const Kept& each : kept_)
+        if (each.image != 0) editor_.images.remove(each.image);
+    kept_.clear();
+    looked_at_.clear();
 }
 
 /// One at a time: what was begun before is given up.
-void FilePreviews::begin(const std::string& path) {
+void FilePreviews::make(const std::string& path) {
     if (maker_ == nullptr) {
         ThumbnailMaker::Options options;
         options.cache = editor_.options().folders.cache;
@@ -70,9 +95,7 @@ void FilePreviews::begin(const std::string& path) {
     }
     const fs::path& open = editor_.document.scene_file();
     const fs::path sample = editor_.options().data_folder / "samples" / "lagb.scene.json";
-    maker_->want({{.file = path,
-                   .scene = open.empty() ? sample : fs::absolute(open),
-                   .time = thumbnail_at * editor_.document.scene().duration}});
+    maker_->want({{.file = path, .scene = open.empty() ? sample : fs::absolute(open), .time = time_in_scene()}});
     begun_ = path;
 }
 
@@ -88,7 +111,7 @@ ui::FilePicture FilePreviews::picture(ui::Ui& ui, const std::string& path, const
     if (ui.time() < since_ + rests) {
         ui.wake_at(since_ + rests, "a file is looked at");
     } else if (begun_ != path) {
-        begin(path);
+        make(path);
     }
     return {.state = State::coming};
 }
@@ -97,7 +120,7 @@ void FilePreviews::take(ThumbnailMaker::Result&& result) {
     const std::string path = result.file.string();
     if (begun_ == path) begun_.clear();
     const auto kept = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.path == path; });
-    if (kept == kept_.end()) return;
+    if (kept == kept_.end() || kept->made) return;
     kept->made = true;
     kept->size = result.size;
     if (!result.rgba.empty()) kept->image = editor_.images.add(result.size, result.rgba);

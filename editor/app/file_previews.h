@@ -28,6 +28,7 @@ class FilePreviews : public ui::FilePictures {
     explicit FilePreviews(Editor& editor) : editor_(editor) {}
     ~FilePreviews() override;
 
+    void begin() override;
     ui::FilePicture picture(ui::Ui& ui, const std::string& path, const ui::FileEntry& file) override;
     /// Once before each frame: takes what has been made; what nobody looks at any more is not finished.
     void update();
@@ -36,11 +37,13 @@ class FilePreviews : public ui::FilePictures {
     void make_with(const std::filesystem::path& program) { program_ = program; }
 
   private:
-    /// Of a file as it was: another size or time is another one.
+    /// Of a file as it was: another size or time is another one. A preset is shown on the scene that was open.
     struct Kept {
         std::string path;
         std::uint64_t bytes = 0;
         std::int64_t changed = 0;
+        std::filesystem::path scene{};
+        double time = 0;  ///< s, in it
         bool made = false;
         ui::ImageHandle image = 0;
         glm::ivec2 size{0};
@@ -48,7 +51,9 @@ class FilePreviews : public ui::FilePictures {
         std::uint64_t used = 0;
     };
     Kept& kept_for(const std::string& path, const ui::FileEntry& file);
-    void begin(const std::string& path);
+    void make(const std::string& path);
+    void give_up();
+    double time_in_scene() const;
     void take(ThumbnailMaker::Result&& result);
 
     Editor& editor_;

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <condition_variable>
 #include <cstring>
+#include <mutex>
 #include <opencv2/imgcodecs.hpp>
 
 #include "lapfx/clip.h"
@@ -29,6 +31,13 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t longest_text = std::size_t{4} << 20, longest_picture = std::size_t{4} << 20;
 constexpr std::chrono::minutes left_over{10};  // what a child was writing: it is no longer there
 constexpr std::chrono::milliseconds between_looks{20};
+constexpr std::chrono::seconds longest_end{2};  // then the thread hangs, in a file system that is gone
+constexpr rlim_t most_seconds = 600;            // of all its threads together: software rendering has many
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool limits_memory = false;  // sanitizers reserve more than there is
+#else
+constexpr bool limits_memory = true;
+#endif
 
 /// FNV-1a of 64 bits: the same on every machine and in every version.
 class Hash {
@@ -153,6 +162,13 @@ std::vector<char*> environment_without_display() {
     return all;
 }
 
+void limit(pid_t process, decltype(RLIMIT_DATA) what, rlim_t most) {
+    rlimit now{};
+    if (::prlimit(process, what, nullptr, &now) != 0) return;
+    now.rlim_cur = std::min(now.rlim_cur, most);
+    ::prlimit(process, what, &now, nullptr);
+}
+
 /// 0: it could not be started.
 pid_t start(const fs::path& program, std::vector<std::string> arguments, const fs::path& log, int niceness) {
     std::vector<char*> pointers;
@@ -168,6 +184,7 @@ pid_t start(const fs::path& program, std::vector<std::string> arguments, const f
     const int error = posix_spawn(&child, program.c_str(), &streams, nullptr, pointers.data(), environment.data());
     posix_spawn_file_actions_destroy(&streams);
     if (error != 0) return 0;
+    ThumbnailMaker::limit_process(child);
     setpriority(PRIO_PROCESS, static_cast<id_t>(child), niceness);
     return child;
 }
@@ -183,80 +200,108 @@ std::string first_line(const fs::path& log) {
 
 }  // namespace
 
-ThumbnailMaker::ThumbnailMaker(Options options) : options_(std::move(options)), thread_([this] { run(); }) {}
+void ThumbnailMaker::limit_process(pid_t process) {
+    if (limits_memory) limit(process, RLIMIT_DATA, most_memory);
+    limit(process, RLIMIT_CPU, most_seconds);
+    limit(process, RLIMIT_CORE, 0);
+}
+
+/// Shared with the thread.
+struct ThumbnailMaker::Work {
+    void run();
+    Result make(const Request& request);
+    std::string render(const Request& request, bool on_scene, const fs::path& file);
+    bool unwanted(const Request& request);
+
+    Options options;
+    std::mutex mutex{};
+    std::condition_variable changed{};
+    std::vector<Request> waiting{};
+    Request now{};
+    bool working = false, dropped = false, stopping = false, ended = false;
+    std::vector<Result> done{};
+};
+
+ThumbnailMaker::ThumbnailMaker(Options options)
+    : work_(std::make_shared<Work>(std::move(options))), thread_([work = work_] { work->run(); }) {}
 
 ThumbnailMaker::~ThumbnailMaker() {
-    {
-        const std::lock_guard lock(mutex_);
-        stopping_ = true;
-        waiting_.clear();
-    }
-    changed_.notify_all();
-    thread_.join();
+    std::unique_lock lock(work_->mutex);
+    work_->stopping = true;
+    work_->waiting.clear();
+    work_->changed.notify_all();
+    const bool ended = work_->changed.wait_for(lock, longest_end, [this] { return work_->ended; });
+    lock.unlock();
+    ended ? thread_.join() : thread_.detach();
 }
 
 void ThumbnailMaker::want(std::vector<Request> requests) {
+    Work& w = *work_;
     {
-        const std::lock_guard lock(mutex_);
-        const auto running = std::find(requests.begin(), requests.end(), now_);
-        dropped_ = working_ && running == requests.end();
-        if (working_ && running != requests.end()) requests.erase(running);
-        waiting_ = std::move(requests);
+        const std::lock_guard lock(w.mutex);
+        // One that was dropped is ended, whatever is wanted by now: it begins again.
+        const auto running =
+            w.working && !w.dropped ? std::find(requests.begin(), requests.end(), w.now) : requests.end();
+        w.dropped = w.working && running == requests.end();
+        if (running != requests.end()) requests.erase(running);
+        w.waiting = std::move(requests);
     }
-    changed_.notify_all();
+    w.changed.notify_all();
 }
 
 std::vector<ThumbnailMaker::Result> ThumbnailMaker::take() {
-    const std::lock_guard lock(mutex_);
-    return std::exchange(done_, {});
+    const std::lock_guard lock(work_->mutex);
+    return std::exchange(work_->done, {});
 }
 
 bool ThumbnailMaker::busy() const {
-    const std::lock_guard lock(mutex_);
-    return working_ || !waiting_.empty();
+    const std::lock_guard lock(work_->mutex);
+    return work_->working || !work_->waiting.empty();
 }
 
 void ThumbnailMaker::finish() {
-    std::unique_lock lock(mutex_);
-    changed_.wait(lock, [this] { return !working_ && waiting_.empty(); });
+    std::unique_lock lock(work_->mutex);
+    work_->changed.wait(lock, [this] { return !work_->working && work_->waiting.empty(); });
 }
 
-void ThumbnailMaker::run() {
-    std::unique_lock lock(mutex_);
+void ThumbnailMaker::Work::run() {
+    std::unique_lock lock(mutex);
     while (true) {
-        changed_.wait(lock, [this] { return stopping_ || !waiting_.empty(); });
-        if (stopping_) return;
-        now_ = waiting_.front();
-        waiting_.erase(waiting_.begin());
-        working_ = true;
-        dropped_ = false;
-        const Request request = now_;
+        changed.wait(lock, [this] { return stopping || !waiting.empty(); });
+        if (stopping) break;
+        now = waiting.front();
+        waiting.erase(waiting.begin());
+        working = true;
+        dropped = false;
+        const Request request = now;
         lock.unlock();
         Result result = make(request);
         lock.lock();
-        working_ = false;
-        if (!dropped_) done_.push_back(std::move(result));
-        changed_.notify_all();
-        if (!dropped_ && !stopping_ && options_.wake) options_.wake();
+        working = false;
+        if (!dropped) done.push_back(std::move(result));
+        changed.notify_all();
+        if (!dropped && !stopping && options.wake) options.wake();
     }
+    ended = true;
+    changed.notify_all();
 }
 
-ThumbnailMaker::Result ThumbnailMaker::make(const Request& request) {
+ThumbnailMaker::Result ThumbnailMaker::Work::make(const Request& request) {
     Result result{.file = request.file, .size = {}, .rgba = {}, .fault = {}};
-    if (options_.cache.empty()) return result;
-    const fs::path folder = options_.cache / "thumbnails";
+    if (options.cache.empty()) return result;
+    const fs::path folder = options.cache / "thumbnails";
     std::error_code error;
     try {
         const bool preset = on_scene(request);
-        const fs::path file = folder / (name_of(request, preset, options_) + ".png");
-        if (read_picture(file, options_.size, result)) {
+        const fs::path file = folder / (name_of(request, preset, options) + ".png");
+        if (read_picture(file, options.size, result)) {
             fs::last_write_time(file, fs::file_time_type::clock::now(), error);  // in use: goes last
             return result;
         }
-        if (!options_.render) return result;
+        if (!options.render) return result;
         fs::create_directories(folder, error);
         result.fault = render(request, preset, file);
-        if (result.fault.empty() && !read_picture(file, options_.size, result))
+        if (result.fault.empty() && !read_picture(file, options.size, result))
             result.fault = "what was made is not a picture";
         evict(folder);
     } catch (const Error& failure) {
@@ -267,14 +312,14 @@ ThumbnailMaker::Result ThumbnailMaker::make(const Request& request) {
     return result;
 }
 
-bool ThumbnailMaker::unwanted(const Request& request) {
-    std::unique_lock lock(mutex_);
-    changed_.wait_for(lock, between_looks, [&] { return stopping_ || dropped_; });
-    return stopping_ || dropped_ || now_ != request;
+bool ThumbnailMaker::Work::unwanted(const Request& request) {
+    std::unique_lock lock(mutex);
+    changed.wait_for(lock, between_looks, [&] { return stopping || dropped; });
+    return stopping || dropped || now != request;
 }
 
 /// Gives what went wrong.
-std::string ThumbnailMaker::render(const Request& request, bool on_scene, const fs::path& file) {
+std::string ThumbnailMaker::Work::render(const Request& request, bool on_scene, const fs::path& file) {
     const std::string stem =
         file.stem().string() + '-' + std::to_string(::getpid());  // another editor may make it, too
     const fs::path part = file.parent_path() / (stem + ".part.png"), log = file.parent_path() / (stem + ".log");
@@ -287,16 +332,15 @@ std::string ThumbnailMaker::render(const Request& request, bool on_scene, const 
                      request.file.string(),
                      "--at",
                      std::to_string(request.time)};
-    arguments.insert(
-        arguments.end(),
-        {"--size", std::to_string(options_.size.x) + 'x' + std::to_string(options_.size.y), "-o", part.string()});
-    const pid_t child = start(options_.program, std::move(arguments), log, options_.niceness);
+    arguments.insert(arguments.end(), {"--size", std::to_string(options.size.x) + 'x' + std::to_string(options.size.y),
+                                       "-o", part.string()});
+    const pid_t child = start(options.program, std::move(arguments), log, options.niceness);
     std::error_code error;
     if (child == 0) {
         fs::remove(log, error);
-        return options_.program.string() + " cannot be started";
+        return options.program.string() + " cannot be started";
     }
-    const Clock::time_point end = Clock::now() + options_.longest;
+    const Clock::time_point end = Clock::now() + options.longest;
     std::string fault;
     int status = 0;
     while (::waitpid(child, &status, WNOHANG) == 0) {
@@ -304,7 +348,7 @@ std::string ThumbnailMaker::render(const Request& request, bool on_scene, const 
         if (!unwanted(request) && !late) continue;
         ::kill(child, SIGKILL);
         ::waitpid(child, &status, 0);
-        fault = late ? "the picture took more than " + std::to_string(options_.longest.count()) + " s"
+        fault = late ? "the picture took more than " + std::to_string(options.longest.count()) + " s"
                      : std::string("no longer needed");
         break;
     }

@@ -9,13 +9,14 @@
 // and time, and the program. One that is no longer wanted is not finished. UI thread; the work is on a thread of its own.
 #pragma once
 
+#include <sys/types.h>
+
 #include <chrono>
-#include <condition_variable>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <glm/glm.hpp>
-#include <mutex>
+#include <memory>
 #include <string>
 #include <thread>
 #include <vector>
@@ -25,7 +26,8 @@ namespace lapfx::app {
 class ThumbnailMaker {
   public:
     static constexpr glm::ivec2 standard_size{192, 154};
-    static constexpr std::size_t most_kept = 300;  ///< files; the longest unused go
+    static constexpr std::size_t most_kept = 300;                         ///< files; the longest unused go
+    static constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;  ///< bytes, of what makes a picture
 
     struct Options {
         std::filesystem::path cache{};                      ///< empty: nothing is kept, and so nothing is made
@@ -51,7 +53,7 @@ class ThumbnailMaker {
     };
 
     explicit ThumbnailMaker(Options options);
-    ~ThumbnailMaker();  ///< ends a child that runs
+    ~ThumbnailMaker();  ///< ends a child that runs; waits for no file system that hangs
     ThumbnailMaker(const ThumbnailMaker&) = delete;
     ThumbnailMaker& operator=(const ThumbnailMaker&) = delete;
 
@@ -61,19 +63,13 @@ class ThumbnailMaker {
     bool busy() const;
     void finish();  ///< waits for all that is wanted
 
-  private:
-    void run();
-    Result make(const Request& request);
-    std::string render(const Request& request, bool on_scene, const std::filesystem::path& file);
-    bool unwanted(const Request& request);
+    /// Of memory and of processor time one that makes a picture may take no more than is good for the rest: nobody may be there to
+    /// end it. Nobody wants its core, either. 0: this one.
+    static void limit_process(pid_t process);
 
-    Options options_;
-    mutable std::mutex mutex_;
-    std::condition_variable changed_;
-    std::vector<Request> waiting_;
-    Request now_;
-    bool working_ = false, dropped_ = false, stopping_ = false;
-    std::vector<Result> done_;
+  private:
+    struct Work;
+    std::shared_ptr<Work> work_;
     std::thread thread_;
 };
 

@@ -232,7 +232,7 @@ const Quotient& find_quotient(const std::string& name) {
         if (name == quotient.name) return quotient;
         names += (names.empty() ? "" : ", ") + std::string(quotient.name);
     }
-    throw wrong_option("--only", name + " is none of " + names);
+    throw wrong_option("--only", name + " is not one of " + names);
 }
 
 void compare_with_ffmpeg(const BenchClips& clips, BenchReport& report, std::span<const StreamingRow> rows,

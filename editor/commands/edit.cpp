@@ -109,16 +109,18 @@ class HeapKeeper {
   public:
     /// After each frame.
     void tidy(bool busy) {
-        constexpr std::chrono::seconds now_and_then{10};
+        constexpr std::chrono::seconds now_and_then{10}, at_most{2};  // jobs may be short and many
         const auto now = std::chrono::steady_clock::now();
-        const bool done = std::exchange(busy_, busy) && !busy;
-        if (!done && now - last_ < now_and_then) return;
+        done_ |= std::exchange(busy_, busy) && !busy;
+        if (now - last_ < (done_ ? at_most : now_and_then)) return;
+        done_ = false;
         last_ = now;
         malloc_trim(0);
     }
 
   private:
     bool busy_ = false;
+    bool done_ = false;  ///< a job has ended since
     std::chrono::steady_clock::time_point last_{};
 };
 
@@ -230,7 +232,8 @@ void add_edit(CLI::App& app) {
         "Write all widgets with names, values and places instead of opening a window: .json, or one line per widget");
     verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
     verb->add_flag("--statistics", o->statistics,
-                   "Print a line on stderr for every frame of the window and why it was drawn, and the memory that the window uses");
+                   "Print a line on stderr for every frame of the window and why it was drawn, and the memory that the "
+                   "window uses");
     verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });
 }

@@ -1,4 +1,5 @@
 // Images, through OpenCV, and videos, through the core's decoder.
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <opencv2/core/utils/logger.hpp>
@@ -33,6 +34,12 @@ DecodableFrames decodable_frames(const std::filesystem::path& file) {
     });
 }
 
+/// Of a time, s, the whole milliseconds before it: rounded up, a clip's "out" there would play the frame that begins then.
+double rounded_down(double time) {
+    constexpr double inexact = 5e-4;  // ms: 0.5 s is not to become 0.499; far less than frames come early
+    return std::floor(1000.0 * time + inexact) / 1000.0;
+}
+
 }  // namespace
 
 void inspect_image(const std::filesystem::path& file) {
@@ -64,11 +71,11 @@ void inspect_video(const std::filesystem::path& file) {
               << "  frames per second   " << number("%.6g", report.frames_per_second)
               << (report.variable_frame_rate ? ", the average of a variable rate\n" : "\n")  //
               << "  frames              " << report.frames
-              << (decodable.count == report.frames ? ""
-                                                   : ", of which " + std::to_string(decodable.count) +
-                                                         " can be decoded; the one before shows in their place")
-              << (decodable.end < report.duration ? ", none after " + number("%.3f s", decodable.end) +
-                                                        " (a clip's \"out\" there leaves them away)\n"
+              << (decodable.count == report.frames
+                      ? ""
+                      : ", of which " + std::to_string(decodable.count) + " can be decoded; the one before is shown")
+              << (decodable.end < report.duration ? ", none after " + number("%.3f s", rounded_down(decodable.end)) +
+                                                        " (a clip's \"out\" there leaves them out)\n"
                                                   : "\n")
               << "  duration            " << number("%.3f s", report.duration) << '\n'
               << "  codec               " << report.codec << '\n'

@@ -1,11 +1,10 @@
 // lapfx picture: a small picture of any file that the editor opens. File dialogs ask a child process for it: what a stranger's file
 // does, it does there.
-#include <sys/resource.h>
-
 #include <new>
 #include <opencv2/imgproc.hpp>
 
 #include "app/open.h"
+#include "app/thumbnail_maker.h"
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/session.h"
@@ -22,15 +21,6 @@ struct Options {
 
 constexpr double in_video = 0.4;  // of its duration: smoke clips begin with nothing
 constexpr double in_scene = 0.6;  // of its duration: blood and smoke are both there
-constexpr rlim_t most_memory = rlim_t{4} << 30, most_seconds = 120;
-
-/// Nobody may be there to end it, and nobody wants its core.
-void limit(int what, rlim_t most) {
-    rlimit now{};
-    if (::getrlimit(what, &now) != 0) return;
-    now.rlim_cur = std::min(now.rlim_max, most);
-    ::setrlimit(what, &now);
-}
 
 Error refused(const std::string& file, Failure failure, const std::string& reason) {
     return {failure, Fault{.file = file, .place = "", .reason = reason}};
@@ -77,9 +67,7 @@ void run(const Options& o) {
     const Backend backend = parse_backend(o.backend);
     if (!o.output.ends_with(".png")) throw wrong_option("-o", "\"" + o.output + "\" is not a .png");
     check_folder(o.output);
-    limit(RLIMIT_DATA, most_memory);
-    limit(RLIMIT_CPU, most_seconds);
-    limit(RLIMIT_CORE, 0);
+    app::ThumbnailMaker::limit_process(0);
     try {
         const app::FileKind kind = app::kind_of(o.file);
         output::write_png(o.output, kind == app::FileKind::video ? picture_of_video(o.file, size)

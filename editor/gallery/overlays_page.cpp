@@ -12,7 +12,7 @@ void draw_raised(ui::Painter& painter, const ui::Node& node, const ui::Color& gr
     painter.frame(node.rect(), t.border, painter.hairline(), painter.em(t.radius));
 }
 
-/// The inside an overlay that is open.
+/// The inside of an overlay that is open.
 void fill_overlay(ui::Ui& ui, State& state, std::string_view name) {
     ui.draw_with<draw_raised>(ui.parent(), ui.theme().raised);
     const ui::Column column(ui, {.padding = 0.8F});

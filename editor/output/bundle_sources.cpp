@@ -54,20 +54,30 @@ fs::path mesh_of(const Scene& scene, const std::string& file) {
 
 std::vector<SourceFile> outside_files(const Preset& preset, const Scene* scene, const fs::path& folder,
                                       const std::vector<fs::path>& clip_folders,
-                                      std::span<const fs::path> organ_files) {
+                                      std::span<const fs::path> organ_files, std::span<const fs::path> tool_files) {
     Outside outside(folder);
+    const auto add_mesh = [&](const char* what, const std::string& name, std::span<const fs::path> files) {
+        const fs::path mesh = mesh_of(*scene, name);
+        if (mesh.empty()) return;
+        outside.add(what, mesh);
+        for (const fs::path& file : files) outside.add(what, resolved(file));
+    };
     if (scene != nullptr) {
-        if (const fs::path organ = mesh_of(*scene, scene->organ.file); !organ.empty()) {
-            outside.add("Organ", organ);
-            for (const fs::path& file : organ_files) outside.add("Organ", resolved(file));
-        }
-        if (const fs::path tool = mesh_of(*scene, scene->tool.file); !tool.empty()) outside.add("Tool", tool);
+        add_mesh("Organ", scene->organ.file, organ_files);
+        add_mesh("Tool", scene->tool.file, tool_files);
     }
     for (const SmokeClip& clip : preset.smoke.clips) {
         const ClipFiles found = clip_files(clip.file, preset.folder, clip_folders);
         if (found.files.empty()) continue;
         const fs::path& first = found.files.front();
-        outside.add("Clip", found.sequence ? resolved(first.parent_path()) / found.name : resolved(first));
+        if (!found.sequence) {
+            outside.add("Clip", resolved(first));
+            continue;
+        }
+        const fs::path home = resolved(first.parent_path());
+        outside.add("Clip", home / found.name);
+        for (const fs::path& image : found.files)  // each may be a link of its own
+            if (const fs::path real = resolved(image); real.parent_path() != home) outside.add("Clip", real);
     }
     return outside.take();
 }

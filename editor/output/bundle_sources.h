@@ -23,10 +23,11 @@ struct SourceFile {
 };
 
 /// What a bundle of `preset`, and of `scene` if there is one, copies that is not in `folder` or below, each file once. An empty
-/// `folder` has nothing in it. `organ_files`: all files of the organ, when it has been read; without them its mesh stands for
-/// all. Files that cannot be found are left out: write_bundle() says what is wrong with them.
+/// `folder` has nothing in it. `organ_files`, `tool_files`: all files of these meshes, when they have been read; without them the mesh
+/// stands for all. Files that cannot be found are left out: write_bundle() says what is wrong with them.
 std::vector<SourceFile> outside_files(const Preset& preset, const Scene* scene, const std::filesystem::path& folder,
                                       const std::vector<std::filesystem::path>& clip_folders,
-                                      std::span<const std::filesystem::path> organ_files = {});
+                                      std::span<const std::filesystem::path> organ_files = {},
+                                      std::span<const std::filesystem::path> tool_files = {});
 
 }  // namespace lapfx::output

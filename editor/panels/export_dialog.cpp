@@ -5,6 +5,7 @@
 #include "ui/shell/dialog.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/literal.h"
 #include "ui/widgets/param.h"
 #include "ui/widgets/scroll.h"
 #include "ui/widgets/text_field.h"
@@ -191,12 +192,12 @@ void outside_rows(ui::Ui& ui, Exports& exports) {
     if (exports.outside().empty()) return;
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.2F});
     const std::string home = exports.home().string();
-    ui::label(ui,
-              home.empty() ? std::string("These files are copied into the bundle:")
-                           : "These files are outside the folder " + home + " and are copied into the bundle:",
-              {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
+    ui::literal(ui,
+                home.empty() ? std::string("These files are copied into the bundle:")
+                             : "These files are outside the folder " + home + " and are copied into the bundle:",
+                ui::Tone::warning);
     for (const output::SourceFile& source : exports.outside())
-        ui::label(ui, source.what + ": " + source.file.string(), {.wrap = true, .width = ui::grow()});
+        ui::literal(ui, source.what + ": " + source.file.string());
     ui::checkbox(ui, "Copy these files", exports.form.outside_agreed,
                  "Whoever gets the bundle gets these files. Not checked, nothing is exported");
 }
@@ -257,7 +258,8 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
                                    : " exists and will be replaced once the new one is complete."}),
                 {{.label = "Cancel", .cancel = true}, {.label = "Replace"}}, ui::Tone::warning);
     if (answer == 1U) exports.start();
-    if (answer == 0U) ui::open_dialog(ui, dialog_name);
+    // What was refused says why in the form: files may have changed while the question was open.
+    if (answer == 0U || (answer == 1U && !exports.faults().empty())) ui::open_dialog(ui, dialog_name);
 }
 
 std::string_view why_not(ui::Ui& ui, Exports& exports) {

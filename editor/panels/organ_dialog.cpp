@@ -120,7 +120,7 @@ class OrganDialog {
         if (!likely) {
             ui::label(
                 ui_,
-                text_of(ui_, "No organ is this large or small: %.0f to %.0f mm are usual. Set the length of a unit.",
+                text_of(ui_, "No organ is this large or small: %.0f to %.0f mm are possible. Set the length of a unit.",
                         shortest_organ, longest_organ),
                 {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
             return;

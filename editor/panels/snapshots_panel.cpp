@@ -139,7 +139,7 @@ ui::TableCell cell_of(const document::Difference& d, std::size_t column) {
     if (column == 0) return {.text = d.name};
     const std::string& text = column == 1 ? d.before : d.after;
     const bool missing = (d.kind == Kind::added && column == 1) || (d.kind == Kind::removed && column == 2);
-    return {.text = missing ? std::string_view("none") : std::string_view(text),
+    return {.text = missing ? std::string_view("missing") : std::string_view(text),
             .tone = missing ? ui::Tone::dim : ui::Tone::normal};
 }
 

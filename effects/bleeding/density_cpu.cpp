@@ -64,7 +64,8 @@ bool same_maps(const VesselParameters& a, const VesselParameters& b) {
 }
 
 DensityMap::DensityMap(const Organ& organ, int image)
-    : DensityMap(organ, image, organ::copied_pixels(organ)[static_cast<std::size_t>(image)]) {}
+    : DensityMap(organ, image,
+                 std::make_shared<const organ::Pixels>(organ.images[static_cast<std::size_t>(image)], nullptr)) {}
 
 DensityMap::DensityMap(const Organ& organ, int image, std::shared_ptr<const organ::Pixels> pixels) {
     auto source = std::make_shared<Source>();
@@ -72,14 +73,16 @@ DensityMap::DensityMap(const Organ& organ, int image, std::shared_ptr<const orga
     const std::shared_ptr<const Image> known = source->pixels->get();
     source->size = {known->width, known->height};
     source->factor = factor_of(organ, image);
-    source->tells = !known->pixels.empty() && !source->of_one_color();
+    const std::size_t texels = static_cast<std::size_t>(known->width) * static_cast<std::size_t>(known->height);
+    const bool whole = known->pixels.size() == 4 * texels;
+    source->tells = whole && !source->of_one_color();
     if (source->tells) {
         source->layout = layout_of(organ, image);
         const std::vector<std::uint8_t> used = std::move(source->layout.used);
         source->used.assign(used.begin(), used.end());
     }
     auto made = std::make_shared<Made>();
-    made->values.assign(known->pixels.size() / 4, Density(0));
+    made->values.assign(whole ? texels : 0, Density(0));
     made_ = std::move(made);
     source_ = std::move(source);
 }
@@ -109,7 +112,6 @@ DensityMap::Converted DensityMap::Source::convert() const {
     Converted out;
     out.redness.resize(static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y));
     out.lab.resize(out.redness.size());
-    if (image->pixels.size() != out.lab.size() * 4) return out;  // no memory to decode it
     const cv::Mat given(image->height, image->width, CV_8UC4, const_cast<std::uint8_t*>(image->pixels.data()));
     cv::Mat rgb, converted;
     cv::cvtColor(given, rgb, cv::COLOR_RGBA2RGB);

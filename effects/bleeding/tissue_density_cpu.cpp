@@ -72,7 +72,7 @@ TissueDensity::TissueDensity(const Organ& organ, const Surface& surface, const V
     find_sources(organ, *mesh);
     take_colors(organ, pixels, *mesh);
     mesh_ = std::move(mesh);
-    make(stages.part(0.3, 1.0));
+    make(parameters, stages.part(0.3, 1.0));
 }
 
 void TissueDensity::find_sources(const Organ& organ, Mesh& mesh) const {
@@ -125,12 +125,12 @@ void TissueDensity::take_colors(const Organ& organ, const organ::PixelList& pixe
 }
 
 void TissueDensity::set(const VesselParameters& p) {
-    const bool same = same_maps(p, parameters_), rested = std::exchange(rests_, false);
+    if (!same_maps(p, parameters_))
+        make(p, {});
+    else if (rests_)
+        maps_ = made_maps(p, {});
+    rests_ = false;
     parameters_ = p;
-    if (!same) return make({});
-    if (!rested) return;
-    for (std::optional<DensityMap>& map : maps_)
-        if (map) map->set(parameters_);
 }
 
 void TissueDensity::rest() {
@@ -139,15 +139,22 @@ void TissueDensity::rest() {
         if (map) map->rest();
 }
 
-void TissueDensity::make(const organ::Stages& stages) {
-    for (std::size_t i = 0; i < maps_.size(); ++i)
-        if (maps_[i])
-            maps_[i]->set(parameters_,
-                          stages.part(0.8 * static_cast<double>(i) / static_cast<double>(maps_.size()),
-                                      0.8 * static_cast<double>(i + 1) / static_cast<double>(maps_.size())));
+/// All or nothing, whatever throws on the way.
+void TissueDensity::make(const VesselParameters& p, const organ::Stages& stages) {
+    std::vector<std::optional<DensityMap>> maps = made_maps(p, stages.part(0.0, 0.8));
     stages.reach(0.8);
-    set_vertices();
+    set_vertices(p);
+    maps_ = std::move(maps);
     ++version_;
+}
+
+std::vector<std::optional<DensityMap>> TissueDensity::made_maps(const VesselParameters& p,
+                                                                const organ::Stages& stages) const {
+    std::vector<std::optional<DensityMap>> maps = maps_;
+    const auto count = static_cast<double>(maps.size());
+    for (std::size_t i = 0; i < maps.size(); ++i)
+        if (maps[i]) maps[i]->set(p, stages.part(static_cast<double>(i) / count, static_cast<double>(i + 1) / count));
+    return maps;
 }
 
 std::size_t TissueDensity::shared_memory() const {
@@ -167,14 +174,16 @@ std::size_t TissueDensity::own_memory() const {
     return bytes;
 }
 
-void TissueDensity::set_vertices() {
+void TissueDensity::set_vertices(const VesselParameters& p) {
     const Mesh& mesh = *mesh_;
-    vertex_values_.assign(mesh.redness.size(), glm::vec2(1.0f, 0.0f));
+    std::vector<glm::vec2> values(mesh.redness.size(), glm::vec2(1.0f, 0.0f));
     for (std::size_t t = 0; t < mesh.corners.size(); ++t)
         for (int corner = 0; corner < 3; ++corner)
-            if (mesh.source[t] >= 0) vertex_values_[mesh.corners[t][corner]] = glm::vec2(1.0f);
-    if (mesh.points.empty()) return;
-    const VesselParameters& p = parameters_;
+            if (mesh.source[t] >= 0) values[mesh.corners[t][corner]] = glm::vec2(1.0f);
+    if (mesh.points.empty()) {
+        vertex_values_ = std::move(values);
+        return;
+    }
     const PointBlur narrow(mesh.points, mesh.areas, std::max(p.smoothing, 1e-3));
     const PointBlur wide(mesh.points, mesh.areas, std::max(around_share * p.vessel_width, 1e-3));
     const std::vector<float> around = wide(mesh.redness);
@@ -196,11 +205,12 @@ void TissueDensity::set_vertices() {
         area += double(mesh.areas[v]);
         shown += double(mesh.areas[v]) * double(vessels[v]);
     }
-    vertices_show_vessels_ = shown >= least_vessels * area;
     vessels = narrow(vessels);
     fat = narrow(fat);
     for (std::size_t v = 0; v < mesh.points.size(); ++v)
-        if (mesh.areas[v] > 0.0f) vertex_values_[v] = {vessels[v], fat[v]};
+        if (mesh.areas[v] > 0.0f) values[v] = {vessels[v], fat[v]};
+    vertex_values_ = std::move(values);
+    vertices_show_vessels_ = shown >= least_vessels * area;
 }
 
 const DensityMap* TissueDensity::map(int image) const {

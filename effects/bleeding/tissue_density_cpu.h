@@ -23,7 +23,8 @@ class TissueDensity {
     TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {},
                   const organ::Stages& stages = {}, organ::PixelList pixels = {});
 
-    /// Live: maps are made again only when a parameter that they depend on has changed.
+    /// Live: maps are made again only when a parameter that they depend on has changed. Throws where there is no memory, and changes
+    /// nothing.
     void set(const VesselParameters& parameters);
     /// Keeps no maps for itself: copies have them once they are set, and this one has none.
     void rest();
@@ -69,8 +70,10 @@ class TissueDensity {
     };
     void find_sources(const Organ& organ, Mesh& mesh) const;
     static void take_colors(const Organ& organ, const organ::PixelList& pixels, Mesh& mesh);
-    void make(const organ::Stages& stages);
-    void set_vertices();
+    void make(const VesselParameters& parameters, const organ::Stages& stages);
+    std::vector<std::optional<DensityMap>> made_maps(const VesselParameters& parameters,
+                                                     const organ::Stages& stages) const;
+    void set_vertices(const VesselParameters& parameters);
     bool tells(int source) const noexcept;
     Place at(std::uint32_t triangle, const glm::dvec3& weights) const noexcept;
     Place mean(const glm::dvec3& position) const noexcept;

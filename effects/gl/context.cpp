@@ -2,6 +2,7 @@
 
 #include "gl/context_owner.h"
 #include "gl/gl.h"
+#include "gl/state_guard.h"
 #include "lapfx/error.h"
 
 namespace lapfx {
@@ -20,6 +21,7 @@ void load_functions(Context::GetProcAddress get_proc_address, const std::string&
                                                      std::to_string(GLAD_VERSION_MINOR(version));
         throw no_gl(backend + " gives " + found + "; 4.5 core is needed");
     }
+    gl::load_polygon_offset_clamp(get_proc_address);
 }
 
 std::string gl_text(GLenum name) {

@@ -1,5 +1,7 @@
 #include "gl/state_guard.h"
 
+#include <string_view>
+
 namespace lapfx::gl {
 
 namespace {
@@ -14,7 +16,38 @@ GLuint as_name(GLint value) {
     return static_cast<GLuint>(value);
 }
 
+PolygonOffsetClamp loaded_clamp = nullptr;  // beside the functions of gl.h
+
+bool has_extension(std::string_view name) {
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+        const GLubyte* extension = glGetStringi(GL_EXTENSIONS, i);
+        if (extension != nullptr && name == reinterpret_cast<const char*>(extension)) return true;
+    }
+    return false;
+}
+
+bool is_version_4_6() {
+    GLint major = 0, minor = 0;
+    glGetIntegerv(GL_MAJOR_VERSION, &major);
+    glGetIntegerv(GL_MINOR_VERSION, &minor);
+    return major > 4 || (major == 4 && minor >= 6);
+}
+
 }  // namespace
+
+PolygonOffsetClamp polygon_offset_clamp() noexcept {
+    return loaded_clamp;
+}
+
+/// Drivers have addresses for functions, too, that they do not have.
+void load_polygon_offset_clamp(GLADloadfunc get_proc_address) {
+    const char* name = is_version_4_6() || has_extension("GL_ARB_polygon_offset_clamp") ? "glPolygonOffsetClamp"
+                       : has_extension("GL_EXT_polygon_offset_clamp")                   ? "glPolygonOffsetClampEXT"
+                                                                                        : nullptr;
+    loaded_clamp = name != nullptr ? reinterpret_cast<PolygonOffsetClamp>(get_proc_address(name)) : nullptr;
+}
 
 StateGuard::StateGuard() noexcept {
     for (std::size_t i = 0; i < switches.size(); ++i) enabled_[i] = glIsEnabled(switches[i]);
@@ -41,6 +74,7 @@ StateGuard::StateGuard() noexcept {
     for (int i = 0; i < 6; ++i) glGetIntegerv(blend_queries[i], &blend_[i]);
     glGetFloatv(GL_POLYGON_OFFSET_FACTOR, &offset_factor_);
     glGetFloatv(GL_POLYGON_OFFSET_UNITS, &offset_units_);
+    if (loaded_clamp != nullptr) glGetFloatv(polygon_offset_clamp_query, &offset_clamp_);
 }
 
 StateGuard::~StateGuard() {
@@ -67,7 +101,10 @@ StateGuard::~StateGuard() {
     glBindVertexArray(as_name(vertex_array_));
     glDepthFunc(as_enum(depth_function_));
     glDepthMask(depth_mask_);
-    glPolygonOffset(offset_factor_, offset_units_);
+    if (loaded_clamp != nullptr)
+        loaded_clamp(offset_factor_, offset_units_, offset_clamp_);
+    else
+        glPolygonOffset(offset_factor_, offset_units_);
     glBlendFuncSeparate(as_enum(blend_[0]), as_enum(blend_[1]), as_enum(blend_[2]), as_enum(blend_[3]));
     glBlendEquationSeparate(as_enum(blend_[4]), as_enum(blend_[5]));
 }

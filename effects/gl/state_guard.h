@@ -10,6 +10,14 @@
 
 namespace lapfx::gl {
 
+/// glPolygonOffsetClamp, without which a clamp of the host's is gone once an offset is set: OpenGL 4.6's, or an extension's, so gl.h
+/// lacks it. Null where the driver has none.
+using PolygonOffsetClamp = void(GLAD_API_PTR*)(GLfloat factor, GLfloat units, GLfloat clamp);
+PolygonOffsetClamp polygon_offset_clamp() noexcept;
+constexpr GLenum polygon_offset_clamp_query = 0x8E1B;  // GL_POLYGON_OFFSET_CLAMP
+/// Looks for it in the current context, whose other functions are loaded.
+void load_polygon_offset_clamp(GLADloadfunc get_proc_address);
+
 class StateGuard {
   public:
     StateGuard() noexcept;
@@ -32,7 +40,7 @@ class StateGuard {
     std::array<GLint, texture_units> textures_{}, texture_arrays_{}, samplers_{};
     GLint program_ = 0, vertex_array_ = 0, depth_function_ = 0, active_texture_ = 0, uniform_buffer_ = 0;
     GLint blend_[6] = {};
-    GLfloat offset_factor_ = 0.0f, offset_units_ = 0.0f;
+    GLfloat offset_factor_ = 0.0f, offset_units_ = 0.0f, offset_clamp_ = 0.0f;
     GLboolean depth_mask_ = GL_TRUE;
 };
 

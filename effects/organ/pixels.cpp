@@ -1,5 +1,8 @@
 #include "organ/pixels.h"
 
+#include <algorithm>
+#include <exception>
+#include <new>
 #include <utility>
 
 #include "organ/image.h"
@@ -20,21 +23,48 @@ PixelList of_base_colors(const Organ& organ, const Make& make) {
     return list;
 }
 
+/// Null where there is no memory for it: the same file has been decoded before.
+std::shared_ptr<const Image> decoded(const Encoded& encoded) {
+    try {
+        const auto image = std::make_shared<Image>();
+        if (decode_image(*encoded, *image).empty()) return image;
+    } catch (const std::exception&) {
+        return nullptr;
+    }
+    return nullptr;
+}
+
 }  // namespace
 
 Pixels::Pixels(Image image, Encoded encoded)
-    : encoded_(std::move(encoded)), kept_(std::make_shared<const Image>(std::move(image))), lent_(kept_) {}
+    : encoded_(std::move(encoded)),
+      name_(image.name),
+      width_(image.width),
+      height_(image.height),
+      kept_(std::make_shared<const Image>(std::move(image))),
+      lent_(kept_) {}
 
 Pixels::Pixels(const Image& borrowed)
-    : borrowed_(true), kept_(std::shared_ptr<const Image>(), &borrowed), lent_(kept_) {}
+    : borrowed_(true),
+      name_(borrowed.name),
+      width_(borrowed.width),
+      height_(borrowed.height),
+      kept_(std::shared_ptr<const Image>(), &borrowed),
+      lent_(kept_) {}
 
 std::shared_ptr<const Image> Pixels::get() const {
-    const std::lock_guard lock(mutex_);
+    std::unique_lock lock(mutex_);
+    decoded_.wait(lock, [this] { return !decoding_; });
     if (kept_) return kept_;
     if (std::shared_ptr<const Image> image = lent_.lock()) return image;
-    auto image = std::make_shared<Image>();
-    if (!decode_image(*encoded_, *image).empty()) *image = {};
+    decoding_ = true;
+    lock.unlock();
+    std::shared_ptr<const Image> image = decoded(encoded_);
+    lock.lock();
+    decoding_ = false;
     lent_ = image;
+    decoded_.notify_all();
+    if (!image) throw std::bad_alloc();
     return image;
 }
 
@@ -67,8 +97,29 @@ PixelList copied_pixels(const Organ& organ) {
     return of_base_colors(organ, [](const Image& image) { return std::make_shared<const Pixels>(image, nullptr); });
 }
 
+PixelList copied_pixels(const Organ& organ, const PixelList& former) {
+    PixelList list = copied_pixels(organ);
+    for (std::size_t i = 0; i < std::min(list.size(), former.size()); ++i) {
+        const Image& image = organ.images[i];
+        const bool missing = image.pixels.empty() && image.width > 0 && image.height > 0;
+        if (missing && former[i] && former[i]->are_of(image)) list[i] = former[i];
+    }
+    return list;
+}
+
 PixelList borrowed_pixels(const Organ& organ) {
     return of_base_colors(organ, [](const Image& image) { return std::make_shared<const Pixels>(image); });
+}
+
+void let_go(const PixelList& list) {
+    for (const auto& one : list)
+        if (one) one->let_go();
+}
+
+std::size_t memory_of(const PixelList& list) {
+    std::size_t bytes = 0;
+    for (const auto& one : list) bytes += one ? one->memory() : 0;
+    return bytes;
 }
 
 }  // namespace lapfx::organ

@@ -1,6 +1,8 @@
 #include "render/organ_gpu.h"
 
+#include <algorithm>
 #include <array>
+#include <memory>
 
 namespace lapfx::render {
 
@@ -18,6 +20,17 @@ gl::Texture upload(const Image& image, GLenum format) {
     texture.upload(GL_RGBA, image.pixels.data());
     texture.generate_mipmaps();
     return texture;
+}
+
+/// An image with its bytes, wherever they are.
+std::shared_ptr<const Image> whole_image(const Organ& organ, const organ::PixelList& pixels, std::size_t i) {
+    const bool apart = organ.images[i].pixels.empty() && i < pixels.size() && pixels[i] != nullptr;
+    return apart ? pixels[i]->get() : std::shared_ptr<const Image>(std::shared_ptr<const Image>(), &organ.images[i]);
+}
+
+bool has_bytes(const Image& image) {
+    return image.width > 0 && image.height > 0 &&
+           image.pixels.size() == 4 * static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height);
 }
 
 template <typename T>
@@ -61,22 +74,28 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::Pix
 }
 
 void OrganGpu::upload_textures(const Organ& organ, const organ::PixelList& pixels) {
-    // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice.
-    std::vector<GLuint> color(organ.images.size(), 0), normal(organ.images.size(), 0);
-    const auto texture = [&](int image, std::vector<GLuint>& known, GLenum format, const gl::Texture& none) {
-        if (image < 0) return none.name();
-        const auto i = static_cast<std::size_t>(image);
-        if (known[i] == 0) {
-            const bool apart = organ.images[i].pixels.empty() && i < pixels.size() && pixels[i] != nullptr;
-            textures_.push_back(apart ? upload(*pixels[i]->get(), format) : upload(organ.images[i], format));
-            known[i] = textures_.back().name();
-        }
-        return known[i];
+    // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice, and decoded once.
+    std::vector<GLuint> color(organ.images.size(), white_.name()), normal(organ.images.size(), flat_.name());
+    for (std::size_t i = 0; i < organ.images.size(); ++i) {
+        const auto is_used = [&](int lapfx::Material::*as) {
+            return std::ranges::any_of(organ.materials, [&](const lapfx::Material& m) { return m.*as == int(i); });
+        };
+        const bool as_color = is_used(&lapfx::Material::base_color_image);
+        const bool as_normal = is_used(&lapfx::Material::normal_image);
+        if (!as_color && !as_normal) continue;
+        const std::shared_ptr<const Image> image = whole_image(organ, pixels, i);
+        if (!has_bytes(*image)) continue;
+        const auto send = [&](GLenum format) { return textures_.emplace_back(upload(*image, format)).name(); };
+        if (as_color) color[i] = send(GL_SRGB8_ALPHA8);
+        if (as_normal) normal[i] = send(GL_RGBA8);
+    }
+    const auto texture = [](int image, const std::vector<GLuint>& known, const gl::Texture& none) {
+        return image < 0 ? none.name() : known[static_cast<std::size_t>(image)];
     };
     for (const lapfx::Material& m : organ.materials)
         materials_.push_back({.image = m.base_color_image,
-                              .base_color = texture(m.base_color_image, color, GL_SRGB8_ALPHA8, white_),
-                              .normal_map = texture(m.normal_image, normal, GL_RGBA8, flat_),
+                              .base_color = texture(m.base_color_image, color, white_),
+                              .normal_map = texture(m.normal_image, normal, flat_),
                               .density = white_.name(),
                               .factor = m.base_color,
                               .roughness = m.roughness,
@@ -153,8 +172,8 @@ void OrganGpu::draw(const glm::mat4& model, const TouchedTriangles* touched) con
     glDisable(GL_POLYGON_OFFSET_FILL);
     glBindVertexArray(vertex_array_.name());
     // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program draws the
-    // triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth, which is not
-    // less, and is not shaded again.
+    // triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth, or lies
+    // behind it (draw_plain), and is not shaded again.
     if (wounded_.name() != 0) draw_wounded(model, touched);
     draw_plain(model);
 }

@@ -12,6 +12,9 @@ namespace {
 /// Frames that a clip goes on by in one cycle when it plays, however fast; more is a jump.
 constexpr int most_played_steps = 16;
 
+/// To send one frame.
+constexpr int most_tries = 4;
+
 bool buffers_frames(Scheme scheme) {
     return scheme == Scheme::buffered || scheme == Scheme::buffered_planar;
 }
@@ -75,9 +78,24 @@ ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder
 void ClipPlayer::set_buffers(int buffers) noexcept {
     for (Head& head : heads_) {
         if (!head.stream) continue;
+        give_memory(head, buffers);  // before it decodes to memory of its own
         head.stream->set_buffers(buffers);
         for (int slot; (slot = head.stream->give_back()) >= 0;)
             head.memory[static_cast<std::size_t>(slot)] = gl::PixelBuffer();
+    }
+}
+
+/// Buffering: what it has given back, as far as it is to have more again.
+void ClipPlayer::give_memory(Head& head, int buffers) noexcept {
+    const auto made = std::count_if(head.memory.begin(), head.memory.end(), [](const auto& m) { return m.made(); });
+    const std::size_t wanted =
+        std::min(static_cast<std::size_t>(buffers + ClipStream::spare_slots), head.memory.size());
+    for (auto i = static_cast<std::size_t>(made); i < wanted; ++i) {
+        gl::PixelBuffer buffer(file_->format.bytes());
+        const std::span<std::uint8_t> memory = map(buffer);
+        const int slot = memory.empty() ? -1 : head.stream->give(memory);
+        if (slot < 0) return;
+        head.memory[static_cast<std::size_t>(slot)] = std::move(buffer);
     }
 }
 
@@ -151,10 +169,13 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
     } else if (policy == Policy::skip && head.late && head.moves[0] >= 0 && head.sent.shown() >= 0) {
         head.sent.show_newest();  // this one is skipped
     } else {
-        const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
-        send(head, decoded, {}, times);
-        head.sent.show(decoded.index);
-        head.late = decoded.index != index;
+        // What was decoded to the driver's memory the driver may lose, now and then: to be exact is to decode it again.
+        for (int tries = policy == Policy::wait ? most_tries : 1; tries > 0 && !head.sent.holds(index); --tries) {
+            const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
+            send(head, decoded, {}, times);
+            head.sent.show(decoded.index);
+        }
+        head.late = head.sent.shown() != index;
     }
     if (head.sent.shown() != index) ++misses_;
     return head.sent.frame(file_->info.color);

@@ -78,6 +78,7 @@ class ClipPlayer {
 
     ClipFrame resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
     ClipFrame streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
+    void give_memory(Head& head, int buffers) noexcept;
     void send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
               StreamingTimes& times) noexcept;
     void coalesce(Head& head, bool turn, StreamingTimes& times) noexcept;

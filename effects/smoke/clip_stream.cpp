@@ -200,6 +200,17 @@ void ClipStream::take(int slot, std::span<std::uint8_t> memory) noexcept {
     pool_.wake();
 }
 
+int ClipStream::give(std::span<std::uint8_t> memory) noexcept {
+    const std::lock_guard lock(pool_.mutex());
+    const auto idle = std::find_if(slots_.begin(), slots_.end(), [&](const Slot& slot) {
+        return slot.given.empty() && slot.index < 0 && &slot != written_ && &slot != lent_;
+    });
+    if (idle == slots_.end()) return -1;
+    idle->clear();
+    idle->given = memory;
+    return static_cast<int>(idle - slots_.begin());
+}
+
 int ClipStream::give_back() noexcept {
     const std::lock_guard lock(pool_.mutex());
     const auto given = [](const Slot& slot) { return !slot.given.empty(); };

@@ -48,6 +48,8 @@ class ClipStream : private DecodePool::Job {
     Shown peek_any() noexcept;
     /// The frame that was given last is not needed any more, and `memory` takes the place of its own; empty: nothing does.
     void take(int slot, std::span<std::uint8_t> memory) noexcept;
+    /// A slot that has no memory and that nobody reads or writes decodes to this from now on; -1: there is none.
+    int give(std::span<std::uint8_t> memory) noexcept;
     /// The slot of memory that is given to the stream, that nobody reads or writes and that it has too much of; it takes no frame any
     /// more. -1: none.
     int give_back() noexcept;

@@ -211,11 +211,12 @@ void FrameConverter::convert(const AVFrame& frame, std::span<std::uint8_t> into)
 }
 
 void FrameConverter::make_black(std::span<std::uint8_t> into) const {
-    std::memset(into.data(), 0, into.size());
-    if (format_.layout == Layout::rgb) return;
-    std::uint8_t* luma = into.data();
-    std::memset(luma, color_.full_range ? 0 : 16, format_.color_bytes());
-    std::memset(luma + format_.color_bytes(), 128, format_.chroma_bytes());
+    const bool limited = format_.layout == Layout::planar && !color_.full_range;
+    const std::span color = into.first(format_.color_bytes());
+    const std::span chroma = into.subspan(color.size(), format_.chroma_bytes());
+    std::memset(color.data(), limited ? 16 : 0, color.size());
+    std::memset(chroma.data(), 128, chroma.size());
+    std::memset(chroma.data() + chroma.size(), 0, format_.alpha_bytes());
 }
 
 }  // namespace lapfx::smoke

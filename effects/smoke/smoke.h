@@ -52,8 +52,8 @@ class Smoke {
         programs.push_back(&particles_gpu_.program());
     }
     const ClipSet& clips() const { return clips_; }
-    /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
     std::size_t target_memory() const noexcept { return gpu_.memory(); }  ///< bytes on the GPU
+    /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
     double shading_seconds() const { return gpu_.timer().seconds(); }
     std::uint64_t shaded() const { return gpu_.timer().spans(); }
 

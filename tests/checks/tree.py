@@ -22,6 +22,9 @@ def top_faults(paths):
     for top in sorted({path.split("/")[0] for path in paths}):
         if top not in TOP and not top.startswith("."):
             yield f"{top}: not one of the entries of the top level ({', '.join(sorted(TOP))}, dot-files)"
+    for path in paths:
+        if path.endswith((".pyc", ".o", ".orig")):
+            yield f"{path}: made by a program, not to be kept"
 
 
 def text_faults(path, data):
@@ -43,6 +46,7 @@ def self_test():
     cases = [
         (list(top_faults(["effects/a.cpp", ".ci/run", "README.md"])), 0),
         (list(top_faults(["docs/a.md", "tests/run", "Makefile"])), 2),
+        (list(top_faults(["tests/e2e/__pycache__/a.pyc"])), 1),
         (list(text_faults("a.cpp", b"int a;\n")), 0),
         (list(text_faults("a.cpp", b"int a; \n")), 1),
         (list(text_faults("a.cpp", b"int a;\r\n")), 1),

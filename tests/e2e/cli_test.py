@@ -104,7 +104,7 @@ USAGE = [
     Case("usage: help of edit", ("edit", "--help"), 0, prints=r"(?s).+"),
     Case("usage: help of gallery", ("gallery", "--help"), 0, prints=r"(?s).*--screenshot.*--dump.*"),
     Case("usage: gallery without such a page", ("gallery", "--page", "Attic", "--dump", "out.txt"), 2,
-         says="Attic.*is none of Overview, Basic"),
+         says="Attic.*is not one of Overview, Basic"),
     Case("usage: gallery without such a theme", ("gallery", "--theme", "pink", "--dump", "out.txt"), 2, says="pink"),
     Case("usage: gallery without such a widget", ("gallery", "--focus", "Attic", "--dump", "out.txt"), 2, says="Attic"),
     Case("usage: gallery at no scale", ("gallery", "--scale", "nan", "--dump", "out.txt"), 2, says="--scale"),

@@ -8,6 +8,7 @@ A person's hands, from a fixed seed: drags, clicks and wheel all over the window
 snapshots, undo. A slow machine does less of it in the same time. What counts is all memory but the frames of clips, which have a
 budget of their own (StreamingOptions::memory).
 """
+import os
 import random
 import re
 import subprocess
@@ -25,6 +26,7 @@ GROWTH = 100e6  # bytes, from when all of it has been used once to the end
 USED_S = 45  # of random use, or half of it if that is more, until all of it has been used
 WIDTH, HEIGHT = 1440, 900
 MENU_BAR = 34  # px: what lies there may close the window
+CORES = 2  # the bounds are for these; drivers and decoders have memory for each thread
 LINE = re.compile(r"^memory at ([0-9.e+-]+) s: (\d+) bytes, (\d+) of clips$", re.MULTILINE)
 LAYOUTS = ["ctrl+1", "ctrl+2", "ctrl+3", "ctrl+4"]
 KEYS = LAYOUTS + ["space", "Home", "v", "t", "g", "e", "a", "shift+a", "m", "f", "Tab", "Left", "Right", "Escape", "Escape",
@@ -134,6 +136,7 @@ def use(open_editor, seconds):
 def main(arguments):
     seconds = float(arguments[1]) if len(arguments) > 1 else 60.0
     editor_test.SIZE = (WIDTH, HEIGHT)
+    os.sched_setaffinity(0, sorted(os.sched_getaffinity(0))[:CORES])
 
     def window(display, folder):
         return lambda *options: editor_test.Editor(arguments[0], "", display, folder, *options)

@@ -7,6 +7,7 @@
 
 #include "app/layouts.h"
 #include "editor/support/editor_test.h"
+#include "output/files.h"
 
 namespace lapfx::test {
 namespace {
@@ -47,6 +48,10 @@ class FilePreviewsTest : public EditorTest {
     /// Selects it, and waits until its picture is there or not; what the preview then is called.
     std::string look(const std::string& name) {
         ui().click("Look/Files/" + name);
+        return shown();
+    }
+    /// The same of what is selected.
+    std::string shown() {
         ui().frame(app::FilePreviews::rests + 0.01);
         const Clock::time_point end = Clock::now() + std::chrono::seconds(60);
         while (ui().is("Look/Preview", ui::Is::busy) && Clock::now() < end) {
@@ -97,7 +102,7 @@ TEST_F(FilePreviewsTest, ABrokenFileShowsWhyInOneLine) {
     EXPECT_EQ(look("broken.glb"), "no picture");
     EXPECT_TRUE(ui().exists("Look"));
     EXPECT_EQ(look("text.mp4"), "no picture");
-    EXPECT_TRUE(says("is a text, and neither")) << ui().dump();
+    EXPECT_TRUE(says("is a text, but not")) << ui().dump();
     EXPECT_FALSE(says("lapfx: ")) << "the reason alone";
     EXPECT_EQ(look("cut.json"), "no picture");
     EXPECT_EQ(kept(), 0U);
@@ -146,7 +151,7 @@ TEST_F(FilePreviewsTest, FilesThatArePassedByAreNotBegun) {
     EXPECT_EQ(std::string(std::istreambuf_iterator<char>(again), {}), "run\n") << "what failed is not tried again";
 }
 
-TEST_F(FilePreviewsTest, SeenFilesAreKeptUntilTheyChangeAndNeverMoreThanAFew) {
+TEST_F(FilePreviewsTest, SeenFilesAreKeptUntilTheyChange) {
     make_with(script("echo run >> " + (folder() / "runs").string() + "; exit 1"));
     const auto runs = [&] {
         std::ifstream file(folder() / "runs");
@@ -165,6 +170,55 @@ TEST_F(FilePreviewsTest, SeenFilesAreKeptUntilTheyChangeAndNeverMoreThanAFew) {
     choose_from_files();
     look("a.mp4");
     EXPECT_EQ(runs(), 4U) << "what failed is tried again when it is come back to";
+}
+
+TEST_F(FilePreviewsTest, NeverMoreThanAFewPicturesAreInMemory) {
+    const std::string picture = (folder() / "small.png").string();
+    output::write_png(picture, {.width = 4, .height = 4, .pixels = std::vector<std::uint8_t>(64, 200), .name = ""});
+    make_with(script("for last; do :; done; cp " + picture + " \"$last\""));
+    constexpr std::size_t files_there = app::FilePreviews::most_kept + 4;
+    for (std::size_t i = 0; i < files_there; ++i) write("take " + std::to_string(100 + i) + ".mp4", "x");
+    const auto images = [&] {
+        const auto all = editor().images.all();
+        return std::count_if(all.begin(), all.end(), [](const ui::StoredImage& each) { return each.serial != 0; });
+    };
+    choose_from_files();
+    const auto before = images();
+    ui().focus("Look/Files");
+    for (std::size_t i = 0; i < files_there; ++i) {
+        ui().key(ui::Key::down);
+        ASSERT_EQ(shown(), "a picture") << i << ui().dump();
+    }
+    EXPECT_EQ(images() - before, static_cast<std::ptrdiff_t>(app::FilePreviews::most_kept));
+    ui().click("Look/Cancel").frame().frame();
+    choose_from_files();
+    EXPECT_EQ(images(), before) << "the next dialog looks anew";
+}
+
+TEST_F(FilePreviewsTest, APresetIsShownOnTheSceneThatIsOpen) {
+    make_with(script("echo \"$@\" >> " + (folder() / "calls").string() + "; exit 1"));
+    copy("presets/slow_ooze.json");
+    choose_from_files();
+    look("slow_ooze.json");
+    const auto calls = [&] {
+        std::ifstream file(folder() / "calls");
+        return std::string(std::istreambuf_iterator<char>(file), {});
+    };
+    EXPECT_NE(calls().find("render "), std::string::npos) << calls();
+    const auto lines = [&] {
+        const std::string all = calls();
+        return std::count(all.begin(), all.end(), '\n');
+    };
+    EXPECT_EQ(lines(), 1);
+    ui().frame().frame();
+    EXPECT_EQ(lines(), 1);
+    editor().document.change("Longer", [](document::Content& content) { content.scene.duration *= 2; });
+    ui().frame(app::FilePreviews::rests + 0.01);
+    EXPECT_EQ(shown(), "no picture");
+    EXPECT_EQ(lines(), 2) << "at another time of it";
+}
+
+TEST(FilePreviews, AreOfKindsThatTheProgramReads) {
     EXPECT_TRUE(app::has_picture("/a/B.MP4"));
     EXPECT_TRUE(app::has_picture("/a/b.Glb"));
     EXPECT_FALSE(app::has_picture("/a/b.txt"));

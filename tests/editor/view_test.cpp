@@ -1,5 +1,7 @@
 // The view panel: looking around, working with tools, overlays with what makes them.
+#include <chrono>
 #include <opencv2/imgcodecs.hpp>
+#include <thread>
 
 #include "app/exports.h"
 #include "app/layouts.h"
@@ -233,6 +235,11 @@ TEST_F(ViewPanelTest, PanelsGoOnWhileTheSceneIsSlow) {
     editor().timeline.speed = 0;
     editor().seek(6);
     ui().frame().frame(1).frame(1);
+    for (int i = 0; i < 1000 && editor().preview.late(); ++i) {  // frames of its clips are being decoded
+        std::this_thread::sleep_for(std::chrono::milliseconds(10));
+        ui().frame();
+    }
+    EXPECT_FALSE(editor().preview.late());
     EXPECT_GT(editor().whole_at(), 1e9);
     const Image whole = editor().preview.read();
     EXPECT_EQ(differing(whole, picture(6), 0), 0U);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/widgets/literal.h"
 #include "ui/widgets/scroll.h"
 
 namespace lapfx::ui {
@@ -201,7 +202,7 @@ std::optional<std::size_t> ask(Ui& ui, std::string_view name, std::string_view t
         if (!dialog.cancelled() || cancel == buttons.end()) return std::nullopt;
         return static_cast<std::size_t>(cancel - buttons.begin());
     }
-    label(ui, question, {.wrap = true});
+    literal(ui, question);  // it may name a file
     space(ui, 0.4F);
     return dialog.buttons(buttons);
 }

@@ -5,6 +5,7 @@
 
 #include "ui/shell/dialog.h"
 #include "ui/widgets/combo.h"
+#include "ui/widgets/literal.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::ui {
@@ -54,6 +55,7 @@ void FileDialog::open(Ui& ui, FileRequest request) {
     places_ = files_.places();
     done_.reset();
     replaces_.clear();
+    if (pictures_ != nullptr) pictures_->begin();
     if (table_.sort_column < 0) table_.sort_column = 0;
     const std::string start = !request_.folder.empty() ? request_.folder : folder_.empty() ? files_.home() : folder_;
     go(resolve_path("/", start));
@@ -129,7 +131,7 @@ void FileDialog::build_path_bar(Ui& ui) {
             const std::size_t end = std::min(folder_.find('/', at + 1), folder_.size());
             ui.push_seed(end);
             const std::string_view name = std::string_view(folder_).substr(at + 1, end - at - 1);
-            if (button(ui, name, {.quiet = true})) next = folder_.substr(0, end);
+            if (literal_button(ui, name, {.quiet = true})) next = folder_.substr(0, end);
             ui.last().rigid = false;
             ui.pop_seed();
             at = end;
@@ -151,8 +153,9 @@ void FileDialog::build_places(Ui& ui) {
     {
         const Column column(ui, {.width = px(ui.em(places_width)), .height = grow(), .gap = 0.1F});
         const auto place = [&](std::string_view name, const std::string& path) {
-            if (button(ui, name,
-                       {.icon = Icon::folder, .tip = path, .quiet = true, .on = path == folder_, .width = grow()}))
+            if (literal_button(
+                    ui, name,
+                    {.icon = Icon::folder, .tip = path, .quiet = true, .on = path == folder_, .width = grow()}))
                 chosen = &path;
             ui.last().rigid = false;
         };
@@ -344,8 +347,9 @@ void FileDialog::build_name(Ui& ui) {
 void FileDialog::accept(Ui& ui) {
     fault_.clear();
     completion_.close();
-    if (!name_.empty()) return accept_typed(ui, resolve_path(folder_, expand_home(name_, files_.home())));
-    accept_selected();
+    if (name_.empty()) return accept_selected();
+    const bool listed = selected_.size() == 1 && name_ == selected_[0];  // a file may be called ~
+    accept_typed(ui, resolve_path(folder_, listed ? name_ : expand_home(name_, files_.home())));
 }
 
 void FileDialog::accept_selected() {
@@ -412,7 +416,7 @@ std::optional<std::vector<std::string>> FileDialog::build(Ui& ui) {
             }
             if (pictures) file_preview(ui, *pictures_, looked_at_ ? &*looked_at_ : nullptr, preview_width);
         }
-        if (!fault_.empty()) label(ui, fault_, {.tone = Tone::error, .wrap = true});
+        if (!fault_.empty()) literal(ui, fault_, Tone::error);
         build_name(ui);
         const auto pressed = dialog.buttons(
             {{.label = "Cancel", .cancel = true}, {.label = verb_of(request_.task), .standard = true}}, true);

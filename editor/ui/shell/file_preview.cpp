@@ -1,7 +1,6 @@
 #include "ui/shell/file_preview.h"
 
-#include "ui/value/utf8.h"
-#include "ui/widgets/basic.h"
+#include "ui/widgets/literal.h"
 
 namespace lapfx::ui {
 
@@ -49,26 +48,6 @@ std::string_view shortened(Ui& ui, std::string_view text) {
     return ui.join({text.substr(0, end), "..."});
 }
 
-struct NameLook {
-    std::string_view text;
-    TextStyle style;
-    friend bool operator==(const NameLook&, const NameLook&) = default;
-};
-
-void draw_name(Painter& painter, const Node& node, const NameLook& look) {
-    painter.text(node.rect(), look.text, look.style, painter.theme().text);
-}
-
-/// As it is, where a label would leave out what follows ##.
-void put_name(Ui& ui, std::string_view name) {
-    Node& node = ui.leaf(Role::label, "##name", Sense::hover);
-    node.label = node.text = node.tip = ui.copy(name);
-    node.size[0] = grow();
-    node.size[1] = px(ui.row_height());
-    ui.respond(node);
-    ui.draw_with<draw_name>(node, NameLook{node.text, ui.text_style()});
-}
-
 std::string_view words_for(const LookedAt* file, FilePicture::State state) {
     using State = FilePicture::State;
     if (file == nullptr) return "nothing is selected";
@@ -93,10 +72,10 @@ void file_preview(Ui& ui, FilePictures& pictures, const LookedAt* file, float wi
     if (picture.state == State::there && picture.size.x > 0 && picture.size.y > 0) look.image = picture.image;
     ui.draw_with<draw_picture>(frame, look);
     if (file == nullptr) return;
-    put_name(ui, file->file.name);
+    literal_line(ui, file->file.name);
     if (!file->about.empty()) label(ui, file->about, {.tone = Tone::dim, .number = true, .width = grow()});
     if (picture.state == State::coming) label(ui, "The picture is being made", {.tone = Tone::dim, .wrap = true});
-    if (picture.state == State::failed) label(ui, shortened(ui, picture.fault), {.tone = Tone::warning, .wrap = true});
+    if (picture.state == State::failed) literal(ui, shortened(ui, picture.fault), Tone::warning);
 }
 
 }  // namespace lapfx::ui

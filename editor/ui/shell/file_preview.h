@@ -23,6 +23,8 @@ struct FilePicture {
 class FilePictures {
   public:
     virtual ~FilePictures() = default;
+    /// A dialog begins: what was shown in the one before may have become another.
+    virtual void begin() {}
     /// Of the one file that is looked at, in every build. Never waits: what is not there is made meanwhile, and the UI woken.
     virtual FilePicture picture(Ui& ui, const std::string& path, const FileEntry& file) = 0;
 };

@@ -37,7 +37,11 @@ const std::vector<FileEntry>* FolderReader::read(Ui& ui, const std::string& fold
         now_->folder = folder;
         now_->ui = &ui;
         if (beside_) {
-            beside_([reading = now_, &files = files_] { reading->read(files); });
+            try {
+                beside_([reading = now_, &files = files_] { reading->read(files); });
+            } catch (const std::exception&) {  // no thread for it
+                now_->done = true;
+            }
         } else {
             now_->read(files_);
         }

@@ -6,6 +6,7 @@
 
 #include "ui/core/paragraph.h"
 #include "ui/shell/dialog.h"
+#include "ui/widgets/literal.h"
 #include "ui/widgets/scroll.h"
 
 namespace lapfx::ui {
@@ -293,7 +294,7 @@ void Toasts::build_log(Ui& ui) {
             const ToastNote& each = log_[i];
             const Row row(ui, {.width = grow(), .cross = Place::start});
             label(ui, ui.copy(ago(ui.time() - each.time)), {.tone = Tone::dim, .width = px(ui.em(6))});
-            label(ui, words_of(ui, each.text, each.count), {.tone = tone_of(each.kind), .wrap = true, .width = grow()});
+            literal(ui, words_of(ui, each.text, each.count), tone_of(each.kind));
         }
     }
     const auto pressed = dialog.buttons({{.label = "Copy all", .enabled = !log_.empty() && ui.clipboard() != nullptr},

@@ -104,6 +104,12 @@ void RowList::go(std::size_t item, Mods mods) {
     }
 }
 
+/// What is typed from here on is another word: it may be for what has been opened.
+void RowList::open(std::size_t item) {
+    events_.opened = item;
+    if (options_.name_of != nullptr) ui_.memory<TypeAhead>(area_.id()).clear();
+}
+
 void RowList::take_letter(const Event& event) {
     TypeAhead& typed = ui_.memory<TypeAhead>(area_.id());
     if (has(event.mods, Mods::command) || event.codepoint < ' ') return;
@@ -129,7 +135,7 @@ void RowList::take_keys() {
         const std::size_t at = find(selection_.current);
         const auto page = static_cast<std::size_t>(area_.state().view.y / options_.line_height);
         const bool side = event.key == Key::left || event.key == Key::right;
-        if (event.key == Key::enter) events_.opened = at;
+        if (event.key == Key::enter) open(at);
         if (event.key == Key::menu) events_.context = at;
         if (event.key == Key::space && at != no_row && !spelling) {
             if (options_.multiple) selection_.toggle(selection_.current), events_.selected = true;
@@ -156,7 +162,7 @@ Response RowList::respond(std::size_t item, Node& node) {
         ui_.set_focus(area_.id());
         if (r.pressed || !selection_.has(key)) go(item, r.pressed ? r.mods : Mods::none);
         if (r.context) events_.context = item;
-        if (r.pressed && r.clicks == 2 && r.mods == Mods::none) events_.opened = item;
+        if (r.pressed && r.clicks == 2 && r.mods == Mods::none) open(item);
         if (events_.selected) ui_.build_again();  // items before this one show what was selected
     }
     node.is |= when(selection_.has(key), Is::selected);

@@ -86,6 +86,7 @@ class RowList {
 
   private:
     void take_keys();
+    void open(std::size_t item);
     void take_letter(const Event& event);
     void go(std::size_t item, Mods mods);
     void select_between(std::uint64_t from, std::size_t to);

@@ -25,4 +25,11 @@ void TypeAhead::add(char32_t letter, double now) {
     if (typed_.size() < longest) append(typed_, letter);
 }
 
+std::size_t TypeAhead::repeated() const {
+    const std::size_t letter = decode(typed_).bytes;
+    for (std::size_t at = letter; at < typed_.size(); at += letter)
+        if (typed_.compare(at, letter, typed_, 0, letter) != 0) return 0;
+    return letter;
+}
+
 }  // namespace lapfx::ui

@@ -26,8 +26,9 @@ class TypeAhead {
     template <typename NameOf>
     std::size_t find(std::size_t count, std::size_t from, const NameOf& name_of) const {
         if (typed_.empty()) return count;
-        const bool same = typed_.find_first_not_of(typed_.front()) == std::string::npos;
-        const std::string_view wanted = same ? std::string_view(typed_).substr(0, 1) : std::string_view(typed_);
+        const std::size_t letter = repeated();
+        const bool same = letter > 0;
+        const std::string_view wanted = same ? std::string_view(typed_).substr(0, letter) : std::string_view(typed_);
         const std::size_t start = from >= count ? 0 : from + (same ? 1 : 0);
         for (std::size_t i = 0; i < count; ++i) {
             const std::size_t at = (start + i) % count;
@@ -37,6 +38,8 @@ class TypeAhead {
     }
 
   private:
+    std::size_t repeated() const;  ///< bytes of the letter that was typed over and over; 0: there are several
+
     std::string typed_;
     double at_ = -1e9;
 };

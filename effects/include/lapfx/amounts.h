@@ -43,8 +43,9 @@ struct AmountsOptions {
 
 class AmountsModel {
   public:
-    /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Throws Error (bad_input) for a
-    /// gravity without a direction.
+    /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Images without pixels, such as
+    /// PreparedOrgan::organ()'s, show no vessels: give the PreparedOrgan itself. Throws Error (bad_input) for a gravity without a
+    /// direction.
     explicit AmountsModel(const Organ& organ, const AmountsOptions& options = {});
     /// The same with an organ that was made ready (prepared_organ.h): takes no time, and shares what is known of it.
     explicit AmountsModel(const std::shared_ptr<const PreparedOrgan>& organ, const AmountsOptions& options = {});

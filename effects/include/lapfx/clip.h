@@ -34,9 +34,8 @@ struct ClipReport {
 ClipReport report_clip(const std::filesystem::path& path);
 
 struct DecodableFrames {
-    int count = 0;  ///< of ClipReport::frames
-    double end =
-        0.0;  ///< s, when the last of them is over: SmokeClip::out that leaves away what cannot be decoded after it
+    int count = 0;     ///< of ClipReport::frames
+    double end = 0.0;  ///< s, when the last of them is over: as SmokeClip::out it leaves out what cannot be decoded
 };
 
 /// Which of a clip's frames can be decoded. Decodes them all: takes as long as that takes. Throws Error: bad_input as report_clip(),

@@ -74,7 +74,9 @@ class Effects {
   public:
     /// Uploads the organ and opens the preset's clips. Throws Error.
     Effects(const Organ& organ, const Preset& preset, const EffectsOptions& options = {});
-    /// The same with an organ that was prepared on another thread (prepared_organ.h): it only has to be sent to the GPU.
+    /// The same with an organ that was prepared on another thread (prepared_organ.h): it has to be sent to the GPU.
+    /// Textures that another Effects has sent before are decoded once more, and densities are found again for other vessels than it
+    /// was prepared for.
     Effects(std::shared_ptr<const PreparedOrgan> organ, const Preset& preset, const EffectsOptions& options = {});
     Effects(Effects&&) noexcept;
     Effects& operator=(Effects&&) noexcept;
@@ -112,7 +114,9 @@ class Effects {
     /// A place on the moved shape, carried back to the rest shape: where a contact there belongs. Unmoved, the place itself.
     glm::dvec3 to_rest(const glm::dvec3& place) const noexcept;
 
-    /// The organ has been cut: another surface takes its place, at rest, with the materials and textures of `organ`.
+    /// The organ has been cut: another surface takes its place, at rest, with the materials and textures of `organ`. Images that
+    /// have a size and no pixels, such as PreparedOrgan::organ()'s, have those of the former organ's image of the same index, name
+    /// and size; where there is none they are white, or flat.
     /// `origin[v]`: the vertex of the former organ that vertex v was, or `new_vertex`. Blood that lies on surviving vertices
     /// stays there until it is cleared, and clots with the wounds of that time; wounds and burns stay at their places, and blood spreads on over the new surface. Time
     /// before this call shows the new surface, with the blood that would have spread over it. Rebuilds what depends on the mesh (as long as the constructor took); buffer

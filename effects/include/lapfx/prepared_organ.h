@@ -1,5 +1,6 @@
 // An organ prepared for the effects: loaded, its surface joined, its vessels and fat found. That takes long and needs no
-// OpenGL, so it can be done on another thread than the one that draws; then it only has to be sent to the GPU.
+// OpenGL, so it can be done on another thread than the one that draws; then it has to be sent to the GPU. Textures that have
+// been sent before are decoded once more; so are all for other vessels than it was prepared for.
 //
 //     auto coming = std::async(std::launch::async, [=] { return lapfx::prepare_organ(scene, preset.vessels); });
 //     ...                                                       // the render thread continues with the previous organ
@@ -26,6 +27,8 @@ class PreparedOrgan {
     const Organ& organ() const;
     /// Every file that was read for it or looked for: organ, textures, materials, the instrument.
     std::vector<std::filesystem::path> files() const;
+    /// The files that the instrument was read from, the mesh first.
+    std::vector<std::filesystem::path> tool_files() const;
     /// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are those, as
     /// large and turned the same way.
     bool made_for(const Scene& scene) const;

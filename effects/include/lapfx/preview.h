@@ -30,7 +30,7 @@ class Preview {
   public:
     /// Loads the scene's organ and tool and the preset's clips. Throws Error.
     Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options = {});
-    /// The same with an organ that prepare_organ(scene, ...) has prepared: it only has to be sent to the GPU, and the clips
+    /// The same with an organ that prepare_organ(scene, ...) has prepared: it has to be sent to the GPU (as Effects'), and the clips
     /// opened. Throws Error (bad_input) when it is another scene's.
     Preview(const Scene& scene, const Preset& preset, std::shared_ptr<const PreparedOrgan> organ,
             const PreviewOptions& options);
@@ -60,7 +60,7 @@ class Preview {
     ToolQueue& tool_queue();
     std::span<const ToolContact> contacts() const;
     const SceneCamera& camera() const;
-    const Organ& organ() const;
+    const Organ& organ() const;  ///< as PreparedOrgan::organ(): its images have sizes and no pixels
     Amounts amounts() const;
     std::vector<ClipStatus> clips() const;
     StreamingTimes streaming_times() const;

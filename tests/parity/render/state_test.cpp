@@ -1,6 +1,7 @@
 // The host's GL state is the host's: what the draw calls find, they leave.
 #include "gl/objects.h"
 #include "gl/program.h"
+#include "gl/state_guard.h"
 #include "lapfx/effects.h"
 #include "parity/render/scene_fixture.h"
 #include "render/camera.h"
@@ -47,6 +48,8 @@ std::map<std::string, GLint64> state() {
         return std::string(text);
     };
     for (const GLenum query : integers) glGetInteger64v(query, &all[name("value", query)]);
+    if (gl::polygon_offset_clamp() != nullptr)
+        glGetInteger64v(gl::polygon_offset_clamp_query, &all["value of glPolygonOffsetClamp"]);
     for (const GLenum query : switches) all[name("switch", query)] = glIsEnabled(query);
     for (const GLenum query : {GL_VIEWPORT, GL_SCISSOR_BOX, GL_COLOR_WRITEMASK}) {
         GLint values[4] = {};
@@ -143,6 +146,8 @@ TEST_F(StateTest, DrawCallsLeaveTheHostsStateAsTheyFindIt) {
         glDepthFunc(on ? GL_GEQUAL : GL_NOTEQUAL);
         glDepthMask(on ? GL_FALSE : GL_TRUE);
         glPolygonOffset(on ? 3.0f : 0.0f, on ? -2.0f : 0.0f);
+        if (const gl::PolygonOffsetClamp offset = gl::polygon_offset_clamp(); on && offset != nullptr)
+            offset(3.0f, -2.0f, 5.0f);
         glBlendFuncSeparate(GL_DST_COLOR, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_SRC_ALPHA);
         glBlendEquationSeparate(GL_FUNC_SUBTRACT, GL_MAX);
         for (GLuint i = 0; i < units; ++i) {

@@ -1,5 +1,7 @@
 // An organ whose long triangles are split for its blood is drawn by those that it was given with, where nothing has happened to
 // it: the picture is that of the split ones.
+#include <map>
+
 #include "gl/objects.h"
 #include "lapfx/effects.h"
 #include "lapfx/refine.h"
@@ -36,6 +38,28 @@ class UnsplitTest : public test::SceneTest {
                                 .to = at});
         }
         effects.set_contacts(contacts);
+    }
+
+    /// The organ without its triangles above `y`, and which of its vertices each one was.
+    static std::pair<Organ, std::vector<std::uint32_t>> without_top(const Organ& organ, float y) {
+        Organ cut;
+        std::vector<glm::vec3> normals;
+        std::vector<std::uint32_t> origin;
+        std::map<std::uint32_t, std::uint32_t> known;
+        for (std::size_t t = 0; t < organ.indices.size(); t += 3) {
+            const std::span corners = std::span(organ.indices).subspan(t, 3);
+            const auto above = [&](std::uint32_t v) { return organ.positions[v].y > y; };
+            if (std::any_of(corners.begin(), corners.end(), above)) continue;
+            for (const std::uint32_t v : corners) {
+                const auto [at, is_new] = known.try_emplace(v, static_cast<std::uint32_t>(origin.size()));
+                cut.indices.push_back(at->second);
+                if (!is_new) continue;
+                cut.positions.push_back(organ.positions[v]);
+                normals.push_back(organ.normals[v]);
+                origin.push_back(v);
+            }
+        }
+        return {test::drawable(std::move(cut), normals), origin};
     }
 
     /// Linear light, per pixel.
@@ -142,6 +166,54 @@ TEST_F(UnsplitTest, SoItIsWhenItMovesAndUnderOverlays) {
         split.set_overlay(overlay);
         EXPECT_LE(compare(unsplit, split, {20, 62, 66}).mean, 1e-6);
     }
+}
+
+TEST_F(UnsplitTest, SoItIsOnceItHasBeenCut) {
+    const Organ given = test::sphere(60.0, 3);
+    const RefinedOrgan fine = refine(given);
+    Effects unsplit(given, preset), split(fine.organ, preset);
+    for (Effects* e : {&unsplit, &split}) {
+        wound(*e, 60.0);
+        e->seek(2.5);
+    }
+    auto [cut, origin] = without_top(given, 40.0f);
+    ASSERT_LT(cut.triangle_count(), given.triangle_count());
+    unsplit.set_topology(cut, origin);
+    // The same for all vertices: what lay between the same two is the same.
+    std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> former;
+    auto next = static_cast<std::uint32_t>(given.positions.size());
+    for (const glm::uvec2& m : fine.midpoints) former[std::minmax(m.x, m.y)] = next++;
+    const RefinedOrgan fine_cut = refine(cut);
+    for (const glm::uvec2& m : fine_cut.midpoints) {
+        const auto found = former.find(std::minmax(origin[m.x], origin[m.y]));
+        origin.push_back(found == former.end() ? Effects::new_vertex : found->second);
+    }
+    split.set_topology(fine_cut.organ, origin);
+    for (const double time : {2.5, 4.0}) {
+        for (Effects* e : {&unsplit, &split}) e->seek(time);
+        expect_alike(unsplit, split);
+    }
+}
+
+TEST_F(UnsplitTest, SoItIsWhenBloodRunsAnotherWayOrItsEdgeReachesFurther) {
+    const Organ given = test::sphere(60.0, 3), fine = refine(given).organ;
+    preset.bleeding.noise_strength = 0.0;
+    Effects unsplit(given, preset), split(fine, preset);
+    for (Effects* e : {&unsplit, &split}) {
+        wound(*e, 60.0);
+        e->seek(2.5);
+    }
+    for (Effects* e : {&unsplit, &split}) {
+        e->set_gravity({1.0, 0.0, 0.2});
+        e->seek(2.5);
+    }
+    expect_alike(unsplit, split);
+    preset.bleeding.noise_strength = 8.0;
+    for (Effects* e : {&unsplit, &split}) {
+        e->set_preset(preset);
+        e->seek(2.5);
+    }
+    expect_alike(unsplit, split);
 }
 
 TEST_F(UnsplitTest, OnlyRunsOfTouchedTrianglesAreDrawn) {

@@ -203,6 +203,53 @@ TEST_F(ClipPlayerTest, BufferingDecodesEachFrameOnceIntoMemoryThatItGivesBack) {
     EXPECT_EQ(player->memory(), (2 + 1 + 4) * bytes);
     for (int i = 0; i < frames; ++i) ASSERT_EQ(cycle(i, Policy::wait), i);
     EXPECT_EQ(player->memory(), (2 + 1 + 4) * bytes);
+    idle.wait();
+    Gate gate(pool);
+    gate.shut();
+    player->set_buffers(buffers);
+    EXPECT_EQ(player->memory(), (buffers + 1 + 4) * bytes) << "at once, before anything is decoded to it";
+    gate.open();
+    for (int i = 0; i < frames; ++i) ASSERT_EQ(cycle(i, Policy::wait), i);
+    idle.wait();
+    EXPECT_EQ(player->memory(), (buffers + 1 + 4) * bytes);
+}
+
+/// Takes the place of glUnmapNamedBuffer while it lives: the driver loses what it is asked to unmap, `losses` times.
+class LossyDriver {
+  public:
+    explicit LossyDriver(int losses) {
+        left = losses;
+        unmap = glad_glUnmapNamedBuffer;
+        glad_glUnmapNamedBuffer = [](GLuint buffer) -> GLboolean {
+            const GLboolean kept = unmap(buffer);
+            return left-- > 0 ? GLboolean{GL_FALSE} : kept;
+        };
+    }
+    ~LossyDriver() { glad_glUnmapNamedBuffer = unmap; }
+    LossyDriver(const LossyDriver&) = delete;
+    LossyDriver& operator=(const LossyDriver&) = delete;
+
+  private:
+    static inline int left = 0;
+    static inline PFNGLUNMAPNAMEDBUFFERPROC unmap = nullptr;
+};
+
+TEST_F(ClipPlayerTest, WhatTheDriverLosesIsDecodedAgainWhereItIsWaitedFor) {
+    EXPECT_EQ(cycle(0, Policy::wait), 0);
+    {
+        const LossyDriver driver(2);
+        EXPECT_EQ(shown(10, Policy::wait), 10);
+    }
+    player->end_cycle(cycles++, times);
+    EXPECT_EQ(cycle(11, Policy::wait), 11);
+    EXPECT_EQ(player->misses(), 0u);
+    {
+        const LossyDriver driver(1000);
+        EXPECT_EQ(shown(20, Policy::wait), 11) << "not tried for ever";
+        EXPECT_EQ(player->misses(), 1u);
+    }
+    player->end_cycle(cycles++, times);
+    EXPECT_EQ(cycle(21, Policy::wait), 21);
 }
 
 TEST_F(ClipPlayerTest, AfterAJumpTheRightFrameComesWithoutWaitingForItsTurn) {

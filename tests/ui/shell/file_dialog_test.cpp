@@ -226,6 +226,36 @@ TEST_F(FileDialogTest, NamesThatAreNoUtf8AreShownAndKept) {
     EXPECT_THAT(chosen, ElementsAre("/home/u/bad\xff.exr"));
 }
 
+TEST_F(FileDialogTest, NamesWithTwoHashesAreShownWhole) {
+    files.folders["/home/u"].push_back({.name = "a##b", .folder = true});
+    files.folders["/home/u/a##b"] = {{.name = "#c##d.exr"}};
+    dialog.set_recent({"/home/u/a##b"});
+    open(request(FileTask::open));
+    EXPECT_GT(ui.rect("Plates/a##b").w, 0) << "a recent one";
+    ui.click("Plates/Files/a##b", {.clicks = 2});
+    EXPECT_EQ(dialog.folder(), "/home/u/a##b");
+    ui.click("Plates/Name").type("gone##1.exr").key(Key::enter);
+    EXPECT_TRUE(says("\"/home/u/a##b/gone##1.exr\" does not exist")) << ui.dump();
+    ui.click("Plates/Home");
+    files.faults["/home/u/a##b"] = "Permission denied";
+    ui.click("Plates/a##b");
+    EXPECT_TRUE(says("\"/home/u/a##b\" cannot be read: Permission denied")) << ui.dump();
+}
+
+TEST_F(FileDialogTest, AFileCalledLikeHomeIsOpenedFromTheList) {
+    files.folders["/home/u/plates"].push_back({.name = "~"});
+    FileRequest any = request(FileTask::open);
+    any.filters.clear();
+    any.folder = "/home/u/plates";
+    open(any);
+    ui.click("Plates/Files/~").click("Plates/Open");
+    EXPECT_THAT(chosen, ElementsAre("/home/u/plates/~"));
+    any.folder = "/home";
+    open(any);
+    ui.click("Plates/Name").type("~").key(Key::escape).key(Key::enter);
+    EXPECT_EQ(dialog.folder(), "/home/u") << "typed it is home";
+}
+
 TEST_F(FileDialogTest, AFolderIsMadeInPlaceAndGoneInto) {
     open(request(FileTask::save));
     ui.click("Plates/New folder");
@@ -319,6 +349,8 @@ TEST_F(FileDialogTest, TypedLettersGoToTheNextNameThatBeginsSo) {
     EXPECT_TRUE(ui.is("Plates/Files/plates", Is::selected)) << "after a second it is another word";
     ui.key(Key::enter);
     EXPECT_EQ(dialog.folder(), "/home/u/plates");
+    ui.type("a");
+    EXPECT_TRUE(ui.is("Plates/Files/a.EXR", Is::selected)) << "what led here is over, however quickly it goes on";
 }
 
 TEST_F(FileDialogTest, OneLetterOverAndOverGoesFromOneToTheNext) {

@@ -1,5 +1,7 @@
 #include "ui/shell/path_completion.h"
 
+#include <system_error>
+
 #include "ui/shell/file_dialog_fixture.h"
 #include "ui/support/count_allocations.h"
 
@@ -237,6 +239,23 @@ TEST_F(SlowFolders, HangingOnesDoNotHeapUp) {
     EXPECT_THAT(suggested(), ElementsAre());
     come();
     EXPECT_THAT(ui.type("a").key(Key::backspace).focused(), "Plates/Name");
+}
+
+class NoThreads : public PathCompletionTest {
+  protected:
+    NoThreads()
+        : PathCompletionTest([](const std::function<void()>&) {
+              throw std::system_error(std::make_error_code(std::errc::resource_unavailable_try_again));
+          }) {}
+};
+
+TEST_F(NoThreads, SuggestNothingFromOtherFolders) {
+    open(request(FileTask::open));
+    ui.type("plates/");
+    EXPECT_THAT(suggested(), ElementsAre());
+    EXPECT_EQ(name(), "plates/");
+    ui.type("a.EXR").key(Key::enter);
+    EXPECT_THAT(chosen, ElementsAre("/home/u/plates/a.EXR"));
 }
 
 }  // namespace

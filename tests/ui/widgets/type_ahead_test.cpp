@@ -34,6 +34,24 @@ TEST(TypeAhead, OneLetterOverAndOverGoesOn) {
     EXPECT_EQ(found(typed, 3), 1U);
 }
 
+TEST(TypeAhead, ALetterOfSeveralBytesIsOne) {
+    constexpr std::array<std::string_view, 4> all{"\u00e9cart", "\u00e8re", "\u00e9t\u00e9", "eel"};
+    const auto next = [&](const TypeAhead& typed, std::size_t from) {
+        return typed.find(all.size(), from, [&](std::size_t i) { return all[i]; });
+    };
+    TypeAhead typed;
+    typed.add(U'\u00e9', 1);
+    EXPECT_EQ(next(typed, all.size()), 0U);
+    EXPECT_EQ(next(typed, 0), 2U);
+    typed.add(U'\u00e9', 1.2);
+    EXPECT_EQ(next(typed, 0), 2U) << "and on";
+    EXPECT_EQ(next(typed, 2), 0U);
+    TypeAhead other;
+    other.add(U'\u00e9', 1), other.add(U't', 1.2);
+    EXPECT_EQ(next(other, 0), 2U);
+    EXPECT_EQ(next(other, 2), 2U) << "a word";
+}
+
 TEST(TypeAhead, LettersBelongTogetherForASecond) {
     TypeAhead typed;
     EXPECT_FALSE(typed.open(0));

@@ -121,6 +121,33 @@ TEST_F(Thumbnails, WhatIsNotWantedAnyMoreIsEndedAtOnce) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
 }
 
+TEST_F(Thumbnails, WhatIsWantedAgainWhileItIsEndedIsMadeAnew) {
+    ThumbnailMaker maker(options(program("sleep 0.4\n" + writes(7))));
+    const ThumbnailMaker::Request a = request("a.json");
+    maker.want({a});
+    std::this_thread::sleep_for(std::chrono::milliseconds(150));
+    maker.want({});
+    maker.want({a});
+    maker.finish();
+    const auto results = maker.take();
+    ASSERT_EQ(results.size(), 1U);
+    EXPECT_EQ(results[0].fault, "");
+    EXPECT_FALSE(results[0].rgba.empty());
+    EXPECT_EQ(runs(), 1U);
+}
+
+TEST_F(Thumbnails, WhateverMakesThemHasLimits) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    const std::string memory;
+#else
+    const std::string memory = std::to_string(ThumbnailMaker::most_memory / 1024) + ' ';
+#endif
+    const std::string tells = memory.empty() ? "" : "$(ulimit -d) ";
+    ThumbnailMaker maker(options(program("sleep 0.2\necho \"" + tells + "$(ulimit -t) $(ulimit -c)\" >&2\nexit 1")));
+    EXPECT_EQ(made(maker, {request("a.json")}).at(0).fault, memory + "600 0") << "a preset";
+    EXPECT_EQ(made(maker, {{.file = folder_.write("a.mp4", "x")}}).at(0).fault, memory + "600 0") << "any other";
+}
+
 TEST_F(Thumbnails, AnyOtherFileIsShownByItself) {
     ThumbnailMaker maker(options(program(notes())));
     made(maker, {{.file = folder_.write("a.mp4", "x")}, {.file = scene_, .scene = folder_.write("other.json", "{}")}});

@@ -202,6 +202,24 @@ TEST(Density, SamplesBetweenTexelsAndAround) {
     EXPECT_GE(map.sample({1e30f, 3e7f}).y, 0.0f) << "huge coordinates find some texel";
 }
 
+TEST(Density, AnImageThatIsNobodysColourHasASizeAndNoSurface) {
+    Organ organ = textured_plane(10.0, painted(8, 8, 10.0, half_fat));
+    organ.images.push_back(painted(6, 4, 10.0, half_fat));
+    DensityMap map(organ, 1);
+    map.set({});
+    EXPECT_EQ(map.size(), glm::ivec2(6, 4));
+    EXPECT_FALSE(map.shows_vessels());
+    for (const Density& density : map.values()) EXPECT_EQ(density, Density(0));
+}
+
+TEST(Density, AnImageWhosePixelsAreNotThoseOfItsSizeTellsNothing) {
+    Organ organ = textured_plane(10.0, painted(8, 8, 10.0, half_fat));
+    organ.images[0].pixels.resize(4);
+    EXPECT_FALSE(map_of(organ).tells());
+    organ.images[0].pixels.clear();
+    EXPECT_FALSE(map_of(organ).tells());
+}
+
 TEST(Density, OneColourTellsNothing) {
     for (const int size : {1, 64}) {
         const Organ organ = textured_plane(10.0, painted(size, size, 10.0, [](double, double) { return artery; }));

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <new>
 
 #include "support/tissue.h"
 
@@ -357,6 +358,28 @@ TEST(TissueDensity, TheSameEveryTime) {
     const Known a(organ), b(organ);
     for (double x = -10.0; x < 10.0; x += 0.7)
         EXPECT_EQ(a.tissue.vessels({x, 0.1, 0.3 * x}), b.tissue.vessels({x, 0.1, 0.3 * x}));
+}
+
+TEST(TissueDensity, StaysAsItWasWhereThereIsNoMemoryForAnother) {
+    Organ organ = textured_plane(40.0, painted(200, 200, 40.0, striped));
+    const auto nothing =
+        std::make_shared<const std::vector<std::uint8_t>>(10, std::uint8_t{0});  // which cannot be decoded
+    const organ::PixelList pixels = organ::take_pixels(organ, {nothing});
+    const Surface surface(organ);
+    TissueDensity tissue(organ, surface, {}, {}, pixels);
+    const glm::dvec3 place(0.2, 0.0, 3.0);
+    const double before = tissue.vessels(place);
+    EXPECT_GT(before, 0.0);
+    VesselParameters other;
+    other.vessel_width = 3.0;
+    pixels[0]->let_go();
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_THROW(tissue.set(other), std::bad_alloc) << "again, for it is not set";
+        EXPECT_EQ(tissue.vessels(place), before);
+        EXPECT_EQ(tissue.version(), 1);
+    }
+    EXPECT_NO_THROW(tissue.set({}));
+    EXPECT_EQ(tissue.vessels(place), before);
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 #include <sstream>
 
 #include "lapfx/preset.h"
+#include "smoke/decoder.h"
+#include "smoke/playhead.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -34,10 +36,10 @@ class InspectCommand : public testing::Test {
         return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read_text(folder.path() / "out.txt"),
                 read_text(folder.path() / "err.txt")};
     }
-    void write_video(const char* name) {
+    void write_video(const char* name, int frames = 5, double rate = 10.0) {
         cv::VideoWriter writer((folder.path() / name).string(), cv::CAP_FFMPEG,
-                               cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0, cv::Size(64, 48));
-        for (int i = 0; i < 5; ++i) writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar(i * 20, 0, 0)));
+                               cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), rate, cv::Size(64, 48));
+        for (int i = 0; i < frames; ++i) writer.write(cv::Mat(48, 64, CV_8UC3, cv::Scalar(i * 20, 0, 0)));
     }
     TemporaryFolder folder;
 };
@@ -92,10 +94,32 @@ TEST_F(InspectCommand, FramesThatCannotBeDecodedAreTold) {
     folder.write("clip.avi", bytes);
     const Result result = run("clip.avi");
     EXPECT_EQ(result.code, 0) << result.err;
+    EXPECT_NE(result.out.find("  frames              5, of which 4 can be decoded; the one before is shown\n"),
+              std::string::npos)
+        << result.out;
+}
+
+TEST_F(InspectCommand, OutAtTheTimeThatIsToldPlaysNoFrameThatCannotBeDecoded) {
+    write_video("clip.avi", 60, 30.0);
+    std::string bytes = read_text(folder.path() / "clip.avi");
+    const std::size_t index = bytes.rfind("idx1"), last = bytes.rfind("\xff\xd8", index);
+    ASSERT_NE(index, std::string::npos);
+    ASSERT_NE(last, std::string::npos);
+    bytes.replace(last, index - last, index - last, '\0');
+    folder.write("clip.avi", bytes);
+    const Result result = run("clip.avi");
+    EXPECT_EQ(result.code, 0) << result.err;
     EXPECT_NE(
-        result.out.find("  frames              5, of which 4 can be decoded; the one before shows in their place\n"),
+        result.out.find("  frames              60, of which 59 can be decoded; the one before is shown, none after "
+                        "1.966 s (a clip's \"out\" there leaves them out)\n"),
         std::string::npos)
         << result.out;
+    const smoke::Decoder decoder(folder.path() / "clip.avi", smoke::Layout::planar);
+    const auto last_played = [&](double out) {
+        return smoke::main_loop(decoder.info(), SmokeClip{.file = "clip.avi", .out = out}).last;
+    };
+    EXPECT_EQ(last_played(1.966), 58);
+    EXPECT_EQ(last_played(1.967), 59) << "59 / 30 s is less";
 }
 
 TEST_F(InspectCommand, EveryBadFileIsOneLineAndTheGoodOnesAreStillTold) {

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <new>
 #include <opencv2/imgcodecs.hpp>
+#include <thread>
 
 #include "organ/image.h"
 
@@ -73,6 +76,78 @@ TEST(Pixels, OfAnOrganAreTakenOutOfItOrCopiedOrLent) {
     EXPECT_EQ(organ.images[1].name, "normals");
     EXPECT_EQ(organ.images[1].width, 64);
     for (const auto& one : {taken[0], taken[1], copies[0]}) EXPECT_TRUE(one->get()->pixels == expected);
+}
+
+TEST(Pixels, OfAFormerOrganAreThoseOfTheSameIndexNameAndSize) {
+    const Encoded file = encoded_picture(".png");
+    Organ organ;
+    organ.images = {decoded(file), decoded(file), decoded(file), decoded(file)};
+    organ.materials = {{.name = "m", .base_color_image = 0, .normal_image = 1},
+                       {.name = "n", .base_color_image = 2, .normal_image = 3}};
+    const Image whole = organ.images[2];
+    const PixelList former = take_pixels(organ, {file, file, file, file});
+    organ.images[1].name = "another";
+    organ.images[2] = whole;
+    organ.images[3].width += 1;
+    const PixelList list = copied_pixels(organ, former);
+    ASSERT_EQ(list.size(), 4U);
+    EXPECT_EQ(list[0], former[0]);
+    EXPECT_EQ(list[1], nullptr) << "of another name";
+    EXPECT_NE(list[2], former[2]) << "it has bytes of its own";
+    EXPECT_EQ(list[3], nullptr) << "of another size";
+    EXPECT_EQ(copied_pixels(organ, {})[1], nullptr);
+}
+
+TEST(Pixels, ThatCannotBeDecodedAgainAreNoMemory) {
+    const Image image = decoded(encoded_picture(".png"));
+    const Pixels pixels(image, std::make_shared<const std::vector<std::uint8_t>>(100, std::uint8_t{1}));
+    EXPECT_TRUE(pixels.get()->pixels == image.pixels);
+    pixels.let_go();
+    EXPECT_THROW(pixels.get(), std::bad_alloc);
+    EXPECT_THROW(pixels.get(), std::bad_alloc) << "nobody waits for a decoder that has given up";
+    EXPECT_EQ(pixels.memory(), 100U);
+}
+
+TEST(Pixels, AnyThreadMayAskForThemAtAnyTime) {
+    const Encoded file = encoded_picture(".png");
+    const Image expected = decoded(file);
+    const Pixels pixels(expected, file);
+    std::atomic<int> others = 0;
+    const auto work = [&] {
+        for (int i = 0; i < 200; ++i) {
+            const auto image = pixels.get();
+            if (image->pixels != expected.pixels) ++others;
+            pixels.let_go();
+            if (pixels.memory() != decoded_bytes + file->size()) ++others;  // `image` has them
+        }
+    };
+    std::thread first(work), second(work);
+    first.join();
+    second.join();
+    EXPECT_EQ(others, 0);
+    EXPECT_EQ(pixels.memory(), file->size());
+}
+
+TEST(Pixels, WhoAsksForTheirMemoryNeverWaitsForADecoder) {
+    cv::Mat noise(1500, 1500, CV_8UC3);
+    cv::randu(noise, 0, 256);
+    std::vector<std::uint8_t> bytes;
+    cv::imencode(".png", noise, bytes);
+    const auto file = std::make_shared<const std::vector<std::uint8_t>>(std::move(bytes));
+    const Pixels pixels(decoded(file), file);
+    pixels.let_go();
+    std::atomic<bool> begun = false;
+    std::shared_ptr<const Image> image;
+    std::thread decoder([&] {
+        begun = true;
+        image = pixels.get();
+    });
+    while (!begun) std::this_thread::yield();
+    int asked = 0;
+    while (pixels.memory() == file->size()) ++asked;
+    decoder.join();
+    EXPECT_GT(asked, 100) << "while it decodes";
+    EXPECT_EQ(pixels.memory(), image->pixels.size() + file->size());
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <opencv2/imgcodecs.hpp>
+
 #include "foundation.h"
 #include "lapfx/amounts.h"
 #include "support/meshes.h"
@@ -95,14 +97,43 @@ TEST(PreparedOrgan, CopiesOfItsTissueThatAreSetToTheSameShareTheirMaps) {
 TEST(PreparedOrgan, EachByteIsCountedOnce) {
     constexpr std::size_t texels = 64 * 64;
     const auto made = prepare_organ(striped());
-    const Foundation& known = *made->state().foundation;
-    EXPECT_EQ(known.pixel_memory(), 4 * texels);
-    EXPECT_TRUE(made->organ().images[0].pixels.empty());
-    EXPECT_EQ(made->memory(), made->state().own_memory() + known.surface_memory() + known.pixel_memory() +
-                                  known.tissue.shared_memory() + known.tissue.own_memory());
-    // Two bytes of densities and a bit for whether it is on the surface; the rest is of the mesh.
-    const std::size_t mesh = known.tissue.shared_memory() - 2 * texels - texels / 8;
-    EXPECT_LT(mesh, made->organ().triangle_count() * 64);
+    const Organ& organ = made->organ();
+    EXPECT_TRUE(organ.images[0].pixels.empty());
+    const std::size_t vertices = organ.positions.size(), triangles = organ.triangle_count();
+    ASSERT_EQ(vertices, 21U * 21);
+    ASSERT_EQ(triangles, 2U * 20 * 20) << "it is not split";
+    const std::size_t edges = vertices + triangles - 1;  // Euler
+    // Positions, normals, tangents, texture coordinates, colours; corners.
+    const std::size_t given = vertices * (12 + 12 + 16 + 8 + 16) + triangles * 12;
+    // Each vertex is a point: where, of which vertex, in which piece, where its triangles and neighbours begin; corners, and the
+    // triangles and neighbours of each point.
+    const std::size_t joined = vertices * (24 + 4 * 4) + 2 * 4 + triangles * (12 + 12) + edges * 2 * 4;
+    // What has its colours from where; texture coordinates, area, redness, colour and what the overlay shows at a vertex.
+    const std::size_t mesh = triangles * (4 + 12) + vertices * (8 + 4 + 4 + 12 + 8);
+    // Two bytes of densities and a bit for whether it is on the surface.
+    const std::size_t densities = 2 * texels + texels / 8;
+    EXPECT_EQ(made->memory(), given + joined + mesh + densities + 4 * texels);
+    EXPECT_EQ(made->state().foundation->pixel_memory(), 4 * texels);
+}
+
+TEST(PreparedOrgan, ItsInstrumentsTexturesCountAsPixels) {
+    const test::Folder folder;
+    cv::imwrite((folder / "steel.png").string(), cv::Mat(16, 32, CV_8UC3, cv::Scalar(90, 80, 70)));
+    folder.write("m.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nf 1 2 3\n");
+    folder.write("t.obj", "mtllib t.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nusemtl a\nf 1/1 2/2 3/3\n");
+    folder.write("t.mtl", "newmtl a\nmap_Kd steel.png\n");
+    Scene scene;
+    scene.folder = folder.path();
+    scene.organ.file = "m.obj";
+    const std::size_t without = prepare_organ(scene)->memory();
+    scene.tool.file = "t.obj";
+    const auto made = prepare_organ(scene);
+    ASSERT_EQ(made->state().tool->images.size(), 1U);
+    EXPECT_TRUE(made->state().tool->images[0].pixels.empty());
+    EXPECT_EQ(made->state().tool->images[0].width, 32);
+    const std::size_t pixels = 32U * 16 * 4 + std::filesystem::file_size(folder / "steel.png");
+    EXPECT_EQ(made->state().tool_pixel_memory(), pixels);
+    EXPECT_EQ(made->memory(), without + pixels + 3 * (64 + 4)) << "and three corners";
 }
 
 TEST(PreparedOrgan, TellsTheFilesThatItIsMadeOf) {

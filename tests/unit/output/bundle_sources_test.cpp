@@ -23,8 +23,9 @@ class BundleSources : public testing::Test {
         preset_.folder = root() / "case";
     }
     fs::path root() const { return fs::canonical(folder_.path()); }
-    std::vector<SourceFile> found(std::span<const fs::path> organ_files = {}) const {
-        return outside_files(preset_, &scene_, root() / "case", {root() / "clips"}, organ_files);
+    std::vector<SourceFile> found(std::span<const fs::path> organ_files = {},
+                                  std::span<const fs::path> tool_files = {}) const {
+        return outside_files(preset_, &scene_, root() / "case", {root() / "clips"}, organ_files, tool_files);
     }
 
     test::Folder folder_;
@@ -46,6 +47,20 @@ TEST_F(BundleSources, OrganToolAndClipsFromElsewhereAreNamedOnceWithTheirPlace) 
     EXPECT_THAT(found(organ),
                 ElementsAre(SourceFile{"Organ", root() / "else/a.obj"}, SourceFile{"Organ", root() / "else/a.mtl"},
                             SourceFile{"Tool", root() / "else/tool.glb"}, SourceFile{"Clip", root() / "clips/s.mp4"}));
+}
+
+TEST_F(BundleSources, WhatTheToolNamesIsListedToo) {
+    scene_.tool.file = "../else/a.obj";
+    const fs::path tool[] = {root() / "else/a.obj", root() / "else/a.mtl"};
+    EXPECT_THAT(found({}, tool),
+                ElementsAre(SourceFile{"Tool", root() / "else/a.obj"}, SourceFile{"Tool", root() / "else/a.mtl"}));
+}
+
+TEST_F(BundleSources, AnImageOfASequenceThatLinksElsewhereIsListed) {
+    for (const char* name : {"case/s_0001.png", "case/s_0002.png", "else/private.png"}) folder_.write(name, "x");
+    fs::create_symlink("../else/private.png", root() / "case/s_0003.png");
+    preset_.smoke.clips = {{.file = (root() / "case/s_%04d.png").string()}};
+    EXPECT_THAT(found(), ElementsAre(SourceFile{"Clip", root() / "else/private.png"}));
 }
 
 TEST_F(BundleSources, ALinkIsWhatItLeadsTo) {
