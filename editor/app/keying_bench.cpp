@@ -285,6 +285,7 @@ void KeyingBench::let_go() {
     work_ = std::make_shared<BenchWork>();
     backdrop_.reset();
     backdrop_time_ = -1;
+    frames_ = 0;
     for (ui::ImageHandle& handle : handles_)
         if (handle != 0) editor_.images.remove(std::exchange(handle, 0));
     for (BenchPixels& pixels : pixels_) pixels.image = {};

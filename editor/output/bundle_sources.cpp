@@ -53,8 +53,8 @@ fs::path mesh_of(const Scene& scene, const std::string& file) {
 }  // namespace
 
 std::vector<SourceFile> outside_files(const Preset& preset, const Scene* scene, const fs::path& folder,
-                                      const std::vector<fs::path>& clip_folders,
-                                      std::span<const fs::path> organ_files, std::span<const fs::path> tool_files) {
+                                      const std::vector<fs::path>& clip_folders, std::span<const fs::path> organ_files,
+                                      std::span<const fs::path> tool_files) {
     Outside outside(folder);
     const auto add_mesh = [&](const char* what, const std::string& name, std::span<const fs::path> files) {
         const fs::path mesh = mesh_of(*scene, name);

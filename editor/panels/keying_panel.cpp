@@ -180,6 +180,7 @@ void pictures(ui::Ui& ui, app::Editor& editor, bool all = true) {
 
 void step_frame(app::Editor& editor, int by) {
     KeyingBench& bench = bench_of(editor);
+    if (!bench.ready()) return;  // how many frames there are is not known yet
     const ClipReport& report = bench.shelf.of(editor.clip).report;
     bench.look.follow = false;
     const double frame = std::clamp(bench.frame() + by, 0, std::max(bench.frames() - 1, 0));
