@@ -312,7 +312,7 @@ Submenu::~Submenu() {
 }
 
 MenuBar::MenuBar(Ui& ui) : ui_(ui) {
-    Node& node = ui.open(Role::menu_bar, "Menu bar", Axis::x);
+    Node& node = ui.open(Role::menu_bar, "Menu bar", Axis::x, Sense::hover);  // known in the next build by its id
     node.size[0] = grow();
     node.padding[0] = node.padding[2] = static_cast<std::uint8_t>(ui.em(0.3F));
     ui.draw_with<draw_bar>(node, ui.theme().panel);
@@ -322,8 +322,9 @@ MenuBar::MenuBar(Ui& ui) : ui_(ui) {
     state.bar_text = 0;
     state.bar_pad = ui.em(0.6F);
     // In a narrow window titles come nearer to each other, so that none is cut.
-    const float room = ui.rect_before(node.id).w - 2 * ui.em(0.3F) - state.bar_texts;
-    if (state.bar_count > 0 && room < 2 * static_cast<float>(state.bar_count) * state.bar_pad)
+    const float width = ui.rect_before(node.id).w;
+    const float room = width - 2 * ui.em(0.3F) - state.bar_texts;
+    if (width > 0 && state.bar_count > 0 && room < 2 * static_cast<float>(state.bar_count) * state.bar_pad)
         state.bar_pad = std::max(ui.em(0.2F), std::floor(room / (2 * static_cast<float>(state.bar_count))));
 }
 
