@@ -1,16 +1,11 @@
 // In every layout, scale and size of the window the main picture keeps a size to work with, all tools of it can be reached, and no
 // text lies over another.
 #include "app/layouts.h"
-#include "app/reference.h"
-#include "editor/support/editor_test.h"
+#include "editor/support/shaped_test.h"
 
 namespace lapfx::test {
 namespace {
 
-struct Shape {
-    float scale;
-    glm::ivec2 size;
-};
 constexpr std::array<Shape, 8> shapes = {{{1, {1440, 900}},
                                           {1.5F, {1440, 900}},
                                           {2, {1440, 900}},
@@ -20,20 +15,8 @@ constexpr std::array<Shape, 8> shapes = {{{1, {1440, 900}},
                                           {1.5F, {500, 400}},
                                           {2, {500, 400}}}};
 
-class RoomTest : public EditorTest {
+class RoomTest : public ShapedTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        editor().reference().choose_sample();
-        ui().frame().frame();
-    }
-    void shape(const Shape& to) {
-        ui().scale = to.scale;
-        ui().size = to.size;
-        ui().frame().frame().frame();
-    }
     /// The largest picture of a panel, as much of it as is seen.
     ui::Rect picture_in(const std::string& panel) {
         ui::Rect largest;

@@ -4,35 +4,18 @@
 #include <gmock/gmock.h>
 
 #include "app/layouts.h"
-#include "app/reference.h"
 #include "app/settings.h"
-#include "editor/support/editor_test.h"
+#include "editor/support/shaped_test.h"
 
 namespace lapfx::test {
 namespace {
 
 using testing::IsEmpty;
 
-struct Shape {
-    float scale;
-    glm::ivec2 size;
-};
 constexpr std::array<Shape, 4> shapes = {{{1, {1440, 900}}, {1.5F, {1440, 900}}, {2, {1440, 900}}, {1, {500, 400}}}};
 
-class TextsTest : public EditorTest {
+class TextsTest : public ShapedTest {
   protected:
-    void SetUp() override {
-        EditorTest::SetUp();
-        if (IsSkipped()) return;
-        open_sample();
-        editor().reference().choose_sample();
-        ui().frame().frame();
-    }
-    void shape(const Shape& to) {
-        ui().scale = to.scale;
-        ui().size = to.size;
-        ui().frame().frame().frame();
-    }
     void expect_readable(const std::string& what) {
         const float em = ui().ui().em(1);
         const auto texts = ui::texts_seen(*ui().output().list, ui::Harness::fonts(), em);

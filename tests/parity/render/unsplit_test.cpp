@@ -40,6 +40,13 @@ class UnsplitTest : public test::SceneTest {
         effects.set_contacts(contacts);
     }
 
+    Effects bleeding(const Organ& organ) const {
+        Effects effects(organ, preset);
+        wound(effects, 60.0);
+        effects.seek(2.5);
+        return effects;
+    }
+
     /// The organ without its triangles above `y`, and which of its vertices each one was.
     static std::pair<Organ, std::vector<std::uint32_t>> without_top(const Organ& organ, float y) {
         Organ cut;
@@ -118,11 +125,7 @@ TEST_F(UnsplitTest, ThePictureIsThatOfTheSplitTriangles) {
     for (const int cuts : {2, 3}) {
         const Organ given = test::sphere(60.0, cuts), fine = refine(given).organ;
         ASSERT_GT(fine.triangle_count(), 3 * given.triangle_count());
-        Effects unsplit(given, preset), split(fine, preset);
-        for (Effects* e : {&unsplit, &split}) {
-            wound(*e, 60.0);
-            e->seek(2.5);
-        }
+        Effects unsplit = bleeding(given), split = bleeding(fine);
         expect_alike(unsplit, split);
         // Blood that has been there and is not is as if it had never been.
         unsplit.seek(5.0);
@@ -137,11 +140,7 @@ TEST_F(UnsplitTest, ThePictureIsThatOfTheSplitTriangles) {
 TEST_F(UnsplitTest, SoItIsWhenItMovesAndUnderOverlays) {
     const Organ given = test::sphere(60.0, 3);
     const RefinedOrgan fine = refine(given);
-    Effects unsplit(given, preset), split(fine.organ, preset);
-    for (Effects* e : {&unsplit, &split}) {
-        wound(*e, 60.0);
-        e->seek(2.5);
-    }
+    Effects unsplit = bleeding(given), split = bleeding(fine.organ);
     std::vector<glm::vec3> moved = given.positions, all, normals;
     for (glm::vec3& p : moved) p += glm::vec3(0.0f, 0.08f * p.x, 0.0f);
     all = moved;
@@ -171,11 +170,7 @@ TEST_F(UnsplitTest, SoItIsWhenItMovesAndUnderOverlays) {
 TEST_F(UnsplitTest, SoItIsOnceItHasBeenCut) {
     const Organ given = test::sphere(60.0, 3);
     const RefinedOrgan fine = refine(given);
-    Effects unsplit(given, preset), split(fine.organ, preset);
-    for (Effects* e : {&unsplit, &split}) {
-        wound(*e, 60.0);
-        e->seek(2.5);
-    }
+    Effects unsplit = bleeding(given), split = bleeding(fine.organ);
     auto [cut, origin] = without_top(given, 40.0f);
     ASSERT_LT(cut.triangle_count(), given.triangle_count());
     unsplit.set_topology(cut, origin);
@@ -198,11 +193,7 @@ TEST_F(UnsplitTest, SoItIsOnceItHasBeenCut) {
 TEST_F(UnsplitTest, SoItIsWhenBloodRunsAnotherWayOrItsEdgeReachesFurther) {
     const Organ given = test::sphere(60.0, 3), fine = refine(given).organ;
     preset.bleeding.noise_strength = 0.0;
-    Effects unsplit(given, preset), split(fine, preset);
-    for (Effects* e : {&unsplit, &split}) {
-        wound(*e, 60.0);
-        e->seek(2.5);
-    }
+    Effects unsplit = bleeding(given), split = bleeding(fine);
     for (Effects* e : {&unsplit, &split}) {
         e->set_gravity({1.0, 0.0, 0.2});
         e->seek(2.5);
