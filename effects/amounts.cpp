@@ -4,13 +4,13 @@
 
 #include "bleeding/bleed_cpu.h"
 #include "cautery/cautery.h"
-#include "cautery/power_cpu.h"
+#include "cautery/power.h"
 #include "foundation.h"
 #include "inputs.h"
 #include "organ/refine.h"
-#include "smoke/contact_fat_cpu.h"
-#include "smoke/haze_cpu.h"
-#include "smoke/touching_cpu.h"
+#include "smoke/contact_fat.h"
+#include "smoke/haze.h"
+#include "smoke/touching.h"
 
 namespace lapfx {
 

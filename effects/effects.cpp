@@ -5,7 +5,7 @@
 #include <sstream>
 
 #include "body.h"
-#include "cautery/power_cpu.h"
+#include "cautery/power.h"
 #include "cautery/recorder.h"
 #include "gl/shader_source.h"
 #include "gl/srgb.h"
@@ -14,9 +14,9 @@
 #include "lapfx/prepared_organ.h"
 #include "organ/refine.h"
 #include "render/view_block.h"
-#include "smoke/contact_fat_cpu.h"
+#include "smoke/contact_fat.h"
 #include "smoke/smoke.h"
-#include "smoke/touching_cpu.h"
+#include "smoke/touching.h"
 
 namespace lapfx {
 
@@ -24,7 +24,7 @@ namespace {
 
 std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const VesselParameters& vessels,
                                                 organ::PixelList pixels = {}) {
-    return std::make_shared<const Foundation>(fine.organ(), vessels, organ::Stages{}, fine.take_unsplit(),
+    return std::make_shared<const Foundation>(fine.organ(), vessels, work::Stages{}, fine.take_unsplit(),
                                               std::move(pixels));
 }
 
@@ -225,9 +225,9 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     state_->view_block.bind(view);
     const EffectsOptions& options = state_->options;
     state_->smoke.draw(view, -state_->down, state_->time, scene_depth,
-                       options.wait_for_clips                      ? smoke::Policy::wait
-                       : options.streaming.late == LateClips::skip ? smoke::Policy::skip
-                                                                   : smoke::Policy::latest);
+                       options.wait_for_clips                      ? media::Policy::wait
+                       : options.streaming.late == LateClips::skip ? media::Policy::skip
+                                                                   : media::Policy::latest);
 }
 
 unsigned Effects::bleed_buffer() const noexcept {

@@ -3,18 +3,18 @@
 
 #include <optional>
 
-#include "bleeding/tissue_density_cpu.h"
+#include "bleeding/tissue_density.h"
 #include "lapfx/prepared_organ.h"
 #include "organ/refine.h"
-#include "organ/stages.h"
 #include "organ/surface.h"
+#include "work/stages.h"
 
 namespace lapfx {
 
 struct Foundation {
     /// `unsplit`: what the organ was split from. `pixels`: of the organ's images, where these have none themselves; empty: copies of
     /// what is needed.
-    Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages = {},
+    Foundation(const Organ& organ, const VesselParameters& vessels, const work::Stages& stages = {},
                organ::Unsplit unsplit = {}, organ::PixelList pixels = {});
     Foundation(const Foundation&) = delete;
     Foundation& operator=(const Foundation&) = delete;

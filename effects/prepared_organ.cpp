@@ -28,7 +28,7 @@ std::filesystem::path path_of(const Scene& scene, const std::string& file, const
     return named_path(scene.folder, file, Reach::anywhere, "", place);
 }
 
-organ::SplitOrgan split_of(Organ organ, const organ::Stages& stages) {
+organ::SplitOrgan split_of(Organ organ, const work::Stages& stages) {
     const organ::RefinePlan plan = organ::plan_refine(organ, stages.part(0.0, 0.0));
     return organ::refine(std::move(organ), plan, stages);
 }
@@ -38,14 +38,14 @@ template <typename F>
 std::shared_ptr<const PreparedOrgan> unless_stopped(const F& work) {
     try {
         return std::make_shared<const PreparedOrgan>(work());
-    } catch (const organ::Stopped&) {
+    } catch (const work::Stopped&) {
         return nullptr;
     }
 }
 
 }  // namespace
 
-Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, const organ::Stages& stages,
+Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, const work::Stages& stages,
                        organ::Unsplit from, organ::PixelList given)
     : unsplit(std::move(from)),
       surface(organ, stages.part(0.0, 0.3)),
@@ -103,7 +103,7 @@ std::size_t PreparedOrgan::memory() const {
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels,
                                                    const Progress& progress) {
     return unless_stopped([&] {
-        const organ::Stages stages(progress);
+        const work::Stages stages(progress);
         auto made = std::make_unique<PreparedOrgan::State>();
         made->organ_source = scene.organ;
         made->tool_source = scene.tool;
@@ -131,7 +131,7 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
 std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselParameters& vessels,
                                                    const Progress& progress) {
     return unless_stopped([&] {
-        const organ::Stages stages(progress);
+        const work::Stages stages(progress);
         auto made = std::make_unique<PreparedOrgan::State>();
         organ::SplitOrgan fine = split_of(std::move(organ), stages.part(0.0, split));
         made->organ = std::move(fine.organ);

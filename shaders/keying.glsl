@@ -1,5 +1,5 @@
 // Smoke out of a video frame (paper: figure 1): luma and chroma thresholds take the background away, Perlin noise varies
-// what is left. Mirrored on the CPU by effects/smoke/keying_cpu.h; tests/parity/keying_test.cpp compares them.
+// what is left. Mirrored on the CPU by effects/smoke/keying_pixel.h; tests/parity/keying_test.cpp compares them.
 // Code values: 0..255 as in the clip, BT.601 luma and chroma (full range).
 
 struct LapfxKeying {

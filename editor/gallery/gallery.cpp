@@ -50,7 +50,7 @@ void page_list(ui::Ui& ui, State& state) {
 
 void switches(ui::Ui& ui, State& state) {
     ui::Panel panel(ui, "Switches", {.width = ui::grow(), .padding = 0.4F});
-    ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::label(ui, "lapfx gallery", {.weight = ui::Weight::bold});
     ui::spacer(ui);
     ui::checkbox(ui, "Light", state.light, "The light theme");
@@ -75,7 +75,7 @@ void shown_page(ui::Ui& ui, State& state) {
 void whole_window(ui::Ui& ui, State& state) {
     ui::Column window(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F});
     switches(ui, state);
-    ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F, .cross = ui::Place::stretch});
+    ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.15F, .cross = ui::ChildAlign::stretch});
     page_list(ui, state);
     shown_page(ui, state);
 }

@@ -15,7 +15,7 @@ void plots(ui::Ui& ui, GraphsState& s) {
                                      {.name = "simulated", .data = &s.simulated}};
     const ui::PlotSeries counts[] = {{.name = "wounds", .data = &s.counts, .kind = ui::PlotKind::bars}};
     const Part part(ui, "Plots");
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 1, .cross = ui::Place::stretch});
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 1, .cross = ui::ChildAlign::stretch});
     ui::plot(ui, "Speed", speeds,
              {.x_name = "Time", .x_unit = "s", .y_name = "Speed", .y_unit = "mm/s", .residual = &s.residual});
     ui::plot(ui, "Counts", counts, {.x_name = "Size", .x_unit = "mm"});

@@ -42,9 +42,9 @@ void icons_page(ui::Ui& ui, State&) {
     constexpr std::size_t columns = 4;
     const Part part(ui, "Icons");
     for (std::size_t first = 0; first < icon_count; first += columns) {
-        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         for (std::size_t i = first; i < std::min(first + columns, icon_count); ++i) {
-            const ui::Row cell(ui, {.width = ui::px(ui.em(13)), .cross = ui::Place::center});
+            const ui::Row cell(ui, {.width = ui::px(ui.em(13)), .cross = ui::ChildAlign::center});
             ui::Node& node = ui.leaf(ui::Role::image, names[i], ui::Sense::hover);
             node.size[0] = ui::px(ui.em(6.2F));
             node.size[1] = ui::px(ui.em(2.7F));

@@ -59,12 +59,12 @@ void sizes(ui::Ui& ui) {
 void places(ui::Ui& ui) {
     struct Example {
         std::string_view name;
-        ui::Place cross;
+        ui::ChildAlign cross;
     };
-    constexpr Example examples[] = {{"start", ui::Place::start},
-                                    {"centre", ui::Place::center},
-                                    {"end", ui::Place::end},
-                                    {"stretch", ui::Place::stretch}};
+    constexpr Example examples[] = {{"start", ui::ChildAlign::start},
+                                    {"centre", ui::ChildAlign::center},
+                                    {"end", ui::ChildAlign::end},
+                                    {"stretch", ui::ChildAlign::stretch}};
     const Part part(ui, "Across the row");
     const ui::Row row(ui, {.width = ui::grow(), .gap = 1});
     for (const Example& example : examples) {
@@ -78,11 +78,11 @@ void places(ui::Ui& ui) {
 
 void rows_and_columns(ui::Ui& ui) {
     const Part part(ui, "Rows in columns in rows");
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(9)), .cross = ui::Place::stretch});
+    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(9)), .cross = ui::ChildAlign::stretch});
     tile(ui, "10 em", ui::px(ui.em(10)), ui::grow());
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
     tile(ui, "upper third", ui::grow(), ui::grow());
-    const ui::Row lower(ui, {.width = ui::grow(), .height = ui::grow(2), .cross = ui::Place::stretch});
+    const ui::Row lower(ui, {.width = ui::grow(), .height = ui::grow(2), .cross = ui::ChildAlign::stretch});
     tile(ui, "lower left", ui::grow(), ui::grow());
     tile(ui, "lower right", ui::grow(), ui::grow());
 }

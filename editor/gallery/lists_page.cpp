@@ -76,7 +76,7 @@ void part_tree(ui::Ui& ui, ListsState& s) {
 void lists_page(ui::Ui& ui, State& state) {
     ListsState& s = state.lists;
     {
-        const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::Place::start});
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::ChildAlign::start});
         {
             const Part part(ui, "Table");
             ui.parent().size[0] = ui::grow(2);

@@ -18,7 +18,7 @@ void fill_overlay(ui::Ui& ui, State& state, std::string_view name) {
     const ui::Column column(ui, {.padding = 0.8F});
     ui::heading(ui, name);
     ui::label(ui, "Esc closes, and so does a press outside a popup.", {.tone = ui::Tone::dim});
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center, .main = ui::Place::end});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center, .main = ui::ChildAlign::end});
     ui::spacer(ui);
     if (ui::button(ui, "Count", {.width = ui::px(ui.em(6))})) ++state.answers;
     if (ui::button(ui, "Close", {.primary = true, .width = ui::px(ui.em(6))})) ui.close_overlay(name);

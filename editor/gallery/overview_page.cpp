@@ -70,7 +70,8 @@ void tree(ui::Ui& ui, ListsState& state) {
 void large_ones(ui::Ui& ui, State& state) {
     const ui::PlotSeries speeds[] = {{.name = "measured", .data = &state.graphs.measured, .reference = true},
                                      {.name = "simulated", .data = &state.graphs.simulated}};
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(11)), .gap = 1.2F, .cross = ui::Place::stretch});
+    const ui::Row row(
+        ui, {.width = ui::grow(), .height = ui::px(ui.em(11)), .gap = 1.2F, .cross = ui::ChildAlign::stretch});
     ui::plot(ui, "Speed", speeds, {.x_unit = "s", .y_unit = "mm/s", .height = ui::px(ui.em(11))});
     ui::compare_view(ui, "Compare", state.pictures.clean.picture(), state.pictures.smoky.picture(),
                      state.pictures.compare);
@@ -83,7 +84,7 @@ void large_ones(ui::Ui& ui, State& state) {
 }
 
 void small_ones(ui::Ui& ui, State& state) {
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::ChildAlign::start});
     {
         const ui::Column column(ui, {.width = ui::grow()});
         ui::heading(ui, "Buttons");

@@ -43,7 +43,7 @@ void several(ui::Ui& ui, ParamsState& s) {
 }  // namespace
 
 void params_page(ui::Ui& ui, State& state) {
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 1.5F, .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 1.5F, .cross = ui::ChildAlign::start});
     {
         const ui::Column column(ui, {.width = ui::grow(), .gap = 1});
         {

@@ -22,7 +22,7 @@ Part::Part(ui::Ui& ui, std::string_view title) : ui_(ui) {
 Line::Line(ui::Ui& ui, std::string_view caption, bool disabled) : ui_(ui), disabled_(disabled) {
     ui::Node& node = ui.open(ui::Role::group, caption, ui::Axis::x);
     node.gap = ui.em(ui.theme().gap);
-    node.cross = ui::Place::center;
+    node.cross = ui::ChildAlign::center;
     node.rigid = false;
     ui::label(ui, caption, {.tone = ui::Tone::dim, .width = ui::px(ui.em(caption_width))});
     if (disabled_) ui.push_disabled(true);

@@ -9,7 +9,7 @@ namespace {
 
 void views(ui::Ui& ui, PicturesState& s) {
     constexpr std::array<std::string_view, 4> kinds = {"Wipe", "Side by side", "Onion", "Difference"};
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 1, .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 1, .cross = ui::ChildAlign::start});
     {
         const Part part(ui, "Picture");
         ui.parent().size[0] = ui::grow();
@@ -24,7 +24,8 @@ void views(ui::Ui& ui, PicturesState& s) {
 }
 
 void pictures(ui::Ui& ui, PicturesState& s) {
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(16)), .gap = 1, .cross = ui::Place::stretch});
+    const ui::Row row(ui,
+                      {.width = ui::grow(), .height = ui::px(ui.em(16)), .gap = 1, .cross = ui::ChildAlign::stretch});
     ui::image_view(ui, "Picture view", s.smoky.picture(), s.view,
                    {.nearest = s.nearest, .magnifier = s.magnifier, .sample_box = 3}, &s.region);
     ui::compare_view(ui, "Compare view", s.clean.picture(), s.smoky.picture(), s.compare,
@@ -33,7 +34,8 @@ void pictures(ui::Ui& ui, PicturesState& s) {
 
 void scopes(ui::Ui& ui, PicturesState& s) {
     const Part part(ui, "Histogram and scopes");
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(ui.em(16)), .gap = 1, .cross = ui::Place::stretch});
+    const ui::Row row(ui,
+                      {.width = ui::grow(), .height = ui::px(ui.em(16)), .gap = 1, .cross = ui::ChildAlign::stretch});
     ui::histogram(ui, "Luma", {.bins = s.luma}, &s.levels, {.gamma = true, .log_counts = &s.log_counts});
     ui::vectorscope(ui, "Chroma", s.vectors.handle(), &s.key);
     ui::waveform(ui, "Waveform", s.waves.handle());

@@ -20,7 +20,7 @@ void sizes(ui::Ui& ui) {
 void digits(ui::Ui& ui) {
     const Part part(ui, "Digits of one width");
     constexpr std::array values = {1.111, 8.888, -40.5, 12345.678, 0.0};
-    const ui::Row row(ui, {.gap = 2, .cross = ui::Place::start});
+    const ui::Row row(ui, {.gap = 2, .cross = ui::ChildAlign::start});
     for (const bool number : {true, false}) {
         const ui::Column column(ui, {.gap = 0});
         ui::label(ui, number ? "tabular" : "proportional", {.tone = ui::Tone::dim});
@@ -58,7 +58,7 @@ void cut(ui::Ui& ui) {
         const Line line(ui, ui.join({text_of(ui, width), " em"}));
         ui::label(ui, "Gallbladder fossa, left margin", {.width = ui::px(ui.em(width))});
     }
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 1.5F, .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 1.5F, .cross = ui::ChildAlign::start});
     for (const ui::Align align : {ui::Align::start, ui::Align::center, ui::Align::end}) {
         const ui::Column column(ui, {.width = ui::grow()});
         ui::label(

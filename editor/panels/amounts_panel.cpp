@@ -115,7 +115,7 @@ void nothing_known(ui::Ui& ui, app::Editor& editor) {
 
 /// It has its line whether the plots are new or not: they stay where they are.
 void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::ChildAlign::center});
     const bool old = amounts.stale() && amounts.busy();
     ui::label(ui,
               old ? "From before the last change; the new amounts are being computed." : "Of the scene as it is now",

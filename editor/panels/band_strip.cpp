@@ -133,7 +133,7 @@ void band_strip(ui::Ui& ui, app::Editor& editor) {
     StripMemory& memory = ui.memory<StripMemory>(ui.id_of("band strip"));
     follow(editor, memory);
     const Counts& counts = *memory.counts;
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 0.8F, .padding = 0.4F, .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .gap = 0.8F, .padding = 0.4F, .cross = ui::ChildAlign::center});
     const auto& counted = counts.histogram;
     const auto all_zero = [](std::span<const std::uint32_t> bins) {
         return std::all_of(bins.begin(), bins.end(), [](std::uint32_t n) { return n == 0; });

@@ -280,7 +280,7 @@ void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
     app::BenchLook& look = editor.keying().look;
     const std::size_t count = editor.keying().clip()->masks.size();
     {
-        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         ui.push_disabled(count >= most_masks && !look.draws_mask);  // what is on can always be switched off
         if (ui::button(ui, "Draw mask",
                        {.tip = "Drag a rectangle on the source picture: nothing inside it counts as smoke",
@@ -304,7 +304,7 @@ void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
         ui.push_seed(i);
         const std::string_view name = ui.join({"Mask ", ui.copy(std::to_string(i + 1))});
         {
-            const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+            const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
             ui::label(ui, name, {.width = ui::grow()});
             if (ui::icon_button(ui, ui::Icon::cross, "Remove mask", {.quiet = true}))
                 editor.document.change("Remove mask", [&](Content& c) {

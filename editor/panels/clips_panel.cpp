@@ -146,7 +146,7 @@ void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t n
     const ClipLook look = look_of(ui, editor, number);
     ui::Node& node = ui.open(ui::Role::list_item, "##clip", ui::Axis::x, ui::RowList::item_sense);
     node.size[0] = ui::grow(), node.size[1] = ui::px(height);
-    node.cross = ui::Place::center, node.main = ui::Place::end;
+    node.cross = ui::ChildAlign::center, node.main = ui::ChildAlign::end;
     node.padding[2] = static_cast<std::uint8_t>(ui.em(0.5F));
     node.label = ui.join({ui.copy(std::to_string(number + 1)), " ", look.title});
     node.text = ui.join({look.title, ", ", look.facts, ", ", look.playing});
@@ -198,13 +198,13 @@ void clip_list(ui::Ui& ui, app::Editor& editor) {
 // --- what is wrong ---------------------------------------------------------------------------------------------------------
 
 void fault_line(ui::Ui& ui, std::string_view text, ui::Tone tone) {
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
     ui::label(ui, text, {.tone = tone, .wrap = true, .width = ui::grow()});
 }
 
 void refused_files(ui::Ui& ui, app::ClipShelf& shelf) {
     if (shelf.refused().empty()) return;
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
     {
         const ui::Column faults(ui, {.width = ui::grow()});
         for (const Fault& fault : shelf.refused())
@@ -276,7 +276,7 @@ void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double d
 }
 
 void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // as the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
     ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
@@ -358,7 +358,7 @@ void take_drops(ui::Ui& ui, app::Editor& editor) {
 void clips_panel(ui::Ui& ui, app::Editor& editor) {
     take_drops(ui, editor);
     {
-        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         ui::command_button(ui, editor.commands, "clip.add");
         ui::spacer(ui);
         for (const char* id : {"clip.up", "clip.down", "clip.duplicate", "clip.remove"})

@@ -214,7 +214,7 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
     if (!one_row) choose();
     std::size_t number = 0;
     {
-        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F, .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F, .cross = ui::ChildAlign::center});
         if (one_row) choose(), ui::space(ui, 0.6F);
         number = static_cast<std::size_t>(memory.kind);
         CurveTools tools(ui, editor, kinds[number], *tables[number]);

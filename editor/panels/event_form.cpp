@@ -51,7 +51,7 @@ class EventForm {
     }
 
   private:
-    static constexpr ui::BoxOptions row_options{.width = ui::grow(), .gap = 0.8F, .cross = ui::Place::start};
+    static constexpr ui::BoxOptions row_options{.width = ui::grow(), .gap = 0.8F, .cross = ui::ChildAlign::start};
 
     void whens() {
         pair(1, [&] { action(), power(); });

@@ -60,7 +60,7 @@ void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::stri
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.15F});
     const std::string_view lower = label == "Folder" ? "folder" : label == "Table" ? "table" : "file";
     ui::label(ui, ui.join({"To this ", lower}), {.tone = ui::Tone::dim});
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::text_field(ui, label, path, {.tip = tip, .invalid = invalid});
     const bool amounts = &path == &editor.exports().form.amounts_file;
     if (!ui::icon_button(ui, ui::Icon::folder, ui.join({"Browse for ", label}))) return;

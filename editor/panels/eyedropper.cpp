@@ -11,7 +11,7 @@ void pick_hint(ui::Ui& ui, app::Editor& editor) {
     ui.parent().placed = true;
     ui.parent().placement =
         ui.arena().make(ui::Placement{.fraction = {0.5F, 1}, .offset = {0, -ui.em(0.8F)}, .pivot = {0.5F, 1}});
-    const ui::Row row(ui, {.cross = ui::Place::center});
+    const ui::Row row(ui, {.cross = ui::ChildAlign::center});
     ui::label(ui, "Click the colour that you want, here or in another picture");
     if (ui::button(ui, "Leave", {.tip = "Leave without picking a colour (Esc)", .quiet = true})) editor.eyedropper = {};
 }

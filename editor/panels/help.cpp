@@ -91,7 +91,7 @@ std::string graphics_of(const app::Editor& editor) {
 }
 
 void about_line(ui::Ui& ui, std::string_view name, std::string_view text) {
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
     ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(ui.em(8))});
     ui::label(ui, text, {.wrap = true, .width = ui::grow()});
 }

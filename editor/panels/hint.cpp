@@ -7,7 +7,7 @@ namespace lapfx::panels {
 void first_hint(ui::Ui& ui, app::Editor& editor) {
     if (editor.settings().hint_seen) return;
     const ui::Panel panel(ui, "First steps", {.width = ui::grow(), .padding = 0.5F});
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
         ui::label(ui,

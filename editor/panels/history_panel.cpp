@@ -41,7 +41,7 @@ ui::TableCell cell_of(HistoryState& state, const document::Document& document, s
 
 void head(ui::Ui& ui, app::Editor& editor) {
     const document::Document& document = editor.document;
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     const std::size_t count = document.steps().size();
     std::string text = std::to_string(count) + (count == 1 ? " step" : " steps");
     if (document.done() < count) text += ", " + std::to_string(count - document.done()) + " undone";

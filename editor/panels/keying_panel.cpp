@@ -172,7 +172,7 @@ void pictures(ui::Ui& ui, app::Editor& editor, bool all = true) {
         return;
     }
     for (const int line : {0, 2}) {
-        const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .cross = ui::Place::stretch});
+        const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .cross = ui::ChildAlign::stretch});
         one_view(ui, editor, static_cast<BenchView>(line));
         one_view(ui, editor, static_cast<BenchView>(line + 1));
     }
@@ -306,7 +306,7 @@ void scope(ui::Ui& ui, app::Editor& editor) {
 void whose_and_suggest(ui::Ui& ui, app::Editor& editor, bool narrow) {
     constexpr std::array<std::string_view, 2> names = {"All clips", "This clip"};
     const std::size_t number = editor.clip;
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::label(ui, "For", {.tone = ui::Tone::dim});
     int own = bench_of(editor).clip()->own_keying ? 1 : 0;
     ui::Edit edit;
@@ -325,7 +325,7 @@ void whose_and_suggest(ui::Ui& ui, app::Editor& editor, bool narrow) {
 
 void pick_color(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::command_button(ui, editor.commands, "clip.eyedropper");
     constexpr std::array<std::string_view, 4> names = {"1 px", "3 x 3", "5 x 5", "11 x 11"};
     constexpr std::array<int, 4> sides = {1, 3, 5, 11};
@@ -358,7 +358,7 @@ void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
     const KeyingSuggestion& found = *bench.suggestion();
     const bool unsure = found.confidence < KeyingBench::sure_from;
     const std::string percent = std::to_string(std::lround(100 * found.confidence));
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::start});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.2F});
         suggested_changes(ui, editor, unsure);
@@ -419,7 +419,7 @@ void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
         const ui::ScrollArea area(ui, "Thresholds", {.gap = 0.3F});
         return thresholds_below(ui, editor);
     }
-    const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.8F, .cross = ui::Place::stretch});
+    const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.8F, .cross = ui::ChildAlign::stretch});
     {
         const ui::Column scopes(ui, {.width = ui::grow(1.15F), .height = ui::grow()});
         luma_histogram(ui, editor, std::max(height - 2.2F, 5.0F));

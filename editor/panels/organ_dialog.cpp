@@ -116,7 +116,7 @@ class OrganDialog {
             ui_, ui_.join({length(size.x), " x ", length(size.y), " x ", length(size.z), " mm (width, height, depth)"}),
             {.tone = possible ? ui::Tone::good : ui::Tone::warning, .number = true, .weight = ui::Weight::bold});
         if (possible) return;
-        const ui::Row row(ui_, {.width = ui::grow(), .cross = ui::Place::center});
+        const ui::Row row(ui_, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         if (!likely) {
             ui::label(
                 ui_,

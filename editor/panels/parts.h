@@ -15,7 +15,7 @@ std::vector<std::string> dropped_files(std::string_view paths);
 /// Room along a row for something that takes all it gets, such as segmented(); ems: 0 is all that is left.
 struct Room : ui::Row {
     Room(ui::Ui& ui, float ems)
-        : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::Place::center}) {}
+        : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::ChildAlign::center}) {}
 };
 
 /// The keys of a command as they are bound now: "Ctrl+Z"; empty: it has none.

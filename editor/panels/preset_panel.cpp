@@ -83,7 +83,7 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui
 
 void tool_row(ui::Ui& ui, app::Editor& editor) {
     Tuning& tuning = editor.tuning();
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     if (tuning.wants_search) {
         tuning.wants_search = false;
         ui.set_focus(ui.id_of("Search"), true);

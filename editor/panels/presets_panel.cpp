@@ -118,7 +118,7 @@ void tool_row(ui::Ui& ui, app::Editor& editor) {
     ui::Node& bar = ui.open(ui::Role::group, "Filter", ui::Axis::x);
     bar.size[0] = ui::grow();
     bar.gap = ui.em(ui.theme().gap);
-    bar.cross = ui::Place::center;
+    bar.cross = ui::ChildAlign::center;
     const float search = ui.em(14);
     const float room = ui.rect_before(bar.id).w - search - ui.em(6);
     ui.follow_size(bar);

@@ -91,7 +91,7 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
         .tip = "The same seed, values and strength give the same result; the seed rises by one each time",
         .integer = true};
     if (ui::param(ui, "Seed", seed, seeds).changed) tuning.seed = static_cast<std::uint64_t>(seed);
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::label(ui, "Everything that is not locked", {.tone = ui::Tone::dim, .width = ui::grow()});
     const app::ParameterGroup* const group = asked_for(ui);
     const std::string_view whose = group == nullptr ? std::string_view("all") : group->name;

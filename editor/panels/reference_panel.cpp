@@ -65,9 +65,11 @@ void accept_drops(ui::Ui& ui, app::Editor& editor) {
 class Notice {
   public:
     explicit Notice(ui::Ui& ui)
-        : ground_(ui,
-                  {.width = ui::grow(), .height = ui::grow(), .cross = ui::Place::center, .main = ui::Place::center}),
-          text_(ui, {.width = ui::px(ui.em(30)), .gap = 0.5F, .cross = ui::Place::center}) {}
+        : ground_(ui, {.width = ui::grow(),
+                       .height = ui::grow(),
+                       .cross = ui::ChildAlign::center,
+                       .main = ui::ChildAlign::center}),
+          text_(ui, {.width = ui::px(ui.em(30)), .gap = 0.5F, .cross = ui::ChildAlign::center}) {}
 
   private:
     ui::Column ground_, text_;
@@ -123,7 +125,7 @@ void warn_of_refused(ui::Ui& ui, app::Editor& editor) {
 /// The last frame is still there.
 void warn_of_faults(ui::Ui& ui, app::Editor& editor) {
     if (editor.reference().faults().empty() || !editor.reference().refused().empty()) return;
-    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+    const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::label(ui, editor.reference().faults().front().text(), {.tone = ui::Tone::warning, .width = ui::grow()});
     ways_out(ui, editor);
 }

@@ -96,7 +96,7 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
     const ui::Size button_width = named ? ui::px(ui.em(5.2F)) : ui::grow();
     ui.push_seed(letter);
     {
-        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.4F, .cross = ui::ChildAlign::center});
         if (room < ui.em(worded_row)) ui::label(ui, letter, {.width = ui::grow()});
         ui.push_disabled(!snapshot);
         const bool show =
@@ -162,7 +162,7 @@ void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, ui::Si
 
 void sides_row(ui::Ui& ui, SnapshotsState& s, float room) {
     if (room >= ui.em(whole_row)) {
-        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.6F, .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .gap = 0.6F, .cross = ui::ChildAlign::center});
         ui::segmented(ui, "Compare", s.left, sides);
         ui::label(ui, "against", {.tone = ui::Tone::dim});
         ui::segmented(ui, "Against", s.right, sides);

@@ -232,7 +232,7 @@ ui::Edit field_row(const RowBuild& b) {
     node.size[0] = ui::grow();
     node.size[1] = ui::px(ui.row_height());
     node.minimum[0] = ui.em(9);
-    node.cross = ui::Place::center;
+    node.cross = ui::ChildAlign::center;
     node.tip = b.tip();
     const bool changed = b.changed();
     node.is |= when(changed, ui::Is::changed) | when(b.options.locked, ui::Is::locked);

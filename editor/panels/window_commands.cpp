@@ -120,7 +120,7 @@ void layout_dialog(ui::Ui& ui, app::Editor& editor) {
                   {.tone = ui::Tone::error, .wrap = true});
     for (const ui::NamedLayout& own : std::vector<ui::NamedLayout>(layouts.own())) {
         ui.push_seed(own.name);
-        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::Place::center});
+        const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         ui::label(ui, own.name, {.width = ui::grow()});
         if (ui::button(ui, ui.join({"Show##", own.name}))) layouts.choose(own.name), dialog.close();
         if (ui::button(ui, ui.join({"Remove##", own.name}))) layouts.remove(own.name);

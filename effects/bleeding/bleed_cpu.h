@@ -14,9 +14,9 @@
 #include <span>
 #include <vector>
 
-#include "bleeding/clearing_cpu.h"
-#include "bleeding/front_cpu.h"
-#include "bleeding/wound_cpu.h"
+#include "bleeding/clearing.h"
+#include "bleeding/front.h"
+#include "bleeding/wound.h"
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
 #include "lapfx/wound.h"

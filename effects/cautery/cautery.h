@@ -11,9 +11,9 @@
 #include <span>
 #include <vector>
 
-#include "cautery/bioheat_cpu.h"
-#include "cautery/radial_cpu.h"
-#include "cautery/track_cpu.h"
+#include "cautery/bioheat.h"
+#include "cautery/radial.h"
+#include "cautery/track.h"
 #include "organ/changed_vertices.h"
 
 namespace lapfx::cautery {

@@ -1,6 +1,6 @@
 #include "organ/gltf_material.h"
 
-#include "organ/image.h"
+#include "media/image.h"
 
 namespace lapfx::organ {
 
@@ -85,7 +85,7 @@ class Images {
         Bytes storage;
         std::string fault;
         const std::span<const std::uint8_t> bytes = document_.image_bytes(source, storage, fault);
-        if (fault.empty()) fault = decode_image(bytes, image);
+        if (fault.empty()) fault = media::decode_image(bytes, image);
         if (const std::filesystem::path file = document_.image_file(source); !file.empty())
             (fault.empty() ? organ_.files : organ_.unread_files).push_back(file);
         if (!fault.empty()) {

@@ -72,7 +72,7 @@ void organ::refuse_format(const std::string& file) {
     refuse(file, "", "is not a mesh that can be read: .glb, .gltf, .obj, .ply, .stl or .off");
 }
 
-Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages,
+Organ organ::load(const std::filesystem::path& path, const OrganOptions& options, const work::Stages& stages,
                   std::vector<Encoded>* encoded) {
     const std::string file = path.string();
     if (!std::isfinite(options.scale) || options.scale < 0.0)

@@ -4,7 +4,7 @@
 #include "lapfx/organ.h"
 #include "organ/file.h"
 #include "organ/pixels.h"
-#include "organ/stages.h"
+#include "work/stages.h"
 
 namespace lapfx::organ {
 
@@ -17,7 +17,7 @@ Format format_of(const std::filesystem::path& path, const Bytes& bytes);
 [[noreturn]] void refuse_format(const std::string& file);
 
 /// As load_organ(). Throws Stopped when the stages say so. `encoded`: where the files of its images go to, by image.
-Organ load(const std::filesystem::path& path, const OrganOptions& options, const Stages& stages,
+Organ load(const std::filesystem::path& path, const OrganOptions& options, const work::Stages& stages,
            std::vector<Encoded>* encoded = nullptr);
 
 }  // namespace lapfx::organ

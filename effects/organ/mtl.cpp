@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "lapfx/file.h"
+#include "media/image.h"
 #include "organ/file.h"
-#include "organ/image.h"
 #include "organ/pack.h"
 #include "organ/soup.h"
 
@@ -81,7 +81,7 @@ fs::path texture_path(const fs::path& folder, std::string name) {
 std::string decode_texture(const fs::path& path, const std::string& name, Image& image, Encoded& encoded) {
     try {
         encoded = std::make_shared<const Bytes>(read_file(path, name));
-        return decode_image(*encoded, image);
+        return media::decode_image(*encoded, image);
     } catch (const Error& error) {
         return error.faults().front().reason;
     }

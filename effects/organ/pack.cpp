@@ -5,7 +5,7 @@
 
 #include "lapfx/error.h"
 #include "lapfx/file.h"
-#include "organ/image.h"
+#include "media/image.h"
 #include "organ/load.h"
 #include "organ/raw.h"
 
@@ -82,7 +82,7 @@ std::string organ::Packing::add_picture(const fs::path& file) {
     try {
         Bytes bytes = read_file(file, file.string());
         Image decoded;
-        if (decode_image(bytes, decoded).empty()) {
+        if (media::decode_image(bytes, decoded).empty()) {
             const std::string_view extension = picture_extension(bytes);
             return add(PackedKind::picture, file, extension, std::move(bytes));
         }

@@ -5,7 +5,7 @@
 #include <new>
 #include <utility>
 
-#include "organ/image.h"
+#include "media/image.h"
 
 namespace lapfx::organ {
 
@@ -27,7 +27,7 @@ PixelList of_base_colors(const Organ& organ, const Make& make) {
 std::shared_ptr<const Image> decoded(const Encoded& encoded) {
     try {
         const auto image = std::make_shared<Image>();
-        if (decode_image(*encoded, *image).empty()) return image;
+        if (media::decode_image(*encoded, *image).empty()) return image;
     } catch (const std::exception&) {
         return nullptr;
     }

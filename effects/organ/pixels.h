@@ -18,7 +18,7 @@
 
 namespace lapfx::organ {
 
-/// A whole file that an image was decoded from (organ/image.h); null: it came from elsewhere.
+/// A whole file that an image was decoded from (media/image.h); null: it came from elsewhere.
 using Encoded = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 class Pixels {

@@ -102,7 +102,7 @@ class Refiner {
         places_ = places_of(organ_);
     }
 
-    void run(std::size_t triangles, const organ::Stages& stages) {
+    void run(std::size_t triangles, const work::Stages& stages) {
         from_.parts = organ_.parts;
         from_.indices = std::move(organ_.indices);
         const std::vector<std::uint32_t>& before = from_.indices;
@@ -196,7 +196,7 @@ class AtLeast {
 
 }  // namespace
 
-organ::RefinePlan organ::plan_refine(const Organ& organ, const Stages& stages) {
+organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& stages) {
     RefinePlan plan{.triangles = organ.triangle_count()};
     // First as the vertices lie: the usual organ is fine, and joining its vertices takes longer than looking.
     std::vector<std::size_t> coarse;
@@ -248,7 +248,7 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const Stages& stages) {
     return plan;
 }
 
-organ::SplitOrgan organ::refine(Organ organ, const RefinePlan& plan, const Stages& stages) {
+organ::SplitOrgan organ::refine(Organ organ, const RefinePlan& plan, const work::Stages& stages) {
     SplitOrgan split{.organ = std::move(organ), .from = {}};
     if (!plan.splits) return split;
     Refiner(split, plan.length).run(plan.triangles, stages);

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "lapfx/refine.h"
-#include "organ/stages.h"
+#include "work/stages.h"
 
 namespace lapfx::organ {
 
@@ -21,7 +21,7 @@ struct RefinePlan {
     int counts = 0;                                           ///< lengths for which triangles were counted
     bool bounded() const { return length > longest_wanted; }  ///< most_added would not have done for longest_wanted
 };
-RefinePlan plan_refine(const Organ& organ, const Stages& stages = {});
+RefinePlan plan_refine(const Organ& organ, const work::Stages& stages = {});
 
 /// What an organ was split from. All empty: it was not.
 struct Unsplit {
@@ -36,7 +36,7 @@ struct SplitOrgan {
     Organ organ;
     Unsplit from;
 };
-SplitOrgan refine(Organ organ, const RefinePlan& plan, const Stages& stages = {});
+SplitOrgan refine(Organ organ, const RefinePlan& plan, const work::Stages& stages = {});
 
 /// An organ that is fine enough for blood: the one that was given, or a copy whose long triangles are split.
 class FineOrgan {

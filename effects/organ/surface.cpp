@@ -25,7 +25,7 @@ double distance_to_path(const glm::dvec3& p, const glm::dvec3& a, const glm::dve
 
 }  // namespace
 
-Surface::Surface(const Organ& organ, const organ::Stages& stages) {
+Surface::Surface(const Organ& organ, const work::Stages& stages) {
     stages.reach(0.0);
     organ::Weld welded = organ::weld_surface(organ.positions, organ.indices);
     weld = std::move(welded.point);

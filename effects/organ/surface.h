@@ -11,15 +11,15 @@
 #include <vector>
 
 #include "lapfx/organ.h"
-#include "organ/stages.h"
 #include "organ/triangle_tree.h"
+#include "work/stages.h"
 
 namespace lapfx {
 
 class Surface {
   public:
     Surface() = default;
-    explicit Surface(const Organ& organ, const organ::Stages& stages = {});
+    explicit Surface(const Organ& organ, const work::Stages& stages = {});
 
     std::vector<std::uint32_t> weld;                      ///< organ vertex to point
     std::vector<glm::dvec3> positions;                    ///< of the points, mm

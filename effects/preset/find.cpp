@@ -152,7 +152,7 @@ void check_table(const Table& table, void* owner, const std::string& pointer, st
 
 }  // namespace
 
-Place find_parameter(const Table& root, void* document, std::string_view key) {
+FoundParameter find_parameter(const Table& root, void* document, std::string_view key) {
     std::vector<std::string_view> parts = split(key.substr(key.starts_with('/') ? 1 : 0), "./");
     const Table* table = &root;
     void* owner = document;
@@ -175,7 +175,7 @@ Place find_parameter(const Table& root, void* document, std::string_view key) {
 }
 
 void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value) {
-    const Place place = find_parameter(root, document, key);
+    const FoundParameter place = find_parameter(root, document, key);
     const std::optional<Value> read = read_value(*place.row, value);
     if (!read) fail(key, in_quotes(value) + " is not " + place.row->expected());
     if (std::string reason = place.row->check(*read); !reason.empty()) fail(key, std::move(reason));

@@ -1,5 +1,5 @@
 // The constants of keying, from a preset's parameters: what the shader (shaders/keying.glsl) and its CPU reference
-// (smoke/keying_cpu.h) both work with. Pure functions, any thread. Code values 0..255.
+// (smoke/keying_pixel.h) both work with. Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -13,7 +13,7 @@ namespace {
 
 /// Rows that give luma, Cb and Cr around 0 (BT.601, as keying.h) out of what textures give, 0..1. Codes that no R'G'B' colour
 /// has are not bounded on the way: beyond black and white the ramps of keying are flat anyway.
-void set_code_rows(LayerBlock& block, const ColorMatrix* matrix) {
+void set_code_rows(LayerBlock& block, const media::ColorMatrix* matrix) {
     glm::mat3 to_rgb(1.0f);
     glm::vec3 offset(0.0f);
     if (matrix != nullptr) {
@@ -47,11 +47,11 @@ void set_window(LayerBlock& block, const Layer& layer, glm::ivec2 size) {
 
 LayerBlock layer_block(const Layer& layer, const Medium& medium, double extra) {
     const KeyingParameters& k = *layer.keying;
-    const PictureFormat& format = layer.frame.format;
+    const media::PictureFormat& format = layer.frame.format;
     const Keying key = keying_of(k, layer.polarity);
     const glm::vec2 size(format.size);
     LayerBlock block{};
-    set_code_rows(block, format.layout == Layout::planar ? layer.frame.matrix : nullptr);
+    set_code_rows(block, format.layout == media::Layout::planar ? layer.frame.matrix : nullptr);
     block.luma_chroma = glm::vec4(key.luma_low, key.luma_high, key.chroma_low, key.chroma_high);
     block.key = glm::vec4(key.key_chroma, key.spill, key.dark);
     block.vary =

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "lapfx/preset.h"
-#include "smoke/clip_frame.h"
+#include "media/clip_frame.h"
 
 namespace lapfx::smoke {
 
@@ -16,7 +16,7 @@ struct Medium {
 };
 
 struct Layer {
-    ClipFrame frame;
+    media::ClipFrame frame;
     const KeyingParameters* keying = nullptr;
     ClipPolarity polarity = ClipPolarity::light;
     const SmokeClip* clip = nullptr;  ///< its crop, fade and masks hold; null: the whole frame

@@ -1,7 +1,7 @@
 // The parameters of smoke (paper: "Smoke generation", figures 1 and 2).
 //
 // Keying makes transparent smoke out of a clip that was filmed before a plain background, per pixel, in 8-bit code values
-// (shaders/keying.glsl, smoke/keying_cpu.h):
+// (shaders/keying.glsl, smoke/keying_pixel.h):
 //
 //   l     = ramp(Y, luma_low, luma_high); polarity dark: of 255 - Y
 //   c     = ramp(distance of (Cb, Cr) from key_color's, chroma_low, chroma_high); 1 when both bounds are 0

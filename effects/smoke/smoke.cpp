@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "gl/noise.h"
-#include "smoke/playhead.h"
+#include "media/playhead.h"
 
 namespace lapfx::smoke {
 
@@ -28,8 +28,8 @@ glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
 }
 
 /// What frames of this clip look like under a scheme (streaming.h).
-Layout layout_of(Scheme scheme) {
-    return scheme == Scheme::pipeline || scheme == Scheme::buffered ? Layout::rgb : Layout::planar;
+media::Layout layout_of(Scheme scheme) {
+    return scheme == Scheme::pipeline || scheme == Scheme::buffered ? media::Layout::rgb : media::Layout::planar;
 }
 
 Medium medium_of(const auto& role) {
@@ -41,7 +41,7 @@ const KeyingParameters& keying_for(const SmokeClip& clip, const SmokeParameters&
 }
 
 /// Under Policy::latest a clip has nothing at first.
-bool there(const ClipFrame& frame) {
+bool there(const media::ClipFrame& frame) {
     return frame.color != 0;
 }
 
@@ -142,14 +142,14 @@ void Smoke::set_haze() {
     haze_.set(emissions_, suctions_, parameters_.haze, factor_);
 }
 
-Smoke::Shown Smoke::show(std::size_t clip, double time, Policy policy) noexcept {
-    const Playhead head = playhead(clips_.info(clip), parameters_.clips[clip], chance(seed_, clip), time);
+Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) noexcept {
+    const media::Playhead head = playhead(clips_.info(clip), parameters_.clips[clip], chance(seed_, clip), time);
     Shown shown{.frame = clips_.frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
     if (head.fading >= 0) shown.fading = clips_.frame(clip, 1, head.fading, policy);
     return shown;
 }
 
-void Smoke::draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept {
+void Smoke::draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, media::Policy policy) noexcept {
     gpu_.begin(medium_of(parameters_.plume), medium_of(parameters_.haze), parameters_.plume.softness);
     double haze_weight = 0.0;
     for (const SmokeClip& clip : parameters_.clips)
@@ -178,7 +178,7 @@ Layer Smoke::layer(std::size_t clip, double time) const noexcept {
             .time = time};
 }
 
-void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept {
+void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, media::Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
     const PlumeParameters& plume = parameters_.plume;
     const glm::vec2 size(clips_.info(clip).size);
@@ -223,7 +223,7 @@ void Smoke::draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexc
 }
 
 /// False when the clip has nothing to show.
-bool Smoke::add_haze(std::size_t clip, double time, double density, Policy policy) noexcept {
+bool Smoke::add_haze(std::size_t clip, double time, double density, media::Policy policy) noexcept {
     if (density <= 0.0) return true;
     Layer drawn = layer(clip, time);
     drawn.seed = chance(seed_ + 2, clip);

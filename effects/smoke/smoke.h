@@ -13,12 +13,12 @@
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
 #include "lapfx/view.h"
-#include "smoke/burns_cpu.h"
-#include "smoke/clip_set.h"
-#include "smoke/haze_cpu.h"
+#include "media/clip_set.h"
+#include "smoke/burns.h"
+#include "smoke/haze.h"
 #include "smoke/particles_cpu.h"
 #include "smoke/particles_gpu.h"
-#include "smoke/plume_cpu.h"
+#include "smoke/plume.h"
 #include "smoke/smoke_gpu.h"
 
 namespace lapfx::smoke {
@@ -42,7 +42,7 @@ class Smoke {
     void set_factor(const FactorCurve& factor);
 
     /// `up`: unit, organ space, where smoke rises to. Into the bound framebuffer and viewport.
-    void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, Policy policy) noexcept;
+    void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, media::Policy policy) noexcept;
 
     /// E(t) of the haze. A preset without clips has no smoke.
     double haze(double time) const noexcept { return parameters_.clips.empty() ? 0.0 : haze_.density(time); }
@@ -51,7 +51,7 @@ class Smoke {
         gpu_.collect(programs);
         programs.push_back(&particles_gpu_.program());
     }
-    const ClipSet& clips() const { return clips_; }
+    const media::ClipSet& clips() const { return clips_; }
     std::size_t target_memory() const noexcept { return gpu_.memory(); }  ///< bytes on the GPU
     /// GPU time of all smoke drawn so far, s, and of how many frames; 0 without StreamingOptions::gpu_timings.
     double shading_seconds() const { return gpu_.timer().seconds(); }
@@ -60,23 +60,23 @@ class Smoke {
   private:
     /// What a clip shows in this frame: once, and again for each place that it is drawn at.
     struct Shown {
-        ClipFrame frame;
-        std::optional<ClipFrame> fading;
+        media::ClipFrame frame;
+        std::optional<media::ClipFrame> fading;
         double fade = 0.0;
     };
     void prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha);
     void take(SmokeParameters wanted);
     void set_haze();
-    Shown show(std::size_t clip, double time, Policy policy) noexcept;
+    Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
-    void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, Policy policy) noexcept;
-    bool add_haze(std::size_t clip, double time, double density, Policy policy) noexcept;
+    void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, media::Policy policy) noexcept;
+    bool add_haze(std::size_t clip, double time, double density, media::Policy policy) noexcept;
     void draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept;
 
     std::uint32_t seed_;
     StreamingOptions options_;
     SmokeParameters parameters_;
-    ClipSet clips_;  // parallel to parameters_.clips
+    media::ClipSet clips_;  // parallel to parameters_.clips
     std::vector<ToolContact> contacts_;
     std::vector<double> fat_;     // parallel to contacts_
     std::vector<double> latest_;  // the same: when it and all before it have ended, s

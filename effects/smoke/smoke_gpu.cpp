@@ -62,8 +62,9 @@ SmokeGpu::SmokeGpu(SmokeResolution resolution, bool timings)
     role(ClipRole::haze).resolve = gl::Program("resolve.vert", "resolve.frag");
 }
 
-unsigned SmokeGpu::variant_of(Layout layout, bool has_alpha, bool is_turned, bool windowed, const KeyingParameters& k) {
-    return (is_turned ? turned : 0u) | (windowed ? window : 0u) | (layout == Layout::planar ? planar : 0u) |
+unsigned SmokeGpu::variant_of(media::Layout layout, bool has_alpha, bool is_turned, bool windowed,
+                              const KeyingParameters& k) {
+    return (is_turned ? turned : 0u) | (windowed ? window : 0u) | (layout == media::Layout::planar ? planar : 0u) |
            (has_alpha ? alpha : 0u) | (k.chroma_high > 0.0 || k.spill > 0.0 ? chroma : 0u) |
            (k.choke > 0.0 || k.feather > 0.0 ? edges : 0u) | (k.noise_strength > 0.0 ? noise : 0u);
 }
@@ -81,7 +82,7 @@ void SmokeGpu::compile(ClipRole which, int count, unsigned variant) {
                                                               : gl::Program("fullscreen.vert", "haze.frag", defines);
 }
 
-void SmokeGpu::prepare(const SmokeClip& clip, Layout layout, bool has_alpha, const KeyingParameters& keying,
+void SmokeGpu::prepare(const SmokeClip& clip, media::Layout layout, bool has_alpha, const KeyingParameters& keying,
                        int count) {
     const ClipRole which = clip.role;
     const bool is_turned = which == ClipRole::haze && clip.rotation > 0.0;
@@ -143,7 +144,7 @@ void SmokeGpu::begin(const Medium& plume, const Medium& haze, double softness) n
 }
 
 void SmokeGpu::add(ClipRole which, const Layer& layer, LayerBlock block) noexcept {
-    const PictureFormat& format = layer.frame.format;
+    const media::PictureFormat& format = layer.frame.format;
     const unsigned variant = variant_of(format.layout, format.alpha, layer.angle != 0.0f,
                                         layer.clip != nullptr && has_window(*layer.clip), *layer.keying);
     const float aspect = static_cast<float>(format.size.x) / static_cast<float>(format.size.y);

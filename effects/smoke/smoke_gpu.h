@@ -28,7 +28,7 @@ class SmokeGpu {
 
     /// Compiles what up to `count` layers of this kind need, so that drawing the first ones does not have to. Throws Error
     /// (runtime).
-    void prepare(const SmokeClip& clip, Layout layout, bool alpha, const KeyingParameters& keying, int count);
+    void prepare(const SmokeClip& clip, media::Layout layout, bool alpha, const KeyingParameters& keying, int count);
     /// Pixels of the largest clip of each role: how many an off-screen target has.
     void set_clip_pixels(int plume, int haze) noexcept;
 
@@ -89,7 +89,8 @@ class SmokeGpu {
     };
     struct HostTarget;
 
-    static unsigned variant_of(Layout layout, bool alpha, bool turned, bool windowed, const KeyingParameters& keying);
+    static unsigned variant_of(media::Layout layout, bool alpha, bool turned, bool windowed,
+                               const KeyingParameters& keying);
     void compile(ClipRole role, int count, unsigned variant);
     const gl::Program* program(ClipRole role, int count, unsigned variant) noexcept;
     void add(ClipRole role, const Layer& layer, LayerBlock block) noexcept;

@@ -3,7 +3,7 @@
 
 #include "lapfx/keying.h"
 #include "lapfx/suggest.h"
-#include "smoke/source_cpu.h"
+#include "smoke/find_source.h"
 
 namespace lapfx {
 

@@ -2,8 +2,8 @@
 #include <algorithm>
 
 #include "lapfx/error.h"
-#include "smoke/decoder.h"
-#include "smoke/suggest_cpu.h"
+#include "media/decoder.h"
+#include "smoke/keying_survey.h"
 
 namespace lapfx {
 
@@ -29,10 +29,10 @@ void KeyingSuggestion::apply(SmokeClip& clip) const {
 }
 
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop) {
-    smoke::Decoder decoder = smoke::open_stoppable(clip, smoke::Layout::rgb, smoke::Decoder::most_frames, stop);
-    const smoke::ClipInfo& info = decoder.info();
+    media::Decoder decoder = media::open_stoppable(clip, media::Layout::rgb, media::Decoder::most_frames, stop);
+    const media::ClipInfo& info = decoder.info();
     smoke::KeyingSurvey survey;
-    smoke::Picture picture;
+    media::Picture picture;
     const int wanted = std::min(info.frame_count(), looked_at);
     for (int i = 0; i < wanted; ++i) {
         const auto index = static_cast<int>((2L * i + 1) * info.frame_count() / (2L * wanted));

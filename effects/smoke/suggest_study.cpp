@@ -109,7 +109,7 @@ struct Cluster {
 std::vector<Cluster> clusters_of_marks(const Study& s) {
     std::vector<Cluster> found;
     for (std::size_t b = 0; b < s.blocks; ++b) {
-        if (s.places[b] != Place::mark) continue;
+        if (s.kinds[b] != BlockKind::mark) continue;
         Cluster grown{s.corners[b] - s.pitch, s.corners[b] + s.edge + s.pitch};
         for (std::size_t i = 0; i < found.size();) {
             if (!found[i].meets(grown)) {
@@ -132,7 +132,7 @@ bool stands_alone(const Study& s, const Cluster& mark) {
     std::size_t all = 0, plain = 0;
     for (std::size_t b = 0; b < s.blocks; ++b) {
         const Cluster block{s.corners[b], s.corners[b] + s.edge};
-        if (s.places[b] == Place::mark || !block.meets(ring) || block.meets(mark)) continue;
+        if (s.kinds[b] == BlockKind::mark || !block.meets(ring) || block.meets(mark)) continue;
         for (std::size_t p = 0; p < s.pictures(); ++p) all += 1, plain += s.at(p, b).background ? 1u : 0u;
     }
     return all > 0 && plain * 10 >= all * 6;
@@ -160,8 +160,8 @@ void find_background(Study& s) {
 }
 
 /// What a block shows over time: background always, always the same other thing, or what changes.
-void find_places(Study& s) {
-    s.places.assign(s.blocks, Place::changing);
+void find_kinds(Study& s) {
+    s.kinds.assign(s.blocks, BlockKind::changing);
     for (std::size_t b = 0; b < s.blocks; ++b) {
         bool quiet = true, never = true;
         glm::vec3 low(255.0f), high(0.0f);
@@ -172,15 +172,15 @@ void find_places(Study& s) {
         }
         const glm::vec3 range = high - low;
         if (quiet)
-            s.places[b] = Place::quiet;
+            s.kinds[b] = BlockKind::quiet;
         else if (never && s.pictures() >= enough_pictures && std::max({range.r, range.g, range.b}) <= still)
-            s.places[b] = Place::mark;
+            s.kinds[b] = BlockKind::mark;
     }
-    s.marks = static_cast<double>(std::count(s.places.begin(), s.places.end(), Place::mark)) /
+    s.marks = static_cast<double>(std::count(s.kinds.begin(), s.kinds.end(), BlockKind::mark)) /
               static_cast<double>(std::max<std::size_t>(s.blocks, 1));
     // What fills much of the picture and hardly moves is smoke at rest, or no mark at any rate.
     if (s.marks > 0.1) {
-        std::replace(s.places.begin(), s.places.end(), Place::mark, Place::changing);
+        std::replace(s.kinds.begin(), s.kinds.end(), BlockKind::mark, BlockKind::changing);
         s.marks = 0.0;
     }
 }

@@ -26,7 +26,7 @@ struct Block {
     bool background = false;
 };
 
-enum class Place { changing, quiet, mark };
+enum class BlockKind { changing, quiet, mark };
 
 /// What the survey is worked out from, step by step.
 struct Study {
@@ -38,7 +38,7 @@ struct Study {
     std::vector<glm::ivec2> corners;  ///< upper left, of the blocks
     std::size_t pixels = 0;           ///< a block
     std::vector<Block> all;           ///< picture after picture
-    std::vector<Place> places;        ///< a block's, over time
+    std::vector<BlockKind> kinds;     ///< a block's, over time
     glm::vec3 background{0.0f};
     bool plain = true;           ///< there is one; otherwise black is assumed
     double share = 0.0;          ///< that is background
@@ -53,7 +53,7 @@ struct Study {
 /// fill nearly all of a clip. Without a plain one black is taken.
 void find_background(Study& study);
 /// What each block shows over time.
-void find_places(Study& study);
+void find_kinds(Study& study);
 /// Rectangles around marks that stand before the background, fractions of the frame; the largest first.
 std::vector<ClipMask> masks_of(const Study& study);
 

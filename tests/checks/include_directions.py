@@ -3,7 +3,8 @@
 
     editor, samples -> effects/include/lapfx/*.h
     editor: commands -> window, panels -> app -> document -> lapfx/*.h
-    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> {organ, preset, gl} -> effects/include/lapfx/*.h
+    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work} -> effects/include/lapfx/*.h
+    what happens (tool, heat, wounds, blood, haze, amounts) -> no OpenGL
 
 With --self-test, checks the checker: each rule on made-up files that break it and on ones that keep it.
 """
@@ -16,7 +17,11 @@ import source_files
 PUBLIC = "effects/include/lapfx/"
 # The facade: it knows all of the core, so nothing that it is made of may include it.
 FACADE = ("effects.h", "preview.h")
-LEVELS = {"organ": 0, "preset": 0, "gl": 0, "bleeding": 1, "smoke": 1, "cautery": 1, "render": 2, "": 3}
+LEVELS = {"preset": 0, "gl": 0, "work": 0, "media": 1, "tool": 1, "organ": 2, "bleeding": 3, "smoke": 3, "cautery": 3, "render": 4,
+          "": 5}
+# Of effects/, what runs without OpenGL: whole folders, and files at the top. What these include does too.
+WITHOUT_GL = ("preset", "work", "tool", "organ", "cautery")
+WITHOUT_GL_FILES = ("effects/simulation.h", "effects/simulation.cpp", "effects/amounts.cpp", "effects/foundation.h")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
 # Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
@@ -140,20 +145,30 @@ def reachable(path, graph):
 
 
 def cpu_gpu_faults(texts, graph):
-    """An effect's CPU part and GPU part never see each other, and the CPU part sees no OpenGL; nor by a detour."""
+    """An effect's CPU part and GPU part never see each other; `_cpu` is in a name only beside its `_gpu`."""
     for path in sorted(texts):
         kind = re.search(r"_(cpu|gpu)\.(?:h|cpp)$", path)
         if not path.startswith("effects/") or not kind:
             continue
         other = "_gpu." if kind[1] == "cpu" else "_cpu."
-        for target, by in sorted({**reachable(path, graph), path: path}.items()):
+        if kind[1] == "cpu" and not any(path[:kind.start()] + f"_gpu.{end}" in texts for end in ("h", "cpp")):
+            yield f"{path}: there is no _gpu beside it: leave _cpu out of its name"
+        for target, by in sorted(reachable(path, graph).items()):
             through = "" if by == path else f" (through {by})"
             if other in os.path.basename(target):
                 yield f"{path}: includes {target}{through}: the CPU part and the GPU part never include each other"
-            if kind[1] == "cpu":
-                for _, name in includes_of(texts[target]):
-                    if name.startswith(GL):
-                        yield f"{path}: reaches {name} through {target}: the CPU part knows no OpenGL"
+
+
+def opengl_faults(texts, graph):
+    """What happens on an organ is worked out without OpenGL; nor by a detour."""
+    for path in sorted(texts):
+        if not (part(path) in WITHOUT_GL or path in WITHOUT_GL_FILES or
+                path.startswith("effects/") and re.search(r"_cpu\.(?:h|cpp)$", path)):
+            continue
+        for target in sorted({**reachable(path, graph), path: path}):
+            for _, name in includes_of(texts[target]):
+                if name.startswith(GL):
+                    yield f"{path}: reaches {name} through {target}: this part knows no OpenGL"
 
 
 def check(texts):
@@ -170,6 +185,7 @@ def check(texts):
             if fault:
                 yield f"{path}: includes {name}: {fault}"
     yield from cpu_gpu_faults(texts, graph)
+    yield from opengl_faults(texts, graph)
 
 
 # (what is wrong, or None if nothing is; {path: text}).
@@ -226,6 +242,9 @@ EXAMPLES = [
       "effects/smoke/key_gpu.h": ""}),
     ("knows no OpenGL", {"effects/smoke/key_cpu.cpp": '#include "gl/a.h"', "effects/gl/a.h": "#include <glad/gl.h>"}),
     ("knows no OpenGL", {"effects/smoke/key_cpu.h": "#include <glad/gl.h>"}),
+    ("knows no OpenGL", {"effects/simulation.h": '#include "smoke/a.h"', "effects/smoke/a.h": "#include <glad/gl.h>"}),
+    ("knows no OpenGL", {"effects/cautery/a.h": "#include <EGL/egl.h>"}),
+    ("leave _cpu out of its name", {"effects/smoke/haze_cpu.h": ""}),
 ]
 
 

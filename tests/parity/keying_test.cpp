@@ -1,8 +1,8 @@
-// shaders/keying.glsl and its CPU reference effects/smoke/keying_cpu.h key alike, to 1e-5 of alpha and 1e-3 of a code value.
+// shaders/keying.glsl and its CPU reference effects/smoke/keying_pixel.h key alike, to 1e-5 of alpha and 1e-3 of a code value.
 #include <cmath>
 #include <limits>
 
-#include "smoke/keying_cpu.h"
+#include "smoke/keying_pixel.h"
 #include "support/gpu_function.h"
 #include "support/gpu_test.h"
 

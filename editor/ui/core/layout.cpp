@@ -98,13 +98,13 @@ void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
 
 void put_along(std::span<Node> nodes, const Node& node, int a, float inside) {
     float cursor = node.at[a] + static_cast<float>(node.padding[a]);
-    if (node.main == Place::center || node.main == Place::end) {
+    if (node.main == ChildAlign::center || node.main == ChildAlign::end) {
         float all = node.in_flow > 0 ? node.gap * static_cast<float>(node.in_flow - 1) : 0.0F;
         for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
             if (flows(nodes[c])) all += nodes[c].extent[a];
         }
         const float left = std::max(0.0F, inside - all);
-        cursor += node.main == Place::center ? left / 2 : left;
+        cursor += node.main == ChildAlign::center ? left / 2 : left;
     }
     if (node.scrolls[a] && node.scroll != nullptr) cursor -= whole(node.scroll->offset[a]);
     for (std::uint32_t c = node.first; c != no_node; c = nodes[c].next) {
@@ -125,14 +125,14 @@ void put_across(std::span<Node> nodes, const Node& node, int a, float inside) {
         if (!flows(child)) continue;
         const SizeKind kind = child.size[a].kind;
         if (kind == SizeKind::fraction) child.extent[a] = inside * child.size[a].value;
-        if (kind == SizeKind::grow || (kind == SizeKind::fit && node.cross == Place::stretch)) {
+        if (kind == SizeKind::grow || (kind == SizeKind::fit && node.cross == ChildAlign::stretch)) {
             child.extent[a] = node.scrolls[a] ? std::max(inside, child.extent[a]) : inside;
         } else if (!child.rigid && !node.scrolls[a]) {
             child.extent[a] = std::min(child.extent[a], inside);
         }
         child.extent[a] = whole(std::max(child.extent[a], child.minimum[a]));
         const float left = inside - child.extent[a];
-        const float shift = node.cross == Place::center ? left / 2 : node.cross == Place::end ? left : 0.0F;
+        const float shift = node.cross == ChildAlign::center ? left / 2 : node.cross == ChildAlign::end ? left : 0.0F;
         child.at[a] = whole(from + shift);
     }
 }

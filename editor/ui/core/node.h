@@ -167,7 +167,7 @@ constexpr Size fraction(float f) {
 
 enum class Axis : std::uint8_t { x, y };
 /// Of children across their parent's axis, and along it where something is left over.
-enum class Place : std::uint8_t { start, center, end, stretch };
+enum class ChildAlign : std::uint8_t { start, center, end, stretch };
 
 /// Where an overlay lies, or a child that is placed by hand.
 struct Placement {
@@ -216,7 +216,7 @@ struct alignas(64) Node {
     float gap = 0;
     std::uint8_t padding[4] = {};  ///< px: left, top, right, bottom
     Axis axis = Axis::y;
-    Place cross = Place::stretch, main = Place::start;
+    ChildAlign cross = ChildAlign::stretch, main = ChildAlign::start;
     bool rigid = true;  ///< does not shrink below its wish
     bool clips = false;
     bool scrolls[2] = {false, false};

@@ -412,7 +412,7 @@ struct BoxOptions {
     Size width = fit(), height = fit();
     float gap = -1;     ///< em; negative: the theme's
     float padding = 0;  ///< em
-    Place cross = Place::stretch, main = Place::start;
+    ChildAlign cross = ChildAlign::stretch, main = ChildAlign::start;
 };
 class Box {
   public:
@@ -425,7 +425,7 @@ class Box {
     Ui& ui_;
 };
 struct Row : Box {
-    explicit Row(Ui& ui, const BoxOptions& options = {.cross = Place::center}) : Box(ui, Axis::x, options) {}
+    explicit Row(Ui& ui, const BoxOptions& options = {.cross = ChildAlign::center}) : Box(ui, Axis::x, options) {}
 };
 struct Column : Box {
     explicit Column(Ui& ui, const BoxOptions& options = {}) : Box(ui, Axis::y, options) {}

@@ -156,7 +156,7 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
     bool has_standard = false;
     for (std::size_t begin = 0, end = 0; begin < all.size(); begin = end) {
         end = begin + buttons_in_row(all.subspan(begin));
-        const Row row(ui_, {.width = grow(), .main = Place::end});
+        const Row row(ui_, {.width = grow(), .main = ChildAlign::end});
         for (std::size_t i = begin; i < end; ++i) {
             ui_.push_disabled(!all[i].enabled);
             if (button(ui_, all[i].label, {.tip = all[i].tip, .primary = all[i].standard})) pressed = i;

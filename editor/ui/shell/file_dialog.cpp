@@ -120,7 +120,7 @@ std::uint64_t FileDialog::key_of(std::size_t row) const {
 void FileDialog::build_path_bar(Ui& ui) {
     std::string next;
     {
-        const Row row(ui, {.width = grow(), .cross = Place::center});
+        const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
         if (icon_button(ui, Icon::chevron_up, "Folder above", {.tip = "Folder above (Alt+Up)", .quiet = true}))
             next = parent_of(folder_);
         std::size_t begin = folder_.size();  // of the first that is shown
@@ -264,7 +264,7 @@ void FileDialog::build_new_folder(Ui& ui) {
     if (!makes_folder_) return;
     bool makes = false, gives_up = false;
     {
-        const Row row(ui, {.width = grow(), .cross = Place::center});
+        const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
         if (text_field(ui, "Name of the new folder", new_folder_, {.bytes = 255, .keys_outside = true})) fault_.clear();
         const Id field = ui.id_of("Name of the new folder");
         if (std::exchange(folder_fresh_, false)) ui.set_focus(field, true);
@@ -321,7 +321,7 @@ void FileDialog::go_to_list(Ui& ui) {
 }
 
 void FileDialog::build_name(Ui& ui) {
-    const Row row(ui, {.width = grow(), .cross = Place::center});
+    const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
     const std::string_view hint = count_.empty() ? std::string_view("Name, or a path") : count_;
     const auto wanted = [this](const FileEntry& each, bool hidden) { return passes(each, hidden || hidden_); };
     const FunctionRef<bool(const FileEntry&, bool)> is_wanted = wanted;
@@ -407,7 +407,7 @@ std::optional<std::vector<std::string>> FileDialog::build(Ui& ui) {
         take_chords(ui, dialog.id());
         build_path_bar(ui);
         {
-            const Row row(ui, {.width = grow(), .height = grow(), .cross = Place::stretch});
+            const Row row(ui, {.width = grow(), .height = grow(), .cross = ChildAlign::stretch});
             build_places(ui);
             {
                 const Column list(ui, {.width = grow(), .height = grow()});

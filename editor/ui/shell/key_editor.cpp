@@ -241,7 +241,7 @@ bool key_editor(Ui& ui, CommandTable& table) {
     EditorState& state = ui.memory<EditorState>(state_id);
     bool changed = false;
     {
-        const Row row(ui, {.width = grow(), .cross = Place::center});
+        const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
         search_field(ui, "Search commands", state.query, {.placeholder = "Command or keys"});
         if (button(ui, "All to standard")) {
             table.reset_all();
@@ -281,7 +281,7 @@ void cheat_sheet(Ui& ui, const CommandTable& table, std::span<const SheetPart> m
         const ScrollArea area(ui, "All keys",
                               {.width = px(count * ui.em(sheet_column) + (count - 1) * ui.em(sheet_gap)),
                                .height = px(std::min(static_cast<float>(lines) * ui.row_height(), room.y))});
-        const Row row(ui, {.gap = sheet_gap, .cross = Place::start});
+        const Row row(ui, {.gap = sheet_gap, .cross = ChildAlign::start});
         SheetColumns put(ui, lines);
         put_groups(table, put);
         put.part(own);

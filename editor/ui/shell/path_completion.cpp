@@ -192,7 +192,8 @@ bool PathCompletion::build(Ui& ui, Id field, std::string& typed, const Shown& sh
     const std::size_t clicked = put_rows(ui);
     if (found_.size() > rows) {
         const std::string count = std::to_string(found_.size()) + (found_.size() == most_found ? " or more" : "");
-        const Row row(ui, {.width = grow(), .height = px(ui.row_height()), .cross = Place::center, .main = Place::end});
+        const Row row(
+            ui, {.width = grow(), .height = px(ui.row_height()), .cross = ChildAlign::center, .main = ChildAlign::end});
         label(ui, ui.join({count, " names"}), {.tone = Tone::dim, .size = 0.9F});
     }
     ui.close_overlay_node();

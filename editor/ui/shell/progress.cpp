@@ -67,7 +67,7 @@ std::string_view duration_text(Ui& ui, double seconds) {
 }
 
 bool progress(Ui& ui, std::string_view label_text, double fraction, const ProgressOptions& options) {
-    const Row row(ui, {.width = options.width, .cross = Place::center});
+    const Row row(ui, {.width = options.width, .cross = ChildAlign::center});
     const bool known = fraction >= 0 && std::isfinite(fraction);
     fraction = known ? std::min(fraction, 1.0) : 0.0;
     const std::string_view shown = split_label(label_text).shown;

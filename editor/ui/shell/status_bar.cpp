@@ -32,7 +32,7 @@ StatusBar::StatusBar(Ui& ui) : ui_(ui) {
     node.size[0] = grow();
     node.size[1] = px(ui.row_height());
     node.padding[0] = node.padding[2] = static_cast<std::uint8_t>(std::min(ui.em(ui.theme().padding), 255.0F));
-    node.cross = Place::center;
+    node.cross = ChildAlign::center;
     node.gap = ui.em(1);
     node.clips = true;
     ui.draw_with<draw_status_bar>(node, &ui.theme());

@@ -227,7 +227,7 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
     const Id id = card.id;
     ids_.push_back(id);
     card.text = ui.copy(words_of(ui, toast.text, shown.count));
-    card.cross = Place::end;
+    card.cross = ChildAlign::end;
     const Measured measured = measure(ui, card.text, !toast.action.empty());
     card.size[0] = px(width_in(ui));
     card.size[1] = px(measured.height);
@@ -292,7 +292,7 @@ void Toasts::build_log(Ui& ui) {
         if (log_.empty()) label(ui, "There are no notices yet.", {.tone = Tone::dim});
         for (std::size_t i = log_.size(); i-- > 0;) {
             const ToastNote& each = log_[i];
-            const Row row(ui, {.width = grow(), .cross = Place::start});
+            const Row row(ui, {.width = grow(), .cross = ChildAlign::start});
             label(ui, ui.copy(ago(ui.time() - each.time)), {.tone = Tone::dim, .width = px(ui.em(6))});
             literal(ui, words_of(ui, each.text, each.count), tone_of(each.kind));
         }

@@ -123,7 +123,7 @@ Edit segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std:
 
 Edit radio(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices) {
     Node& node = ui.open(Role::group, label, Axis::y);
-    node.cross = Place::start;
+    node.cross = ChildAlign::start;
     const Edit edit = choose<draw_radio, lay_radio>(ui, chosen, choices);
     ui.close();
     return edit;

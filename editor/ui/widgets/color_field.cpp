@@ -223,7 +223,7 @@ void take_over(Session& s, Color color) {
 /// What it was when the picker opened, a click goes back to it; beside it what it is now.
 void put_swatches(Session& s, const ColorOptions& options) {
     Ui& ui = s.ui;
-    const Row row(ui, {.width = grow(), .gap = 0, .cross = Place::center});
+    const Row row(ui, {.width = grow(), .gap = 0, .cross = ChildAlign::center});
     Node& before = ui.leaf(Role::button, "Before", Sense::hover | Sense::press | Sense::focus | Sense::activate);
     before.size[0] = grow(), before.size[1] = px(ui.row_height());
     before.tip = "Back to what it was";
@@ -275,7 +275,7 @@ void put_number(Session& s, std::string_view label, double number, double maximu
 void put_numbers(Session& s) {
     Ui& ui = s.ui;
     {
-        const Row row(ui, {.width = grow(), .cross = Place::center});
+        const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
         constexpr std::uint8_t Color::*channels[] = {&Color::r, &Color::g, &Color::b};
         constexpr std::string_view labels[] = {"R", "G", "B"};
         for (std::size_t i = 0; i < 3; ++i) {
@@ -286,7 +286,7 @@ void put_numbers(Session& s) {
             });
         }
     }
-    const Row row(ui, {.width = grow(), .cross = Place::center});
+    const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
     const auto set = [&](const Hsv& hsv) { s.set(hsv, s.color.a); };
     put_number(s, "H", s.p.hsv.hue, 360, "deg", [&](float v) {
         set({std::min(v, 359.99F), s.p.hsv.saturation, s.p.hsv.value});
@@ -400,13 +400,13 @@ Edit color_picker(Ui& ui, Id owner, std::string_view label, Color& color, const 
     Session s{ui, p, color, ui.arena().make(PadLook{})};
     bool pick = false;
     {
-        const Row pads(ui, {.gap = 0.6F, .cross = Place::start});
+        const Row pads(ui, {.gap = 0.6F, .cross = ChildAlign::start});
         put_square(s);
         put_hue(s);
         if (options.alpha) put_alpha(s);
     }
     {
-        const Row row(ui, {.width = grow(), .gap = 0.4F, .cross = Place::center});
+        const Row row(ui, {.width = grow(), .gap = 0.4F, .cross = ChildAlign::center});
         put_hex(s, options);
         put_swatches(s, options);
         if (dropper != nullptr) pick = icon_button(ui, Icon::eyedropper, "Pick from a picture", {.quiet = true});

@@ -81,7 +81,7 @@ void virtual_rows(Ui& ui, std::string_view label, std::size_t count, float row_h
         ui.push_seed(row);
         Node& line = ui.open(Role::none, {}, Axis::x);
         line.size[1] = px(row_height);
-        line.cross = Place::center;
+        line.cross = ChildAlign::center;
         each(row);
         ui.close();
         ui.pop_seed();

@@ -80,7 +80,7 @@ Section::Section(Ui& ui, std::string_view label, const SectionOptions& options) 
     outer.gap = ui.em(ui.theme().gap);
     const std::string_view title = outer.shown;
     {
-        const Row row(ui, {.gap = 0, .cross = Place::center});
+        const Row row(ui, {.gap = 0, .cross = ChildAlign::center});
         open_ = put_header(ui, title, options);
         for (std::size_t i = 0; i < options.buttons.size(); ++i) {
             const SectionButton& button = options.buttons[i];

@@ -67,7 +67,7 @@ void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolIte
     bool hidden = false, at_end = false;
     Id anchor = 0;
     {
-        const Row row(ui, {.width = grow(), .cross = Place::center});
+        const Row row(ui, {.width = grow(), .cross = ChildAlign::center});
         for (std::size_t i = 0; i < items.size(); ++i) {
             if (items[i].end && !at_end) spacer(ui), at_end = true;
             if (cut.shows(items, i)) build(i);
@@ -83,7 +83,7 @@ void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolIte
     Node* const menu = ui.open_overlay_node(name, Role::group, label, Axis::y);
     if (menu == nullptr) return;
     menu->gap = ui.em(ui.theme().gap);
-    menu->cross = Place::start;
+    menu->cross = ChildAlign::start;
     for (std::uint8_t& pad : menu->padding)
         pad = static_cast<std::uint8_t>(std::min(ui.em(ui.theme().padding), 255.0F));
     ui.draw_with<draw_popup>(*menu, true);

@@ -1,5 +1,5 @@
 // A frame of a clip on its way to smoke, on the CPU: what the editor's keying bench shows. The same formulas as the shader's
-// (smoke/keying_cpu.h, tests/parity/smoke/keying_picture_test.cpp); without noise.
+// (smoke/keying_pixel.h, tests/parity/smoke/keying_test.cpp); without noise.
 //
 //     lapfx::KeyingReader reader(lapfx::find_clip("plume.mp4", preset.folder, {}));  // throws lapfx::Error: not a clip
 //     lapfx::KeyingFrame frame;

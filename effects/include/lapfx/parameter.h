@@ -104,7 +104,7 @@ struct Table {
 };
 
 /// A parameter inside a document: where `bleeding.speed` or `smoke.clips.0.weight` leads to.
-struct Place {
+struct FoundParameter {
     const Parameter* row = nullptr;
     void* owner = nullptr;
     std::string pointer;  ///< JSON pointer, "/bleeding/speed"
@@ -114,7 +114,7 @@ struct Place {
 
 /// Follows a key; '.' and '/' both separate, a leading '/' is allowed.
 /// Throws Error (bad_input) with the nearest known key.
-Place find_parameter(const Table& root, void* document, std::string_view key);
+FoundParameter find_parameter(const Table& root, void* document, std::string_view key);
 
 /// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3".
 /// Throws Error (bad_input), and leaves the document as it was, when the key is unknown or the value is not

@@ -4,7 +4,7 @@
 //     if (found.confidence > 0.5) found.apply(clip);
 //     else log(found.reason);
 //
-// How it decides: effects/smoke/suggest_cpu.h. Any thread; no GL.
+// How it decides: effects/smoke/keying_survey.h. Any thread; no GL.
 #pragma once
 
 #include <atomic>
@@ -50,7 +50,7 @@ struct SourceSuggestion {
 };
 
 /// Where a clip's smoke starts, the point that is placed at the tool tip: with keying as suggested, from about 56 frames. How:
-/// effects/smoke/source_cpu.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it early: Error (runtime),
+/// effects/smoke/find_source.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it early: Error (runtime),
 /// or any place.
 SourceSuggestion suggest_source(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 

@@ -128,7 +128,7 @@ class OurToolkit : public Toolkit {
     }
 
     void sliders() {
-        Row columns(ui_, {.width = grow(), .height = grow(), .cross = Place::start});
+        Row columns(ui_, {.width = grow(), .height = grow(), .cross = ChildAlign::start});
         for (int column = 0; column < 8; ++column) {
             Column one(ui_, {.width = grow(), .gap = 0});
             for (int i = 0; i < 46; ++i) {

@@ -8,7 +8,7 @@
 #include "gl/objects.h"
 #include "lapfx/view.h"
 #include "render/view_block.h"
-#include "smoke/keying_cpu.h"
+#include "smoke/keying_pixel.h"
 #include "smoke/smoke_gpu.h"
 #include "support/gpu_test.h"
 #include "support/thickness.h"
@@ -17,7 +17,8 @@ namespace lapfx::smoke {
 
 /// A frame whose planes are known, in textures as ClipSet makes them; it lies in the last of three layers.
 struct HandMade {
-    HandMade(glm::ivec2 size, Layout layout, bool alpha, std::uint32_t seed, const ColorMatrix& m) : matrix(m) {
+    HandMade(glm::ivec2 size, media::Layout layout, bool alpha, std::uint32_t seed, const media::ColorMatrix& m)
+        : matrix(m) {
         format = {.size = size, .layout = layout, .alpha = alpha};
         std::mt19937 random(seed);
         const auto fill = [&](std::vector<std::uint8_t>& plane, std::size_t bytes, int low, int high) {
@@ -28,25 +29,25 @@ struct HandMade {
         fill(planes[0], format.color_bytes(), 16, 235);
         fill(planes[1], format.chroma_bytes(), 108, 148);
         fill(planes[2], format.alpha_bytes(), 0, 255);
-        const bool rgb = layout == Layout::rgb;
+        const bool rgb = layout == media::Layout::rgb;
         make(0, size, rgb ? GL_RGB8 : GL_R8, rgb ? GL_RGB : GL_RED);
         make(1, format.chroma_size(), GL_RG8, GL_RG);
         make(2, size, GL_R8, GL_RED);
     }
 
-    ClipFrame frame() const {
+    media::ClipFrame frame() const {
         return {.format = format,
                 .color = textures[0].name(),
                 .chroma = textures[1].name(),
                 .alpha = textures[2].name(),
                 .layer = 2,
-                .matrix = format.layout == Layout::planar ? &matrix : nullptr};
+                .matrix = format.layout == media::Layout::planar ? &matrix : nullptr};
     }
 
     /// R'G'B' code values at a place, pixels of the clip; bilinear, clamped to the edge.
     glm::vec3 rgb(glm::vec2 place) const {
-        const glm::vec4 color = bilinear(planes[0], format.size, format.layout == Layout::rgb ? 3 : 1, place);
-        if (format.layout == Layout::rgb) return glm::vec3(color);
+        const glm::vec4 color = bilinear(planes[0], format.size, format.layout == media::Layout::rgb ? 3 : 1, place);
+        if (format.layout == media::Layout::rgb) return glm::vec3(color);
         const glm::vec4 chroma = bilinear(planes[1], format.chroma_size(), 2, place / 2.0f);
         return matrix.matrix * (glm::vec3(color.x, chroma.x, chroma.y) - matrix.offset);
     }
@@ -59,8 +60,8 @@ struct HandMade {
         return format.alpha ? shade(luma(rgb(place)), bilinear(planes[2], format.size, 1, place).x / 255.0f) : 1.0f;
     }
 
-    PictureFormat format;
-    ColorMatrix matrix;
+    media::PictureFormat format;
+    media::ColorMatrix matrix;
     std::vector<std::uint8_t> planes[3];
     gl::Texture textures[3];
 
@@ -89,8 +90,8 @@ struct HandMade {
 };
 
 /// BT.601, limited range.
-inline ColorMatrix bt601() {
-    ColorMatrix m;
+inline media::ColorMatrix bt601() {
+    media::ColorMatrix m;
     m.matrix = glm::mat3(glm::vec3(255.0f / 219.0f), glm::vec3(0.0f, -0.391762f, 2.017232f),
                          glm::vec3(1.596027f, -0.812968f, 0.0f));
     m.offset = {16.0f, 128.0f, 128.0f};

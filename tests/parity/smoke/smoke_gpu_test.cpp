@@ -3,7 +3,7 @@
 
 #include "gl/srgb.h"
 #include "parity/smoke/smoke_fixture.h"
-#include "smoke/plume_cpu.h"
+#include "smoke/plume.h"
 
 namespace lapfx::smoke {
 namespace {
@@ -12,7 +12,7 @@ constexpr glm::vec4 everywhere{0.0f, 0.0f, 1.0f, 1.0f};
 
 struct Case {
     const char* name;
-    Layout layout;
+    media::Layout layout;
     bool alpha;
     KeyingParameters keying;
     ClipPolarity polarity = ClipPolarity::light;
@@ -39,14 +39,14 @@ KeyingParameters with_edges() {
 
 const std::vector<Case>& cases() {
     static const std::vector<Case> all{
-        {"rgb", Layout::rgb, false, by_luma()},
-        {"planar", Layout::planar, false, by_luma()},
-        {"planar_dark_mirrored", Layout::planar, false, by_luma(), ClipPolarity::dark, true},
-        {"rgb_by_chroma", Layout::rgb, false, by_chroma()},
-        {"planar_by_chroma", Layout::planar, false, by_chroma()},
-        {"rgb_alpha", Layout::rgb, true, by_luma()},
-        {"planar_alpha_edges", Layout::planar, true, with_edges()},
-        {"planar_edges", Layout::planar, false, with_edges()},
+        {"rgb", media::Layout::rgb, false, by_luma()},
+        {"planar", media::Layout::planar, false, by_luma()},
+        {"planar_dark_mirrored", media::Layout::planar, false, by_luma(), ClipPolarity::dark, true},
+        {"rgb_by_chroma", media::Layout::rgb, false, by_chroma()},
+        {"planar_by_chroma", media::Layout::planar, false, by_chroma()},
+        {"rgb_alpha", media::Layout::rgb, true, by_luma()},
+        {"planar_alpha_edges", media::Layout::planar, true, with_edges()},
+        {"planar_edges", media::Layout::planar, false, with_edges()},
     };
     return all;
 }
@@ -106,7 +106,7 @@ TEST_P(SmokeLayers, HazeIsThatOfTheReferences) {
             worst = std::max(worst, static_cast<double>(std::max({error.r, error.g, error.b})));
         }
     // Texture filtering has 8 bits, the sum half floats. Chroma is filtered everywhere, and the tint of dark pixels enlarges it.
-    const bool filtered = tested.keying.choke > 0.0 || tested.layout == Layout::planar;
+    const bool filtered = tested.keying.choke > 0.0 || tested.layout == media::Layout::planar;
     EXPECT_LT(worst, filtered ? 7e-3 : 1.5e-3);
 }
 
@@ -157,7 +157,7 @@ TEST_F(SmokeGpuHaze, WithoutNoiseTheUnitOfItsTilesIsLeftAlone) {
 
 TEST_F(SmokeGpuHaze, NoiseIsEachLayersOwnHoweverTheyAreDrawn) {
     set_depth([](glm::ivec2) { return 100.0f; });
-    HandMade clip(size, Layout::planar, false, 4, bt601());
+    HandMade clip(size, media::Layout::planar, false, 4, bt601());
     std::fill(clip.planes[1].begin(), clip.planes[1].end(), std::uint8_t{128});  // grey: then both ways are the same
     clip.textures[1].upload(GL_RG, clip.planes[1].data(), 2);
     KeyingParameters keying = by_luma();
@@ -185,7 +185,7 @@ TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
     // Its left half is clear, its right half thick: turned by a right angle the halves lie above each other.
     set_size({40, 40});
     set_depth([](glm::ivec2) { return 100.0f; });
-    HandMade clip({40, 40}, Layout::rgb, false, 1, {});
+    HandMade clip({40, 40}, media::Layout::rgb, false, 1, {});
     for (std::size_t i = 0; i < clip.planes[0].size(); ++i) clip.planes[0][i] = (i / 3) % 40 < 20 ? 0 : 255;
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
     const KeyingParameters keying = by_luma();
@@ -221,7 +221,7 @@ class SmokeGpuPlume : public SmokeGpuTest {
 TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
     set_size({180, 120});
     set_depth([](glm::ivec2 p) { return p.x + p.y / 3 < 100 ? 60.0f : 200.0f; });
-    HandMade clip({60, 40}, Layout::rgb, false, 1, {});
+    HandMade clip({60, 40}, media::Layout::rgb, false, 1, {});
     std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{150});
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
     const KeyingParameters keying = by_luma();
@@ -246,7 +246,7 @@ TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
 }
 
 TEST_F(SmokeGpuPlume, FadesOverItsSoftnessWhereItMeetsTheScene) {
-    HandMade clip(size, Layout::rgb, false, 1, {});
+    HandMade clip(size, media::Layout::rgb, false, 1, {});
     std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{150});
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
     const KeyingParameters keying = by_luma();
@@ -275,7 +275,7 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
     set_size({120, 100});
     set_depth([](glm::ivec2) { return 400.0f; });
     plume.color = glm::dvec3(0.0);  // then only its transmission is seen
-    HandMade clip({120, 100}, Layout::rgb, false, 1, {});
+    HandMade clip({120, 100}, media::Layout::rgb, false, 1, {});
     std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{255});
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
     const KeyingParameters keying = by_luma();
@@ -305,7 +305,7 @@ TEST_F(SmokeGpuPlume, ThickSmokeFadesEvenlyTowardsTheBorder) {
 
 TEST_F(SmokeGpuPlume, LeavesTheRestOfTheFrameAlone) {
     set_depth([](glm::ivec2) { return 300.0f; });
-    HandMade clip(size, Layout::rgb, false, 1, {});
+    HandMade clip(size, media::Layout::rgb, false, 1, {});
     const KeyingParameters keying = by_luma();
     const auto small =
         plume_corners({.anchor = {0.0f, 0.0f, -100.0f}, .extent = {30.0f, 20.0f}, .source = {0.5f, 0.5f}});

@@ -31,7 +31,8 @@ TEST(Layout, WhatIsLeftIsSharedByWeight) {
 TEST(Layout, CentresAndAligns) {
     Harness ui(
         [](Ui& u) {
-            Row row(u, {.width = grow(), .height = px(50), .gap = 0, .cross = Place::center, .main = Place::end});
+            Row row(
+                u, {.width = grow(), .height = px(50), .gap = 0, .cross = ChildAlign::center, .main = ChildAlign::end});
             box(u, "A", px(100), px(10));
             box(u, "B", px(100), px(20));
         },
@@ -138,8 +139,8 @@ class RandomTree {
         node.size[0] = size(), node.size[1] = size();
         node.gap = static_cast<float>(pick(5));
         node.rigid = false;
-        node.main = static_cast<Place>(pick(3));
-        node.cross = static_cast<Place>(pick(4));
+        node.main = static_cast<ChildAlign>(pick(3));
+        node.cross = static_cast<ChildAlign>(pick(4));
         for (std::uint8_t& p : node.padding) p = static_cast<std::uint8_t>(pick(4));
         for (int i = 0; i < children; ++i) add(u, depth + 1);
         u.close();

@@ -13,7 +13,7 @@ namespace {
 TEST(Parameters, KeysAndPointersLeadToTheSameValueAsInTheTable) {
     Preset preset;
     for (const ParameterEntry& entry : parameters().entries()) {
-        const Place place = find_parameter(preset_table(), &preset, entry.key);
+        const FoundParameter place = find_parameter(preset_table(), &preset, entry.key);
         EXPECT_EQ(place.row, entry.row) << entry.key;
         EXPECT_EQ(place.owner, entry.owner(preset)) << entry.key;
         EXPECT_EQ(place.pointer, entry.pointer);

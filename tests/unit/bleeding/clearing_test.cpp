@@ -1,4 +1,4 @@
-#include "bleeding/clearing_cpu.h"
+#include "bleeding/clearing.h"
 
 #include <gtest/gtest.h>
 

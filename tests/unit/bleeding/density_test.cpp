@@ -1,4 +1,4 @@
-#include "bleeding/density_cpu.h"
+#include "bleeding/density.h"
 
 #include <gtest/gtest.h>
 

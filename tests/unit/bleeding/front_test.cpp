@@ -1,4 +1,4 @@
-#include "bleeding/front_cpu.h"
+#include "bleeding/front.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bleeding/point_blur_cpu.h"
+#include "bleeding/point_blur.h"
 
 #include <gtest/gtest.h>
 

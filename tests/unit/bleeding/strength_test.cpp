@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "bleeding/wound_cpu.h"
+#include "bleeding/wound.h"
 
 namespace lapfx::bleeding {
 namespace {

@@ -1,4 +1,4 @@
-#include "bleeding/terrain_cpu.h"
+#include "bleeding/terrain.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Vessel and fat density on real organs. The folder is no part of the project; set LAPFX_TEST_DATA to where it lies.
-#include "bleeding/tissue_density_cpu.h"
+#include "bleeding/tissue_density.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {

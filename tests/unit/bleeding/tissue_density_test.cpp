@@ -1,4 +1,4 @@
-#include "bleeding/tissue_density_cpu.h"
+#include "bleeding/tissue_density.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "bleeding/wound_cpu.h"
+#include "bleeding/wound.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cautery/bioheat_cpu.h"
+#include "cautery/bioheat.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cautery/heat_cpu.h"
+#include "cautery/heat.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cautery/power_cpu.h"
+#include "cautery/power.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "cautery/radial_cpu.h"
+#include "cautery/radial.h"
 
 #include <gtest/gtest.h>
 

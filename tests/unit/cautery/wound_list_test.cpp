@@ -1,8 +1,8 @@
-#include "cautery/wound_list_cpu.h"
+#include "cautery/wound_list.h"
 
 #include <gtest/gtest.h>
 
-#include "bleeding/wound_cpu.h"
+#include "bleeding/wound.h"
 #include "unit/cautery/support.h"
 
 namespace lapfx::cautery {

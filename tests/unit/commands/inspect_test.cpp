@@ -5,8 +5,8 @@
 #include <sstream>
 
 #include "lapfx/preset.h"
-#include "smoke/decoder.h"
-#include "smoke/playhead.h"
+#include "media/decoder.h"
+#include "media/playhead.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -114,9 +114,9 @@ TEST_F(InspectCommand, OutAtTheTimeThatIsToldPlaysNoFrameThatCannotBeDecoded) {
                         "1.966 s (a clip's \"out\" there leaves them out)\n"),
         std::string::npos)
         << result.out;
-    const smoke::Decoder decoder(folder.path() / "clip.avi", smoke::Layout::planar);
+    const media::Decoder decoder(folder.path() / "clip.avi", media::Layout::planar);
     const auto last_played = [&](double out) {
-        return smoke::main_loop(decoder.info(), SmokeClip{.file = "clip.avi", .out = out}).last;
+        return media::main_loop(decoder.info(), SmokeClip{.file = "clip.avi", .out = out}).last;
     };
     EXPECT_EQ(last_played(1.966), 58);
     EXPECT_EQ(last_played(1.967), 59) << "59 / 30 s is less";

@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <thread>
 
-#include "organ/image.h"
+#include "media/image.h"
 
 namespace lapfx::organ {
 namespace {
@@ -26,7 +26,7 @@ Encoded encoded_picture(const char* extension) {
 
 Image decoded(const Encoded& encoded) {
     Image image;
-    EXPECT_EQ(decode_image(*encoded, image), "");
+    EXPECT_EQ(media::decode_image(*encoded, image), "");
     return image;
 }
 

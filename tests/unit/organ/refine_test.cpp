@@ -270,21 +270,21 @@ TEST(Refine, ALengthThatWillDoIsFoundAtOnceInAnyUnit) {
 TEST(Refine, CanBeStopped) {
     const Organ room = box(5000.0);
     const Progress never = [](double) { return false; };
-    EXPECT_THROW(organ::plan_refine(room, organ::Stages(never)), organ::Stopped);
+    EXPECT_THROW(organ::plan_refine(room, work::Stages(never)), work::Stopped);
     const organ::RefinePlan plan = organ::plan_refine(room);
     std::vector<double> shares;
     const Progress note = [&](double share) {
         shares.push_back(share);
         return true;
     };
-    organ::refine(room, plan, organ::Stages(note));
+    organ::refine(room, plan, work::Stages(note));
     EXPECT_GT(shares.size(), 4U);
     EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
     EXPECT_LE(shares.back(), 1.0);
     for (std::size_t stop = 1; stop <= shares.size(); ++stop) {
         std::size_t asked = 0;
         const Progress until = [&](double) { return ++asked < stop; };
-        EXPECT_THROW(organ::refine(room, plan, organ::Stages(until)), organ::Stopped);
+        EXPECT_THROW(organ::refine(room, plan, work::Stages(until)), work::Stopped);
     }
 }
 

@@ -15,13 +15,13 @@ using testing::ElementsAre;
 TEST(FindParameter, FollowsDotsAndSlashes) {
     Preset preset = full_preset();
     for (const char* key : {"bleeding.speed", "bleeding/speed", "/bleeding/speed", "/bleeding.speed"}) {
-        const Place place = find_parameter(preset_table(), &preset, key);
+        const FoundParameter place = find_parameter(preset_table(), &preset, key);
         EXPECT_EQ(place.pointer, "/bleeding/speed");
         EXPECT_EQ(place.row->key, "speed");
         EXPECT_EQ(place.owner, &preset.bleeding);
     }
     EXPECT_EQ(find_parameter(preset_table(), &preset, "name").pointer, "/name");
-    const Place clip = find_parameter(preset_table(), &preset, "smoke.clips.1.weight");
+    const FoundParameter clip = find_parameter(preset_table(), &preset, "smoke.clips.1.weight");
     EXPECT_EQ(clip.pointer, "/smoke/clips/1/weight");
     EXPECT_EQ(clip.owner, &preset.smoke.clips[1]);
 }

@@ -129,7 +129,7 @@ TEST(WritePreset, RoundTripsEveryRowAtItsExtremes) {
                                            const std::string text = write_preset(preset);
                                            Preset read = parse_preset(text, "p");
                                            EXPECT_EQ(write_preset(read), text);
-                                           const Place place = find_parameter(preset_table(), &read, pointer);
+                                           const FoundParameter place = find_parameter(preset_table(), &read, pointer);
                                            EXPECT_EQ(place.row->get(place.owner), value);
                                        });
     // vessel_low 3 and 1.5, vessel_high 0, fat_low 110, fat_high 0 and 55,
@@ -143,7 +143,7 @@ TEST(WriteScene, RoundTripsEveryRowAtItsExtremes) {
                                            const std::string text = write_scene(scene);
                                            Scene read = parse_scene(text, "s");
                                            EXPECT_EQ(write_scene(read), text);
-                                           const Place place = find_parameter(scene_table(), &read, pointer);
+                                           const FoundParameter place = find_parameter(scene_table(), &read, pointer);
                                            EXPECT_EQ(place.row->get(place.owner), value);
                                        });
     EXPECT_EQ(skipped, 0);

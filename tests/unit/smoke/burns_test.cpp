@@ -1,4 +1,4 @@
-#include "smoke/burns_cpu.h"
+#include "smoke/burns.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "smoke/contact_fat_cpu.h"
+#include "smoke/contact_fat.h"
 
 #include <gtest/gtest.h>
 

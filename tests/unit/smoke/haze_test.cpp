@@ -1,4 +1,4 @@
-#include "smoke/haze_cpu.h"
+#include "smoke/haze.h"
 
 #include <gtest/gtest.h>
 

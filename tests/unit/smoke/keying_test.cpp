@@ -1,162 +1,223 @@
-#include "smoke/keying_cpu.h"
-
+// Pictures of keying on the CPU: against the references of smoke/keying_pixel.h, and against values that are known.
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <cmath>
+#include <filesystem>
+#include <random>
 
-namespace lapfx::smoke {
+#include "lapfx/keying.h"
+#include "smoke/keying_pixel.h"
+#include "support/clips.h"
+#include "unit/preset/support.h"
+
+namespace lapfx {
 namespace {
 
-constexpr Keying by_luma{
-    .luma_low = 16, .luma_high = 216, .key_chroma = {0, 0}, .chroma_low = 0, .chroma_high = 0, .spill = 0, .dark = 0};
+namespace fs = std::filesystem;
 
-/// Before a green screen.
-Keying by_chroma() {
-    Keying key = by_luma;
-    key.luma_low = -1.0f;
-    key.luma_high = 0.0f;
-    key.key_chroma = chroma({0, 255, 0});
-    key.chroma_low = 40.0f;
-    key.chroma_high = 140.0f;
-    key.spill = 1.0f;
-    return key;
-}
-
-TEST(Keying, LumaAndChromaAreThoseOfBt601) {
-    EXPECT_NEAR(luma({255, 255, 255}), 255.0f, 1e-4f);
-    EXPECT_NEAR(luma({100, 0, 0}), 29.9f, 1e-4f);
-    EXPECT_NEAR(luma({0, 100, 0}), 58.7f, 1e-4f);
-    EXPECT_NEAR(luma({0, 0, 100}), 11.4f, 1e-4f);
-    EXPECT_NEAR(chroma({128, 128, 128}).x, 0.0f, 1e-4f);
-    EXPECT_NEAR(chroma({128, 128, 128}).y, 0.0f, 1e-4f);
-    EXPECT_NEAR(chroma({0, 0, 255}).x, 127.5f, 1e-3f);  // the definition: half of full scale
-    EXPECT_NEAR(chroma({255, 0, 0}).y, 127.5f, 1e-3f);
-}
-
-TEST(Keying, LumaRampIsLinearBetweenItsThresholds) {
-    for (const auto& [grey, alpha] :
-         {std::pair{0.f, 0.f}, {16.f, 0.f}, {66.f, 0.25f}, {116.f, 0.5f}, {216.f, 1.f}, {255.f, 1.f}})
-        EXPECT_NEAR(key_alpha(glm::vec3(grey), by_luma), alpha, 1e-5f) << grey;
-}
-
-TEST(Keying, DarkPolarityKeysTheNegative) {
-    Keying key = by_luma;
-    key.dark = 1.0f;
-    for (const auto& [grey, alpha] : {std::pair{255.f, 0.f}, {239.f, 0.f}, {139.f, 0.5f}, {39.f, 1.f}, {0.f, 1.f}})
-        EXPECT_NEAR(key_alpha(glm::vec3(grey), key), alpha, 1e-5f) << grey;
-}
-
-TEST(Keying, MixedSmokeKeepsItsOpacity) {
-    // The reason why the ramps are linear: white smoke of opacity a over the key colour has alpha a.
-    Keying key = by_chroma();
-    key.chroma_low = 0.0f;
-    key.chroma_high = glm::length(key.key_chroma);
-    for (float a = 0.0f; a <= 1.0f; a += 0.125f)
-        EXPECT_NEAR(key_alpha(glm::mix(glm::vec3(0, 255, 0), glm::vec3(255), a), key), a, 1e-4f);
-}
-
-TEST(Keying, ChromaIsUnusedWithBothBoundsZero) {
-    EXPECT_NEAR(key_alpha({0, 255, 0}, by_luma), ramp(luma({0, 255, 0}), 16, 216), 1e-6f);
-}
-
-TEST(Keying, DespillTakesOutTheKeyColourOnly) {
-    Keying key = by_chroma();
-    const glm::vec2 across(-key.key_chroma.y, key.key_chroma.x);
-    const glm::vec2 spilled = 0.3f * key.key_chroma + 0.2f * across;
-    EXPECT_NEAR(glm::distance(despill(spilled, key), 0.2f * across), 0.0f, 1e-4f);
-    key.spill = 0.5f;
-    EXPECT_NEAR(glm::distance(despill(spilled, key), 0.15f * key.key_chroma + 0.2f * across), 0.0f, 1e-4f);
-    EXPECT_EQ(despill(-key.key_chroma, key), -key.key_chroma) << "the opposite colour stays";
-    EXPECT_EQ(despill({12, -5}, by_luma), glm::vec2(12, -5)) << "a grey background has no colour to take out";
-}
-
-TEST(Keying, VaryingKeepsAlphaWithinBounds) {
-    EXPECT_NEAR(vary_alpha(0.5f, 0.4f, 0.5f), 0.6f, 1e-6f);
-    EXPECT_NEAR(vary_alpha(0.5f, -0.4f, 0.5f), 0.4f, 1e-6f);
-    EXPECT_EQ(vary_alpha(0.9f, 1.0f, 1.0f), 1.0f);
-    EXPECT_EQ(vary_alpha(0.9f, -1.5f, 1.0f), 0.0f);
-    EXPECT_EQ(vary_alpha(0.3f, 0.8f, 0.0f), 0.3f);
-}
-
-TEST(Keying, WhateverAPixelHoldsAlphaIsWithinZeroAndOne) {
-    constexpr float nan = std::numeric_limits<float>::quiet_NaN(), infinity = std::numeric_limits<float>::infinity();
-    for (const Keying& key : {by_luma, by_chroma()})
-        for (const float r : {nan, infinity, -infinity, -64.0f, 0.0f, 320.0f})
-            for (const float g : {nan, infinity, -infinity, 128.0f})
-                for (const float b : {nan, infinity, -infinity, 128.0f}) {
-                    const float alpha = vary_alpha(key_alpha({r, g, b}, key), 0.5f, 0.35f);
-                    EXPECT_TRUE(alpha >= 0.0f && alpha <= 1.0f) << r << ' ' << g << ' ' << b << ": " << alpha;
-                }
-}
-
-/// Smoke at the left of x = 10, pixels.
-float half_plane(glm::vec2 position) {
-    return position.x < 10.0f ? 1.0f : 0.0f;
-}
-
-TEST(Keying, ChokeDrawsTheEdgeInByItsPixels) {
-    for (const float choke : {0.0f, 0.5f, 3.0f, 16.0f}) {
-        EXPECT_EQ(choked(half_plane, {9.9f - choke, 5.0f}, choke), 1.0f) << choke;
-        EXPECT_EQ(choked(half_plane, {10.1f - choke, 5.0f}, choke), 0.0f) << choke;
+KeyingFrame random_frame(glm::ivec2 size, bool alpha) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<float> luma(0.0f, 255.0f), chroma(-40.0f, 40.0f), opacity(0.0f, 1.0f);
+    KeyingFrame frame;
+    frame.size = size;
+    for (int i = 0; i < size.x * size.y; ++i) {
+        frame.luma.push_back(luma(random));
+        frame.cb.push_back(chroma(random));
+        frame.cr.push_back(chroma(random));
+        if (alpha) frame.opacity.push_back(opacity(random));
     }
+    return frame;
 }
 
-TEST(Keying, FeatherIsAMeanOverItsPixels) {
-    EXPECT_EQ(edged(half_plane, {9.9f, 5.0f}, 0.0f, 0.0f), 1.0f);
-    EXPECT_EQ(edged(half_plane, {5.9f, 5.0f}, 0.0f, 4.0f), 1.0f) << "beyond its reach nothing changes";
-    EXPECT_EQ(edged(half_plane, {14.1f, 5.0f}, 0.0f, 4.0f), 0.0f);
-    EXPECT_NEAR(edged(half_plane, {9.9f, 5.0f}, 0.0f, 4.0f), 6.0f / 9.0f, 1e-6f)
-        << "itself and all but three to the right";
-    EXPECT_NEAR(edged(half_plane, {10.1f, 5.0f}, 0.0f, 4.0f), 3.0f / 9.0f, 1e-6f);
-    EXPECT_NEAR(edged(half_plane, {7.9f, 5.0f}, 2.0f, 4.0f), 6.0f / 9.0f, 1e-6f) << "choked first";
+float bilinear(const std::vector<float>& plane, glm::ivec2 size, glm::vec2 place) {
+    const glm::vec2 at = place - 0.5f, f = at - glm::floor(at);
+    const glm::ivec2 first(glm::floor(at));
+    float sum = 0.0f;
+    for (int i = 0; i < 4; ++i) {
+        const glm::ivec2 corner(i & 1, i >> 1), texel = glm::clamp(first + corner, glm::ivec2(0), size - 1);
+        const float weight = (corner.x == 1 ? f.x : 1.0f - f.x) * (corner.y == 1 ? f.y : 1.0f - f.y);
+        sum += weight * plane[static_cast<std::size_t>(texel.y * size.x + texel.x)];
+    }
+    return sum;
 }
 
-TEST(Keying, TheTintIsThatOfBrightSmokeAndBoundedForDarkOne) {
-    EXPECT_EQ(tint(200.0f, {0.0f, 0.0f}), glm::vec3(1.0f));
-    const glm::vec3 warm(180.0f, 160.0f, 150.0f);
-    const glm::vec3 found = tint(luma(warm), chroma(warm)) * luma(warm);
-    EXPECT_NEAR(glm::distance(found, warm), 0.0f, 0.1f);
-    EXPECT_EQ(tint(0.0f, {0.0f, 127.0f}).r, 2.0f);
-    EXPECT_EQ(tint(0.0f, {127.0f, 127.0f}).g, 0.0f);
+/// As the shader looks them up: code values between pixels, then keyed.
+float opacity_at(const KeyingFrame& frame, const smoke::Keying& key, glm::vec2 place) {
+    if (!frame.opacity.empty()) return bilinear(frame.opacity, frame.size, place);
+    return smoke::key_luma(bilinear(frame.luma, frame.size, place), key) *
+           smoke::key_chroma({bilinear(frame.cb, frame.size, place), bilinear(frame.cr, frame.size, place)}, key);
 }
 
-TEST(Keying, SmokeWithItsOwnOpacityIsShadedByItsLuma) {
-    for (const float alpha : {0.02f, 0.1f, 0.5f, 1.0f})
-        EXPECT_NEAR(shade(128.0f * alpha, alpha), 1.0f, 1e-5f) << "middle grey, premultiplied, " << alpha;
-    EXPECT_NEAR(shade(160.0f, 1.0f), std::pow(1.3f / 1.05f, 2.0f), 1e-5f);
-    EXPECT_NEAR(shade(32.0f, 0.5f), std::pow(0.3f / 0.55f, 2.0f), 1e-5f);
-    EXPECT_EQ(shade(0.0f, 0.0f), 1.0f) << "nothing is there, so nothing is known";
-    EXPECT_NEAR(shade(1.0f, 0.0f), 1.34f, 0.01f) << "a code value of rounding changes little";
-    EXPECT_EQ(shade(0.0f, 1.0f), 0.1f);
-    EXPECT_EQ(shade(255.0f, 1.0f), 2.0f);
-    EXPECT_EQ(shade(255.0f, 0.0f), 2.0f);
+struct Case {
+    const char* name;
+    KeyingParameters keying;
+    ClipPolarity polarity = ClipPolarity::light;
+    bool alpha = false;
+};
+
+const std::vector<Case>& cases() {
+    const KeyingParameters chroma{
+        .luma_low = 40, .luma_high = 180, .key_color = {0.2, 0.5, 0.3}, .chroma_low = 5, .chroma_high = 40};
+    static const std::vector<Case> all{
+        {"luma", {.luma_low = 40, .luma_high = 180}},
+        {"dark", {.luma_low = 40, .luma_high = 180}, ClipPolarity::dark},
+        {"chroma", chroma},
+        {"choke", {.luma_low = 40, .luma_high = 180, .choke = 1.5}},
+        {"feather", {.luma_low = 40, .luma_high = 180, .feather = 2.5}},
+        {"edges_wider_than_the_picture", {.luma_low = 40, .luma_high = 180, .choke = 16, .feather = 16}},
+        {"opacity_with_edges", {.choke = 2, .feather = 1}, ClipPolarity::light, true},
+    };
+    return all;
 }
 
-TEST(Keying, ConstantsComeFromThePreset) {
-    KeyingParameters k;
-    k.luma_low = 20.0;
-    k.luma_high = 90.0;
-    k.key_color = {0.0, 1.0, 0.0};
-    k.chroma_low = 30.0;
-    k.chroma_high = 70.0;
-    k.spill = 0.25;
-    const Keying key = keying_of(k, ClipPolarity::dark);
-    EXPECT_EQ(key.luma_low, 20.0f);
-    EXPECT_EQ(key.luma_high, 90.0f);
-    EXPECT_EQ(key.key_chroma, chroma({0, 255, 0}));
-    EXPECT_EQ(key.chroma_low, 30.0f);
-    EXPECT_EQ(key.chroma_high, 70.0f);
-    EXPECT_EQ(key.spill, 0.25f);
-    EXPECT_EQ(key.dark, 1.0f);
-    EXPECT_EQ(keying_of(k, ClipPolarity::light).dark, 0.0f);
+TEST(KeyingPicture, OpacityIsThatOfTheReference) {
+    for (const glm::ivec2 size : {glm::ivec2(17, 11), glm::ivec2(1, 1), glm::ivec2(3, 40)})
+        for (const Case& tested : cases()) {
+            const KeyingFrame frame = random_frame(size, tested.alpha);
+            const smoke::Keying key = smoke::keying_of(tested.keying, tested.polarity);
+            std::vector<float> opacity;
+            keyed_opacity(frame, tested.keying, {.file = {}, .polarity = tested.polarity}, opacity);
+            for (int y = 0; y < size.y; ++y)
+                for (int x = 0; x < size.x; ++x)
+                    ASSERT_NEAR(opacity[static_cast<std::size_t>(y * size.x + x)],
+                                smoke::edged([&](glm::vec2 p) { return opacity_at(frame, key, p); },
+                                             glm::vec2(x, y) + 0.5f, static_cast<float>(tested.keying.choke),
+                                             static_cast<float>(tested.keying.feather)),
+                                2e-4)
+                        << tested.name << ' ' << x << ' ' << y;
+        }
 }
 
-TEST(Keying, EqualThresholdsAreAStep) {
-    Keying key = by_luma;
-    key.luma_low = key.luma_high = 100.0f;
-    EXPECT_EQ(key_alpha(glm::vec3(99.9f), key), 0.0f);
-    EXPECT_EQ(key_alpha(glm::vec3(100.1f), key), 1.0f);
+TEST(KeyingPicture, CodeValuesAreThoseOfLumaAndChroma) {
+    const KeyingFrame frame = random_frame({5, 4}, false);
+    for (int y = 0; y < 4; ++y)
+        for (int x = 0; x < 5; ++x) {
+            const glm::vec3 code = frame.code({x, y});
+            const auto i = static_cast<std::size_t>(y * 5 + x);
+            ASSERT_NEAR(smoke::luma(code), frame.luma[i], 1e-3);
+            ASSERT_NEAR(smoke::chroma(code).x, frame.cb[i], 1e-3);
+            ASSERT_NEAR(smoke::chroma(code).y, frame.cr[i], 1e-3);
+        }
+}
+
+/// Grey pixels of luma 0, 50, 100, ...
+KeyingFrame steps() {
+    KeyingFrame frame{.size = {6, 1}, .luma = {0, 50, 100, 150, 200, 250}, .cb = {}, .cr = {}, .opacity = {}};
+    frame.cb.assign(6, 0.0f);
+    frame.cr.assign(6, 0.0f);
+    return frame;
+}
+
+TEST(KeyingPicture, MatteIsTheRampBetweenTheThresholds) {
+    const Image matte = matte_picture(steps(), {.keying = {.luma_low = 50, .luma_high = 150}});
+    const int expected[] = {0, 0, 128, 255, 255, 255};
+    for (std::size_t i = 0; i < 6; ++i) {
+        EXPECT_EQ(matte.pixels[4 * i], expected[i]) << i;
+        EXPECT_EQ(matte.pixels[4 * i + 3], 255);
+    }
+    const Image dark = matte_picture(
+        steps(), {.keying = {.luma_low = 50, .luma_high = 150}, .clip = {.file = {}, .polarity = ClipPolarity::dark}});
+    EXPECT_EQ(dark.pixels[0], 255);
+    EXPECT_EQ(dark.pixels[4 * 5], 0);
+}
+
+TEST(KeyingPicture, SmokeIsLaidOverItsBackground) {
+    const KeyingLook look{
+        .keying = {.luma_low = 0, .luma_high = 200}, .color = {0.5, 0.5, 0.5}, .extinction = {1, 1, 1}};
+    std::vector<float> opacity;
+    const KeyingFrame frame = steps();
+    keyed_opacity(frame, look.keying, look.clip, opacity);
+    const Image red{.width = 1, .height = 1, .pixels = {200, 10, 10, 255}, .name = ""};
+    const Image over = composite_picture(frame, look, opacity, red);
+    EXPECT_EQ(over.pixels[0], 200);
+    EXPECT_EQ(over.pixels[1], 10) << "where there is no smoke it is the background's own byte";
+    // Half smoke, in linear light: (0.5776 + 0.2140) / 2 and (0.0030 + 0.2140) / 2, as sRGB.
+    EXPECT_NEAR(over.pixels[8], 168, 1);
+    EXPECT_NEAR(over.pixels[9], 92, 1);
+    EXPECT_NEAR(over.pixels[16], 128, 1) << "whole smoke is its colour";
+    const Image alone = keyed_picture(frame, look, opacity);
+    EXPECT_EQ(alone.pixels[3], 0);
+    EXPECT_NEAR(alone.pixels[11], 128, 1);
+    EXPECT_EQ(alone.pixels[8], 128);
+}
+
+TEST(KeyingPicture, TheMiddleOfAWiderBackgroundIsTaken) {
+    const KeyingLook look{.keying = {.luma_low = 254, .luma_high = 255}};  // nothing is smoke
+    KeyingFrame frame = random_frame({2, 2}, false);
+    std::fill(frame.luma.begin(), frame.luma.end(), 0.0f);
+    Image wide{.width = 6, .height = 2, .pixels = {}, .name = ""};
+    for (int i = 0; i < 12; ++i)
+        for (const int v : {10 * (i % 6), 0, 0, 255}) wide.pixels.push_back(static_cast<std::uint8_t>(v));
+    const std::vector<float> none(4, 0.0f);
+    const Image over = composite_picture(frame, look, none, wide);
+    EXPECT_EQ(over.pixels[0], 20);
+    EXPECT_EQ(over.pixels[4], 30);
+    EXPECT_EQ(composite_picture(frame, look, none, {}).pixels[0], 0) << "none is black";
+}
+
+TEST(KeyingReader, GivesTheFramesOfAClip) {
+    const fs::path path = fs::temp_directory_path() / "lapfx_keying_reader.avi";
+    test::write_clip(path, 12, {34, 22});  // an odd number of chroma samples
+    KeyingReader reader(path);
+    EXPECT_EQ(reader.report().frames, 12);
+    EXPECT_EQ(reader.report().size, glm::ivec2(34, 22));
+    EXPECT_FALSE(reader.report().alpha);
+    KeyingFrame frame;
+    for (const int index : {0, 7, 3, 11}) {
+        ASSERT_TRUE(reader.read(index, frame));
+        EXPECT_EQ(frame.size, glm::ivec2(34, 22));
+        EXPECT_NEAR(frame.code({16, 10}).g, test::level_of(index), 2.0) << index;
+        EXPECT_NEAR(frame.code({33, 21}).r, test::level_of(index), 2.0) << index;
+        EXPECT_EQ(reader.frame_at(reader.time_of(index)), index);
+    }
+    EXPECT_TRUE(reader.read(99, frame)) << "clamped";
+    EXPECT_NEAR(frame.luma[0], test::level_of(11), 2.0);
+    fs::remove(path);
+}
+
+TEST(KeyingReader, AFrameThatCannotBeReadIsTold) {
+    const fs::path path = fs::temp_directory_path() / "lapfx_keying_cut.avi";
+    {
+        cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0,
+                               cv::Size(640, 480));
+        cv::Mat noise(480, 640, CV_8UC3);  // large frames: what is cut off has not been read ahead
+        for (int i = 0; i < 24; ++i) {
+            cv::randu(noise, 0, 255);
+            writer.write(noise);
+        }
+    }
+    KeyingReader reader(path);
+    fs::resize_file(path, fs::file_size(path) / 2);
+    KeyingFrame frame;
+    EXPECT_FALSE(reader.read(23, frame));
+    EXPECT_EQ(frame.luma.size(), 640U * 480U);
+    fs::remove(path);
+    EXPECT_THROW(KeyingReader{path}, Error);
+}
+
+TEST(KeyingReader, AStopIsHeeded) {
+    const fs::path path = fs::temp_directory_path() / "lapfx_keying_stop.avi";
+    test::write_clip(path, 12);
+    std::atomic<bool> stop = true;
+    EXPECT_EQ(test::faults_of([&] { KeyingReader(path, &stop); }, Failure::runtime),
+              std::vector{path.string() + ": was not read to its end"});
+    KeyingReader reader(path);
+    KeyingFrame frame;
+    EXPECT_FALSE(reader.read(9, frame, &stop));
+    stop = false;
+    EXPECT_TRUE(reader.read(9, frame, &stop));
+    EXPECT_NEAR(frame.luma[0], test::level_of(9), 2.0);
+    fs::remove(path);
+}
+
+TEST(FindPublicClip, LooksInThePresetsFolderThenOnTheSearchPath) {
+    const fs::path clips = fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips";
+    const fs::path folders[] = {clips};
+    EXPECT_EQ(find_clip("wisps_thin.mp4", "/nowhere", folders), clips / "wisps_thin.mp4");
+    EXPECT_EQ(find_clip("wisps_thin.mp4", clips, {}), clips / "wisps_thin.mp4");
+    EXPECT_THROW(find_clip("no.mp4", clips, folders), Error);
+    EXPECT_THROW(find_clip("clips/wisps_thin.mp4", "/nowhere", std::array{clips.parent_path()}), Error);
 }
 
 }  // namespace
-}  // namespace lapfx::smoke
+}  // namespace lapfx

@@ -1,4 +1,4 @@
-#include "smoke/plume_cpu.h"
+#include "smoke/plume.h"
 
 #include <gtest/gtest.h>
 

@@ -6,8 +6,8 @@
 #include <cmath>
 #include <functional>
 
-#include "smoke/keying_cpu.h"
-#include "smoke/suggest_cpu.h"
+#include "smoke/keying_pixel.h"
+#include "smoke/keying_survey.h"
 #include "support/known_smoke.h"
 #include "unit/organ/fixtures.h"
 #include "unit/preset/support.h"

@@ -1,5 +1,5 @@
 // Which part of a contact makes smoke: the one over tissue.
-#include "smoke/touching_cpu.h"
+#include "smoke/touching.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,146 @@
+#include "bleeding/clearing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "preset/usable_contact.h"
+
+namespace lapfx::bleeding {
+
+namespace {
+
+constexpr double draw_speed = 40.0;  // mm/s at which the reach grows when the tip is put on
+
+/// From `point` to the nearest place of the path a b.
+glm::dvec3 off_path(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
+    const glm::dvec3 path = b - a, from = point - a;
+    const double squared = glm::dot(path, path);
+    return from - (squared > 0.0 ? std::clamp(glm::dot(from, path) / squared, 0.0, 1.0) : 0.0) * path;
+}
+
+}  // namespace
+
+Clearing::Clearing(const Surface& surface, glm::dvec3 down) : surface_(surface), down_(down) {}
+
+Clearing::Sweep Clearing::sweep_of(const ToolContact& contact) const {
+    const bool water = contact.action == ToolAction::irrigation;
+    Sweep sweep{.contact = contact, .reach = water ? irrigation_radius_ : suction_radius_, .passed = {}};
+    const glm::dvec3 path = contact.to - contact.position;
+    const double squared = glm::dot(path, path), farthest = (water ? 1.5 : 1.0) * sweep.reach + rim;
+    for (const std::uint32_t v : surface_.points_near(contact.position, contact.to, farthest)) {
+        const glm::dvec3 off = off_path(surface_.positions[v], contact.position, contact.to);
+        const double distance = glm::length(off);
+        const double downhill = water ? std::max(0.0, glm::dot(off, down_)) / std::max(distance, 1e-9) : 0.0;
+        const double stretch = 1.0 + 0.5 * downhill, zone = stretch * sweep.reach + rim;
+        if (distance > zone) continue;
+        // Shares of the path between which the tip is within the zone.
+        const double share = squared > 0.0 ? glm::dot(surface_.positions[v] - contact.position, path) / squared : 0.0;
+        const double half = squared > 0.0 ? std::sqrt((zone * zone - distance * distance) / squared) : 1.0;
+        const double enter = std::clamp(share - half, 0.0, 1.0), leave = std::clamp(share + half, 0.0, 1.0);
+        sweep.passed.push_back({v, static_cast<float>(stretch), contact.time + enter * contact.duration,
+                                contact.time + leave * contact.duration});
+    }
+    return sweep;
+}
+
+bool Clearing::set(std::span<const ToolContact> contacts, const BleedingParameters& parameters) {
+    const bool same_reach =
+        suction_radius_ == parameters.suction_radius && irrigation_radius_ == parameters.irrigation_radius;
+    suction_radius_ = parameters.suction_radius;
+    irrigation_radius_ = parameters.irrigation_radius;
+    std::size_t count = 0;
+    bool changed = false;
+    for (const ToolContact& given : contacts) {
+        if (given.action != ToolAction::suction && given.action != ToolAction::irrigation) continue;
+        const std::optional<ToolContact> contact = usable(given);
+        if (!contact || !(contact->duration > 0.0)) continue;
+        if (count == sweeps_.size()) {
+            sweeps_.push_back(sweep_of(*contact));
+            changed = true;
+        } else if (!same_reach || !(sweeps_[count].contact == *contact)) {
+            all_stale_ = all_stale_ || sweeps_[count].is_over;
+            sweeps_[count] = sweep_of(*contact);
+            changed = true;
+        }
+        ++count;
+    }
+    for (std::size_t i = count; i < sweeps_.size(); ++i) {
+        all_stale_ = all_stale_ || sweeps_[i].is_over;
+        changed = true;
+    }
+    sweeps_.resize(count);
+    stale_ = stale_ || changed;
+    return changed;
+}
+
+bool Clearing::update(double time) noexcept {
+    const auto touched = [&](const Sweep& s) {  // between the two times
+        return std::min(time, updated_) < s.contact.end() && std::max(time, updated_) > s.contact.time;
+    };
+    const bool changes = stale_ || (time != updated_ && std::any_of(sweeps_.begin(), sweeps_.end(), touched));
+    if (time < updated_) all_stale_ = all_stale_ || changes;
+    updated_ = time;
+    if (!changes) return false;
+    for (Layer* layer : {&over_, &running_})
+        if (layer->heads.empty()) layer->heads.assign(surface_.positions.size(), -1);
+    running_.clear();
+    if (all_stale_) {
+        over_.clear();
+        for (Sweep& sweep : sweeps_) sweep.is_over = false;
+    }
+    stale_ = all_stale_ = false;
+    for (Sweep& sweep : sweeps_) {
+        if (sweep.is_over || time <= sweep.contact.time) continue;
+        sweep.is_over = time >= sweep.contact.end();
+        lay(sweep, time, sweep.is_over ? over_ : running_);
+    }
+    return true;
+}
+
+void Clearing::lay(const Sweep& sweep, double time, Layer& layer) {
+    const ToolContact& c = sweep.contact;
+    const double held = std::min(time, c.end()) - c.time;
+    const double drawn = std::min(1.0, held * draw_speed / std::max(sweep.reach, 1e-9));
+    const glm::dvec3 tip = c.tip(time);
+    for (const Passed& p : sweep.passed) {
+        if (time <= p.enter) continue;
+        const double distance = glm::length(off_path(surface_.positions[p.vertex], c.position, tip));
+        const double outside = distance - drawn * static_cast<double>(p.stretch) * sweep.reach;
+        if (outside > rim) continue;
+        const double until = std::min(time, p.leave);
+        layer.insert(p.vertex, until, static_cast<float>(cap_slope * outside));
+    }
+}
+
+void Clearing::Layer::clear() noexcept {
+    for (const std::uint32_t v : vertices) heads[v] = -1;
+    vertices.clear();
+    caps.clear();
+}
+
+/// Keeps the list of a vertex in order of time, caps rising: a cap that a later one is not above is overruled.
+void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
+    std::int32_t* link = &heads[vertex];
+    std::int32_t free = -1;  // the place in caps of one that is overruled
+    if (*link < 0) vertices.push_back(vertex);
+    while (*link >= 0) {
+        Cap& other = caps[static_cast<std::size_t>(*link)];
+        if (other.time <= time) {
+            if (other.cap >= cap) {
+                free = *link;
+                *link = other.next;
+                continue;
+            }
+        } else {
+            if (cap >= other.cap) return;
+            break;
+        }
+        link = &other.next;
+    }
+    const std::int32_t after = *link, at = free >= 0 ? free : static_cast<std::int32_t>(caps.size());
+    *link = at;  // before the list grows: the link may lie in it
+    if (free < 0) caps.emplace_back();
+    caps[static_cast<std::size_t>(at)] = {time, cap, after};
+}
+
+}  // namespace lapfx::bleeding

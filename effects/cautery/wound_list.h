@@ -1,0 +1,76 @@
+// Wounds as they open and close, with a way back: every event carries a key (the number of a contact, or of a time
+// step), keys only grow, and what happened from a key on can be undone. One thread at a time.
+//
+// What a division leaves does not depend on what was there before: a wound that is open, and at least as strong, stands for a
+// new one at its place, and then bleeds as long as the new one would have. For that, what happens at a place is told in the
+// order of time: a wound that heat has closed stands for nothing that comes later.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "cautery/grid.h"
+#include "lapfx/wound.h"
+
+namespace lapfx::cautery {
+
+/// A wound as a tool opens it. A chain is a run of contacts that continue each other (track.h).
+struct Division {
+    Wound wound;
+    std::uint32_t chain = 0;
+    bool by_heat = false;
+};
+/// What closes wounds: heat that divides does not close its own cut.
+struct Heater {
+    std::uint32_t chain = 0;
+    bool divides = false;
+};
+
+class WoundList {
+  public:
+    static constexpr std::size_t most = 4096;
+    static constexpr double closest = 1.0;  ///< mm
+
+    /// Wounds in the order in which they were added.
+    std::span<const Wound> wounds() const { return wounds_; }
+    /// How many were left out because there were `most` of them already. The first ones stay.
+    std::size_t left_out() const { return left_out_.size(); }
+    /// Changes whenever the wounds do.
+    std::uint64_t version() const { return version_; }
+
+    /// False when there is no new wound: no strength; closer than `closest` to one that is open at its start and at least
+    /// as strong, which stands for it: if heat has divided, that one is now the heat's own; or too many.
+    bool add(const Division& division, std::int64_t key);
+    /// Closes a wound at `stop`. False if it closes earlier, or is the heater's own.
+    bool close(std::uint32_t wound, double stop, const Heater& heater, std::int64_t key);
+    /// Undoes all from `key` on.
+    void truncate(std::int64_t key);
+
+    /// Numbers of the wounds in the cells around a box.
+    void find(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& out) const {
+        grid_.find(low, high, out);
+    }
+
+  private:
+    struct Closing {
+        std::int64_t key;
+        std::uint32_t wound;
+        double before;
+    };
+    struct Taking {
+        std::int64_t key;
+        std::uint32_t wound, before;
+    };
+    std::vector<Wound> wounds_;
+    std::vector<std::uint32_t> chains_;  // per wound: who divided there last, heat before cold
+    std::vector<std::int64_t> added_;    // key per wound
+    std::vector<Closing> closings_;
+    std::vector<Taking> takings_;
+    std::vector<std::int64_t> left_out_;
+    Grid grid_{4.0};
+    std::vector<std::uint32_t> near_;
+    std::uint64_t version_ = 0;
+};
+
+}  // namespace lapfx::cautery

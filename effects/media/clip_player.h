@@ -1,0 +1,102 @@
+// One clip of a preset, playing by one of the schemes. Render thread, context current.
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "lapfx/preset.h"
+#include "lapfx/streaming.h"
+#include "media/clip_stream.h"
+#include "media/file_stamp.h"
+#include "media/frame_textures.h"
+#include "media/sent_frames.h"
+
+namespace lapfx::media {
+
+/// A file that clips play: what is known of it, and those of its frames that are on the GPU to stay, shared by all clips of a
+/// preset that name it.
+struct ClipFile {
+    /// `seen`: before the decoder opened it.
+    ClipFile(const std::filesystem::path& where, const FileStamp& seen, const Decoder& decoder);
+
+    std::filesystem::path path;
+    FileStamp stamp;
+    ClipInfo info;
+    PictureFormat format;
+    FrameStore store;
+    std::uint64_t drawn = 0;  // in which cycle
+};
+
+class ClipPlayer {
+  public:
+    /// `file` was opened by `decoder`. `buffers`: of each head.
+    ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder decoder, const SmokeClip& settings,
+               Scheme scheme, int buffers);
+
+    const std::shared_ptr<ClipFile>& file() const { return file_; }
+    Scheme scheme() const { return scheme_; }
+    /// Decoding ahead from now on; never more than it was made with.
+    void set_buffers(int buffers) noexcept;
+    bool same_heads(const SmokeClip& settings) const {
+        return (settings.crossfade > 0.0) == (heads_[1].stream != nullptr);
+    }
+    /// In and out points; the rest of the settings is not this class's.
+    void set_loops(const SmokeClip& settings) noexcept;
+
+    /// As ClipSet's.
+    ClipFrame frame(int head, int index, Policy policy, StreamingTimes& times) noexcept;
+    /// `cycle`: a number that grows by one in each. Buffering sends the frames of even heads in even cycles, those of odd ones in odd
+    /// cycles; ClipSet starts each player's count where that spreads the heads of all clips evenly.
+    void end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept;
+    std::size_t heads() const { return heads_[1].stream != nullptr ? 2u : 1u; }
+
+    std::size_t memory() const noexcept;  ///< bytes, without the file's store
+    std::uint64_t misses() const { return misses_; }
+    ClipStream::Work work() const noexcept;
+
+  private:
+    struct Head {
+        std::vector<gl::PixelBuffer> memory;  // buffering: where the stream decodes to
+        std::vector<std::uint8_t> on_gpu;     // buffering: a byte for each frame, not 0 where `sent` holds it
+        std::unique_ptr<ClipStream> stream;
+        SentFrames sent;   // streaming schemes
+        int shown = -1;    // resident: frame number; -1: nothing yet
+        int asked = -1;    // frame number
+        bool now = false;  // asked in this cycle
+        Policy policy = Policy::wait;
+        std::array<int, 3> moves{1, 1, 1};  // frames that it went on by, the last cycle first; -1: it jumped
+        bool late = false;                  // Policy::skip: every second frame is skipped
+        Loop loop;
+        bool rests = false;  // all of the loop is in the store
+
+        void ask(int index, Policy how);
+        int step() const;
+        bool outruns_the_display() const { return moves[0] > 1 && moves[1] > 1; }
+    };
+    static constexpr std::size_t sent_ahead = 3;
+    using Ahead = std::array<int, sent_ahead>;
+
+    ClipFrame resident_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
+    ClipFrame streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept;
+    void give_memory(Head& head, int buffers) noexcept;
+    void send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
+              StreamingTimes& times) noexcept;
+    void coalesce(Head& head, bool turn, StreamingTimes& times) noexcept;
+    void skip_one(Head& head, const Ahead& ahead, StreamingTimes& times) noexcept;
+    void send_ahead(Head& head, const Ahead& ahead, int most, StreamingTimes& times) noexcept;
+    void keep(const ClipStream::Shown& decoded, StreamingTimes& times) noexcept;
+
+    DecodePool& pool_;
+    std::shared_ptr<ClipFile> file_;
+    Scheme scheme_;
+    std::array<Head, 2> heads_;
+    std::uint64_t misses_ = 0;
+};
+
+/// The frames of a clip that its settings play: from the first of its loops to the last.
+Loop played_frames(const ClipInfo& clip, const SmokeClip& settings);
+
+/// The bytes of main and GPU memory that a head of a clip takes besides the store.
+std::size_t head_memory(const PictureFormat& format, Scheme scheme, int buffers);
+
+}  // namespace lapfx::media

@@ -1,0 +1,11 @@
+// What is told of a clip that is open already.
+#pragma once
+
+#include "lapfx/clip.h"
+#include "media/decoder.h"
+
+namespace lapfx::media {
+
+ClipReport report_of(const ClipInfo& info);
+
+}  // namespace lapfx::media

@@ -1,0 +1,55 @@
+// The clips of a preset, decoding and playing (paper: figures 3 to 5, table 1). Render thread, context current.
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "lapfx/clip_cache.h"
+#include "lapfx/preset.h"
+#include "lapfx/streaming.h"
+#include "media/clip_frame.h"
+#include "media/decoder.h"
+#include "media/policy.h"
+
+namespace lapfx::media {
+
+class ClipSet {
+  public:
+    /// `cache`: may be null.
+    explicit ClipSet(const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
+    ~ClipSet();
+
+    /// Opens clips that are new and lets go of those that are gone. Throws Error (bad_input) for a clip that cannot be used, and
+    /// keeps what it had.
+    void set(std::span<const SmokeClip> clips, const std::filesystem::path& preset_folder,
+             std::span<const std::filesystem::path> search_path);
+
+    /// Whether a clip that set() could be given brings its own opacity, if that is known without opening it.
+    std::optional<bool> known_alpha(const SmokeClip& clip, const std::filesystem::path& preset_folder,
+                                    std::span<const std::filesystem::path> search_path) const;
+
+    std::size_t size() const;
+    const ClipInfo& info(std::size_t clip) const;
+
+    /// Frame `index` of a clip. `head`: 0, or 1 for the second place that a cross-fade plays at. Under Policy::latest the last
+    /// one that this head showed when it is late (black at first). Called once per clip and head in a cycle.
+    ClipFrame frame(std::size_t clip, int head, int index, Policy policy) noexcept;
+    /// At the end of each cycle, when all is drawn: the paper's FrameCoalescing, and the signal to decode on.
+    void end_cycle() noexcept;
+
+    /// Whether a frame of the last cycle was not the one that was asked for.
+    bool late() const noexcept;
+    std::size_t memory() const noexcept;  ///< bytes, of main memory and the GPU
+
+    std::vector<ClipStatus> status() const;
+    StreamingTimes times() const noexcept;
+
+  private:
+    struct State;
+    std::unique_ptr<State> state_;
+};
+
+}  // namespace lapfx::media

@@ -1,0 +1,61 @@
+// The threads that decode, shared by all clips: each takes the most urgent job there is, so that many clips keep few cores busy
+// and the frame that is needed first comes first.
+#pragma once
+
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+namespace lapfx::media {
+
+class DecodePool {
+  public:
+    /// Work that comes in small pieces. One thread at a time has it.
+    class Job {
+      public:
+        virtual ~Job() = default;
+
+      private:
+        friend class DecodePool;
+        /// How soon its next piece is needed: 0 now, larger later, negative: there is none. Under the pool's mutex.
+        virtual int urgency() = 0;
+        /// Takes what urgency() has just found. Under the pool's mutex.
+        virtual void begin() = 0;
+        /// Without the mutex.
+        virtual void run() noexcept = 0;
+        /// Under the pool's mutex.
+        virtual void end() = 0;
+        bool running_ = false;
+    };
+
+    /// `threads`: at least 1; they start with the first job.
+    explicit DecodePool(int threads);
+    /// All jobs must have left.
+    ~DecodePool();
+
+    /// The lock that a job's shared state is under.
+    std::mutex& mutex() { return mutex_; }
+    void join(Job& job);
+    /// Waits until the piece that is being worked at is done.
+    void leave(Job& job);
+    /// Something may have become urgent. What urgency() looks at was changed under the mutex, or a thread that has just looked sleeps
+    /// on; this itself may be called without it.
+    void wake() { work_.notify_one(); }
+    /// Waits until a piece is done. Any thread, under the mutex.
+    void wait_for_piece(std::unique_lock<std::mutex>& lock) { done_.wait(lock); }
+
+  private:
+    void work();
+    Job* most_urgent();
+
+    const int threads_wanted_;
+    std::mutex mutex_;
+    std::condition_variable work_, done_;
+    std::vector<Job*> jobs_;
+    std::size_t turn_ = 0;  // among equally urgent jobs each has its turn
+    bool stop_ = false;
+    std::vector<std::thread> threads_;
+};
+
+}  // namespace lapfx::media

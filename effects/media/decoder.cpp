@@ -1,0 +1,397 @@
+#include "media/decoder.h"
+
+#include <algorithm>
+#include <cassert>
+#include <chrono>
+#include <utility>
+
+#include "media/clip_index.h"
+#include "media/file_stamp.h"
+#include "media/frame_converter.h"
+#include "media/frame_reader.h"
+
+extern "C" {
+#include <libavutil/display.h>
+#include <libavutil/pixdesc.h>
+}
+
+namespace lapfx::media {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr int maximum_side = 8192;  // pixels: 8K
+constexpr int a_few = 4;            // frames that are rather decoded than jumped over
+
+/// A frame that was decoded, and its number; -1 when there is none.
+struct Decoded {
+    libav::Frame frame{libav::made(av_frame_alloc())};
+    int number = -1;
+
+    void clear() {
+        av_frame_unref(frame.get());
+        number = -1;
+    }
+    void take(Decoded& other) {
+        av_frame_unref(frame.get());
+        av_frame_move_ref(frame.get(), other.frame.get());
+        number = std::exchange(other.number, -1);
+    }
+};
+
+/// The file's own word for how it is turned: in each frame, or once for all of them.
+const std::int32_t* display_matrix(const AVFrame& frame, const AVStream& video) {
+    constexpr std::size_t bytes = 9 * sizeof(std::int32_t);
+    const AVFrameSideData* own = av_frame_get_side_data(&frame, AV_FRAME_DATA_DISPLAYMATRIX);
+    if (own != nullptr && own->size >= bytes) return reinterpret_cast<const std::int32_t*>(own->data);
+    std::size_t size = 0;
+    const std::uint8_t* data = av_stream_get_side_data(&video, AV_PKT_DATA_DISPLAYMATRIX, &size);
+    return data != nullptr && size >= bytes ? reinterpret_cast<const std::int32_t*>(data) : nullptr;
+}
+
+/// The nearest quarter turn: (x, y) is shown at (m[0] x + m[3] y, m[1] x + m[4] y).
+Turn turn_of(const AVFrame& frame, const AVStream& video) {
+    const std::int32_t* m = display_matrix(frame, video);
+    if (m == nullptr) return {};
+    const auto size = [](std::int32_t v) { return std::abs(static_cast<std::int64_t>(v)); };
+    const bool transposed = size(m[1]) + size(m[3]) > size(m[0]) + size(m[4]);
+    return {.mirrored = {(transposed ? m[1] : m[0]) < 0, (transposed ? m[3] : m[4]) < 0}, .transposed = transposed};
+}
+
+/// What cannot be meant counts as square.
+double pixel_aspect_of(const AVFrame& frame, const AVStream& video) {
+    constexpr double most = 10.0;
+    for (const AVRational aspect :
+         {video.sample_aspect_ratio, video.codecpar->sample_aspect_ratio, frame.sample_aspect_ratio}) {
+        const double ratio = aspect.num > 0 && aspect.den > 0 ? av_q2d(aspect) : 0.0;
+        if (ratio >= 1.0 / most && ratio <= most) return ratio;
+    }
+    return 1.0;
+}
+
+double seconds() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+int ClipInfo::frame_at(double time) const {
+    const auto after = std::upper_bound(times.begin(), times.end(), time);
+    return std::max(0, static_cast<int>(after - times.begin()) - 1);
+}
+
+struct Decoder::State {
+    State(const fs::path& clip, Layout wanted) : path(clip), stamp(stamp_of(clip)), layout(wanted) {}
+
+    void look_through(int maximum_frames, const work::Stages& stages);
+    void open_known(const ClipInfo& known);
+    void describe(const AVFrame& frame, const ClipIndex& found);
+    DecodableFrames count_decodable(const work::Stages& stages);
+    bool brings_opacity();
+    Step decode_to(int index, const std::atomic<bool>* stop);
+    Step decode_image(int index, const std::atomic<bool>* stop);
+    Step advance(int index, const std::atomic<bool>* stop);
+    Step step(Decoded& into, const std::atomic<bool>* stop);
+    Step jump(int index, const std::atomic<bool>* stop);
+    const SeekPoint* point_before(int frame) const;
+    bool reach(int index, const std::atomic<bool>* stop);
+    bool write(int index, std::span<std::uint8_t> into);
+    void rest();
+    void wake();
+
+    const fs::path path;
+    const FileStamp stamp;  ///< before it was opened
+    const Layout layout;
+    ClipInfo info;
+    glm::ivec2 size{0};  ///< of pictures
+    std::shared_ptr<const ClipIndex> index;
+    std::unique_ptr<FrameReader> reader;  ///< none for a sequence of images
+    std::unique_ptr<FrameConverter> converter;
+    Decoded shown;       ///< the last good frame up to the one that was read last
+    Decoded ahead;       ///< the good frame after it, if that is decoded already
+    Decoded next;        ///< scratch
+    bool placed = true;  ///< the reader stands right behind `shown` and `ahead`
+    bool ended = false, rests = false;
+    std::vector<bool> failed;  ///< images of a sequence that could not be read once: they are not tried again
+    double decode_seconds = 0.0;
+};
+
+/// The next good frame of the file. Its number is unchanged unless there is one.
+Step Decoder::State::step(Decoded& into, const std::atomic<bool>* stop) {
+    return reader->next(*index, *into.frame, into.number, stop);
+}
+
+void Decoder::State::look_through(int maximum_frames, const work::Stages& stages) {
+    const std::optional<ImageSequence> sequence = find_sequence(path, maximum_frames);
+    auto found = std::make_shared<ClipIndex>();
+    if (sequence) {
+        *found = index_sequence(*sequence);
+        reader = std::make_unique<FrameReader>(sequence->file(0));
+    } else {
+        reader = std::make_unique<FrameReader>(path);
+        *found = index_clip(reader->file(), path, maximum_frames, stages);
+        reader->restart();
+    }
+    index = found;
+    ClipIndex one_image;
+    one_image.times = {0.0};
+    if (reader->next(sequence ? one_image : *index, *shown.frame, shown.number, nullptr) != Step::frame)
+        throw bad_clip(path, "has no frame that can be decoded");
+    found->color = color_of(*shown.frame);
+    describe(*shown.frame, *found);
+    if (sequence) reader.reset();
+    info.alpha = has_alpha(shown.frame->format) && brings_opacity();
+}
+
+DecodableFrames Decoder::State::count_decodable(const work::Stages& stages) {
+    const int frames = info.frame_count();
+    DecodableFrames found;
+    for (int at = 0; at < frames; ++at) {
+        if (decode_to(at, nullptr) == Step::frame && shown.number == at) {
+            ++found.count;
+            found.end = at + 1 < frames ? info.times[static_cast<std::size_t>(at) + 1] : info.duration;
+        }
+        stages.reach(static_cast<double>(at + 1) / frames);
+    }
+    return found;
+}
+
+void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
+    info.size = size = {frame.width, frame.height};
+    if (frame.width < 1 || frame.height < 1) throw bad_clip(path, "contains no picture");
+    if (frame.width > maximum_side || frame.height > maximum_side)
+        throw bad_clip(path, "is " + std::to_string(frame.width) + "x" + std::to_string(frame.height) +
+                                 " pixels; at most " + std::to_string(maximum_side) + " a side are allowed");
+    info.codec = avcodec_get_name(reader->file().video().codecpar->codec_id);
+    const char* format = av_get_pix_fmt_name(static_cast<AVPixelFormat>(frame.format));
+    info.pixel_format = format == nullptr ? "unknown" : format;
+    info.color = matrix_of(found.color);
+    info.turn = turn_of(frame, reader->file().video());
+    info.pixel_aspect = pixel_aspect_of(frame, reader->file().video());
+    info.times = found.times;
+    info.duration = found.duration;
+    info.warning = found.warning.empty() ? reader->warning() : found.warning;
+    info.index = index;
+}
+
+/// Whether the clip uses the opacity that its pixel format has: GIFs and PNGs have one whether or not they do. Four frames
+/// tell.
+bool Decoder::State::brings_opacity() {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        const int at = info.frame_count() * quarter / 4;
+        if (decode_to(at, nullptr) == Step::frame && shown.number == at && !is_opaque(*shown.frame)) return true;
+    }
+    return false;
+}
+
+void Decoder::State::open_known(const ClipInfo& known) {
+    info = known;
+    size = known.size;
+    index = known.index;
+    if (!index->sequence) reader = std::make_unique<FrameReader>(path);
+}
+
+const SeekPoint* Decoder::State::point_before(int frame) const {
+    const auto after = std::upper_bound(index->points.begin(), index->points.end(), frame,
+                                        [](int f, const SeekPoint& point) { return f < point.frame; });
+    return after == index->points.begin() ? nullptr : &*(after - 1);
+}
+
+/// To the last frame up to `frame` where decoding can start and does; else to the first one.
+Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
+    shown.clear();
+    ahead.clear();
+    placed = ended = false;
+    for (const SeekPoint* point = point_before(frame); point != nullptr; point = point_before(point->frame - 1)) {
+        if (!reader->seek(*point)) continue;
+        const Step result = step(next, stop);
+        if (result == Step::stopped) return result;
+        // Where that very frame is broken, those after it depend on what was before.
+        if (result == Step::frame && next.number == point->frame) {
+            shown.take(next);
+            placed = true;
+            return Step::frame;
+        }
+    }
+    next.clear();
+    reader->restart();
+    placed = true;
+    return Step::frame;
+}
+
+/// On to the last good frame up to `frame`, from where the file stands.
+Step Decoder::State::advance(int frame, const std::atomic<bool>* stop) {
+    while (shown.number < frame && !ended) {
+        if (ahead.number >= 0) {
+            if (ahead.number > frame) break;
+            shown.take(ahead);
+            continue;
+        }
+        const Step result = step(next, stop);
+        if (result == Step::stopped) return result;
+        if (result == Step::end)
+            ended = true;
+        else
+            ahead.take(next);
+    }
+    return Step::frame;
+}
+
+/// Makes `shown` the frame `frame`, or the last good one before it, if there is any.
+Step Decoder::State::decode_to(int frame, const std::atomic<bool>* stop) {
+    if (index->sequence) return decode_image(frame, stop);
+    const int reached = std::max(shown.number, ahead.number);
+    const bool here = shown.number <= frame && (ended || ahead.number > frame);
+    const SeekPoint* point = point_before(frame);
+    if (!placed || (!here && (shown.number > frame || (point != nullptr && point->frame > reached + a_few))))
+        if (jump(frame, stop) == Step::stopped) return Step::stopped;
+    return advance(frame, stop);
+}
+
+/// The same of a sequence, each of whose images is opened on its own.
+Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
+    ClipIndex one_image;
+    one_image.times = {0.0};
+    failed.resize(static_cast<std::size_t>(index->sequence->count), false);
+    if (shown.number > frame) shown.clear();
+    for (int at = frame; at > shown.number; --at) {
+        if (stop != nullptr && stop->load(std::memory_order_relaxed)) return Step::stopped;
+        const auto place = static_cast<std::size_t>(at);
+        if (failed[place]) continue;
+        failed[place] = true;
+        try {
+            FrameReader image(index->sequence->file(at));
+            if (image.next(one_image, *next.frame, next.number, nullptr) != Step::frame) continue;
+        } catch (const Error&) {  // gone or broken: the one before is shown
+            continue;
+        }
+        failed[place] = false;
+        shown.take(next);
+        shown.number = at;
+        break;
+    }
+    return Step::frame;
+}
+
+void Decoder::State::rest() {
+    for (Decoded* one : {&shown, &ahead, &next}) one->clear();
+    reader.reset();
+    rests = true;
+}
+
+void Decoder::State::wake() {
+    if (!rests) return;
+    if (stamp_of(path) != stamp) throw bad_clip(path, "is another file than the one that was opened");
+    if (!index->sequence) reader = std::make_unique<FrameReader>(path);
+    placed = true;
+    ended = rests = false;
+}
+
+/// False when it was stopped.
+bool Decoder::State::reach(int frame, const std::atomic<bool>* stop) {
+    assert(frame >= 0 && frame < info.frame_count());
+    const double start = seconds();
+    wake();
+    const Step result = decode_to(frame, stop);
+    decode_seconds += seconds() - start;
+    return result != Step::stopped;
+}
+
+/// What was reached; whether it is `frame` itself.
+bool Decoder::State::write(int frame, std::span<std::uint8_t> into) {
+    assert(into.size() == converter->format().bytes());
+    if (shown.number < 0) {
+        converter->make_black(into);
+        return false;
+    }
+    converter->convert(*shown.frame, into);
+    return shown.number == frame;
+}
+
+Decoder::Decoder(const fs::path& path, Layout layout, int maximum_frames, const work::Stages& stages)
+    : state_(std::make_unique<State>(path, layout)) {
+    state_->look_through(maximum_frames, stages);
+    state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
+}
+
+Decoder::Decoder(const fs::path& path, Layout layout, const ClipInfo& known)
+    : state_(std::make_unique<State>(path, layout)) {
+    assert(known.index != nullptr);
+    state_->open_known(known);
+    state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
+}
+
+Decoder::Decoder(Decoder&&) noexcept = default;
+Decoder& Decoder::operator=(Decoder&&) noexcept = default;
+Decoder::~Decoder() = default;
+
+const ClipInfo& Decoder::info() const {
+    return state_->info;
+}
+
+PictureFormat Decoder::format() const {
+    return {.size = state_->size, .layout = state_->layout, .alpha = state_->info.alpha};
+}
+
+DecodableFrames Decoder::count_decodable(const work::Stages& stages) {
+    return state_->count_decodable(stages);
+}
+
+void Decoder::scale_to(glm::ivec2 size) {
+    state_->size = size;
+    state_->converter = std::make_unique<FrameConverter>(format(), state_->index->color);
+}
+
+bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noexcept {
+    const std::size_t bytes = format().bytes();
+    try {
+        if (!state_->reach(index, stop)) return false;
+        into.bytes.resize(bytes);
+        return state_->write(index, into.bytes);
+    } catch (const std::exception&) {  // no memory, or the file is no video any more
+    }
+    try {
+        if (into.bytes.size() == bytes) return false;
+        into.bytes.resize(bytes);
+        state_->converter->make_black(into.bytes);
+    } catch (const std::bad_alloc&) {  // it keeps what it had
+    }
+    return false;
+}
+
+bool Decoder::read(int index, std::span<std::uint8_t> into, const std::atomic<bool>* stop) noexcept {
+    try {
+        return state_->reach(index, stop) && state_->write(index, into);
+    } catch (const std::exception&) {
+    }
+    state_->converter->make_black(into);
+    return false;
+}
+
+void Decoder::rest() noexcept {
+    state_->rest();
+}
+
+bool Decoder::rests() const {
+    return state_->rests;
+}
+
+double Decoder::decode_seconds() const {
+    return state_->decode_seconds + state_->converter->convert_seconds();
+}
+
+double Decoder::copy_seconds() const {
+    return state_->converter->copy_seconds();
+}
+
+Decoder open_stoppable(const fs::path& path, Layout layout, int maximum_frames, const std::atomic<bool>* stop) {
+    const Progress progress = [stop](double) { return stop == nullptr || !stop->load(std::memory_order_relaxed); };
+    try {
+        return {path, layout, maximum_frames, work::Stages(progress)};
+    } catch (const work::Stopped&) {
+        throw Error(Failure::runtime, Fault{.file = path.string(), .place = "", .reason = "was not read to its end"});
+    }
+}
+
+}  // namespace lapfx::media

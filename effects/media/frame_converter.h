@@ -1,0 +1,56 @@
+// From FFmpeg's frames, of whatever pixel format and size, to a clip's pictures. Not thread safe.
+#pragma once
+
+#include <span>
+
+#include "media/clip_index.h"
+#include "media/libav.h"
+#include "media/picture.h"
+
+namespace lapfx::media {
+
+/// The colours of a frame's planes, or of the planes that it is converted to: YCbCr stays in its own colour space and range,
+/// the rest becomes BT.601 of full range.
+ClipColor color_of(const AVFrame& frame);
+ColorMatrix matrix_of(const ClipColor& color);
+
+bool has_alpha(int pixel_format);
+/// Whether all of a frame is opaque, although it has opacity.
+bool is_opaque(const AVFrame& frame);
+
+class FrameConverter {
+  public:
+    FrameConverter(PictureFormat format, ClipColor color) : format_(format), color_(color) {}
+
+    const PictureFormat& format() const { return format_; }
+    const ClipColor& color() const { return color_; }
+
+    /// `into`, of the format's bytes, holds the frame, scaled to the format's size; it is written once, in order, and not read.
+    /// Throws std::bad_alloc, or Error for what cannot be converted.
+    void convert(const AVFrame& frame, std::span<std::uint8_t> into);
+    /// Nothing to be seen.
+    void make_black(std::span<std::uint8_t> into) const;
+
+    double convert_seconds() const { return convert_seconds_; }
+    double copy_seconds() const { return copy_seconds_; }
+
+  private:
+    bool fits(const AVFrame& frame) const;
+    AVPixelFormat target() const;
+    void prepare_scaler(const AVFrame& frame);
+    void copy_planar(const AVFrame& frame, std::uint8_t* into) const;
+    void copy_rgb(const AVFrame& frame, std::uint8_t* into) const;
+
+    PictureFormat format_;
+    ClipColor color_;
+    libav::Scaler scaler_;
+    libav::Frame scaled_;
+    struct Source {
+        int width = 0, height = 0, format = -1, space = 0;
+        bool full_range = false;
+        friend bool operator==(const Source&, const Source&) = default;
+    } source_;  ///< what scaler_ is for
+    double convert_seconds_ = 0.0, copy_seconds_ = 0.0;
+};
+
+}  // namespace lapfx::media

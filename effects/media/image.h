@@ -1,0 +1,28 @@
+// Textures: PNG, JPEG, WebP and BMP through OpenCV, always as 8-bit RGBA.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "lapfx/organ.h"
+
+namespace lapfx::media {
+
+/// Limits on one image: what OpenGL drivers take, and a GiB of memory.
+constexpr int maximum_image_side = 16384;
+constexpr std::int64_t maximum_image_pixels = std::int64_t{256} << 20;
+
+struct ImageSize {
+    std::int64_t width = 0;
+    std::int64_t height = 0;
+};
+
+/// Width and height as the file's header states them, without decoding; false when it is none of the four
+/// formats.
+bool image_size(std::span<const std::uint8_t> file, ImageSize& size);
+
+/// Decodes a whole image file into `image` (its name stays). Returns why not, or an empty string.
+std::string decode_image(std::span<const std::uint8_t> file, Image& image);
+
+}  // namespace lapfx::media

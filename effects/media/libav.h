@@ -1,0 +1,42 @@
+// FFmpeg's objects with owners.
+#pragma once
+
+#include <memory>
+#include <new>
+
+extern "C" {
+#include <libavcodec/avcodec.h>
+#include <libavformat/avformat.h>
+#include <libavutil/frame.h>
+#include <libswscale/swscale.h>
+}
+
+namespace lapfx::media::libav {
+
+/// Throws what FFmpeg's makers cannot: a null pointer from one of them means that there is no memory.
+template <class T>
+T* made(T* object) {
+    if (object == nullptr) throw std::bad_alloc();
+    return object;
+}
+
+struct Free {
+    void operator()(AVPacket* packet) const { av_packet_free(&packet); }
+    void operator()(AVFrame* frame) const { av_frame_free(&frame); }
+    void operator()(AVCodecContext* codec) const { avcodec_free_context(&codec); }
+    void operator()(AVFormatContext* format) const { avformat_close_input(&format); }
+    void operator()(SwsContext* scaler) const { sws_freeContext(scaler); }
+    void operator()(AVIOContext* io) const {
+        av_freep(&io->buffer);
+        avio_context_free(&io);
+    }
+};
+
+using Packet = std::unique_ptr<AVPacket, Free>;
+using Frame = std::unique_ptr<AVFrame, Free>;
+using Codec = std::unique_ptr<AVCodecContext, Free>;
+using Format = std::unique_ptr<AVFormatContext, Free>;
+using Scaler = std::unique_ptr<SwsContext, Free>;
+using Io = std::unique_ptr<AVIOContext, Free>;
+
+}  // namespace lapfx::media::libav

@@ -1,0 +1,52 @@
+// The few frames of one place in a clip that are on the GPU while the paper's schemes stream them. Render thread, context current.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "lapfx/streaming.h"
+#include "media/frame_textures.h"
+
+namespace lapfx::media {
+
+/// Pipeline has one texture, buffering four: the frame that is shown, the two after it, and one that the GPU may still be drawing.
+/// Each is a texture of its own, for drivers make whoever writes to a texture wait until the last drawing with it is done.
+class SentFrames {
+  public:
+    SentFrames() = default;
+    SentFrames(const PictureFormat& format, Scheme scheme);
+
+    bool holds(int index) const { return find(index) < slots_.size(); }
+    /// Sends frame `index`, which it does not hold yet, in place of one that is neither shown nor `needed`. `from`: as
+    /// FrameTextures::upload(). Gives the bytes sent; 0: nothing has changed.
+    std::size_t send(int index, std::span<const std::uint8_t> bytes, const gl::PixelBuffer* from,
+                     std::span<const int> needed) noexcept;
+    /// Show this one from now on; held.
+    void show(int index) noexcept;
+    /// Show the one that was sent last; one has been.
+    void show_newest() noexcept { show(newest_); }
+    /// Sets the bytes of the frames that it holds.
+    void mark(std::span<std::uint8_t> held) const noexcept;
+    int shown() const { return shown_; }  ///< frame number; -1: nothing yet
+
+    /// What is shown.
+    ClipFrame frame(const ColorMatrix& matrix) const noexcept;
+
+    /// Bytes that it takes.
+    static std::size_t memory(const PictureFormat& format, Scheme scheme);
+
+  private:
+    struct Slot {
+        FrameTextures texture;
+        int index = -1;          ///< frame number
+        std::uint64_t used = 0;  ///< when it was sent or shown last
+    };
+    std::size_t find(int index) const;  ///< as many as there are: none
+    Slot& slot_for(std::span<const int> needed);
+
+    std::vector<Slot> slots_;
+    std::uint64_t clock_ = 0;
+    int shown_ = -1, newest_ = -1;
+};
+
+}  // namespace lapfx::media

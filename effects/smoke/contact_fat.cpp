@@ -1,0 +1,58 @@
+#include "smoke/contact_fat.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "gl/noise.h"
+
+namespace lapfx::smoke {
+
+namespace {
+
+constexpr std::size_t most_known = 1u << 16;  // places; then it begins anew
+constexpr double farthest = 1e6;              // mm: no organ is there, and an int holds its cell
+
+}  // namespace
+
+std::size_t ContactFat::Hash::operator()(const glm::ivec3& cell) const {
+    return gl::noise_hash(cell, 0);
+}
+
+double ContactFat::at(const glm::dvec3& place, const Sample& sample) {
+    const glm::ivec3 cell(glm::round(place / grid));
+    if (const auto found = known_.find(cell); found != known_.end()) return found->second;
+    if (known_.size() >= most_known) known_.clear();
+    return known_[cell] = std::clamp(sample(grid * glm::dvec3(cell)), 0.0, 1.0);
+}
+
+double ContactFat::along(const ToolContact& contact, const Sample& sample) {
+    const auto usable = [](const glm::dvec3& p) {
+        return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;  // nor NaN
+    };
+    if (!contact.hot() || !usable(contact.position) || !usable(contact.to)) return 0.0;
+    const double length = glm::distance(contact.position, contact.to);
+    const int places = std::min(1 + static_cast<int>(std::ceil(std::min(length, 1000.0) / spacing)), most_places);
+    double sum = 0.0;
+    for (int i = 0; i < places; ++i)
+        sum += at(places > 1 ? glm::mix(contact.position, contact.to, static_cast<double>(i) / (places - 1))
+                             : contact.position,
+                  sample);
+    return sum / places;
+}
+
+std::span<const double> ContactFat::update(std::span<const ToolContact> contacts, const Sample& sample) {
+    fat_.resize(contacts.size());
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (i >= contacts_.size() || contacts_[i].action != contacts[i].action ||
+            contacts_[i].position != contacts[i].position || contacts_[i].to != contacts[i].to)
+            fat_[i] = along(contacts[i], sample);
+    contacts_.assign(contacts.begin(), contacts.end());
+    return fat_;
+}
+
+void ContactFat::clear() {
+    contacts_.clear();
+    known_.clear();
+}
+
+}  // namespace lapfx::smoke

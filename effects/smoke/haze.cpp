@@ -1,0 +1,122 @@
+#include "smoke/haze.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "smoke/plume.h"
+
+namespace lapfx::smoke {
+
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+template <class Span>
+bool counts(const Span& span) {
+    return std::isfinite(span.start) && std::isfinite(span.end) && span.end > span.start;
+}
+
+/// The earliest time at which two lists of spans differ; `never` when they do not. Where only an end has moved, it is the
+/// earlier of both ends: what started before goes on as before.
+template <class Span>
+double first_difference(std::span<const Span> before, std::span<const Span> now) {
+    double first = never;
+    const auto starts = [&](const Span& span) {
+        if (counts(span)) first = std::min(first, span.start);
+    };
+    const std::size_t both = std::min(before.size(), now.size());
+    for (std::size_t i = 0; i < both; ++i) {
+        if (before[i] == now[i]) continue;
+        Span moved = before[i];
+        moved.end = now[i].end;
+        if (counts(before[i]) && counts(now[i]) && moved == now[i])
+            first = std::min(first, std::min(before[i].end, now[i].end));
+        else
+            starts(before[i]), starts(now[i]);
+    }
+    std::for_each(before.begin() + static_cast<std::ptrdiff_t>(both), before.end(), starts);
+    std::for_each(now.begin() + static_cast<std::ptrdiff_t>(both), now.end(), starts);
+    return first;
+}
+
+/// The integral of s * exp(-loss * (passed - s)) over 0..passed.
+double rising_integral(double loss, double passed) {
+    const double x = loss * passed;
+    if (x < 1e-3) return passed * passed * (0.5 + x * (-1.0 / 6.0 + x * (1.0 / 24.0 - x / 120.0)));
+    return (passed + std::expm1(-x) / loss) / loss;
+}
+
+}  // namespace
+
+void list_haze(std::span<const ToolContact> contacts, std::span<const double> fat, const PlumeParameters& plume,
+               std::vector<Emission>& emissions, std::vector<Suction>& suctions) {
+    emissions.clear();
+    suctions.clear();
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        const ToolContact& contact = contacts[i];
+        if (contact.hot())
+            emissions.push_back({contact.time, contact.end(), emission(contact, fat[i], plume)});
+        else if (contact.action == ToolAction::suction)
+            suctions.push_back({contact.time, contact.end()});
+    }
+}
+
+double HazeCurve::changed_from(std::span<const Emission> emissions, std::span<const Suction> suctions) const {
+    return std::min(first_difference(std::span<const Emission>(emissions_), emissions),
+                    first_difference(std::span<const Suction>(suctions_), suctions));
+}
+
+void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
+                    const FactorCurve& factor) {
+    double from = changed_from(emissions, suctions);
+    if (accumulation_ != haze.accumulation || ventilation_ != haze.ventilation || suction_ != haze.suction ||
+        !(factor_ == factor))
+        from = -never;
+    accumulation_ = haze.accumulation, ventilation_ = haze.ventilation, suction_ = haze.suction;
+    factor_ = factor;
+    emissions_.assign(emissions.begin(), emissions.end());
+    suctions_.assign(suctions.begin(), suctions.end());
+
+    while (!pieces_.empty() && pieces_.back().start >= from) pieces_.pop_back();
+    events_.clear();
+    const auto add = [&](double time, double power, int emission, int suction) {
+        if (time >= from) events_.push_back({time, power, emission, suction});
+    };
+    for (const Emission& e : emissions)
+        if (counts(e) && std::isfinite(e.power)) add(e.start, e.power, 1, 0), add(e.end, -e.power, -1, 0);
+    for (const Suction& s : suctions)
+        if (counts(s)) add(s.start, 0.0, 0, 1), add(s.end, 0.0, 0, -1);
+    for (const CurvePoint& point : factor_.points()) add(point.time, 0.0, 0, 0);
+    // Ties in one order, whatever that of the lists: sums of powers are then the same to the last bit.
+    std::sort(events_.begin(), events_.end());
+    for (const Event& event : events_) {
+        Piece piece = pieces_.empty() ? Piece{event.time, 0.0, 1.0, 0.0, 0.0, 0, 0} : pieces_.back();
+        piece.density = at(piece, event.time);
+        piece.start = event.time;
+        piece.emissions += event.emissions;
+        piece.suctions += event.suctions;
+        piece.power = piece.emissions > 0 ? piece.power + event.power : 0.0;  // no rounding is left when all has ended
+        piece.factor = factor_.at(event.time);
+        piece.slope = factor_.slope_after(event.time);
+        pieces_.push_back(piece);
+    }
+}
+
+double HazeCurve::at(const Piece& piece, double time) const noexcept {
+    const double passed = time - piece.start;
+    const double loss = ventilation_ + (piece.suctions > 0 ? suction_ : 0.0);
+    // The integral of exp(-loss * s) over what has passed; expm1 keeps it exact as the loss goes to 0, where it is that time.
+    const double integral = loss > 1e-9 ? -std::expm1(-loss * passed) / loss : passed;
+    double made = piece.factor * integral;
+    if (piece.slope != 0.0) made += piece.slope * rising_integral(loss, passed);
+    return piece.density * std::exp(-loss * passed) + accumulation_ * piece.power * made;
+}
+
+double HazeCurve::density(double time) const noexcept {
+    const auto next = std::upper_bound(pieces_.begin(), pieces_.end(), time,
+                                       [](double t, const Piece& piece) { return t < piece.start; });
+    return next == pieces_.begin() ? 0.0 : at(*(next - 1), time);
+}
+
+}  // namespace lapfx::smoke

@@ -1,0 +1,57 @@
+// Where and how dense the source smoke of one burn is at a time. Closed form; pure functions, any thread.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <glm/glm.hpp>
+
+#include "lapfx/preset.h"
+#include "lapfx/tool.h"
+#include "preset/factor_curve.h"
+#include "smoke/burns.h"
+
+namespace lapfx::smoke {
+
+struct PlumeState {
+    double density = 0.0;    ///< 0 = nothing to draw
+    glm::dvec3 anchor{0.0};  ///< mm, where the clip's source lies
+    double height = 0.0;     ///< mm, of the whole clip
+};
+
+/// How much smoke a hot contact gives, plume and haze: its power, and more where the tissue is fat (0..1).
+inline double emission(const ToolContact& contact, double fat, const PlumeParameters& plume) {
+    return contact.power * (1.0 + plume.fat_gain * fat);
+}
+
+/// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows and fades. A touch
+/// that is shorter than `fade_in` leaves no more than it has faded in by its end. Power and fat count as their mean over the last
+/// `fade_in`: smoke takes that long to follow them, so it does not flicker where one contact goes on as another.
+/// `factor`: on the smoke over time.
+PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time,
+                       const FactorCurve& factor = {}) noexcept;
+
+/// How a clip is laid out: the same for every frame of one chance.
+struct ClipTurn {
+    bool mirrored = false;  ///< left and right exchanged
+    float angle = 0.0f;     ///< radians, counter-clockwise
+};
+ClipTurn clip_turn(const SmokeClip& clip, std::uint32_t chance) noexcept;
+
+/// The quad that shows a plume's clip; lengths mm.
+struct PlumeQuad {
+    glm::vec3 anchor{0.0f};        ///< camera space, where the smoke starts
+    glm::vec2 extent{1.0f};        ///< width and height of the whole clip
+    glm::vec2 source{0.5f, 1.0f};  ///< where in the clip as filmed the smoke starts, 0..1, origin top left
+    glm::vec2 up{0.0f, 1.0f};      ///< unit, camera plane: where smoke rises to
+    float lean = 0.0f;             ///< mm towards the camera per mm of rise
+    ClipTurn turn{};
+};
+
+/// Camera space: top left, top right, bottom left, bottom right of the clip as drawn.
+std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept;
+
+/// What of the view (0..1, origin bottom left) a quad covers: lower left, upper right corner. The whole view when some of it
+/// lies beside or behind the camera; nothing (upper right below lower left) when all of it does or it is out of sight.
+glm::vec4 view_bounds(const std::array<glm::vec3, 4>& corners, const glm::mat4& projection) noexcept;
+
+}  // namespace lapfx::smoke
