@@ -5,8 +5,6 @@
 #include <sstream>
 
 #include "body.h"
-#include "cautery/power.h"
-#include "cautery/recorder.h"
 #include "gl/shader_source.h"
 #include "gl/srgb.h"
 #include "gl/state_guard.h"
@@ -14,9 +12,8 @@
 #include "lapfx/prepared_organ.h"
 #include "organ/refine.h"
 #include "render/view_block.h"
-#include "smoke/contact_fat.h"
+#include "simulation.h"
 #include "smoke/smoke.h"
-#include "smoke/touching.h"
 
 namespace lapfx {
 
@@ -31,62 +28,39 @@ std::shared_ptr<const Foundation> foundation_of(organ::FineOrgan& fine, const Ve
 }  // namespace
 
 struct Effects::State {
-    State(const Organ& organ, std::shared_ptr<const Foundation> foundation, const EffectsOptions& wanted)
+    State(const Organ& organ, const std::shared_ptr<const Foundation>& foundation, const EffectsOptions& wanted)
         : options(wanted),
-          down(direction_of(wanted.gravity)),
-          body(std::make_unique<Body>(organ, std::move(foundation), down, wanted.seed)),
+          simulation(foundation, direction_of(wanted.gravity)),
+          body(std::make_unique<Body>(organ, foundation, simulation.down(), wanted.seed)),
           smoke(wanted.seed, wanted.streaming, wanted.clip_cache) {}
 
     EffectsOptions options;
-    Preset preset;
     ToolQueue queue;
-    cautery::Recorder recorder;
+    Simulation simulation;
     Curves curves;
-    cautery::PowerCurve power;
-    double time = 0.0;
     std::size_t uploaded = 0;
     Overlay overlay = Overlay::none;
     glm::vec3 organ_color{1.0f};  // linear
 
-    glm::dvec3 down;
     std::unique_ptr<Body> body;
     render::ViewBlock view_block;
     smoke::Smoke smoke;
 
-    smoke::Touching touching;
-    const smoke::Touching::Touches touches = [this](const glm::dvec3& place) { return body->touches(place); };
-    smoke::ContactFat fat;
-    VesselParameters fat_of;  // what `fat` was asked for
-    const smoke::ContactFat::Sample fat_at = [this](const glm::dvec3& place) { return body->tissue().fat(place); };
-
-    /// What the tool has done, with the power of its time.
-    std::span<const ToolContact> acting() { return power.apply(recorder.contacts()); }
-    void take_smoke(std::span<const ToolContact> contacts) {
-        const std::span<const ToolContact> burning = touching.update(contacts, touches);
-        smoke.set_contacts(burning, fat.update(burning, fat_at));
-    }
-    void refresh() {
-        const std::span<const ToolContact> contacts = acting();
-        body->set(contacts, preset);
-        if (!(fat_of == preset.vessels)) fat.clear();
-        fat_of = preset.vessels;
-        take_smoke(contacts);
-    }
-    void take_contacts() {
-        const std::span<const ToolContact> contacts = acting();
-        body->set_contacts(contacts, preset);
-        take_smoke(contacts);
+    /// With the clips that play.
+    void take(Preset preset) {
+        preset.smoke = smoke.parameters();
+        simulation.set_preset(preset);
+        body->take(simulation);
     }
     /// The tool touches the organ as it is now; contacts are of the shape at rest.
     void drain_queue() {
         ToolSample sample;
-        const std::uint64_t before = recorder.version();
         // No more than were there when it began: the haptic thread goes on.
         for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
             if (sample.touching) sample.position = body->moved().to_rest(sample.position);
-            recorder.add(sample);
+            simulation.add(sample);
         }
-        if (recorder.version() != before) take_contacts();
+        simulation.take_samples();
     }
 };
 
@@ -108,46 +82,38 @@ Effects::~Effects() = default;
 void Effects::set_preset(const Preset& preset) {
     require_valid(preset);
     state_->smoke.set_preset(preset, state_->options.clip_folders);
-    state_->preset = preset;
-    state_->refresh();
+    state_->take(preset);
 }
 
 void Effects::set_parameters(const Preset& preset) {
     require_valid(preset);
     state_->smoke.set_parameters(preset.smoke);
-    state_->preset = preset;
-    state_->refresh();
+    state_->take(preset);
 }
 
 void Effects::set_gravity(const glm::dvec3& gravity) {
     State& s = *state_;
-    s.down = direction_of(gravity);
+    s.simulation.set_down(direction_of(gravity));
     s.options.gravity = gravity;
-    s.body->set_down(s.down);
-    s.refresh();
+    s.body->set_down(s.simulation.down());
+    s.body->take(s.simulation);
 }
 
 void Effects::set_seed(std::uint32_t seed) {
-    State& s = *state_;
-    s.options.seed = seed;
-    s.body->set_seed(seed);
-    s.smoke.set_seed(seed);
-    s.refresh();
+    state_->options.seed = seed;
+    state_->body->set_seed(seed);
+    state_->body->take(state_->simulation);
+    state_->smoke.set_seed(seed);
 }
 
 void Effects::set_contacts(std::span<const ToolContact> contacts) {
-    state_->recorder.set(contacts);
-    state_->take_contacts();
+    state_->simulation.set_contacts(contacts);
 }
 
 void Effects::set_curves(const Curves& curves) {
-    State& s = *state_;
-    if (curves == s.curves) return;
-    s.curves = curves;
-    s.power.set(curves.cautery_power);
-    s.body->set_strength(FactorCurve(curves.bleeding_strength));
-    s.smoke.set_factor(FactorCurve(curves.emission));
-    s.take_contacts();
+    if (curves == state_->curves) return;
+    state_->curves = curves;
+    state_->simulation.set_curves(curves);
 }
 
 ToolQueue& Effects::tool_queue() noexcept {
@@ -155,7 +121,7 @@ ToolQueue& Effects::tool_queue() noexcept {
 }
 
 std::span<const ToolContact> Effects::contacts() const noexcept {
-    return state_->recorder.contacts();
+    return state_->simulation.contacts();
 }
 
 void Effects::set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals) {
@@ -174,17 +140,13 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     std::vector<std::shared_ptr<const Image>> needed;  // until the end: decoded once
     for (const auto& one : pixels)
         if (one) needed.push_back(one->get());
-    auto foundation = foundation_of(fine, s.preset.vessels, std::move(pixels));
-    auto body = std::make_unique<Body>(fine.organ(), std::move(foundation), s.down, s.options.seed);
-    body->set_strength(FactorCurve(s.curves.bleeding_strength));
-    body->set(s.acting(), s.preset);
-    body->set_overlay(s.overlay);
-    body->set_color(s.organ_color);
-    body->inherit(*s.body, origin, s.time);
+    const auto foundation = foundation_of(fine, s.simulation.preset().vessels, std::move(pixels));
+    auto body = std::make_unique<Body>(fine.organ(), foundation, s.simulation.down(), s.options.seed);
+    s.simulation.set_surface(foundation, origin);
     s.body = std::move(body);
-    s.touching.clear();
-    s.fat.clear();
-    s.take_smoke(s.acting());
+    s.body->take(s.simulation);
+    s.body->set_overlay(s.overlay, s.simulation);
+    s.body->set_color(s.organ_color);
 }
 
 void Effects::reload_shaders(const std::filesystem::path& folder) {
@@ -204,14 +166,14 @@ void Effects::set_organ_color(const glm::dvec3& color) {
 
 void Effects::set_overlay(Overlay overlay) {
     state_->overlay = overlay;
-    state_->body->set_overlay(overlay);
+    state_->body->set_overlay(overlay, state_->simulation);
 }
 
 void Effects::seek(double time) noexcept {
     state_->drain_queue();
     if (!std::isfinite(time)) return;
-    state_->time = time;
-    state_->uploaded = state_->body->seek(time);
+    state_->simulation.seek(time);
+    state_->uploaded = state_->body->send(state_->simulation);
 }
 
 void Effects::draw_organ(const View& view) noexcept {
@@ -224,7 +186,14 @@ void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
     state_->view_block.bind(view);
     const EffectsOptions& options = state_->options;
-    state_->smoke.draw(view, -state_->down, state_->time, scene_depth,
+    const Simulation& simulation = state_->simulation;
+    state_->smoke.draw(view,
+                       {.burns = simulation.burns(),
+                        .factor = simulation.emission_factor(),
+                        .haze = simulation.haze(simulation.time()),
+                        .up = -simulation.down(),
+                        .time = simulation.time()},
+                       scene_depth,
                        options.wait_for_clips                      ? media::Policy::wait
                        : options.streaming.late == LateClips::skip ? media::Policy::skip
                                                                    : media::Policy::latest);
@@ -239,19 +208,13 @@ void Effects::bind_bleeding() const noexcept {
 }
 
 Amounts Effects::amounts() const noexcept {
-    const bleeding::BleedField& bleed = state_->body->bleed();
-    const bleeding::BloodAmount blood = bleed.amount();
-    return {.blood_area = blood.area,
-            .blood_volume = blood.volume,
-            .wounds = static_cast<int>(bleed.wounds().size()) - waiting_wounds(bleed.wounds()),
-            .bleeding_wounds = bleed.bleeding_wounds(),
-            .left_out_wounds = static_cast<int>(state_->body->left_out_wounds()),
-            .lost_samples = state_->recorder.dropped() + state_->queue.missed(),
-            .haze = state_->smoke.haze(state_->time)};
+    Amounts amounts = state_->simulation.amounts();
+    amounts.lost_samples += state_->queue.missed();
+    return amounts;
 }
 
 std::span<const WoundStatus> Effects::wounds() const noexcept {
-    return state_->body->bleed().wounds();
+    return state_->simulation.bleed().wounds();
 }
 
 std::vector<ClipStatus> Effects::clips() const {
@@ -270,7 +233,7 @@ bool Effects::late() const noexcept {
 }
 
 MemoryUse Effects::memory_use() const noexcept {
-    MemoryUse use = state_->body->memory_use();
+    MemoryUse use = state_->body->memory_use(state_->simulation);
     use.clips = state_->smoke.clips().memory();
     use.targets = state_->smoke.target_memory();
     return use;
@@ -281,7 +244,7 @@ std::size_t Effects::uploaded() const noexcept {
 }
 
 TissueSample Effects::tissue(const glm::dvec3& position) const noexcept {
-    return state_->body->tissue().sample(position);
+    return state_->simulation.density().sample(position);
 }
 
 std::optional<OrganHit> Effects::pick(glm::dvec3 origin, glm::dvec3 direction) const noexcept {

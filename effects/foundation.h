@@ -19,6 +19,10 @@ struct Foundation {
     Foundation(const Foundation&) = delete;
     Foundation& operator=(const Foundation&) = delete;
 
+    std::size_t vertices() const {
+        return surface.weld.size();
+    }  ///< of the organ, also those that splitting it has made
+    std::size_t given_vertices() const { return vertices() - unsplit.midpoints.size(); }
     /// Textures have been sent to the GPU: pixels that can be decoded again need not be kept.
     void let_go_pixels() const { organ::let_go(pixels); }
     std::size_t pixel_memory() const { return organ::memory_of(pixels); }  ///< bytes

@@ -9,13 +9,6 @@ namespace lapfx::app {
 
 namespace {
 
-constexpr double no_gap = 1e-6;  // s and mm
-
-bool goes_on(const ToolContact& before, const ToolContact& after) {
-    return before.action == after.action && std::abs(before.end() - after.time) <= no_gap &&
-           glm::distance(before.to, after.position) <= no_gap;
-}
-
 double on_grid(double value, double per_unit) {
     return std::round(value * per_unit) / per_unit;
 }
@@ -46,57 +39,56 @@ bool is_hot(ToolAction action) {
     return ToolContact{.action = action}.hot();
 }
 
-bool is_cutting(ToolAction action) {
-    return action == ToolAction::cauterise || action == ToolAction::cut || action == ToolAction::tear;
-}
-
-std::vector<Stay> stays_of(std::span<const ToolContact> events) {
+std::vector<Stroke> strokes_of(std::span<const ToolContact> events) {
     std::vector<std::size_t> order(events.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return events[a].time < events[b].time; });
-    std::vector<Stay> stays;
+    std::vector<Stroke> strokes;
     std::array<std::size_t, action_count> newest;  // of each action
     newest.fill(events.size());
     for (const std::size_t i : order) {
         const ToolContact& event = events[i];
         std::size_t& last = newest[static_cast<std::size_t>(event.action)];
-        if (last < stays.size() && goes_on(events[stays[last].events.back()], event)) {
-            stays[last].events.push_back(i);
-            stays[last].end = event.end();
+        if (last < strokes.size() && goes_on(events[strokes[last].events.back()], event)) {
+            strokes[last].events.push_back(i);
+            strokes[last].end = event.end();
             continue;
         }
-        last = stays.size();
-        stays.push_back({.events = {i}, .action = event.action, .start = event.time, .end = event.end()});
+        last = strokes.size();
+        strokes.push_back({.events = {i}, .action = event.action, .start = event.time, .end = event.end()});
     }
-    const auto first = [](const Stay& stay) { return *std::min_element(stay.events.begin(), stay.events.end()); };
-    std::stable_sort(stays.begin(), stays.end(), [&](const Stay& a, const Stay& b) { return first(a) < first(b); });
-    return stays;
+    const auto first = [](const Stroke& stroke) {
+        return *std::min_element(stroke.events.begin(), stroke.events.end());
+    };
+    std::stable_sort(strokes.begin(), strokes.end(),
+                     [&](const Stroke& a, const Stroke& b) { return first(a) < first(b); });
+    return strokes;
 }
 
-void move_stay(std::span<ToolContact> events, const Stay& stay, double start) {
-    const double by = start - stay.start;
-    for (const std::size_t i : stay.events) events[i].time = std::clamp(events[i].time + by, 0.0, last_event_time);
+void move_stroke(std::span<ToolContact> events, const Stroke& stroke, double start) {
+    const double by = start - stroke.start;
+    for (const std::size_t i : stroke.events) events[i].time = std::clamp(events[i].time + by, 0.0, last_event_time);
 }
 
-void stretch_stay(std::span<ToolContact> events, const Stay& stay, double start, double end) {
-    const double length = stay.end - stay.start, factor = length > 0 ? (end - start) / length : 1;
-    const auto at = [&](double t) { return std::clamp(start + (t - stay.start) * factor, 0.0, last_event_time); };
+void stretch_stroke(std::span<ToolContact> events, const Stroke& stroke, double start, double end) {
+    const double length = stroke.end - stroke.start, factor = length > 0 ? (end - start) / length : 1;
+    const auto at = [&](double t) { return std::clamp(start + (t - stroke.start) * factor, 0.0, last_event_time); };
     if (!(length > 0)) {
-        ToolContact& only = events[stay.events.front()];
+        ToolContact& only = events[stroke.events.front()];
         only.time = std::clamp(start, 0.0, last_event_time);
         only.duration = std::clamp(end - start, 0.0, last_event_time);
         return;
     }
-    for (const std::size_t i : stay.events) {
+    for (const std::size_t i : stroke.events) {
         const double stop = at(events[i].end());
         events[i].time = at(events[i].time);
         events[i].duration = std::max(stop - events[i].time, 0.0);
     }
 }
 
-void shift_stay(std::span<ToolContact> events, const Stay& stay, const glm::dvec3& by) {
-    for (const std::size_t i : stay.events) {
+void shift_stroke(std::span<ToolContact> events, const Stroke& stroke, const glm::dvec3& by) {
+    for (const std::size_t i : stroke.events) {
         events[i].position += by;
         events[i].to += by;
     }
@@ -115,6 +107,7 @@ std::vector<ToolContact> simplified(std::span<const ToolContact> recorded, doubl
     for (std::size_t begin = 0; begin < recorded.size();) {
         std::size_t end = begin + 1;
         while (end < recorded.size() && goes_on(recorded[end - 1], recorded[end]) &&
+               recorded[end - 1].power == recorded[end].power && recorded[end - 1].strength == recorded[end].strength &&
                nearly_straight(recorded.subspan(begin, end + 1 - begin), tolerance))
             ++end;
         made.push_back(joined(recorded.subspan(begin, end - begin)));

@@ -1,8 +1,8 @@
-// A scene's events as a person sees them: contacts that follow each other without a gap are one stay, and are moved, stretched and
+// A scene's events as a person sees them: contacts that go on from each other (lapfx/tool.h) are one stroke, and are moved, stretched and
 // erased together. Pure functions.
 //
-//     for (const app::Stay& stay : app::stays_of(scene.events)) show(app::action_title(stay.action), stay.start, stay.end);
-//     document.change("Move event", [&](Content& c) { app::move_stay(c.scene.events, stay, 3.5); });
+//     for (const app::Stroke& stroke : app::strokes_of(scene.events)) show(app::action_title(stroke.action), stroke.start, stroke.end);
+//     document.change("Move event", [&](Content& c) { app::move_stroke(c.scene.events, stroke, 3.5); });
 #pragma once
 
 #include <cstddef>
@@ -21,25 +21,23 @@ inline constexpr int action_count = 6;
 /// "Cauterise": a command, a button, an undo step.
 std::string_view action_title(ToolAction action);
 bool is_hot(ToolAction action);
-/// Whether it makes a wound, whose strength can be chosen.
-bool is_cutting(ToolAction action);
 
-/// Contacts of one tool that go on from each other in time and place.
-struct Stay {
+/// From press to release: contacts that go on from each other.
+struct Stroke {
     std::vector<std::size_t> events;  ///< indices, in the order of their times
     ToolAction action = ToolAction::cauterise;
     double start = 0, end = 0;  ///< s
 };
 
 /// In the order of the first event of each.
-std::vector<Stay> stays_of(std::span<const ToolContact> events);
+std::vector<Stroke> strokes_of(std::span<const ToolContact> events);
 
-/// The stay begins at `start` s; its length stays.
-void move_stay(std::span<ToolContact> events, const Stay& stay, double start);
-/// The stay lasts from `start` to `end` s; the path stays, quicker or slower.
-void stretch_stay(std::span<ToolContact> events, const Stay& stay, double start, double end);
+/// The stroke begins at `start` s; its length stays.
+void move_stroke(std::span<ToolContact> events, const Stroke& stroke, double start);
+/// The stroke lasts from `start` to `end` s; the path stays, quicker or slower.
+void stretch_stroke(std::span<ToolContact> events, const Stroke& stroke, double start, double end);
 /// The whole path is shifted by so many mm.
-void shift_stay(std::span<ToolContact> events, const Stay& stay, const glm::dvec3& by);
+void shift_stroke(std::span<ToolContact> events, const Stroke& stroke, const glm::dvec3& by);
 void erase_events(std::vector<ToolContact>& events, std::span<const std::size_t> erased);
 
 /// What was recorded, with as few contacts as keep the tip within `tolerance` mm of where it was; times to 0.1 ms, places to 1 um.

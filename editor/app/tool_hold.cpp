@@ -14,7 +14,7 @@ void ToolHold::begin(Editor& editor, const glm::dvec3& place) {
     if (editor.timeline.time >= last_event_time) return;
     editor.document.commit();
     editor.preview.put_tool(*tool.action, is_hot(*tool.action) ? tool.power : 1.0,
-                            is_cutting(*tool.action) ? tool.strength : 1.0, editor.timeline.time, place);
+                            divides(*tool.action) ? tool.strength : 1.0, editor.timeline.time, place);
     on_ = editor.preview.tool_on();
     began_ = editor.timeline.time;
     speed_before_ = editor.timeline.speed;

@@ -117,7 +117,11 @@ void add_bench(CLI::App& app) {
     };
     add("bleeding", "CPU time and bytes per frame of blood on small and large organs", bench_bleeding);
     add("editor", "What the editor's panels cost compared with the scene that they show", bench_editor);
-    add("frame", "What 15 smoke clips add to a frame, and how much they delay a haptic thread", bench_frame);
+    const auto [frame, frame_options] =
+        add("frame",
+            "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",
+            bench_frame);
+    frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
     auto ui_options = std::make_shared<BenchOptions>();
     CLI::App* ui = verb->add_subcommand("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
     ui->add_option("--json", ui_options->json, "Write the figures to this file too");

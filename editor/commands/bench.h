@@ -25,10 +25,11 @@ struct BenchReport {
 };
 
 struct BenchOptions {
-    std::string json;  ///< file that the figures are written to, unless empty
-    std::string plot;  ///< PNG that they are drawn to, unless empty
-    std::string only;  ///< ratio that alone is measured, unless empty
-    int rounds = 3;    ///< of each case; the best is kept
+    std::string json;         ///< file that the figures are written to, unless empty
+    std::string plot;         ///< PNG that they are drawn to, unless empty
+    std::string only;         ///< ratio that alone is measured, unless empty
+    bool simulation = false;  ///< nothing that is drawn is measured
+    int rounds = 3;           ///< of each case; the best is kept
 };
 
 /// Rows and ratios as text on stdout.

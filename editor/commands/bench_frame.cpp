@@ -1,4 +1,5 @@
-// lapfx bench frame: what smoke adds to a frame of the sample scene, and what a haptic thread notices of it all.
+// lapfx bench frame: what smoke adds to a frame of the sample scene, what a haptic thread notices of it all, and what happening
+// costs without drawing (bench_simulation.cpp).
 //
 // Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in turns, medians.
 // The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once beside the core that
@@ -18,6 +19,7 @@
 #include <thread>
 
 #include "commands/bench_host.h"
+#include "commands/bench_simulation.h"
 #include "commands/progress.h"
 #include "commands/session.h"
 #include "lapfx/preview.h"
@@ -226,9 +228,11 @@ void compare_frames(const HostFrame& host, const BenchClips& clips, BenchReport&
 
 }  // namespace
 
-BenchReport bench_frame(const BenchOptions&) {
+BenchReport bench_frame(const BenchOptions& options) {
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "frame", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
+    measure_simulation(report);
+    if (options.simulation) return report;
     const BenchClips clips(clip_count);
     const HostFrame host;
     const bool real_time = HapticThread::real_time_allowed();

@@ -22,12 +22,12 @@ const Parameter& row_of(std::string_view key) {
 
 class EventForm {
   public:
-    EventForm(ui::Ui& ui, app::Editor& editor, const app::Stay& stay)
+    EventForm(ui::Ui& ui, app::Editor& editor, const app::Stroke& stroke)
         : ui_(ui),
           editor_(editor),
-          stay_(stay),
-          first_(editor.document.scene().events[stay.events.front()]),
-          last_(editor.document.scene().events[stay.events.back()]) {}
+          stroke_(stroke),
+          first_(editor.document.scene().events[stroke.events.front()]),
+          last_(editor.document.scene().events[stroke.events.back()]) {}
 
     /// In pairs that belong together, side by side; in a narrow panel two and two.
     void build(bool narrow) {
@@ -77,7 +77,7 @@ class EventForm {
     }
 
     void action() {
-        int chosen = static_cast<int>(stay_.action);
+        int chosen = static_cast<int>(stroke_.action);
         static const auto titles = [] {
             std::array<std::string_view, app::action_count> all;
             for (int i = 0; i < app::action_count; ++i)
@@ -86,20 +86,20 @@ class EventForm {
         }();
         const ui::Edit edit = ui::combo(ui_, "Action", chosen, titles, {.tip = row_of("action").help, .caption = true});
         take(edit, "Action", [&](std::vector<ToolContact>& events) {
-            for (const std::size_t i : stay_.events) events[i].action = static_cast<ToolAction>(chosen);
+            for (const std::size_t i : stroke_.events) events[i].action = static_cast<ToolAction>(chosen);
         });
     }
     void start() {
-        double value = stay_.start;
+        double value = stroke_.start;
         const ui::Edit edit =
             ui::param(ui_, "Start", value, ui::seconds(options("time", editor_.document.scene().duration)));
-        take(edit, "Event time", [&](std::vector<ToolContact>& events) { app::move_stay(events, stay_, value); });
+        take(edit, "Event time", [&](std::vector<ToolContact>& events) { app::move_stroke(events, stroke_, value); });
     }
     void length() {
-        double value = stay_.end - stay_.start;
+        double value = stroke_.end - stroke_.start;
         const ui::Edit edit = ui::param(ui_, "Duration", value, ui::seconds(options("duration", 10)));
         take(edit, "Event duration", [&](std::vector<ToolContact>& events) {
-            app::stretch_stay(events, stay_, stay_.start, stay_.start + value);
+            app::stretch_stroke(events, stroke_, stroke_.start, stroke_.start + value);
         });
     }
     /// What was saved of it: events have no names, one of the same action and time is taken for it. Null: it is new.
@@ -122,15 +122,15 @@ class EventForm {
         const ui::Edit edit = ui::param(ui_, name, value, o);
         ui_.pop_disabled();
         take(edit, ui_.join({"Event ", key}), [&](std::vector<ToolContact>& events) {
-            for (const std::size_t i : stay_.events) events[i].*member = value;
+            for (const std::size_t i : stroke_.events) events[i].*member = value;
         });
     }
-    void power() { number("Power", "power", &ToolContact::power, app::is_hot(stay_.action)); }
-    void strength() { number("Strength", "strength", &ToolContact::strength, app::is_cutting(stay_.action)); }
+    void power() { number("Power", "power", &ToolContact::power, app::is_hot(stroke_.action)); }
+    void strength() { number("Strength", "strength", &ToolContact::strength, divides(stroke_.action)); }
     void pieces() {
-        if (stay_.events.size() < 2) return;
+        if (stroke_.events.size() < 2) return;
         char text[48];
-        std::snprintf(text, sizeof text, "A path of %zu segments", stay_.events.size());
+        std::snprintf(text, sizeof text, "A path of %zu segments", stroke_.events.size());
         ui::label(ui_, text, {.tone = ui::Tone::dim});
     }
     ui::ParamOptions place_options(std::string_view key) const {
@@ -143,10 +143,10 @@ class EventForm {
         const ui::Edit edit = ui::vector_param(ui_, "Position", values, place_options("position"));
         const glm::dvec3 wanted(values[0], values[1], values[2]);
         take(edit, "Event position", [&](std::vector<ToolContact>& events) {
-            const glm::dvec3 by = wanted - events[stay_.events.front()].position;
+            const glm::dvec3 by = wanted - events[stroke_.events.front()].position;
             // A single straight contact keeps its end, a path keeps its shape.
-            if (stay_.events.size() > 1) return app::shift_stay(events, stay_, by);
-            ToolContact& event = events[stay_.events.front()];
+            if (stroke_.events.size() > 1) return app::shift_stroke(events, stroke_, by);
+            ToolContact& event = events[stroke_.events.front()];
             if (event.to == event.position) event.to = wanted;
             event.position = wanted;
         });
@@ -155,28 +155,28 @@ class EventForm {
         double values[] = {last_.to.x, last_.to.y, last_.to.z};
         const ui::Edit edit = ui::vector_param(ui_, "To", values, place_options("to"));
         take(edit, "Event end", [&](std::vector<ToolContact>& events) {
-            events[stay_.events.back()].to = {values[0], values[1], values[2]};
+            events[stroke_.events.back()].to = {values[0], values[1], values[2]};
         });
     }
 
     ui::Ui& ui_;
     app::Editor& editor_;
-    const app::Stay& stay_;
+    const app::Stroke& stroke_;
     const ToolContact first_, last_;
 };
 
 }  // namespace
 
-bool is_selected(const app::Editor& editor, const app::Stay& stay) {
-    return std::any_of(stay.events.begin(), stay.events.end(), [&](std::size_t i) {
+bool is_selected(const app::Editor& editor, const app::Stroke& stroke) {
+    return std::any_of(stroke.events.begin(), stroke.events.end(), [&](std::size_t i) {
         return std::binary_search(editor.selected.begin(), editor.selected.end(), i);
     });
 }
 
-void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stay> stays, bool narrow) {
+void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stroke> strokes, bool narrow) {
     const auto found =
-        std::find_if(stays.begin(), stays.end(), [&](const auto& stay) { return is_selected(editor, stay); });
-    if (found != stays.end()) return EventForm(ui, editor, *found).build(narrow);
+        std::find_if(strokes.begin(), strokes.end(), [&](const auto& stroke) { return is_selected(editor, stroke); });
+    if (found != strokes.end()) return EventForm(ui, editor, *found).build(narrow);
     ui::label(ui,
               "Choose a tool and hold it on the organ: what it does is recorded here. Select an event to edit it here.",
               {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});

@@ -34,7 +34,7 @@ constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Ti
 struct TimelineMemory {
     std::uint64_t version = 0;
     std::vector<std::size_t> selected;
-    std::vector<app::Stay> stays;
+    std::vector<app::Stroke> strokes;
     std::vector<ui::TimelineTrack> tracks;
     std::vector<std::vector<std::size_t>> shown;  ///< for each item of each track its stay
     ui::TimeUnit unit = ui::TimeUnit::timecode;
@@ -43,21 +43,21 @@ struct TimelineMemory {
 void make_tracks(TimelineMemory& memory, const app::Editor& editor) {
     memory.version = editor.document.version();
     memory.selected = editor.selected;
-    memory.stays = app::stays_of(editor.document.scene().events);
+    memory.strokes = app::strokes_of(editor.document.scene().events);
     memory.tracks.clear();
     memory.shown.clear();
     for (int action = 0; action < app::action_count; ++action) {
         ui::TimelineTrack track{.name = std::string(app::action_title(static_cast<ToolAction>(action))), .items = {}};
         std::vector<std::size_t> shown;
-        for (std::size_t i = 0; i < memory.stays.size(); ++i) {
-            const app::Stay& stay = memory.stays[i];
-            if (static_cast<int>(stay.action) != action) continue;
+        for (std::size_t i = 0; i < memory.strokes.size(); ++i) {
+            const app::Stroke& stroke = memory.strokes[i];
+            if (static_cast<int>(stroke.action) != action) continue;
             shown.push_back(i);
             track.items.push_back({.name = track.name + ' ' + std::to_string(shown.size()),
-                                   .start = stay.start,
-                                   .end = stay.end,
+                                   .start = stroke.start,
+                                   .end = stroke.end,
                                    .color = action,
-                                   .selected = is_selected(editor, stay)});
+                                   .selected = is_selected(editor, stroke)});
         }
         if (shown.empty()) continue;
         memory.tracks.push_back(std::move(track));
@@ -70,8 +70,8 @@ std::vector<std::size_t> selected_events(const TimelineMemory& memory) {
     for (std::size_t t = 0; t < memory.tracks.size(); ++t)
         for (std::size_t i = 0; i < memory.tracks[t].items.size(); ++i) {
             if (!memory.tracks[t].items[i].selected) continue;
-            const app::Stay& stay = memory.stays[memory.shown[t][i]];
-            selected.insert(selected.end(), stay.events.begin(), stay.events.end());
+            const app::Stroke& stroke = memory.strokes[memory.shown[t][i]];
+            selected.insert(selected.end(), stroke.events.begin(), stroke.events.end());
         }
     std::sort(selected.begin(), selected.end());
     return selected;
@@ -100,23 +100,23 @@ class ItemEdits {
     void each(F&& f) {
         for (std::size_t t = 0; t < memory_.tracks.size(); ++t)
             for (std::size_t i = 0; i < memory_.tracks[t].items.size(); ++i)
-                f(memory_.tracks[t].items[i], memory_.stays[memory_.shown[t][i]]);
+                f(memory_.tracks[t].items[i], memory_.strokes[memory_.shown[t][i]]);
     }
-    static bool longer(const ui::TimelineItem& item, const app::Stay& stay) {
-        return std::abs((item.end - item.start) - (stay.end - stay.start)) > 1e-9;
+    static bool longer(const ui::TimelineItem& item, const app::Stroke& stroke) {
+        return std::abs((item.end - item.start) - (stroke.end - stroke.start)) > 1e-9;
     }
     bool stretched() {
         bool any = false;
-        each([&](const ui::TimelineItem& item, const app::Stay& stay) { any |= longer(item, stay); });
+        each([&](const ui::TimelineItem& item, const app::Stroke& stroke) { any |= longer(item, stroke); });
         return any;
     }
     void apply(std::vector<ToolContact>& events) {
-        each([&](const ui::TimelineItem& item, app::Stay& stay) {
-            if (longer(item, stay))
-                app::stretch_stay(events, stay, item.start, item.end);
-            else if (item.start != stay.start)
-                app::move_stay(events, stay, item.start);
-            stay.start = item.start, stay.end = item.end;
+        each([&](const ui::TimelineItem& item, app::Stroke& stroke) {
+            if (longer(item, stroke))
+                app::stretch_stroke(events, stroke, item.start, item.end);
+            else if (item.start != stroke.start)
+                app::move_stroke(events, stroke, item.start);
+            stroke.start = item.start, stroke.end = item.end;
         });
     }
     /// The widget has no items any more for those; each track's names tell them apart.
@@ -128,8 +128,8 @@ class ItemEdits {
                 const std::string name = memory_.tracks[t].name + ' ' + std::to_string(i + 1);
                 const bool there =
                     std::any_of(left.begin(), left.end(), [&](const auto& item) { return item.name == name; });
-                const app::Stay& stay = memory_.stays[memory_.shown[t][i]];
-                if (!there) gone.insert(gone.end(), stay.events.begin(), stay.events.end());
+                const app::Stroke& stroke = memory_.strokes[memory_.shown[t][i]];
+                if (!there) gone.insert(gone.end(), stroke.events.begin(), stroke.events.end());
             }
         }
         erase_selected(editor_, gone);
@@ -191,7 +191,7 @@ void add_event(app::Editor& editor) {
                  .position = place,
                  .to = place,
                  .power = app::is_hot(action) ? editor.tool.power : 1.0,
-                 .strength = app::is_cutting(action) ? editor.tool.strength : 1.0}});
+                 .strength = divides(action) ? editor.tool.strength : 1.0}});
 }
 
 /// At the playhead, unless they are there already: then behind themselves.
@@ -228,9 +228,9 @@ class TimelinePanel {
         {
             const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
             timeline();
-            if (!below) event_form(ui_, editor_, memory_.stays, narrow_);
+            if (!below) event_form(ui_, editor_, memory_.strokes, narrow_);
         }
-        if (below) event_form(ui_, editor_, memory_.stays, narrow_);
+        if (below) event_form(ui_, editor_, memory_.strokes, narrow_);
     }
 
   private:
@@ -313,7 +313,7 @@ class TimelinePanel {
         const double speed_before = editor_.timeline.speed;
         const std::size_t items_before = item_count(memory_.tracks);
         double length = std::max(editor_.duration(), editor_.timeline.time);
-        for (const app::Stay& stay : memory_.stays) length = std::max(length, stay.end);
+        for (const app::Stroke& stroke : memory_.strokes) length = std::max(length, stroke.end);
         const ui::TimelineEdit edit = ui::timeline(ui_, "Time", editor_.timeline, memory_.tracks,
                                                    {.length = length, .rate = frame_rate, .unit = memory_.unit});
         if (speed_before == 0 && editor_.timeline.speed == 1) editor_.timeline.speed = editor_.play_speed;

@@ -161,7 +161,7 @@ class ViewPanel {
         const ui::Column padded(ui_, {.width = ui::grow(), .padding = bar_padding});
         room = room > 0 ? std::max(1.0F, room - 2 * ui_.em(bar_padding)) : 0.0F;
         const bool hot = editor_.tool.action && app::is_hot(*editor_.tool.action);
-        const bool cutting = editor_.tool.action && app::is_cutting(*editor_.tool.action);
+        const bool cutting = editor_.tool.action && divides(*editor_.tool.action);
         const float choice = ui_.em(choice_width);
         std::array<ui::ToolItem, tool_count> items;
         items[power] = {.width = hot ? choice : 0, .rank = 1};

@@ -1,7 +1,9 @@
 #include "bleeding/bleed_cpu.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
+#include <numeric>
 #include <tuple>
 #include <utility>
 
@@ -77,6 +79,7 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
         parameters.pulse_strength == parameters_.pulse_strength &&
         parameters.coagulation_time == parameters_.coagulation_time && metric_of(parameters) == metric_of(parameters_);
     stale_ = stale_ || !same_values;
+    watch_all_ = true;
     parameters_ = parameters;
     if (!same_values) strength_ = Strength(strength_.curve(), parameters_);
     amount_known_ = false;
@@ -128,14 +131,14 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
     for (std::size_t i = 0; i < wounds.size(); ++i) status_[i].wound = wounds[i];
 }
 
-void BleedField::set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters) {
-    if (clearing_.set(contacts, parameters)) stale_ = true;
+void BleedField::set_clearing(const tool::Log& log, const BleedingParameters& parameters) {
+    if (clearing_.set(log, parameters)) stale_ = true;
 }
 
 void BleedField::set_strength(const FactorCurve& strength) {
     if (strength == strength_.curve()) return;
     strength_ = Strength(strength, parameters_);
-    stale_ = true;
+    stale_ = watch_all_ = true;
 }
 
 void BleedField::keep(std::vector<glm::vec2> values, double time) {
@@ -158,10 +161,28 @@ bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
+/// Whether nothing that comes changes what the bleeder is: it has clotted, or bled all over its extent with nothing to end it.
+bool BleedField::is_settled(const Bleeder& b, double time) const noexcept {
+    if (b.clot == 1.0f && time > b.wound.start) return true;
+    return b.wound.stop == std::numeric_limits<double>::infinity() &&
+           flow(b.wound, parameters_, time, strength_) >= parameters_.max_extent;
+}
+
+/// Much has bled and stands: a frame costs what still changes.
+void BleedField::watch(double time) noexcept {
+    if (watch_all_ || clearing_.any() || time < watched_at_) {
+        watched_.resize(bleeders_.size());
+        std::iota(watched_.begin(), watched_.end(), 0u);
+    }
+    watch_all_ = false;
+    watched_at_ = time;
+}
+
 void BleedField::update(double time) noexcept {
     const bool cleared = clearing_.update(time);
+    watch(time);
     bool changed = stale_ || cleared, only_grows = !changed;
-    for (std::size_t i = 0; i < bleeders_.size(); ++i) {
+    for (const std::uint32_t i : watched_) {
         Bleeder& b = bleeders_[i];
         const auto clot = static_cast<float>(clot_of(b.wound, parameters_, time));
         only_grows = only_grows && clot == b.clot;
@@ -176,13 +197,17 @@ void BleedField::update(double time) noexcept {
     stale_ = false;
     only_grows = only_grows && !clearing_.any();
     if (!only_grows) wipe();
-    for (Bleeder& b : bleeders_) {
+    const auto write_at = [&](Bleeder& b) {
         b.flowed = flow(b.wound, parameters_, time, strength_);
         const double source = source_of(b, b.flowed);
-        if (only_grows && source == b.source) continue;
+        if (only_grows && source == b.source) return;
         b.source = source;
         write(b);
-    }
+    };
+    if (only_grows)
+        for (const std::uint32_t i : watched_) write_at(bleeders_[i]);
+    else
+        for (Bleeder& b : bleeders_) write_at(b);
     publish();
     if (bleeders_.empty() && kept_.empty()) forget();
     tell(time);
@@ -190,13 +215,14 @@ void BleedField::update(double time) noexcept {
 
 /// What each wound is doing: of what has been written, for that is where its blood was cleared.
 void BleedField::tell(double time) noexcept {
-    for (std::size_t i = 0; i < bleeders_.size(); ++i) {
+    for (const std::uint32_t i : watched_) {
         const Bleeder& b = bleeders_[i];
         status_[i] = {.wound = b.wound,
                       .state = state_of(b.wound, parameters_, time, strength_, b.cleared),
                       .extent = source_value(b.wound, parameters_, time, strength_),
                       .bleeds = bleeds(b.wound, parameters_, time, strength_, b.cleared)};
     }
+    std::erase_if(watched_, [&](std::uint32_t i) { return is_settled(bleeders_[i], time); });
 }
 
 /// No blood is left: what it has touched need not be looked at again.

@@ -3,7 +3,7 @@
 // edge would move outwards, the farther the coarser the mesh, and noise could only ever take blood away. Beside it goes how
 // far the blood there has clotted.
 //
-// Where suction or irrigation has cleared a place, what was there is capped (clearing_cpu.h), and what has flowed since comes
+// Where suction or irrigation has cleared a place, what was there is capped (clearing.h), and what has flowed since comes
 // on top: the wound fills the place again from the wound outwards.
 //
 // Work follows what changes: while blood only grows, the wounds that grow are written and nothing else; when nothing changes,
@@ -42,8 +42,8 @@ class BleedField {
     /// Values depend on what is set and on the time, to the last bit, not on what was set before. Fronts of wounds that stay
     /// at their place are kept; a new gravity_bias, crease_bias or bridge_gap lets all run anew.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
-    /// Suction and irrigation among the contacts.
-    void set_clearing(std::span<const ToolContact> contacts, const BleedingParameters& parameters);
+    /// Suction and irrigation of the tool, always of the same log.
+    void set_clearing(const tool::Log& log, const BleedingParameters& parameters);
     /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
     void set_strength(const FactorCurve& strength);
     /// Blood that is there from `time` on, whatever the wounds say, until it is cleared: per surface vertex, bleed value and
@@ -60,7 +60,7 @@ class BleedField {
     ChangedVertices& changed() { return changed_; }                                ///< organ vertices; at first, all
 
     BloodAmount amount() const noexcept;
-    int bleeding_wounds() const noexcept;  ///< that bleed (wound_cpu.h), as of the last update
+    int bleeding_wounds() const noexcept;  ///< that bleed (wound.h), as of the last update
     /// Every wound as it was at the last update, in the order in which they were set.
     std::span<const WoundStatus> wounds() const { return status_; }
 
@@ -78,6 +78,8 @@ class BleedField {
         float area;  // mm2, at rest
     };
     void replace_wounds(std::span<const Wound> wounds);
+    void watch(double time) noexcept;
+    bool is_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
     bool age_kept(double time) noexcept;
@@ -100,6 +102,9 @@ class BleedField {
     FrontRoom room_;
     Clearing clearing_;
     std::vector<Bleeder> bleeders_;
+    std::vector<std::uint32_t> watched_;  // bleeders that were not settled as of watched_at_: later times change only these
+    double watched_at_ = 0.0;
+    bool watch_all_ = true;  // before the next update
     std::vector<WoundStatus> status_;
     std::vector<std::uint32_t>
         copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "preset/usable_contact.h"
-
 namespace lapfx::bleeding {
 
 namespace {
@@ -22,9 +20,10 @@ glm::dvec3 off_path(const glm::dvec3& point, const glm::dvec3& a, const glm::dve
 
 Clearing::Clearing(const Surface& surface, glm::dvec3 down) : surface_(surface), down_(down) {}
 
-Clearing::Sweep Clearing::sweep_of(const ToolContact& contact) const {
+Clearing::Sweep Clearing::sweep_of(const ToolContact& contact, std::size_t piece) const {
     const bool water = contact.action == ToolAction::irrigation;
-    Sweep sweep{.contact = contact, .reach = water ? irrigation_radius_ : suction_radius_, .passed = {}};
+    Sweep sweep{
+        .contact = contact, .piece = piece, .reach = water ? irrigation_radius_ : suction_radius_, .passed = {}};
     const glm::dvec3 path = contact.to - contact.position;
     const double squared = glm::dot(path, path), farthest = (water ? 1.5 : 1.0) * sweep.reach + rim;
     for (const std::uint32_t v : surface_.points_near(contact.position, contact.to, farthest)) {
@@ -43,32 +42,24 @@ Clearing::Sweep Clearing::sweep_of(const ToolContact& contact) const {
     return sweep;
 }
 
-bool Clearing::set(std::span<const ToolContact> contacts, const BleedingParameters& parameters) {
-    const bool same_reach =
-        suction_radius_ == parameters.suction_radius && irrigation_radius_ == parameters.irrigation_radius;
+bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
+    if (suction_radius_ != parameters.suction_radius || irrigation_radius_ != parameters.irrigation_radius) known_ = 0;
     suction_radius_ = parameters.suction_radius;
     irrigation_radius_ = parameters.irrigation_radius;
-    std::size_t count = 0;
+    const std::size_t first = log.first_after(known_);
+    known_ = log.revision();
     bool changed = false;
-    for (const ToolContact& given : contacts) {
-        if (given.action != ToolAction::suction && given.action != ToolAction::irrigation) continue;
-        const std::optional<ToolContact> contact = usable(given);
-        if (!contact || !(contact->duration > 0.0)) continue;
-        if (count == sweeps_.size()) {
-            sweeps_.push_back(sweep_of(*contact));
-            changed = true;
-        } else if (!same_reach || !(sweeps_[count].contact == *contact)) {
-            all_stale_ = all_stale_ || sweeps_[count].is_over;
-            sweeps_[count] = sweep_of(*contact);
-            changed = true;
-        }
-        ++count;
-    }
-    for (std::size_t i = count; i < sweeps_.size(); ++i) {
-        all_stale_ = all_stale_ || sweeps_[i].is_over;
+    for (; !sweeps_.empty() && sweeps_.back().piece >= first; sweeps_.pop_back()) {
+        all_stale_ = all_stale_ || sweeps_.back().is_over;
         changed = true;
     }
-    sweeps_.resize(count);
+    for (std::size_t i = first; i < log.pieces().size(); ++i) {
+        const ToolContact& contact = log.pieces()[i].contact;
+        const bool clears = contact.action == ToolAction::suction || contact.action == ToolAction::irrigation;
+        if (!clears || !(contact.duration > 0.0)) continue;
+        sweeps_.push_back(sweep_of(contact, i));
+        changed = true;
+    }
     stale_ = stale_ || changed;
     return changed;
 }

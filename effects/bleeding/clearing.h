@@ -10,6 +10,7 @@
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
 #include "organ/surface.h"
+#include "tool/log.h"
 
 namespace lapfx::bleeding {
 
@@ -30,9 +31,9 @@ class Clearing {
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
     Clearing(const Surface& surface, glm::dvec3 down);
 
-    /// Contacts of any action; those that are not suction or irrigation are passed over. Contacts whose numbers are not finite
-    /// clear nothing. True when what has been cleared may have changed.
-    bool set(std::span<const ToolContact> contacts, const BleedingParameters& parameters);
+    /// Suction and irrigation of the log, always the same one: what was written since the call before. True when what has been
+    /// cleared may have changed.
+    bool set(const tool::Log& log, const BleedingParameters& parameters);
 
     /// The caps as of `time`. True when any has changed.
     bool update(double time) noexcept;
@@ -57,7 +58,8 @@ class Clearing {
     };
     struct Sweep {
         ToolContact contact;
-        double reach;  // mm
+        std::size_t piece;  // of the log
+        double reach;       // mm
         std::vector<Passed> passed;
         bool is_over = false;  // and lies in the layer over_
     };
@@ -68,12 +70,13 @@ class Clearing {
         void clear() noexcept;
         void insert(std::uint32_t vertex, double time, float cap);
     };
-    Sweep sweep_of(const ToolContact& contact) const;
+    Sweep sweep_of(const ToolContact& contact, std::size_t piece) const;
     void lay(const Sweep& sweep, double time, Layer& layer);
 
     const Surface& surface_;
     glm::dvec3 down_;
     double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
+    std::uint64_t known_ = 0;  // revision of the log
     std::vector<Sweep> sweeps_;
     // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that were.
     Layer over_, running_;

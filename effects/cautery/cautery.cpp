@@ -39,9 +39,9 @@ void Cautery::choose_model(const CauteryParameters& parameters) {
     all_stale_ = true;
 }
 
-void Cautery::set(std::span<const ToolContact> contacts, const CauteryParameters& parameters) {
+void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
     const std::size_t before = track_.stays().size();
-    std::size_t first = track_.set(contacts, parameters);
+    std::size_t first = track_.set(log, parameters);
     const std::size_t count = track_.stays().size();
     if (!(parameters == parameters_) || !chosen_) {
         choose_model(parameters);

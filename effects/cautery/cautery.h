@@ -1,9 +1,8 @@
 // What the tool does to the organ: heat, the wounds that it opens and closes, and the marks that it leaves. CPU only. A
-// function of the contacts and the time: any order of times and of set() gives the same. One thread at a time.
+// function of the log and the time: any order of times and of set() gives the same. One thread at a time.
 //
-// Contacts that cannot be (not finite, absurd; see usable()) are left out, and so is every part of a tip's path that is
-// farther than 5 mm from the surface: there the tip touches nothing. An empty surface has no wounds and no marks. Contacts
-// whose action is suction or irrigation do nothing here.
+// Every part of a tip's path that is farther than 5 mm from the surface is left out: there the tip touches nothing. An empty surface
+// has no wounds and no marks. Suction and irrigation do nothing here.
 #pragma once
 
 #include <cstdint>
@@ -25,9 +24,9 @@ class Cautery {
     Cautery(const Cautery&) = delete;
     Cautery& operator=(const Cautery&) = delete;
 
-    /// All contacts, past and future. Costs what has changed at the end of the list since the last call, besides
-    /// comparing it; a change further back, or of the parameters, does all anew.
-    void set(std::span<const ToolContact> contacts, const CauteryParameters& parameters);
+    /// What the tool has done and will. Costs what was written to the log since the call before; a change before its last piece, or of
+    /// the parameters, does all anew. Always the same log.
+    void set(const tool::Log& log, const CauteryParameters& parameters);
     /// strength_at would answer otherwise than before: the next set() does all anew.
     void strengths_changed() { chosen_ = false; }
     /// Heat, wounds and marks at `time`. Times that are not finite are ignored.

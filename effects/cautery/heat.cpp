@@ -5,12 +5,6 @@
 
 namespace lapfx::cautery {
 
-bool continues(const ToolContact& contact, const ToolContact& next) noexcept {
-    // Times and places that went through a file are rounded.
-    return contact.action == next.action && std::abs(contact.end() - next.time) <= 1e-6 &&
-           glm::distance(contact.to, next.position) <= 1e-4;
-}
-
 double wound_strength(const ToolContact& contact, const glm::dvec3& place, const StrengthAt& strength_at) {
     const double vessels = strength_at ? strength_at(place) : 1.0;
     const double tool = contact.action == ToolAction::tear ? torn_strength * contact.strength : contact.strength;

@@ -9,7 +9,6 @@
 
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
-#include "preset/usable_contact.h"
 
 namespace lapfx::cautery {
 
@@ -25,12 +24,6 @@ inline constexpr double torn_strength =
 /// Empty = 1 everywhere.
 using StrengthAt = std::function<double(const glm::dvec3& position)>;
 
-/// Whether `next` goes on where `contact` ends, so that both are one stay of one tool.
-bool continues(const ToolContact& contact, const ToolContact& next) noexcept;
-
-inline bool divides(ToolAction action) noexcept {
-    return action == ToolAction::cut || action == ToolAction::tear || action == ToolAction::cauterise;
-}
 inline bool cold(ToolAction action) noexcept {
     return action == ToolAction::cut || action == ToolAction::tear;
 }

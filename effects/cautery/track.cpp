@@ -19,43 +19,30 @@ double same_until(const ToolContact& a, const ToolContact& b) {
 
 }  // namespace
 
-std::size_t Track::set(std::span<const ToolContact> contacts, const CauteryParameters& parameters) {
+std::size_t Track::set(const tool::Log& log, const CauteryParameters& parameters) {
     const auto per_wound = static_cast<std::uint32_t>(std::ceil(3.0 * wound_spacing / parameters.tip_radius));
-    if (per_wound != per_wound_ || spacing_ == 0.0) stays_.clear();
+    if (per_wound != per_wound_ || spacing_ == 0.0) known_ = 0;
     per_wound_ = per_wound;
     spacing_ = wound_spacing / per_wound;
 
-    std::size_t first = 0;  // what is like before, mostly all but the end
-    while (first < stays_.size() && first < contacts.size() && stays_[first].contact == contacts[first]) ++first;
-    const auto earlier = [](const ToolContact& a, const ToolContact& b) { return a.time < b.time; };
-    const auto want_from = [&](std::size_t begin) {
-        wanted_.clear();
-        for (const ToolContact& given : contacts.subspan(begin))
-            if (const auto contact = usable(given)) wanted_.push_back(*contact);
-        return std::is_sorted(wanted_.begin(), wanted_.end(), earlier);
-    };
-    const bool sorted = want_from(first);
-    if (!sorted || (first > 0 && !wanted_.empty() && wanted_.front().time < stays_[first - 1].contact.time)) {
-        if (!want_from(0)) std::stable_sort(wanted_.begin(), wanted_.end(), earlier);
-        first = 0;
-    }
-    std::size_t next = 0;
-    for (; first < stays_.size() && next < wanted_.size() && stays_[first].contact == wanted_[next]; ++next) ++first;
-
+    const std::span<const tool::Piece> pieces = log.pieces();
+    const std::size_t first = std::min(log.first_after(known_), stays_.size());
+    known_ = log.revision();
     same_until_ = never;
     if (first < stays_.size()) same_until_ = stays_[first].contact.time;
-    if (next < wanted_.size()) same_until_ = std::min(same_until_, wanted_[next].time);
-    if (first + 1 == stays_.size() && next < wanted_.size()) {
-        same_until_ = cautery::same_until(stays_[first].contact, wanted_[next]);
-        if (next + 1 < wanted_.size()) same_until_ = std::min(same_until_, wanted_[next + 1].time);
+    if (first < pieces.size()) same_until_ = std::min(same_until_, pieces[first].contact.time);
+    if (first + 1 == stays_.size() && first < pieces.size()) {
+        same_until_ = cautery::same_until(stays_[first].contact, pieces[first].contact);
+        if (first + 1 < pieces.size()) same_until_ = std::min(same_until_, pieces[first + 1].contact.time);
     }
     stays_.resize(first);
     places_.resize(first > 0 ? stays_.back().end_place : 0);
-    for (; next < wanted_.size(); ++next) append(wanted_[next]);
+    for (const tool::Piece& piece : pieces.subspan(first)) append(piece);
     return first;
 }
 
-void Track::append(const ToolContact& contact) {
+void Track::append(const tool::Piece& piece) {
+    const ToolContact& contact = piece.contact;
     const auto number = static_cast<std::uint32_t>(stays_.size());
     Stay stay{.contact = contact,
               .chain = number,
@@ -67,15 +54,12 @@ void Track::append(const ToolContact& contact) {
         stay.latest_end = std::max(stay.latest_end, stays_.back().latest_end);
         stay.latest_hot = std::max(stay.latest_hot, stays_.back().latest_hot);
     }
-    // Few tools work at once: the contact before is among the last.
-    for (std::uint32_t back = 1; back <= std::min(number, 8u); ++back) {
-        const Stay& before = stays_[number - back];
-        if (!continues(before.contact, contact)) continue;
+    if (piece.before != tool::Piece::none) {
+        const Stay& before = stays_[piece.before];
         stay.chain = before.chain;
         stay.chain_start = before.chain_start;
         stay.length = before.length;
         stay.next_place = before.next_place;
-        break;
     }
     const double length = glm::distance(contact.position, contact.to), from = stay.length;
     stay.length += length;

@@ -1,6 +1,5 @@
-// The contacts in the order of their times, as chains with places along them: what both heat models work on. A chain is a
-// run of contacts that continue each other; its places are at even distances along its path, however it was cut into
-// contacts. One thread at a time.
+// The pieces of the tool's log, with places along them: what both heat models work on. The places of a stroke are at even distances
+// along its path, however it was cut into pieces. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -9,6 +8,7 @@
 
 #include "cautery/heat.h"
 #include "organ/surface.h"
+#include "tool/log.h"
 
 namespace lapfx::cautery {
 
@@ -27,10 +27,10 @@ inline bool touches(const Surface& surface, const glm::dvec3& tip) {
 
 struct Stay {
     ToolContact contact;
-    std::uint32_t chain = 0;  ///< number of the first contact of its chain
+    std::uint32_t chain = 0;  ///< number of the first piece of its stroke
     double chain_start = 0.0;
-    double length = 0.0;           ///< mm of the chain's path up to this contact's end
-    std::uint64_t next_place = 0;  ///< number, along the chain, of the first place that this contact did not reach
+    double length = 0.0;           ///< mm of the stroke's path up to this piece's end
+    std::uint64_t next_place = 0;  ///< number, along the stroke, of the first place that this piece did not reach
     std::uint32_t first_place = 0, end_place = 0;
     double latest_end = 0.0;  ///< of this contact and all before
     double latest_hot = 0.0;  ///< the same, of the hot ones
@@ -41,9 +41,9 @@ class Track {
     /// Keeps a reference.
     explicit Track(const Surface& surface) : surface_(surface) {}
 
-    /// Takes the usable contacts in the order of their times. What was before the first difference stays; its number is
-    /// returned. When the parameters differ in what a track depends on, all is new.
-    std::size_t set(std::span<const ToolContact> contacts, const CauteryParameters& parameters);
+    /// A stay for each piece. Takes what has been written since the call before; gives the number of the first that is new. When the
+    /// parameters differ in what a track depends on, all is.
+    std::size_t set(const tool::Log& log, const CauteryParameters& parameters);
 
     std::span<const Stay> stays() const { return stays_; }
     std::span<const Place> places() const { return places_; }
@@ -52,14 +52,14 @@ class Track {
     }
     /// mm between places: a whole fraction of the spacing of wounds.
     double spacing() const { return spacing_; }
-    /// The time up to which the tips did the same in the last two lists.
+    /// The time up to which the tips did the same before the last set() and after it.
     double same_until() const { return same_until_; }
 
   private:
-    void append(const ToolContact& contact);
+    void append(const tool::Piece& piece);
 
     const Surface& surface_;
-    std::vector<ToolContact> wanted_;
+    std::uint64_t known_ = 0;  // revision of the log
     std::vector<Stay> stays_;
     std::vector<Place> places_;
     double spacing_ = 0.0;

@@ -1,54 +1,94 @@
 #include "smoke/burns.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <optional>
-
-#include "preset/usable_contact.h"
 
 namespace lapfx::smoke {
 
 namespace {
 
-/// Tools that burn at the same time: as far back as a burn is looked for that a contact goes on from.
-constexpr std::size_t most_tools = 8;
-
-bool continues(const Burn& burn, const ToolContact& next) {
-    const ToolContact& contact = burn.last->contact;
-    // Times that went through a file are rounded.
-    return contact.action == next.action && std::abs(contact.end() - next.time) <= 1e-6 &&
-           glm::distance(contact.to, next.position) <= BurnList::joint;
-}
+constexpr double no_gap = 1e-6;  // s
 
 }  // namespace
 
-void BurnList::add(const ToolContact& contact, double fat) {
-    parts_.push_back({contact, fat, nullptr});
-    BurnPart& part = parts_.back();
-    const auto recent = static_cast<std::ptrdiff_t>(std::min(burns_.size(), most_tools));
-    const auto found =
-        std::find_if(burns_.rbegin(), burns_.rbegin() + recent, [&](const Burn& b) { return continues(b, contact); });
-    if (found == burns_.rbegin() + recent) {
-        burns_.push_back({contact.time, contact.end(), &part, burns_.size()});
-        return;
-    }
-    part.before = found->last;
-    found->last = &part;
-    found->end = contact.end();
+BurnList::BurnList(Touches touches, ContactFat::Sample fat_at)
+    : touches_(std::move(touches)), fat_at_(std::move(fat_at)) {}
+
+void BurnList::clear() {
+    known_ = 0;
+    fat_.clear();
 }
 
-void BurnList::set(std::span<const ToolContact> contacts, std::span<const double> fat) {
-    assert(fat.size() == contacts.size());
-    parts_.clear();
-    burns_.clear();
-    latest_.clear();
-    if (parts_.capacity() < contacts.size()) parts_.reserve(2 * contacts.size());  // parts point at each other
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const std::optional<ToolContact> contact = contacts[i].hot() ? usable(contacts[i]) : std::nullopt;
-        if (contact) add(*contact, fat[i]);
+BurnList::Same BurnList::update(const tool::Log& log) {
+    const std::size_t first = std::min(log.first_after(known_), ends_.size());
+    known_ = log.revision();
+    keep(first);
+    const Same same{parts_.size(), suctions_.size()};
+    for (const tool::Piece& piece : log.pieces().subspan(first)) {
+        const ToolContact& contact = piece.contact;
+        if (contact.action == ToolAction::suction) suctions_.push_back({contact.time, contact.end()});
+        if (contact.hot()) {
+            // What it goes on from may have touched nothing.
+            const std::size_t end = piece.before == tool::Piece::none ? 0 : ends_[piece.before].parts;
+            const std::size_t begin =
+                piece.before == tool::Piece::none || piece.before == 0 ? 0 : ends_[piece.before - 1].parts;
+            std::uint32_t before = end > begin ? static_cast<std::uint32_t>(end) - 1 : BurnPart::none;
+            touching_.clear();
+            touching_parts(contact, touches_, touching_);
+            for (const ToolContact& part : touching_) {
+                add(part, before);
+                before = BurnPart::none;  // between two parts the tip touches nothing
+            }
+        }
+        ends_.push_back({parts_.size(), suctions_.size()});
     }
-    for (const Burn& burn : burns_) latest_.push_back(latest_.empty() ? burn.end : std::max(latest_.back(), burn.end));
+    return same;
+}
+
+void BurnList::add(const ToolContact& contact, std::uint32_t before) {
+    const auto number = static_cast<std::uint32_t>(parts_.size());
+    const double latest = parts_.empty() ? contact.end() : std::max(parts_.back().latest_end, contact.end());
+    if (before != BurnPart::none && std::abs(parts_[before].contact.end() - contact.time) > no_gap)
+        before = BurnPart::none;
+    std::uint32_t burn = static_cast<std::uint32_t>(burns_.size());
+    if (before == BurnPart::none) {
+        burns_.push_back({contact.time, contact.end(), number, burn});
+        latest_.push_back(0.0);
+    } else {
+        burn = parts_[before].burn;
+        burns_[burn].last = number;
+        burns_[burn].end = contact.end();
+    }
+    parts_.push_back({contact, fat_.along(contact, fat_at_), before, burn, latest});
+    for (std::size_t i = burn; i < burns_.size(); ++i)
+        latest_[i] = i > 0 ? std::max(latest_[i - 1], burns_[i].end) : burns_[i].end;
+}
+
+/// What the first so many pieces gave.
+void BurnList::keep(std::size_t pieces) {
+    ends_.resize(pieces);
+    const Ends end = pieces > 0 ? ends_.back() : Ends{0, 0};
+    suctions_.resize(end.suctions);
+    std::size_t changed = burns_.size();
+    for (; parts_.size() > end.parts; parts_.pop_back()) {
+        const BurnPart& part = parts_.back();
+        if (part.before == BurnPart::none) {
+            burns_.pop_back();
+            continue;
+        }
+        burns_[part.burn].last = part.before;
+        burns_[part.burn].end = parts_[part.before].contact.end();
+        changed = std::min<std::size_t>(changed, part.burn);
+    }
+    latest_.resize(burns_.size());
+    for (std::size_t i = changed; i < burns_.size(); ++i)
+        latest_[i] = i > 0 ? std::max(latest_[i - 1], burns_[i].end) : burns_[i].end;
+}
+
+std::size_t BurnList::first_after(double time) const noexcept {
+    const auto first = std::lower_bound(parts_.begin(), parts_.end(), time,
+                                        [](const BurnPart& part, double t) { return part.latest_end < t; });
+    return static_cast<std::size_t>(first - parts_.begin());
 }
 
 std::span<const Burn> BurnList::after(double time) const noexcept {

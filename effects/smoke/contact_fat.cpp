@@ -29,7 +29,7 @@ double ContactFat::along(const ToolContact& contact, const Sample& sample) {
     const auto usable = [](const glm::dvec3& p) {
         return std::abs(p.x) < farthest && std::abs(p.y) < farthest && std::abs(p.z) < farthest;  // nor NaN
     };
-    if (!contact.hot() || !usable(contact.position) || !usable(contact.to)) return 0.0;
+    if (!usable(contact.position) || !usable(contact.to)) return 0.0;
     const double length = glm::distance(contact.position, contact.to);
     const int places = std::min(1 + static_cast<int>(std::ceil(std::min(length, 1000.0) / spacing)), most_places);
     double sum = 0.0;
@@ -38,21 +38,6 @@ double ContactFat::along(const ToolContact& contact, const Sample& sample) {
                              : contact.position,
                   sample);
     return sum / places;
-}
-
-std::span<const double> ContactFat::update(std::span<const ToolContact> contacts, const Sample& sample) {
-    fat_.resize(contacts.size());
-    for (std::size_t i = 0; i < contacts.size(); ++i)
-        if (i >= contacts_.size() || contacts_[i].action != contacts[i].action ||
-            contacts_[i].position != contacts[i].position || contacts_[i].to != contacts[i].to)
-            fat_[i] = along(contacts[i], sample);
-    contacts_.assign(contacts.begin(), contacts.end());
-    return fat_;
-}
-
-void ContactFat::clear() {
-    contacts_.clear();
-    known_.clear();
 }
 
 }  // namespace lapfx::smoke

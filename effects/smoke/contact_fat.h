@@ -1,4 +1,4 @@
-// How fat the tissue under each hot contact is: what its smoke and its specks depend on. One thread at a time.
+// How fat the tissue under a hot contact is: what its smoke and its specks depend on. One thread at a time.
 //
 // The mean over places along the path, both ends included, `spacing` apart: closer than the tip's region of influence is wide,
 // so nothing lies between them unseen, and at most `most_places`. Asking the tissue costs about 0.1 ms, and a contact that is
@@ -7,9 +7,8 @@
 #pragma once
 
 #include <functional>
-#include <span>
+#include <glm/glm.hpp>
 #include <unordered_map>
-#include <vector>
 
 #include "lapfx/tool.h"
 
@@ -22,22 +21,18 @@ class ContactFat {
     static constexpr int most_places = 16;  ///< of one contact
     using Sample = std::function<double(const glm::dvec3&)>;
 
-    /// 0..1 for each contact, 0 for those that are not hot; valid until the next call. Looks only at contacts that are new or
-    /// have changed since the last call. `sample`: fat density at a place, 0..1.
-    std::span<const double> update(std::span<const ToolContact> contacts, const Sample& sample);
+    /// 0..1; 0 where no organ can be. `sample`: fat density at a place, 0..1; always the same until clear().
+    double along(const ToolContact& contact, const Sample& sample);
 
     /// The tissue is another.
-    void clear();
+    void clear() { known_.clear(); }
 
   private:
     struct Hash {
         std::size_t operator()(const glm::ivec3& cell) const;
     };
-    double along(const ToolContact& contact, const Sample& sample);
     double at(const glm::dvec3& place, const Sample& sample);
 
-    std::vector<ToolContact> contacts_;
-    std::vector<double> fat_;
     std::unordered_map<glm::ivec3, double, Hash> known_;
 };
 

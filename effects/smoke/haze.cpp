@@ -4,8 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "smoke/plume.h"
-
 namespace lapfx::smoke {
 
 namespace {
@@ -49,43 +47,45 @@ double rising_integral(double loss, double passed) {
 
 }  // namespace
 
-void list_haze(std::span<const ToolContact> contacts, std::span<const double> fat, const PlumeParameters& plume,
-               std::vector<Emission>& emissions, std::vector<Suction>& suctions) {
-    emissions.clear();
-    suctions.clear();
-    for (std::size_t i = 0; i < contacts.size(); ++i) {
-        const ToolContact& contact = contacts[i];
-        if (contact.hot())
-            emissions.push_back({contact.time, contact.end(), emission(contact, fat[i], plume)});
-        else if (contact.action == ToolAction::suction)
-            suctions.push_back({contact.time, contact.end()});
+/// Gives the earliest time from which on they differ.
+template <class Span>
+double HazeCurve::List<Span>::replace(std::span<const Span> wanted, std::size_t same) {
+    same = std::min({same, spans.size(), wanted.size()});
+    const double from = first_difference(std::span<const Span>(spans).subspan(same), wanted.subspan(same));
+    spans.resize(same);
+    latest.resize(same);
+    for (const Span& span : wanted.subspan(same)) {
+        const double end = counts(span) ? span.end : -never;
+        latest.push_back(latest.empty() ? end : std::max(latest.back(), end));
+        spans.push_back(span);
     }
+    return from;
 }
 
-double HazeCurve::changed_from(std::span<const Emission> emissions, std::span<const Suction> suctions) const {
-    return std::min(first_difference(std::span<const Emission>(emissions_), emissions),
-                    first_difference(std::span<const Suction>(suctions_), suctions));
+/// All that end at `time` or later are among them.
+template <class Span>
+std::span<const Span> HazeCurve::List<Span>::after(double time) const {
+    const auto first = std::lower_bound(latest.begin(), latest.end(), time) - latest.begin();
+    return std::span<const Span>(spans).subspan(static_cast<std::size_t>(first));
 }
 
 void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
-                    const FactorCurve& factor) {
-    double from = changed_from(emissions, suctions);
+                    const FactorCurve& factor, std::size_t same_emissions, std::size_t same_suctions) {
+    double from = std::min(emissions_.replace(emissions, same_emissions), suctions_.replace(suctions, same_suctions));
     if (accumulation_ != haze.accumulation || ventilation_ != haze.ventilation || suction_ != haze.suction ||
         !(factor_ == factor))
         from = -never;
     accumulation_ = haze.accumulation, ventilation_ = haze.ventilation, suction_ = haze.suction;
     factor_ = factor;
-    emissions_.assign(emissions.begin(), emissions.end());
-    suctions_.assign(suctions.begin(), suctions.end());
 
     while (!pieces_.empty() && pieces_.back().start >= from) pieces_.pop_back();
     events_.clear();
     const auto add = [&](double time, double power, int emission, int suction) {
         if (time >= from) events_.push_back({time, power, emission, suction});
     };
-    for (const Emission& e : emissions)
+    for (const Emission& e : emissions_.after(from))
         if (counts(e) && std::isfinite(e.power)) add(e.start, e.power, 1, 0), add(e.end, -e.power, -1, 0);
-    for (const Suction& s : suctions)
+    for (const Suction& s : suctions_.after(from))
         if (counts(s)) add(s.start, 0.0, 0, 1), add(s.end, 0.0, 0, -1);
     for (const CurvePoint& point : factor_.points()) add(point.time, 0.0, 0, 0);
     // Ties in one order, whatever that of the lists: sums of powers are then the same to the last bit.

@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "lapfx/preset.h"
-#include "lapfx/tool.h"
 #include "preset/factor_curve.h"
 
 namespace lapfx::smoke {
@@ -37,9 +36,9 @@ struct Suction {
 class HazeCurve {
   public:
     /// In any order. Spans that end before they start, or are not finite, count as nothing. Works out anew only what lies behind
-    /// the first change since the call before: a growing contact costs a comparison of the lists.
+    /// the first change since the call before: of both lists, the first so many are as they were then, and cost nothing.
     void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
-             const FactorCurve& factor = {});
+             const FactorCurve& factor = {}, std::size_t same_emissions = 0, std::size_t same_suctions = 0);
 
     /// E(t), optical thickness at the focus distance. O(log contacts).
     double density(double time) const noexcept;
@@ -62,19 +61,22 @@ class HazeCurve {
         double power;    ///< of all emissions together
         int emissions, suctions;
     };
-    double changed_from(std::span<const Emission> emissions, std::span<const Suction> suctions) const;
     double at(const Piece& piece, double time) const noexcept;
 
-    std::vector<Emission> emissions_;
-    std::vector<Suction> suctions_;
+    template <class Span>
+    struct List {
+        std::vector<Span> spans;
+        std::vector<double> latest;  // of each: when it and all before it have ended, s
+
+        double replace(std::span<const Span> wanted, std::size_t same);
+        std::span<const Span> after(double time) const;
+    };
+    List<Emission> emissions_;
+    List<Suction> suctions_;
     FactorCurve factor_;
     double accumulation_ = 0.0, ventilation_ = 0.0, suction_ = 0.0;
     std::vector<Piece> pieces_;
     std::vector<Event> events_;  // kept for its memory
 };
-
-/// What contacts do to the haze; the lists are replaced. `fat`: 0..1 for each contact.
-void list_haze(std::span<const ToolContact> contacts, std::span<const double> fat, const PlumeParameters& plume,
-               std::vector<Emission>& emissions, std::vector<Suction>& suctions);
 
 }  // namespace lapfx::smoke

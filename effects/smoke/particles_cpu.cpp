@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -80,19 +79,15 @@ bool find(const Source& source, int n, const ParticleParameters& p, const glm::d
 
 }  // namespace
 
-std::size_t particles_at(std::span<const ToolContact> contacts, std::span<const double> fat,
-                         const ParticleParameters& parameters, glm::dvec3 up, std::uint32_t seed, double time,
-                         std::span<Particle> into) noexcept {
-    assert(fat.size() == contacts.size());
+std::size_t particles_at(std::span<const BurnPart> parts, const ParticleParameters& parameters, glm::dvec3 up,
+                         std::uint32_t seed, double time, std::span<Particle> into) noexcept {
     const std::size_t most = std::min(into.size(), most_particles);
     std::size_t count = 0;
     if (!(parameters.rate > 0.0) || !(parameters.lifetime > 0.0) || !std::isfinite(time)) return 0;
-    for (std::size_t i = contacts.size(); i-- > 0;) {
-        const ToolContact& contact = contacts[i];
-        const double share = std::clamp(contact.power, 0.0, 1.0) * fat[i];
-        if (!contact.hot() || !(share > 0.0) || !(time >= contact.time) ||
-            !(time < contact.end() + parameters.lifetime))
-            continue;
+    for (std::size_t i = parts.size(); i-- > 0;) {
+        const ToolContact& contact = parts[i].contact;
+        const double share = std::clamp(contact.power, 0.0, 1.0) * parts[i].fat;
+        if (!(share > 0.0) || !(time >= contact.time) || !(time < contact.end() + parameters.lifetime)) continue;
         const Source source{contact, share, number_of(contact)};
         // A long contact has given off many by now; only those of the last lifetime can still be there.
         const double now = (std::min(time, contact.end()) - contact.time) * parameters.rate;

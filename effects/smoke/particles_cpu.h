@@ -15,7 +15,7 @@
 #include <span>
 
 #include "lapfx/preset.h"
-#include "lapfx/tool.h"
+#include "smoke/burns.h"
 
 namespace lapfx::smoke {
 
@@ -36,10 +36,9 @@ struct Particle {
     std::uint32_t shape = 0;   ///< by chance
 };
 
-/// Those of `contacts` that are seen at `time`, into `into` (most_particles at most), the newest first; gives how many. `fat`:
-/// 0..1 for each contact. `up`: unit. Contacts that started together at one place have the same specks.
-std::size_t particles_at(std::span<const ToolContact> contacts, std::span<const double> fat,
-                         const ParticleParameters& parameters, glm::dvec3 up, std::uint32_t seed, double time,
-                         std::span<Particle> into) noexcept;
+/// Those of `parts` that are seen at `time`, into `into` (most_particles at most), the newest first; gives how many. `up`: unit.
+/// Parts that started together at one place have the same specks.
+std::size_t particles_at(std::span<const BurnPart> parts, const ParticleParameters& parameters, glm::dvec3 up,
+                         std::uint32_t seed, double time, std::span<Particle> into) noexcept;
 
 }  // namespace lapfx::smoke

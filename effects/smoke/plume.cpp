@@ -13,32 +13,34 @@ double fade(double from, double to, double time) {
 }
 
 /// The mean of what the burn gives from `from` to `to`, or at `to` where there is nothing between.
-double mean_emission(const Burn& burn, const PlumeParameters& plume, const FactorCurve& factor, double from,
-                     double to) {
-    const BurnPart* part = &burn.at(to);
+double mean_emission(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume,
+                     const FactorCurve& factor, double from, double to) {
+    const BurnPart* part = &burn.at(parts, to);
     const double now = emission(part->contact, part->fat, plume) * factor.at(to);
     double sum = 0.0, last = to;
-    for (; part != nullptr && last > from; part = part->before) {
+    while (last > from) {
         const double first = std::max(std::min(part->contact.time, last), from);
         sum += factor.integral(first, last) * emission(part->contact, part->fat, plume);
         last = first;
+        if (part->before == BurnPart::none) break;
+        part = &parts[part->before];
     }
     return to > last ? sum / (to - last) : now;
 }
 
 }  // namespace
 
-PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time,
-                       const FactorCurve& factor) noexcept {
+PlumeState plume_state(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume, glm::dvec3 up,
+                       double time, const FactorCurve& factor) noexcept {
     PlumeState state;
     if (!(time >= burn.start && time <= burn.end + plume.fade_out)) return state;
     const double burning = std::min(time, burn.end), after = time - burning;
     const double envelope =
         fade(burn.start, burn.start + plume.fade_in, burning) * (1.0 - fade(burn.end, burn.end + plume.fade_out, time));
     state.density = plume.density *
-                    mean_emission(burn, plume, factor, std::max(burn.start, burning - plume.fade_in), burning) *
+                    mean_emission(burn, parts, plume, factor, std::max(burn.start, burning - plume.fade_in), burning) *
                     envelope;
-    state.anchor = burn.at(burning).contact.tip(burning) + plume.rise * after * up;
+    state.anchor = burn.at(parts, burning).contact.tip(burning) + plume.rise * after * up;
     // A young plume is small: it reaches its size as it fades in.
     state.height = plume.size * (0.6 + 0.4 * fade(burn.start, burn.start + 2.0 * plume.fade_in, burning)) *
                    (1.0 + plume.growth * after);

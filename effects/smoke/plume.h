@@ -23,12 +23,12 @@ inline double emission(const ToolContact& contact, double fat, const PlumeParame
     return contact.power * (1.0 + plume.fat_gain * fat);
 }
 
-/// The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows and fades. A touch
+/// `parts`: of all burns. The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows and fades. A touch
 /// that is shorter than `fade_in` leaves no more than it has faded in by its end. Power and fat count as their mean over the last
 /// `fade_in`: smoke takes that long to follow them, so it does not flicker where one contact goes on as another.
 /// `factor`: on the smoke over time.
-PlumeState plume_state(const Burn& burn, const PlumeParameters& plume, glm::dvec3 up, double time,
-                       const FactorCurve& factor = {}) noexcept;
+PlumeState plume_state(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume, glm::dvec3 up,
+                       double time, const FactorCurve& factor = {}) noexcept;
 
 /// How a clip is laid out: the same for every frame of one chance.
 struct ClipTurn {

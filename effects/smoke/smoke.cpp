@@ -1,9 +1,7 @@
 #include "smoke/smoke.h"
 
 #include <algorithm>
-#include <cassert>
 #include <cmath>
-#include <limits>
 
 #include "gl/noise.h"
 #include "media/playhead.h"
@@ -97,7 +95,6 @@ void Smoke::set_parameters(const SmokeParameters& parameters) {
 /// Nothing here throws Error.
 void Smoke::take(SmokeParameters wanted) {
     parameters_ = std::move(wanted);
-    set_haze();
     int pixels[2] = {0, 0};
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
         const glm::ivec2 size = clips_.info(i).size;
@@ -121,27 +118,6 @@ void Smoke::prepare(const SmokeParameters& wanted, const std::function<std::opti
     }
 }
 
-void Smoke::set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat) {
-    assert(fat.size() == contacts.size());
-    contacts_.assign(contacts.begin(), contacts.end());
-    fat_.assign(fat.begin(), fat.end());
-    latest_.clear();
-    double latest = -std::numeric_limits<double>::infinity();
-    for (const ToolContact& contact : contacts_) latest_.push_back(latest = std::fmax(latest, contact.end()));
-    burns_.set(contacts_, fat_);
-    set_haze();
-}
-
-void Smoke::set_factor(const FactorCurve& factor) {
-    factor_ = factor;
-    set_haze();
-}
-
-void Smoke::set_haze() {
-    list_haze(contacts_, fat_, parameters_.plume, emissions_, suctions_);
-    haze_.set(emissions_, suctions_, parameters_.haze, factor_);
-}
-
 Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) noexcept {
     const media::Playhead head = playhead(clips_.info(clip), parameters_.clips[clip], chance(seed_, clip), time);
     Shown shown{.frame = clips_.frame(clip, 0, head.frame, policy), .fading = std::nullopt, .fade = head.fade};
@@ -149,23 +125,23 @@ Smoke::Shown Smoke::show(std::size_t clip, double time, media::Policy policy) no
     return shown;
 }
 
-void Smoke::draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, media::Policy policy) noexcept {
+void Smoke::draw(const View& view, const SmokeScene& scene, GLuint scene_depth, media::Policy policy) noexcept {
     gpu_.begin(medium_of(parameters_.plume), medium_of(parameters_.haze), parameters_.plume.softness);
     double haze_weight = 0.0;
     for (const SmokeClip& clip : parameters_.clips)
         if (clip.role == ClipRole::haze) haze_weight += clip.weight;
     // Several haze clips share its density. Without one, or while one has nothing to show, it is even.
-    const double density = std::min(haze(time), thickest);
+    const double density = std::min(scene.haze, thickest);
     double even = haze_weight > 0.0 ? 0.0 : density;
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {
         const SmokeClip& clip = parameters_.clips[i];
         if (clip.role == ClipRole::plume)
-            add_plumes(i, view, up, time, policy);
-        else if (haze_weight > 0.0 && !add_haze(i, time, density * clip.weight / haze_weight, policy))
+            add_plumes(i, view, scene, policy);
+        else if (haze_weight > 0.0 && !add_haze(i, scene.time, density * clip.weight / haze_weight, policy))
             even += density * clip.weight / haze_weight;
     }
     gpu_.even_haze(even);
-    draw_particles(up, time, scene_depth);  // smoke lies over them
+    draw_particles(scene, scene_depth);  // smoke lies over them
     gpu_.draw(scene_depth);
     clips_.end_cycle();
 }
@@ -178,24 +154,24 @@ Layer Smoke::layer(std::size_t clip, double time) const noexcept {
             .time = time};
 }
 
-void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, media::Policy policy) noexcept {
+void Smoke::add_plumes(std::size_t clip, const View& view, const SmokeScene& scene, media::Policy policy) noexcept {
     const SmokeClip& settings = parameters_.clips[clip];
     const PlumeParameters& plume = parameters_.plume;
     const glm::vec2 size(clips_.info(clip).size);
     std::optional<Shown> shown;
-    for (const Burn& burn : burns_.after(time - plume.fade_out)) {
-        const PlumeState state = plume_state(burn, plume, up, time, factor_);
+    for (const Burn& burn : scene.burns.after(scene.time - plume.fade_out)) {
+        const PlumeState state = plume_state(burn, scene.burns.parts(), plume, scene.up, scene.time, scene.factor);
         if (state.density * settings.weight <= 0.0) continue;
-        if (!shown) shown = show(clip, time, policy);
+        if (!shown) shown = show(clip, scene.time, policy);
         const std::uint32_t seed = chance(seed_ + 1, clip * 4099 + burn.number);
         const auto height = static_cast<float>(state.height);
         const auto corners = plume_corners({.anchor = glm::vec3(view.view * glm::vec4(glm::vec3(state.anchor), 1.0f)),
                                             .extent = glm::vec2(height * size.x / size.y, height),
                                             .source = glm::vec2(glm::dvec2(settings.source_x, settings.source_y)),
-                                            .up = screen_up(view.view, up),
+                                            .up = screen_up(view.view, scene.up),
                                             .lean = static_cast<float>(plume.lean),
                                             .turn = clip_turn(settings, seed)});
-        Layer drawn = layer(clip, time);
+        Layer drawn = layer(clip, scene.time);
         drawn.mirrored = clip_turn(settings, seed).mirrored;
         drawn.seed = seed;
         drawn.below = 1.0 - settings.crop.bottom - settings.source_y;
@@ -205,14 +181,12 @@ void Smoke::add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double
     }
 }
 
-void Smoke::draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept {
+void Smoke::draw_particles(const SmokeScene& scene, GLuint scene_depth) noexcept {
     static_assert(most_particles <= most_specks);
     const ParticleParameters& parameters = parameters_.particles;
-    const auto first = static_cast<std::size_t>(
-        std::lower_bound(latest_.begin(), latest_.end(), time - parameters.lifetime) - latest_.begin());
-    const std::size_t count = particles_at(std::span<const ToolContact>(contacts_).subspan(first),
-                                           std::span<const double>(fat_).subspan(first), parameters, up,
-                                           chance(seed_ + 3, 0), time, particles_);
+    const std::span<const BurnPart> recent =
+        scene.burns.parts().subspan(scene.burns.first_after(scene.time - parameters.lifetime));
+    const std::size_t count = particles_at(recent, parameters, scene.up, chance(seed_ + 3, 0), scene.time, particles_);
     if (count == 0) return;
     for (std::size_t i = 0; i < count; ++i) {
         const Particle& p = particles_[i];

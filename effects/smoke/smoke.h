@@ -1,6 +1,5 @@
-// The smoke of a preset over a frame: glue of the CPU part (haze and plume over time, decoding) and the GPU
-// part. Render thread, context current. Draw calls are noexcept and allocate nothing once a preset's clips
-// are loaded.
+// Draws the smoke of a preset over a frame: its clips, where burns and haze of the simulation say. Render thread, context current.
+// Draw calls are noexcept and allocate nothing once a preset's clips are loaded.
 #pragma once
 
 #include <array>
@@ -11,17 +10,24 @@
 #include <vector>
 
 #include "lapfx/preset.h"
-#include "lapfx/tool.h"
 #include "lapfx/view.h"
 #include "media/clip_set.h"
 #include "smoke/burns.h"
-#include "smoke/haze.h"
 #include "smoke/particles_cpu.h"
 #include "smoke/particles_gpu.h"
 #include "smoke/plume.h"
 #include "smoke/smoke_gpu.h"
 
 namespace lapfx::smoke {
+
+/// What there is to draw. Directions in organ space.
+struct SmokeScene {
+    const BurnList& burns;
+    const FactorCurve& factor;  ///< the scene's, on smoke over time
+    double haze = 0.0;          ///< E, optical thickness
+    glm::dvec3 up{0.0};         ///< unit, where smoke rises to
+    double time = 0.0;          ///< s
+};
 
 class Smoke {
   public:
@@ -35,17 +41,11 @@ class Smoke {
     /// cross-fades. Throws Error (runtime) for a shader, and keeps what it had.
     void set_parameters(const SmokeParameters& wanted);
     void set_seed(std::uint32_t seed) { seed_ = seed; }
-    /// `fat`: 0..1 for each contact, of the tissue there; it smokes more (PlumeParameters::fat_gain).
-    void set_contacts(std::span<const ToolContact> contacts, std::span<const double> fat);
+    /// Into the bound framebuffer and viewport.
+    void draw(const View& view, const SmokeScene& scene, GLuint scene_depth, media::Policy policy) noexcept;
 
-    /// The scene's factor on smoke over time (lapfx/curves.h); 1 at first.
-    void set_factor(const FactorCurve& factor);
-
-    /// `up`: unit, organ space, where smoke rises to. Into the bound framebuffer and viewport.
-    void draw(const View& view, glm::dvec3 up, double time, GLuint scene_depth, media::Policy policy) noexcept;
-
-    /// E(t) of the haze. A preset without clips has no smoke.
-    double haze(double time) const noexcept { return parameters_.clips.empty() ? 0.0 : haze_.density(time); }
+    /// As they are drawn: with the clips that play.
+    const SmokeParameters& parameters() const { return parameters_; }
 
     void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
         gpu_.collect(programs);
@@ -66,25 +66,16 @@ class Smoke {
     };
     void prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha);
     void take(SmokeParameters wanted);
-    void set_haze();
     Shown show(std::size_t clip, double time, media::Policy policy) noexcept;
     Layer layer(std::size_t clip, double time) const noexcept;
-    void add_plumes(std::size_t clip, const View& view, glm::dvec3 up, double time, media::Policy policy) noexcept;
+    void add_plumes(std::size_t clip, const View& view, const SmokeScene& scene, media::Policy policy) noexcept;
     bool add_haze(std::size_t clip, double time, double density, media::Policy policy) noexcept;
-    void draw_particles(glm::dvec3 up, double time, GLuint scene_depth) noexcept;
+    void draw_particles(const SmokeScene& scene, GLuint scene_depth) noexcept;
 
     std::uint32_t seed_;
     StreamingOptions options_;
     SmokeParameters parameters_;
     media::ClipSet clips_;  // parallel to parameters_.clips
-    std::vector<ToolContact> contacts_;
-    std::vector<double> fat_;     // parallel to contacts_
-    std::vector<double> latest_;  // the same: when it and all before it have ended, s
-    FactorCurve factor_;
-    BurnList burns_;
-    HazeCurve haze_;
-    std::vector<Emission> emissions_;
-    std::vector<Suction> suctions_;
     std::array<Particle, most_particles> particles_;
     SmokeGpu gpu_;
     ParticlesGpu particles_gpu_;

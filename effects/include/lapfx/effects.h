@@ -102,7 +102,7 @@ class Effects {
     /// that is moved.
     ToolQueue& tool_queue() noexcept;
     /// What has happened so far: what was set, and what came through the queue since; for saving as a scene's events.
-    /// Samples become contacts as effects/cautery/recorder.h says: a running contact grows, bad samples are dropped.
+    /// Samples become contacts as effects/tool/recorder.h says: a running contact grows, bad samples are dropped.
     /// Valid until the next seek() or set_contacts().
     std::span<const ToolContact> contacts() const noexcept;
 

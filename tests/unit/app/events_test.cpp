@@ -19,52 +19,52 @@ std::vector<ToolContact> path_and_cut() {
             contact(ToolAction::cauterise, 1.5, 0.5, {5, 0, 0}, {5, 5, 0})};
 }
 
-TEST(Events, ContactsThatGoOnFromEachOtherAreOneStay) {
-    const std::vector<Stay> stays = stays_of(path_and_cut());
-    ASSERT_EQ(stays.size(), 2U);
-    EXPECT_EQ(stays[0].events, (std::vector<std::size_t>{0, 3, 2}));
-    EXPECT_EQ(stays[0].start, 1);
-    EXPECT_EQ(stays[0].end, 3);
-    EXPECT_EQ(stays[1].action, ToolAction::cut);
-    EXPECT_EQ(stays[1].end, 1.2);
+TEST(Events, ContactsThatGoOnFromEachOtherAreOneStroke) {
+    const std::vector<Stroke> strokes = strokes_of(path_and_cut());
+    ASSERT_EQ(strokes.size(), 2U);
+    EXPECT_EQ(strokes[0].events, (std::vector<std::size_t>{0, 3, 2}));
+    EXPECT_EQ(strokes[0].start, 1);
+    EXPECT_EQ(strokes[0].end, 3);
+    EXPECT_EQ(strokes[1].action, ToolAction::cut);
+    EXPECT_EQ(strokes[1].end, 1.2);
 }
 
 TEST(Events, AGapInTimeOrPlacePartsThem) {
     std::vector<ToolContact> events = path_and_cut();
     events[2].time = 2.01;
-    EXPECT_EQ(stays_of(events).size(), 3U);
+    EXPECT_EQ(strokes_of(events).size(), 3U);
     events = path_and_cut();
-    events[2].position.x = 5.1;
-    EXPECT_EQ(stays_of(events).size(), 3U);
+    events[2].position.x = 5.6;
+    EXPECT_EQ(strokes_of(events).size(), 3U);
 }
 
-TEST(Events, AStayMovesWhole) {
+TEST(Events, AStrokeMovesWhole) {
     std::vector<ToolContact> events = path_and_cut();
-    move_stay(events, stays_of(events)[0], 4);
+    move_stroke(events, strokes_of(events)[0], 4);
     EXPECT_EQ(events[0].time, 4);
     EXPECT_EQ(events[3].time, 4.5);
     EXPECT_EQ(events[2].time, 5);
     EXPECT_EQ(events[1].time, 1.2) << "the cut stays";
-    EXPECT_EQ(stays_of(events).size(), 2U);
+    EXPECT_EQ(strokes_of(events).size(), 2U);
 }
 
-TEST(Events, AStayIsStretchedInProportion) {
+TEST(Events, AStrokeIsStretchedInProportion) {
     std::vector<ToolContact> events = path_and_cut();
-    stretch_stay(events, stays_of(events)[0], 1, 5);
+    stretch_stroke(events, strokes_of(events)[0], 1, 5);
     EXPECT_DOUBLE_EQ(events[0].duration, 1);
     EXPECT_DOUBLE_EQ(events[3].time, 2);
     EXPECT_DOUBLE_EQ(events[2].time, 3);
     EXPECT_DOUBLE_EQ(events[2].end(), 5);
-    EXPECT_EQ(stays_of(events)[0].events.size(), 3U) << "still one stay";
-    stretch_stay(events, stays_of(events)[1], 1.2, 2.2);
+    EXPECT_EQ(strokes_of(events)[0].events.size(), 3U) << "still one stroke";
+    stretch_stroke(events, strokes_of(events)[1], 1.2, 2.2);
     EXPECT_DOUBLE_EQ(events[1].duration, 1) << "also what lasted no time";
 }
 
 TEST(Events, TimesStayAllowed) {
     std::vector<ToolContact> events = path_and_cut();
-    move_stay(events, stays_of(events)[0], -10);
+    move_stroke(events, strokes_of(events)[0], -10);
     for (const ToolContact& event : events) EXPECT_GE(event.time, 0);
-    move_stay(events, stays_of(events)[0], 1e9);
+    move_stroke(events, strokes_of(events)[0], 1e9);
     for (const ToolContact& event : events) EXPECT_LE(event.time, last_event_time);
 }
 
@@ -94,7 +94,7 @@ TEST(Events, ACurvedPathStaysWithinTheTolerance) {
     const std::vector<ToolContact> made = simplified(recorded);
     EXPECT_LT(made.size(), 20U);
     EXPECT_GT(made.size(), 3U);
-    EXPECT_EQ(stays_of(made).size(), 1U) << "no gaps";
+    EXPECT_EQ(strokes_of(made).size(), 1U) << "no gaps";
     for (int i = 0; i < 60; ++i) {
         const double t = 0.1 * i;
         double nearest = 1e9;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "support/logged.h"
 #include "support/meshes.h"
 
 namespace lapfx::bleeding {
@@ -22,7 +23,7 @@ BleedingParameters reach(double suction, double irrigation) {
 class ClearingTest : public testing::Test {
   protected:
     Surface surface{test::plane(60.0, 60)};
-    Clearing clearing{surface, down};
+    test::Logged<Clearing> clearing{surface, down};
 
     std::vector<Clearing::Cap> caps_at(double x, double z) const {
         const SurfacePoint p = surface.closest_point({x, 0, z});
@@ -120,7 +121,7 @@ TEST_F(ClearingTest, SteppingThroughShortContactsEqualsSeeking) {
     clearing.set(contacts, reach(8, 15));
     for (double time = 0.0; time < 3.0; time += 0.037) {
         clearing.update(time);
-        Clearing fresh(surface, down);
+        test::Logged<Clearing> fresh(surface, down);
         fresh.set(contacts, reach(8, 15));
         fresh.update(time);
         for (std::uint32_t v = 0; v < surface.positions.size(); v += 3) {

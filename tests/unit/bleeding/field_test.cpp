@@ -4,8 +4,10 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <random>
 
 #include "bleeding/bleed_cpu.h"
+#include "support/logged.h"
 #include "support/meshes.h"
 
 namespace lapfx::bleeding {
@@ -152,11 +154,11 @@ TEST(Field, SeekEqualsSteppingAtAnyFrameRateWithEverythingOn) {
         {.action = ToolAction::suction, .time = 2.2, .duration = 0.6, .position = {0, 0, 36}, .to = {8, 0, 36}}};
     BleedField direct(surface, down);
     direct.set(wounds, b);
-    direct.set_clearing(suction, b);
+    direct.set_clearing(test::log_of(suction), b);
     for (const double rate : {13.0, 60.0}) {
         BleedField stepped(surface, down);
         stepped.set(wounds, b);
-        stepped.set_clearing(suction, b);
+        stepped.set_clearing(test::log_of(suction), b);
         for (int frame = 0; frame <= static_cast<int>(6.0 * rate); ++frame) {
             stepped.update(frame / rate);
             if (frame % 11 != 0) continue;
@@ -174,9 +176,9 @@ TEST(Field, SuctionTakesBloodAwayAndAnOpenWoundFillsThePlaceAgain) {
     BleedingParameters b = plain();
     b.suction_radius = 10.0;
     field.set(std::vector<Wound>{{.position = {0.0, 0.0, 0.0}}}, b);
-    field.set_clearing(
-        std::vector<ToolContact>{{.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}},
-        b);
+    field.set_clearing(test::log_of(std::vector<ToolContact>{
+                           {.action = ToolAction::suction, .time = 10.0, .duration = 1.0, .position = {0, 0, 0}}}),
+                       b);
     const auto disc = [](double r) { return std::numbers::pi * r * r; };
     field.update(9.0);
     EXPECT_NEAR(field.amount().area, disc(16), 0.02 * disc(16));
@@ -239,7 +241,8 @@ TEST(Field, KeptBloodStaysUntilItIsCleared) {
     field.update(8.0);
     EXPECT_EQ(field.values()[middle], glm::vec2(4.0f, 0.0f)) << "fresh blood over it: 8 - 4 mm";
     field.set(std::vector<Wound>{}, b);
-    field.set_clearing(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}}, b);
+    field.set_clearing(
+        test::log_of(std::vector<ToolContact>{{.action = ToolAction::suction, .time = 9.0, .duration = 1.0}}), b);
     field.update(9.0);
     EXPECT_EQ(field.values()[middle].x, 3.0f);
     field.update(11.0);
@@ -293,6 +296,47 @@ TEST(Field, ContactsInOddPlacesGiveClearResults) {
     EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .stop = nan}), 0.0);
     EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = -1.0}), 0.0);
     EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = infinity}), 0.0);
+}
+
+/// What has settled is not looked at again while time goes on: nobody sees the difference, whatever is set and sought in between.
+TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
+    const Surface surface(test::plane(60.0, 60));
+    std::mt19937 random(11);
+    const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+    BleedingParameters b = plain();
+    b.coagulation_time = 1.0;
+    std::vector<Wound> wounds;
+    BleedField kept(surface, down);
+    std::vector<ToolContact> suction;
+    double time = 0.0;
+    for (int step = 0; step < 120; ++step) {
+        if (step % 4 == 0) {
+            const double start = number(0, 20),
+                         stop = step % 8 == 0 ? start + number(-1, 6) : std::numeric_limits<double>::infinity();
+            wounds.push_back({.position = {number(-25, 25), 0, number(-25, 25)},
+                              .start = start,
+                              .strength = number(0, 3),
+                              .stop = stop});
+            if (step % 40 == 20) wounds.erase(wounds.begin());
+            kept.set(wounds, b);
+        }
+        if (step == 90) {
+            suction.push_back({.action = ToolAction::suction, .time = 12.0, .duration = 2.0, .to = {10, 0, 0}});
+            kept.set_clearing(test::log_of(suction), b);
+        }
+        time = step % 13 == 12 ? number(0, 25) : time + number(0, 1);
+        kept.update(time);
+        BleedField fresh(surface, down);
+        fresh.set(wounds, b);
+        fresh.set_clearing(test::log_of(suction), b);
+        fresh.update(time);
+        ASSERT_TRUE(std::equal(fresh.values().begin(), fresh.values().end(), kept.values().begin())) << step;
+        ASSERT_EQ(fresh.bleeding_wounds(), kept.bleeding_wounds()) << step;
+        for (std::size_t i = 0; i < wounds.size(); ++i) {
+            ASSERT_EQ(fresh.wounds()[i].state, kept.wounds()[i].state) << step << ": " << i;
+            ASSERT_EQ(fresh.wounds()[i].extent, kept.wounds()[i].extent) << step << ": " << i;
+        }
+    }
 }
 
 TEST(Field, ThousandsOfWoundsEachCount) {

@@ -40,7 +40,7 @@ double closed_form(const CauteryParameters& c, double r, double time, double off
 /// Largest difference from the closed form, relative to the rise at the centre at that time.
 double worst_error(const Surface& surface, glm::dvec3 centre, const CauteryParameters& c) {
     constexpr double off = 1.2;
-    Cautery cautery(surface, {});
+    LoggedCautery cautery(surface, {});
     cautery.set(std::vector{at(centre, 0.0, off)}, c);
     double worst = 0.0;
     for (const double time : {0.1, 0.5, 1.2, 1.5, 3.0, 8.0, 15.0}) {
@@ -85,9 +85,9 @@ TEST(Bioheat, DoesNotDependOnTheMesh) {
     const CauteryParameters c = bioheat_parameters();
     for (const auto cut : {test::Cut::regular, test::Cut::irregular}) {
         const Surface coarse(test::plane(30.0, 30, cut)), fine(test::plane(30.0, 60, cut));
-        Cautery on_coarse(coarse, {}), on_fine(fine, {});
+        LoggedCautery on_coarse(coarse, {}), on_fine(fine, {});
         const glm::dvec3 centre(0.3, 0, 0.4);
-        for (Cautery* cautery : {&on_coarse, &on_fine}) cautery->set(std::vector{at(centre, 0.0, 1.0)}, c);
+        for (LoggedCautery* cautery : {&on_coarse, &on_fine}) cautery->set(std::vector{at(centre, 0.0, 1.0)}, c);
         for (const double time : {0.3, 1.0, 2.0, 5.0, 10.0}) {
             const double top = on_fine.temperature(centre, time) - 37.0;
             for (const double r : {0.0, 0.8, 1.5, 2.5}) {
@@ -103,7 +103,7 @@ class BioheatTest : public testing::Test {
   protected:
     /// Marks and wounds are those of one that has never seen another time.
     void expect_like_fresh(double time) {
-        Cautery fresh(flat(), {});
+        LoggedCautery fresh(flat(), {});
         fresh.set(operation, parameters);
         fresh.update(time);
         EXPECT_TRUE(same(cautery.marks(), fresh.marks()));
@@ -122,7 +122,7 @@ class BioheatTest : public testing::Test {
     }
 
     CauteryParameters parameters = bioheat_parameters();
-    Cautery cautery{flat(), {}};
+    LoggedCautery cautery{flat(), {}};
     // Two strokes, a stay, a knife and a coagulation.
     std::vector<ToolContact> operation{
         along({-5, 0, 0}, {5, 0, 0}, 0.503, 10.0), along({5, 0, 0}, {5, 0, 6}, 10.503, 6.0), at({10, 0, -8}, 18.0, 2.5),
@@ -133,7 +133,7 @@ TEST_F(BioheatTest, UpdateIsAFunctionOfTheTime) {
     cautery.set(operation, parameters);
     for (const double time : {30.0, 2.345, 19.5, 0.1, 12.0, 11.99, 11.98, 25.0, 11.98, 60.0, 0.52}) {
         cautery.update(time);
-        Cautery fresh(flat(), {});
+        LoggedCautery fresh(flat(), {});
         fresh.set(operation, parameters);
         fresh.update(time);
         ASSERT_TRUE(same(cautery.marks(), fresh.marks())) << time;
@@ -204,7 +204,7 @@ TEST_F(BioheatTest, EditingThePastRunsAgainFromThere) {
     edited.erase(edited.begin() + 3);
     cautery.set(edited, parameters);
     cautery.update(30.0);
-    Cautery fresh(flat(), {});
+    LoggedCautery fresh(flat(), {});
     fresh.set(edited, parameters);
     fresh.update(30.0);
     EXPECT_TRUE(same(cautery.marks(), fresh.marks()));
@@ -276,7 +276,7 @@ TEST_F(BioheatTest, ThinAndBrokenTrianglesKeepItFinite) {
     organ.indices.insert(organ.indices.end(), {middle, middle, middle + 5, middle, middle + 22, middle + 44});
     organ.indices.insert(organ.indices.end(), {middle, middle + 21, middle + 100});
     const Surface surface(organ);
-    Cautery broken(surface, {});
+    LoggedCautery broken(surface, {});
     broken.set(std::vector{at(glm::dvec3(organ.positions[middle]), 0.0, 1.0)}, parameters);
     broken.update(1.0);
     const double hot = broken.temperature(glm::dvec3(organ.positions[middle]), 1.0);
@@ -292,7 +292,7 @@ TEST_F(BioheatTest, ThinAndBrokenTrianglesKeepItFinite) {
 TEST_F(BioheatTest, HeatThatCannotLeaveIsForgottenInTheEnd) {
     const Surface small(test::plane(6.0, 6));
     parameters.perfusion = 0.0;
-    Cautery on(small, {});
+    LoggedCautery on(small, {});
     on.set(std::vector{at({0, 0, 0}, 0.0, 1.0)}, parameters);
     // 200 degrees/s for 1 s in a Gaussian of 1.5 mm, most of it on 36 mm2.
     EXPECT_NEAR(on.temperature({3, 0, 3}, 60.0) - 37.0, 200.0 * 3.14159 * 2.25 / 36.0, 3.0);

@@ -29,7 +29,7 @@ bool same(std::span<const glm::vec2> a, std::span<const glm::vec2> b) {
 class CauteryTest : public testing::Test {
   protected:
     void expect_like_fresh(const std::vector<ToolContact>& contacts, double time) {
-        Cautery fresh(flat(), {});
+        LoggedCautery fresh(flat(), {});
         fresh.set(contacts, parameters);
         fresh.update(time);
         ASSERT_TRUE(same(cautery.marks(), fresh.marks())) << time;
@@ -39,7 +39,7 @@ class CauteryTest : public testing::Test {
     }
 
     CauteryParameters parameters = simple_parameters();
-    Cautery cautery{flat(), {}};
+    LoggedCautery cautery{flat(), {}};
 };
 
 TEST_F(CauteryTest, CharIsThatOfTheHottestThatEachVertexHasBeen) {
@@ -209,7 +209,7 @@ TEST_F(CauteryTest, ChangedVerticesAreTheOnesThatChange) {
 }
 
 TEST_F(CauteryTest, VesselsDecideHowStronglyItBleeds) {
-    Cautery with(flat(), [](const glm::dvec3& p) { return p.x < 0.0 ? 0.0 : 0.25 * p.x; });
+    LoggedCautery with(flat(), [](const glm::dvec3& p) { return p.x < 0.0 ? 0.0 : 0.25 * p.x; });
     with.set(std::vector{at({-5, 0, 0}, 0.0, 0.1, ToolAction::cut), at({2, 0, 0}, 1.0, 0.1, ToolAction::cut),
                          at({8, 0, 0}, 2.0, 1.0)},
              parameters);
@@ -254,7 +254,7 @@ Burn burn_of(HeatModel model, double duration) {
     static const Surface fine(test::plane(20.0, 50));
     CauteryParameters c;
     c.model = model;
-    Cautery cautery(fine, {});
+    LoggedCautery cautery(fine, {});
     cautery.set(std::vector{at({0, 0, 0}, 0.0, duration)}, c);
     cautery.update(duration);
     const auto radius = [&](double temperature) {
@@ -299,7 +299,7 @@ TEST_F(CauteryTest, HeatReachesOtherPartsOfTheSurfaceNearby) {
     const Surface two(test::joined(test::plane(20.0, 20), test::plane(20.0, 20), {0.0f, -1.0f, 0.0f}));
     for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
         parameters.model = model;
-        Cautery both(two, {});
+        LoggedCautery both(two, {});
         both.set(std::vector{at({0, 0, 0}, 0.0, 1.0)}, parameters);
         both.update(1.0);
         EXPECT_GT(both.marks()[220].x, 0.3f);
@@ -340,7 +340,7 @@ TEST_F(CauteryTest, AnEmptySurfaceHasNoWounds) {
     const Surface none;
     for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
         parameters.model = model;
-        Cautery empty(none, {});
+        LoggedCautery empty(none, {});
         empty.set(std::vector{at({0, 0, 0}, 0.0, 1.0), at({0, 0, 0}, 0.0, 1.0, ToolAction::cut)}, parameters);
         empty.update(3.0);
         EXPECT_TRUE(empty.wounds().empty());
@@ -355,7 +355,7 @@ TEST_F(CauteryTest, TrianglesWithoutAreaDoNoHarm) {
     const Surface surface(organ);
     for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
         parameters.model = model;
-        Cautery on(surface, {});
+        LoggedCautery on(surface, {});
         on.set(std::vector{at({0, 0, 0}, 0.0, 1.0)}, parameters);
         on.update(3.0);
         EXPECT_EQ(on.wounds().size(), 1u);
@@ -365,7 +365,7 @@ TEST_F(CauteryTest, TrianglesWithoutAreaDoNoHarm) {
 }
 
 /// Milliseconds per frame while the last contact of many grows.
-double frame_cost(Cautery& cautery, std::vector<ToolContact> contacts, const CauteryParameters& parameters) {
+double frame_cost(LoggedCautery& cautery, std::vector<ToolContact> contacts, const CauteryParameters& parameters) {
     cautery.set(contacts, parameters);
     cautery.update(contacts.back().end());
     constexpr int frames = 100;
@@ -392,7 +392,7 @@ TEST_F(CauteryTest, ManyContactsCostAFrameLittle) {
         same_place.push_back(at({0, 0, 0}, i, 0.9));
     }
     for (const auto& contacts : {apart, chain, same_place}) {
-        Cautery fresh(flat(), {});
+        LoggedCautery fresh(flat(), {});
         const auto begin = std::chrono::steady_clock::now();
         fresh.set(contacts, parameters);
         const std::chrono::duration<double, std::milli> all = std::chrono::steady_clock::now() - begin;

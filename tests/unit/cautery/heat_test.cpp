@@ -31,38 +31,6 @@ TEST(Divided, IsOneTipRadiusWideWithASoftEdge) {
     EXPECT_EQ(divided_at(1.5, ToolAction::cut, c), 0.0);
 }
 
-TEST(Usable, LeavesOutWhatCannotBe) {
-    EXPECT_TRUE(usable(at({1, 2, 3}, 4.0, 5.0)));
-    EXPECT_TRUE(usable(at({1, 2, 3}, 4.0, 0.0)));
-    EXPECT_FALSE(usable(at({nan, 2, 3}, 4.0, 5.0)));
-    EXPECT_FALSE(usable(at({1, 2, 1e30}, 4.0, 5.0)));
-    EXPECT_FALSE(usable(at({1, 2, 3}, nan, 5.0)));
-    EXPECT_FALSE(usable(at({1, 2, 3}, never, 5.0)));
-    EXPECT_FALSE(usable(at({1, 2, 3}, 4.0, nan)));
-    EXPECT_FALSE(usable(at({1, 2, 3}, 4.0, -1.0)));
-    EXPECT_FALSE(usable(at({1, 2, 3}, 4.0, never)));
-    EXPECT_FALSE(usable(along({0, 0, 0}, {0, 0, 2000}, 0.0, 1.0)));
-    EXPECT_FALSE(usable(along({0, 0, 0}, {0, nan, 0}, 0.0, 1.0)));
-    ToolContact contact = at({1, 2, 3}, 4.0, 5.0);
-    contact.power = nan;
-    EXPECT_FALSE(usable(contact));
-    contact.power = 7.0;
-    EXPECT_EQ(usable(contact)->power, 1.0);
-    contact.power = -7.0;
-    EXPECT_EQ(usable(contact)->power, 0.0);
-    contact.strength = -0.1;
-    EXPECT_FALSE(usable(contact));
-    contact.strength = nan;
-    EXPECT_FALSE(usable(contact));
-}
-
-TEST(Usable, OfAVeryLongContactOnlyTheBeginningCounts) {
-    const auto contact = usable(along({0, 0, 0}, {60, 0, 0}, 1.0, 6000.0));
-    ASSERT_TRUE(contact);
-    EXPECT_EQ(contact->duration, longest_stay);
-    EXPECT_NEAR(contact->to.x, 6.0, 1e-12);
-}
-
 TEST(Passes, TellsWhenTheTipIsNear) {
     const ToolContact moving = along({0, 0, 0}, {10, 0, 0}, 5.0, 2.0);  // 5 mm/s
     const auto over = passes(moving, {4, 0, 3}, 5.0);

@@ -24,7 +24,7 @@ class RadialTest : public testing::Test {
     }
 
     CauteryParameters parameters = simple_parameters();
-    Cautery cautery{flat(), {}};
+    LoggedCautery cautery{flat(), {}};
 };
 
 TEST_F(RadialTest, HeatRisesWithTimeAndPowerUpToTheMaximum) {

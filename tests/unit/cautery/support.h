@@ -5,9 +5,12 @@
 #include <vector>
 
 #include "cautery/cautery.h"
+#include "support/logged.h"
 #include "support/meshes.h"
 
 namespace lapfx::cautery {
+
+using LoggedCautery = test::Logged<Cautery>;
 
 /// 200 degrees/s, cut at 177 (0.7 s), coagulate at 57 (0.1 s).
 inline CauteryParameters simple_parameters() {

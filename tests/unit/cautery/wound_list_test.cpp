@@ -33,7 +33,7 @@ class Divisions : public testing::TestWithParam<HeatModel> {
         contacts.insert(contacts.end(), then);
         CauteryParameters parameters;
         parameters.model = GetParam();
-        Cautery cautery(flat(), {});
+        LoggedCautery cautery(flat(), {});
         cautery.set(contacts, parameters);
         cautery.update(30.0);
         return {cautery.wounds().begin(), cautery.wounds().end()};

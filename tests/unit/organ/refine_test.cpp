@@ -12,6 +12,7 @@
 #include "cautery/cautery.h"
 #include "lapfx/amounts.h"
 #include "organ/refine.h"
+#include "support/logged.h"
 #include "support/meshes.h"
 #include "unit/organ/fixtures.h"
 
@@ -94,7 +95,7 @@ TEST(Refine, BurnsAreThoseOfAFineMesh) {
     const auto charred = [](const Organ& given, HeatModel model) {
         const Organ organ = refine(given).organ;
         const Surface surface(organ);
-        cautery::Cautery cautery(surface, {});
+        test::Logged<cautery::Cautery> cautery(surface, {});
         CauteryParameters parameters;
         parameters.model = model;
         const std::vector<ToolContact> burn{{.duration = 3.0, .position = {2.3, 0, 4.1}, .to = {2.3, 0, 4.1}}};
@@ -123,7 +124,7 @@ TEST(Refine, BurnsAreThoseOfAFineMesh) {
 TEST(Refine, VerticesAreBurntAsOnAFineMesh) {
     const auto burnt = [](const Organ& organ) {
         const Surface surface(organ);
-        cautery::Cautery cautery(surface, {});
+        test::Logged<cautery::Cautery> cautery(surface, {});
         CauteryParameters parameters;
         parameters.model = HeatModel::radial;
         const std::vector<ToolContact> burn{{.duration = 3.0, .position = {2.3, 0, 4.1}, .to = {2.3, 0, 4.1}}};

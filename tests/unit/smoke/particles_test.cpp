@@ -8,6 +8,8 @@
 #include <limits>
 #include <map>
 
+#include "unit/smoke/support.h"
+
 namespace lapfx::smoke {
 namespace {
 
@@ -24,8 +26,8 @@ ToolContact contact(double time = 1.0, double duration = 4.0, glm::dvec3 place =
 std::vector<Particle> at(double time, const std::vector<ToolContact>& contacts = {contact()}, double fat = 1.0,
                          const ParticleParameters& p = parameters(), std::uint32_t seed = 7) {
     std::array<Particle, most_particles> room;
-    const std::vector<double> fats(contacts.size(), fat);
-    const std::size_t count = particles_at(contacts, fats, p, up, seed, time, room);
+    const BurnList burns = burns_of(contacts, fat);
+    const std::size_t count = particles_at(burns.parts(), p, up, seed, time, room);
     return {room.begin(), room.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
@@ -167,7 +169,7 @@ TEST(Particles, OfMoreThanThereIsRoomForTheNewestAreKept) {
     const auto found = at(30.0, two, 1.0, many);
     EXPECT_EQ(found.size(), most_particles);
     std::array<Particle, 3> room;
-    EXPECT_EQ(particles_at(two, std::vector{1.0, 1.0}, many, up, 7, 30.0, room), 3u);
+    EXPECT_EQ(particles_at(burns_of(two, 1.0).parts(), many, up, 7, 30.0, room), 3u);
     EXPECT_EQ(room[0].position, found[0].position);
 }
 

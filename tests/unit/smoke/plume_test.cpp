@@ -4,6 +4,8 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include "unit/smoke/support.h"
+
 namespace lapfx::smoke {
 namespace {
 
@@ -27,10 +29,9 @@ ToolContact contact(ToolAction action = ToolAction::cauterise) {
 
 PlumeState plume_state(std::span<const ToolContact> contacts, const PlumeParameters& plume, glm::dvec3 rising,
                        double time, double fat = 0.0) {
-    BurnList burns;
-    burns.set(contacts, std::vector<double>(contacts.size(), fat));
+    const BurnList burns = burns_of(contacts, fat);
     const std::span<const Burn> all = burns.after(-1e9);
-    return all.empty() ? PlumeState() : plume_state(all.front(), plume, rising, time);
+    return all.empty() ? PlumeState() : plume_state(all.front(), burns.parts(), plume, rising, time);
 }
 PlumeState plume_state(const ToolContact& one, const PlumeParameters& plume, glm::dvec3 rising, double time,
                        double fat = 0.0) {
@@ -246,12 +247,10 @@ TEST(ClipTurn, IsSeededUnlessThePresetSaysHow) {
 }
 
 TEST(Plume, AFactorOverTimeIsTakenAsItsMeanOverTheFadeIn) {
-    BurnList burns;
-    const ToolContact one = contact();
-    burns.set(std::span(&one, 1), std::vector<double>{0.0});
+    const BurnList burns = burns_of(std::vector{contact()});
     const Burn burn = burns.after(-1e9).front();
     const auto with = [&](const FactorCurve& factor, double time) {
-        return plume_state(burn, parameters(), up, time, factor).density;
+        return plume_state(burn, burns.parts(), parameters(), up, time, factor).density;
     };
     const FactorCurve half(std::vector<CurvePoint>{{0.0, 0.5}}),
         rising(std::vector<CurvePoint>{{2.0, 0.0}, {3.0, 2.0}});

@@ -18,7 +18,7 @@
 
 #include "lapfx/tool_queue.h"
 
-namespace lapfx::cautery {
+namespace lapfx::tool {
 
 class Recorder {
   public:
@@ -33,8 +33,10 @@ class Recorder {
     /// What happened so far; the last one grows while the tool touches.
     std::span<const ToolContact> contacts() const { return contacts_; }
     std::uint64_t dropped() const { return dropped_; }
-    /// Changes when the contacts do: samples that do not touch change nothing.
-    std::uint64_t version() const { return version_; }
+    /// How many contacts, from the first on, are as they were at the call before.
+    std::size_t take_same();
+    /// Whether the contacts are other ones than at the last take_same(): samples that do not touch change nothing.
+    bool changed() const { return same_ < contacts_.size() || shrunk_; }
 
   private:
     struct Point {
@@ -50,7 +52,9 @@ class Recorder {
     bool running_ = false;
     double last_time_ = 0.0;
     bool any_ = false;
-    std::uint64_t dropped_ = 0, version_ = 0;
+    std::uint64_t dropped_ = 0;
+    std::size_t same_ = 0;
+    bool shrunk_ = false;
 };
 
-}  // namespace lapfx::cautery
+}  // namespace lapfx::tool

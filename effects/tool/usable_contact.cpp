@@ -1,10 +1,10 @@
-#include "preset/usable_contact.h"
+#include "tool/usable_contact.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-namespace lapfx {
+namespace lapfx::tool {
 
 namespace {
 
@@ -34,4 +34,4 @@ std::optional<ToolContact> usable(const ToolContact& given) noexcept {
     return contact;
 }
 
-}  // namespace lapfx
+}  // namespace lapfx::tool

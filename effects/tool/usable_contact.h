@@ -5,7 +5,7 @@
 
 #include "lapfx/tool.h"
 
-namespace lapfx {
+namespace lapfx::tool {
 
 inline constexpr double longest_stay = 600.0;  ///< s; of a longer contact only so much counts
 
@@ -13,4 +13,4 @@ inline constexpr double longest_stay = 600.0;  ///< s; of a longer contact only 
 /// +-1e5 mm, a path longer than 1000 mm, negative duration or strength. Power is clamped to 0..1, strength to 1000.
 std::optional<ToolContact> usable(const ToolContact& contact) noexcept;
 
-}  // namespace lapfx
+}  // namespace lapfx::tool

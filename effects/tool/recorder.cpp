@@ -1,9 +1,10 @@
-#include "cautery/recorder.h"
+#include "tool/recorder.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
-namespace lapfx::cautery {
+namespace lapfx::tool {
 
 namespace {
 
@@ -21,9 +22,16 @@ bool usable(const ToolSample& s) {
 }  // namespace
 
 void Recorder::set(std::span<const ToolContact> contacts) {
+    const auto differ = std::mismatch(contacts.begin(), contacts.end(), contacts_.begin(), contacts_.end());
+    same_ = std::min(same_, static_cast<std::size_t>(differ.first - contacts.begin()));
+    shrunk_ = shrunk_ || differ.second != contacts_.end();
     contacts_.assign(contacts.begin(), contacts.end());
-    ++version_;
     running_ = any_ = false;
+}
+
+std::size_t Recorder::take_same() {
+    shrunk_ = false;
+    return std::exchange(same_, contacts_.size());
 }
 
 bool Recorder::add(const ToolSample& given) {
@@ -47,7 +55,7 @@ bool Recorder::add(const ToolSample& given) {
         }
         // The old action lasts until the sample that says otherwise, where the tip was last seen with it.
         contact.duration = sample.time - contact.time;
-        ++version_;
+        same_ = std::min(same_, contacts_.size() - 1);
         running_ = false;
     }
     if (sample.touching) begin(sample, {sample.time, sample.position});
@@ -55,7 +63,6 @@ bool Recorder::add(const ToolSample& given) {
 }
 
 void Recorder::begin(const ToolSample& sample, const Point& from) {
-    ++version_;
     contacts_.push_back({.action = sample.action,
                          .time = from.time,
                          .duration = sample.time - from.time,
@@ -76,7 +83,7 @@ void Recorder::extend(const ToolSample& sample) {
         begin(sample, {contact.end(), contact.to});
         return;
     }
-    ++version_;
+    same_ = std::min(same_, contacts_.size() - 1);
     contact.duration = here.time - contact.time;
     contact.to = here.position;
     if (path_.size() == most_points) {
@@ -94,4 +101,4 @@ bool Recorder::straight_to(const Point& end) const {
     });
 }
 
-}  // namespace lapfx::cautery
+}  // namespace lapfx::tool

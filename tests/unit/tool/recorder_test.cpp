@@ -1,4 +1,4 @@
-#include "cautery/recorder.h"
+#include "tool/recorder.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,11 @@
 
 #include "unit/cautery/support.h"
 
-namespace lapfx::cautery {
+namespace lapfx::tool {
 namespace {
+
+using cautery::along;
+using cautery::at;
 
 ToolSample sample(double time, glm::dvec3 position, ToolAction action = ToolAction::cauterise) {
     return {.time = time, .position = position, .touching = true, .action = action};
@@ -64,7 +67,7 @@ TEST(Recorder, AStraightStrokeGoesOnEveryTenthOfASecond) {
     for (std::size_t i = 1; i < contacts.size(); ++i) {
         EXPECT_EQ(contacts[i].time, contacts[i - 1].end());
         EXPECT_EQ(contacts[i].position, contacts[i - 1].to);
-        EXPECT_TRUE(continues(contacts[i - 1], contacts[i]));
+        EXPECT_TRUE(goes_on(contacts[i - 1], contacts[i]));
     }
     EXPECT_NEAR(contacts.back().end(), 2.0, 1e-9);
     EXPECT_NEAR(contacts.back().to.x, 20.0, 1e-9);
@@ -169,14 +172,45 @@ TEST(Recorder, AGivenLogIsContinuedBehind) {
     EXPECT_EQ(recorder.contacts()[1].duration, 1.0);
 }
 
+TEST(Recorder, TellsHowManyContactsAreAsTheyWere) {
+    Recorder recorder;
+    EXPECT_FALSE(recorder.changed());
+    recorder.add(sample(0.0, {0, 0, 0}));
+    EXPECT_TRUE(recorder.changed());
+    EXPECT_EQ(recorder.take_same(), 0u);
+    EXPECT_FALSE(recorder.changed());
+    recorder.add(sample(0.01, {0, 0, 0}));
+    EXPECT_EQ(recorder.take_same(), 0u) << "the only one has grown";
+    recorder.add(lifted(0.02));
+    recorder.take_same();
+    recorder.add(lifted(0.03));
+    EXPECT_FALSE(recorder.changed());
+    recorder.add(sample(0.04, {9, 0, 0}));
+    EXPECT_TRUE(recorder.changed());
+    EXPECT_EQ(recorder.take_same(), 1u);
+    recorder.add(sample(0.05, {9, 0, 0}));
+    recorder.add(sample(0.06, {9, 0, 0}, ToolAction::cut));
+    EXPECT_EQ(recorder.take_same(), 1u) << "the second has grown before the third began";
+    const std::vector<ToolContact> all(recorder.contacts().begin(), recorder.contacts().end());
+    recorder.set(all);
+    EXPECT_FALSE(recorder.changed());
+    recorder.set(std::span(all).first(2));
+    EXPECT_TRUE(recorder.changed()) << "fewer";
+    EXPECT_EQ(recorder.take_same(), 2u);
+    std::vector<ToolContact> other = all;
+    other[1].power = 0.5;
+    recorder.set(other);
+    EXPECT_EQ(recorder.take_same(), 1u);
+}
+
 /// What 1 kHz samples of a stroke do is what the stroke does.
 TEST(Recorder, RecordedHeatIsThatOfTheWholeContact) {
     const ToolContact whole = along({-8, 0, 0.3}, {8, 0, 0.3}, 1.0, 20.0);
     Recorder recorder;
     feed(recorder, whole.time, whole.end(), [&](double t) { return whole.tip(t); });
-    Cautery recorded(flat(), {}), exact(flat(), {});
-    recorded.set(recorder.contacts(), simple_parameters());
-    exact.set(std::vector{whole}, simple_parameters());
+    cautery::LoggedCautery recorded(cautery::flat(), {}), exact(cautery::flat(), {});
+    recorded.set(recorder.contacts(), cautery::simple_parameters());
+    exact.set(std::vector{whole}, cautery::simple_parameters());
     recorded.update(30.0);
     exact.update(30.0);
     for (std::size_t v = 0; v < exact.marks().size(); ++v) {
@@ -192,4 +226,4 @@ TEST(Recorder, RecordedHeatIsThatOfTheWholeContact) {
 }
 
 }  // namespace
-}  // namespace lapfx::cautery
+}  // namespace lapfx::tool

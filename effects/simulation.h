@@ -1,0 +1,99 @@
+// What happens on an organ, without OpenGL: the tool's log, the tissue, heat, wounds, blood, burns and haze, over time. Effects draws
+// what it says, AmountsModel asks it for amounts; both are the same to the last bit.
+//
+//     Simulation simulation(foundation, down);
+//     simulation.set_preset(preset);
+//     simulation.set_contacts(contacts);       // or add(sample) for each sample of a tool, then take_samples()
+//     simulation.seek(time);                   // any time, any order
+//     draw(simulation.bleed().values());
+//
+// Presets and directions come in checked (inputs.h). Lengths mm, times s. One thread at a time.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "bleeding/bleed_cpu.h"
+#include "cautery/cautery.h"
+#include "foundation.h"
+#include "lapfx/amounts.h"
+#include "lapfx/curves.h"
+#include "lapfx/preset.h"
+#include "lapfx/tool_queue.h"
+#include "smoke/burns.h"
+#include "smoke/haze.h"
+#include "tool/log.h"
+#include "tool/recorder.h"
+
+namespace lapfx {
+
+class Simulation {
+  public:
+    /// `down`: unit, organ space.
+    Simulation(std::shared_ptr<const Foundation> foundation, const glm::dvec3& down);
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    /// Each takes effect at once, on all that has happened too; amounts of blood and wounds at the next seek().
+    void set_preset(const Preset& preset);
+    void set_curves(const Curves& curves);
+    void set_down(const glm::dvec3& down);
+    /// Takes the place of all contacts.
+    void set_contacts(std::span<const ToolContact> contacts);
+    /// At a place of the shape at rest. What it does is seen after take_samples().
+    void add(const ToolSample& sample) { recorder_.add(sample); }
+    void take_samples();
+    /// The organ has been cut (Effects::set_topology). `origin`: of every vertex of the new one, as there.
+    void set_surface(std::shared_ptr<const Foundation> foundation, std::span<const std::uint32_t> origin);
+
+    void seek(double time) noexcept;
+
+    double time() const { return time_; }
+    Amounts amounts() const noexcept;
+    /// E of the haze. A preset without clips has no smoke.
+    double haze(double time) const noexcept { return preset_.smoke.clips.empty() ? 0.0 : haze_.density(time); }
+    /// Whether a tip at a place of the rest shape touches tissue.
+    bool touches(const glm::dvec3& place) const { return cautery::touches(tissue_->foundation->surface, place); }
+
+    const Preset& preset() const { return preset_; }
+    const glm::dvec3& down() const { return down_; }
+    std::span<const ToolContact> contacts() const { return recorder_.contacts(); }
+    const Foundation& foundation() const { return *tissue_->foundation; }
+    const bleeding::TissueDensity& density() const { return tissue_->density; }
+    const FactorCurve& emission_factor() const { return emission_factor_; }
+    const smoke::BurnList& burns() const { return tissue_->burns; }
+    bleeding::BleedField& bleed() { return *tissue_->bleed; }
+    const bleeding::BleedField& bleed() const { return *tissue_->bleed; }
+    cautery::Cautery& cautery() { return tissue_->cautery; }
+
+  private:
+    /// All that depends on the surface.
+    struct Tissue {
+        Tissue(std::shared_ptr<const Foundation> of, const glm::dvec3& down);
+        Tissue(const Tissue&) = delete;
+
+        std::shared_ptr<const Foundation> foundation;
+        bleeding::TissueDensity density;
+        std::optional<bleeding::BleedField> bleed;
+        cautery::Cautery cautery;
+        smoke::BurnList burns;
+        std::uint64_t wounds_version = 0;
+    };
+    void take_pieces();
+    void take_wounds();
+
+    glm::dvec3 down_;
+    Preset preset_;
+    tool::Recorder recorder_;
+    tool::Log log_;
+    FactorCurve bleeding_factor_, emission_factor_;
+    std::unique_ptr<Tissue> tissue_;
+    std::vector<smoke::Emission> emissions_;  // of each part of the burns
+    double fat_gain_ = 0.0;                   // that they are of
+    smoke::HazeCurve haze_;
+    double time_ = 0.0;
+};
+
+}  // namespace lapfx
