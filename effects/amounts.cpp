@@ -37,4 +37,8 @@ Amounts AmountsModel::at(double time) noexcept {
     return state_->simulation.amounts();
 }
 
+std::span<const WoundStatus> AmountsModel::wounds() const noexcept {
+    return state_->simulation.bleed().wounds();
+}
+
 }  // namespace lapfx

@@ -138,7 +138,9 @@ Amounts Simulation::amounts() const noexcept {
             .bleeding_wounds = bleed.bleeding_wounds(),
             .left_out_wounds = static_cast<int>(tissue_->cautery.left_out()),
             .lost_samples = recorder_.dropped(),
-            .haze = haze(time_)};
+            .haze = haze(time_),
+            .emission = preset_.smoke.clips.empty() ? 0.0 : haze_.emission(time_),
+            .burnt_area = tissue_->cautery.burnt_area()};
 }
 
 }  // namespace lapfx

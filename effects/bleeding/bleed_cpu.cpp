@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "organ/above_zero.h"
+
 namespace lapfx::bleeding {
 
 namespace {
@@ -25,27 +27,6 @@ double longest_edge(const Surface& surface) {
     for (const auto& c : surface.triangles)
         for (int i = 0; i < 3; ++i) longest = std::max(longest, glm::distance(p[c[i]], p[c[(i + 1) % 3]]));
     return std::min(longest, longest_triangle);
-}
-
-double rest_area(const Surface& surface, std::uint32_t triangle) {
-    const auto& c = surface.triangles[triangle];
-    const auto& p = surface.positions;
-    return 0.5 * glm::length(glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]));
-}
-
-/// Of a triangle with a value linear in it: the share where the value is above zero, and the mean of the value there.
-struct Wet {
-    double share = 0.0, mean = 0.0;
-};
-Wet wet_part(double a, double b, double c) {
-    double v[3] = {a, b, c};
-    std::sort(v, v + 3);
-    if (v[2] <= 0.0) return {};  // first: three zeros are none, blood shows above the threshold
-    if (v[0] >= 0.0) return {1.0, (v[0] + v[1] + v[2]) / 3.0};
-    if (v[1] <= 0.0) return {v[2] * v[2] / ((v[2] - v[0]) * (v[2] - v[1])), v[2] / 3.0};
-    const double dry_share = v[0] * v[0] / ((v[0] - v[1]) * (v[0] - v[2]));
-    const double whole = (v[0] + v[1] + v[2]) / 3.0, below = dry_share * v[0] / 3.0;
-    return {1.0 - dry_share, (whole - below) / (1.0 - dry_share)};
 }
 
 }  // namespace
@@ -324,7 +305,7 @@ void BleedField::touch(std::uint32_t vertex) noexcept {
     for (const std::uint32_t t : surface_.triangles_at(vertex)) {
         if (is_counted_[t]) continue;
         is_counted_[t] = true;
-        touched_triangles_.push_back({t, static_cast<float>(rest_area(surface_, t))});
+        touched_triangles_.push_back({t, static_cast<float>(surface_.area(t))});
     }
 }
 
@@ -351,7 +332,7 @@ BloodAmount BleedField::amount() const noexcept {
     const auto above = [&](std::uint32_t v) { return surface_values_[v].x - parameters_.threshold; };
     for (const Touched& t : touched_triangles_) {
         const auto& c = surface_.triangles[t.triangle];
-        const Wet wet = wet_part(above(c[0]), above(c[1]), above(c[2]));
+        const organ::AboveZero wet = organ::above_zero(above(c[0]), above(c[1]), above(c[2]));
         amount_.area += t.area * wet.share;
         amount_.volume += t.area * wet.share * parameters_.thickness * std::min(1.0, wet.mean / parameters_.deep_at);
     }

@@ -102,7 +102,8 @@ class BleedField {
     FrontRoom room_;
     Clearing clearing_;
     std::vector<Bleeder> bleeders_;
-    std::vector<std::uint32_t> watched_;  // bleeders that were not settled as of watched_at_: later times change only these
+    std::vector<std::uint32_t>
+        watched_;  // bleeders that were not settled as of watched_at_: later times change only these
     double watched_at_ = 0.0;
     bool watch_all_ = true;  // before the next update
     std::vector<WoundStatus> status_;

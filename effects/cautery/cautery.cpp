@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "organ/above_zero.h"
+
 namespace lapfx::cautery {
 
 Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
@@ -159,7 +161,9 @@ void Cautery::publish() {
             const auto charred = static_cast<float>(char_of(bioheat_->peak(point), parameters_));
             mark = glm::max(mark, {charred, static_cast<float>(bioheat_->divided(point))});
         }
-        for (std::uint32_t i = vertex_start_[point]; i < vertex_start_[point + 1]; ++i) {
+        const std::uint32_t first = vertex_start_[point];
+        if (first < vertex_start_[point + 1] && marks_[point_vertices_[first]].x != mark.x) recharred_.push_back(point);
+        for (std::uint32_t i = first; i < vertex_start_[point + 1]; ++i) {
             const std::uint32_t vertex = point_vertices_[i];
             if (marks_[vertex] == mark) continue;
             marks_[vertex] = mark;
@@ -167,6 +171,24 @@ void Cautery::publish() {
         }
     }
     dirty_.clear();
+    measure_burnt();
+}
+
+void Cautery::measure_burnt() {
+    if (recharred_.empty()) return;
+    burnt_at_.resize(surface_.triangles.size(), 0);
+    const auto beyond = [&](std::uint32_t point) {
+        return static_cast<double>(marks_[point_vertices_[vertex_start_[point]]].x) - browned;
+    };
+    for (const std::uint32_t point : recharred_)
+        for (const std::uint32_t t : surface_.triangles_at(point)) {
+            const auto& corners = surface_.triangles[t];
+            const double share = organ::above_zero(beyond(corners[0]), beyond(corners[1]), beyond(corners[2])).share;
+            const std::int64_t now = std::llround(share * surface_.area(t) / burnt_unit);
+            burnt_ += now - burnt_at_[t];
+            burnt_at_[t] = now;
+        }
+    recharred_.clear();
 }
 
 double Cautery::temperature(const glm::dvec3& place, double time) {

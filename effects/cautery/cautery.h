@@ -43,6 +43,8 @@ class Cautery {
 
     /// Per organ vertex: x char 0..1, y divided 0..1.
     std::span<const glm::vec2> marks() const { return marks_; }
+    /// mm2 of surface, at rest, that is burnt: its char has browned, as at the char temperature, or is darker.
+    double burnt_area() const { return static_cast<double>(burnt_) * burnt_unit; }
     /// Which marks have changed.
     ChangedVertices& changed() { return changed_; }
 
@@ -64,6 +66,7 @@ class Cautery {
     void divide_around(const glm::dvec3& place, ToolAction action, Layer& layer);
     void touch(std::uint32_t point);
     void publish();
+    void measure_burnt();
 
     const Surface& surface_;
     StrengthAt strength_at_;
@@ -85,6 +88,12 @@ class Cautery {
     std::vector<char> is_dirty_;        // per point
     std::vector<glm::vec2> marks_;
     ChangedVertices changed_;
+
+    // In whole units: the sum is the same in whatever order it came to be.
+    static constexpr double burnt_unit = 1e-6;  // mm2
+    std::int64_t burnt_ = 0;
+    std::vector<std::int64_t> burnt_at_;    // per triangle; empty until something is burnt
+    std::vector<std::uint32_t> recharred_;  // points whose char has changed
 
     std::vector<Bell> bells_;
     std::vector<std::uint32_t> near_;

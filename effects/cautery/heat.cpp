@@ -34,7 +34,7 @@ double char_of(double peak, const CauteryParameters& c) noexcept {
     // Tissue blanches when it coagulates, browns at the char temperature and is black 150 degrees above it.
     const double cooked = glm::smoothstep(c.coagulation_temperature, c.char_temperature, peak);
     const double burnt = glm::smoothstep(c.char_temperature, c.char_temperature + 150.0, peak);
-    return 0.35 * cooked + 0.65 * burnt;
+    return browned * cooked + (1.0 - browned) * burnt;
 }
 
 double divided_at(double distance, ToolAction action, const CauteryParameters& c) noexcept {

@@ -54,6 +54,9 @@ struct Interval {
 /// When the tip of this contact is within `radius` of `place`.
 std::optional<Interval> passes(const ToolContact& contact, glm::dvec3 place, double radius) noexcept;
 
+/// char_of() tissue that has come to the char temperature.
+inline constexpr double browned = 0.35;
+
 /// 0 = unburnt .. 1 = charred through, from the hottest temperature.
 double char_of(double peak, const CauteryParameters& c) noexcept;
 

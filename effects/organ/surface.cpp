@@ -43,6 +43,11 @@ Surface::Surface(const Organ& organ, const work::Stages& stages) {
     stages.reach(1.0);
 }
 
+double Surface::area(std::uint32_t triangle) const {
+    const auto& c = triangles[triangle];
+    return 0.5 * glm::length(glm::cross(positions[c[1]] - positions[c[0]], positions[c[2]] - positions[c[0]]));
+}
+
 std::size_t Surface::memory() const {
     const auto indices = weld.size() + triangle_start.size() + point_triangles.size() + neighbour_start.size() +
                          point_neighbours.size() + component.size() + 3 * triangles.size();

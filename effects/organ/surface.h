@@ -64,6 +64,8 @@ class Surface {
     /// the lowest.
     bool across(std::uint32_t triangle, std::uint32_t p, std::uint32_t q, std::uint32_t& other) const;
 
+    double area(std::uint32_t triangle) const;  ///< mm2, at rest
+
     TriangleMesh mesh() const { return {positions, triangles}; }
     const TriangleTree& tree() const { return tree_; }
     std::size_t memory() const;  ///< bytes, without the tree

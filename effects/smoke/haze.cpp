@@ -113,10 +113,21 @@ double HazeCurve::at(const Piece& piece, double time) const noexcept {
     return piece.density * std::exp(-loss * passed) + accumulation_ * piece.power * made;
 }
 
-double HazeCurve::density(double time) const noexcept {
+/// None before the first.
+const HazeCurve::Piece* HazeCurve::piece_at(double time) const noexcept {
     const auto next = std::upper_bound(pieces_.begin(), pieces_.end(), time,
                                        [](double t, const Piece& piece) { return t < piece.start; });
-    return next == pieces_.begin() ? 0.0 : at(*(next - 1), time);
+    return next == pieces_.begin() ? nullptr : &*(next - 1);
+}
+
+double HazeCurve::density(double time) const noexcept {
+    const Piece* piece = piece_at(time);
+    return piece != nullptr ? at(*piece, time) : 0.0;
+}
+
+double HazeCurve::emission(double time) const noexcept {
+    const Piece* piece = piece_at(time);
+    return piece != nullptr ? piece->power * (piece->factor + piece->slope * (time - piece->start)) : 0.0;
 }
 
 }  // namespace lapfx::smoke

@@ -42,6 +42,8 @@ class HazeCurve {
 
     /// E(t), optical thickness at the focus distance. O(log contacts).
     double density(double time) const noexcept;
+    /// factor(t) * emission(t): what comes at this moment.
+    double emission(double time) const noexcept;
 
   private:
     /// Something starts or ends.
@@ -62,6 +64,7 @@ class HazeCurve {
         int emissions, suctions;
     };
     double at(const Piece& piece, double time) const noexcept;
+    const Piece* piece_at(double time) const noexcept;
 
     template <class Span>
     struct List {

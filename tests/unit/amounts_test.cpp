@@ -126,5 +126,50 @@ TEST_F(AmountsOnAPlane, BloodSpreadsOnlyWhileAWoundIsToldAsBleeding) {
     EXPECT_GT(standing, 1000);
 }
 
+/// Heat that goes on widens the burn, and what was burnt stays so; seeking back takes it away again.
+TEST_F(AmountsOnAPlane, TheBurntAreaIsThatOfItsDisc) {
+    Preset preset = plain();
+    preset.cautery = {};
+    model().set(preset, std::vector{at(ToolAction::cauterise, 1.0, 3.0)});
+    EXPECT_EQ(model().at(0.9).burnt_area, 0.0);
+    const double half = model().at(2.5).burnt_area, whole = model().at(4.0).burnt_area;
+    EXPECT_GT(half, 3.0);
+    EXPECT_GT(whole, 1.1 * half);
+    EXPECT_EQ(model().at(60.0).burnt_area, whole);
+    // As many vertices as are browned, each for the 1 mm2 around it, but for the rim.
+    EXPECT_LT(whole, std::numbers::pi * 36.0) << "a burn of 3 s is not 6 mm wide";
+    EXPECT_EQ(model().at(2.5).burnt_area, half) << "to the last bit";
+    model().set(preset, {});
+    EXPECT_EQ(model().at(60.0).burnt_area, 0.0);
+}
+
+TEST_F(AmountsOnAPlane, SmokeComesWhileTissueBurnsTimesItsPowerAndTheScenesFactor) {
+    Preset preset = plain();
+    preset.smoke.clips.push_back({.file = "any.mp4"});
+    std::vector contacts{at(ToolAction::cauterise, 1.0, 2.0), at(ToolAction::coagulate, 2.0, 2.0, {20, 0, 0}),
+                         at(ToolAction::cauterise, 1.0, 9.0, {0, 60, 0})};
+    contacts[1].power = 0.5;
+    model().set(preset, contacts);
+    for (const auto& [time, expected] : {std::pair{0.5, 0.0}, {1.5, 1.0}, {2.5, 1.5}, {3.5, 0.5}, {4.5, 0.0}})
+        EXPECT_NEAR(model().at(time).emission, expected, 1e-12) << time;
+    Curves curves;
+    curves.emission = {{1.0, 1.0}, {2.0, 3.0}};
+    model().set(preset, contacts, curves);
+    EXPECT_NEAR(model().at(1.5).emission, 2.0, 1e-12);
+    EXPECT_NEAR(model().at(2.5).emission, 4.5, 1e-12);
+    preset.smoke.clips.clear();
+    model().set(preset, contacts);
+    EXPECT_EQ(model().at(1.5).emission, 0.0) << "no clips, no smoke";
+}
+
+TEST_F(AmountsOnAPlane, WoundsTellWhatTheyDo) {
+    model().set(plain(), std::vector{at(ToolAction::cut, 1.0, 0.0), at(ToolAction::cut, 3.0, 0.0, {20, 0, 0})});
+    model().at(2.0);
+    ASSERT_EQ(model().wounds().size(), 2u);
+    EXPECT_EQ(model().wounds()[0].state, WoundState::bleeding);
+    EXPECT_NEAR(model().wounds()[0].extent, 4.0, 1e-9);
+    EXPECT_EQ(model().wounds()[1].state, WoundState::waiting);
+}
+
 }  // namespace
 }  // namespace lapfx

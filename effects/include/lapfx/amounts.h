@@ -19,6 +19,7 @@
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
+#include "lapfx/wound.h"
 
 namespace lapfx {
 
@@ -33,6 +34,8 @@ struct Amounts {
     int left_out_wounds = 0;         ///< that came when there were 4096 already
     std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
     double haze = 0.0;               ///< E, optical thickness at the focus distance
+    double emission = 0.0;           ///< of smoke at this moment, of all tools: 1 of one at full power on lean tissue
+    double burnt_area = 0.0;         ///< mm2 of organ surface that has come to the char temperature
 };
 
 class PreparedOrgan;
@@ -59,6 +62,9 @@ class AmountsModel {
 
     /// Any time, in any order; forwards costs least. Those that are not finite count as 0.
     Amounts at(double time) noexcept;
+    /// Every wound of the contacts, with what it was doing at that time; those of contacts that are yet to come are waiting. Valid
+    /// until the next call that is not const.
+    std::span<const WoundStatus> wounds() const noexcept;
 
   private:
     struct State;
