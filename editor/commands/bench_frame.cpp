@@ -20,7 +20,7 @@
 #include "commands/bench_host.h"
 #include "commands/progress.h"
 #include "commands/session.h"
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
 
 namespace lapfx::commands {
 
