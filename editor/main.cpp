@@ -8,6 +8,7 @@
 
 #include "commands/command.h"
 #include "commands/verb.h"
+#include "lapfx/authoring/command_line.h"
 #include "lapfx/error.h"
 
 namespace {
@@ -61,7 +62,7 @@ int main(int argc, char** argv) {
         return run(argc, argv);
     } catch (const lapfx::Error& error) {
         for (const lapfx::Fault& fault : error.faults()) fail(0, fault.text());
-        return static_cast<int>(error.failure());
+        return lapfx::exit_code(error.failure());
     } catch (const std::exception& error) {
         return fail(1, error.what());
     }

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "bleeding/tissue_density.h"
-#include "lapfx/prepared_organ.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "organ/refine.h"
 #include "organ/surface.h"
 #include "work/stages.h"
@@ -46,6 +46,15 @@ struct PreparedOrgan::State {
     SceneOrgan organ_source;
     SceneTool tool_source;
     std::filesystem::path folder;
+};
+
+/// The way to it from what a host holds.
+struct PreparedOrganAccess {
+    using State = PreparedOrgan::State;
+    static const State& state(const PreparedOrgan& organ) { return organ.state(); }
+    static std::shared_ptr<const PreparedOrgan> make(std::unique_ptr<const State> state) {
+        return std::shared_ptr<const PreparedOrgan>(new PreparedOrgan(std::move(state)));
+    }
 };
 
 }  // namespace lapfx

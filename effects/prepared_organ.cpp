@@ -1,7 +1,8 @@
 #include "lapfx/prepared_organ.h"
 
 #include "foundation.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "organ/load.h"
 #include "organ/refine.h"
 
@@ -37,7 +38,7 @@ organ::SplitOrgan split_of(Organ organ, const work::Stages& stages) {
 template <typename F>
 std::shared_ptr<const PreparedOrgan> unless_stopped(const F& work) {
     try {
-        return std::make_shared<const PreparedOrgan>(work());
+        return PreparedOrganAccess::make(work());
     } catch (const work::Stopped&) {
         return nullptr;
     }
@@ -62,9 +63,10 @@ const Organ& PreparedOrgan::organ() const {
     return state_->organ;
 }
 
-std::vector<std::filesystem::path> PreparedOrgan::files() const {
+std::vector<std::filesystem::path> files_of(const PreparedOrgan& organ) {
+    const PreparedOrganAccess::State& known = PreparedOrganAccess::state(organ);
     std::vector<std::filesystem::path> files;
-    for (const Organ* made : {&state_->organ, state_->tool ? &*state_->tool : nullptr}) {
+    for (const Organ* made : {&known.organ, known.tool ? &*known.tool : nullptr}) {
         if (made == nullptr) continue;
         files.insert(files.end(), made->files.begin(), made->files.end());
         files.insert(files.end(), made->unread_files.begin(), made->unread_files.end());
@@ -72,17 +74,19 @@ std::vector<std::filesystem::path> PreparedOrgan::files() const {
     return files;
 }
 
-std::vector<std::filesystem::path> PreparedOrgan::tool_files() const {
-    return state_->tool ? state_->tool->files : std::vector<std::filesystem::path>();
+std::vector<std::filesystem::path> tool_files_of(const PreparedOrgan& organ) {
+    const std::optional<Organ>& tool = PreparedOrganAccess::state(organ).tool;
+    return tool ? tool->files : std::vector<std::filesystem::path>();
 }
 
-bool PreparedOrgan::made_for(const Scene& scene) const {
-    const SceneOrgan& organ = state_->organ_source;
-    const SceneTool& tool = state_->tool_source;
+bool made_for(const PreparedOrgan& prepared, const Scene& scene) {
+    const PreparedOrganAccess::State& known = PreparedOrganAccess::state(prepared);
+    const SceneOrgan& organ = known.organ_source;
+    const SceneTool& tool = known.tool_source;
     // The same file, however it is named and from wherever.
     const auto same_file = [&](const std::string& made, const std::string& wanted) {
         if (made.empty() || wanted.empty()) return made == wanted;
-        return std::filesystem::absolute(state_->folder / made).lexically_normal() ==
+        return std::filesystem::absolute(known.folder / made).lexically_normal() ==
                std::filesystem::absolute(scene.folder / wanted).lexically_normal();
     };
     return same_file(organ.file, scene.organ.file) && organ.scale == scene.organ.scale &&
@@ -104,7 +108,7 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const Ves
                                                    const Progress& progress) {
     return unless_stopped([&] {
         const work::Stages stages(progress);
-        auto made = std::make_unique<PreparedOrgan::State>();
+        auto made = std::make_unique<PreparedOrganAccess::State>();
         made->organ_source = scene.organ;
         made->tool_source = scene.tool;
         made->folder = scene.folder;
@@ -132,7 +136,7 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
                                                    const Progress& progress) {
     return unless_stopped([&] {
         const work::Stages stages(progress);
-        auto made = std::make_unique<PreparedOrgan::State>();
+        auto made = std::make_unique<PreparedOrganAccess::State>();
         organ::SplitOrgan fine = split_of(std::move(organ), stages.part(0.0, split));
         made->organ = std::move(fine.organ);
         organ::PixelList pixels = organ::take_pixels(made->organ, {});
@@ -143,7 +147,7 @@ std::shared_ptr<const PreparedOrgan> prepare_organ(Organ organ, const VesselPara
 }
 
 TissueHistogram tissue_histogram(const PreparedOrgan& organ, const VesselParameters& parameters) {
-    return organ.state().foundation->tissue.histogram(parameters);
+    return PreparedOrganAccess::state(organ).foundation->tissue.histogram(parameters);
 }
 
 }  // namespace lapfx

@@ -1,4 +1,5 @@
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
+#include "lapfx/authoring/prepared_scene.h"
 
 #include <optional>
 
@@ -24,12 +25,12 @@ EffectsOptions effects_options(const Scene& scene, const PreviewOptions& options
 }
 
 std::shared_ptr<const PreparedOrgan> require_same(const Scene& scene, std::shared_ptr<const PreparedOrgan> organ) {
-    if (organ->made_for(scene)) return organ;
+    if (made_for(*organ, scene)) return organ;
     throw Error(Failure::bad_input,
                 Fault{.file = "",
                       .place = "/organ/file",
                       .reason = "\"" + scene.organ.file + "\" is not the organ that was prepared: \"" +
-                                organ->state().organ_source.file + "\""});
+                                PreparedOrganAccess::state(*organ).organ_source.file + "\""});
 }
 
 }  // namespace
@@ -40,7 +41,7 @@ struct Preview::State {
         : scene(wanted),
           prepared(require_same(wanted, std::move(made))),
           effects(prepared, preset, effects_options(wanted, options)) {
-        const PreparedOrgan::State& known = prepared->state();
+        const PreparedOrganAccess::State& known = PreparedOrganAccess::state(*prepared);
         if (known.tool) tool.emplace(*known.tool, nullptr, known.tool_pixels);
         organ::let_go(known.tool_pixels);  // they have been sent to the GPU
         effects.set_curves(scene.curves);
@@ -117,7 +118,7 @@ void Preview::set_parameters(const Preset& preset) {
 }
 
 bool Preview::takes(const Scene& scene) const {
-    return state_->prepared->made_for(scene);
+    return made_for(*state_->prepared, scene);
 }
 
 void Preview::set_scene(const Scene& scene) {
@@ -187,8 +188,8 @@ bool Preview::late() const {
 MemoryUse Preview::memory_use() const {
     const State& s = *state_;
     MemoryUse use = s.effects.memory_use();
-    use.surface += s.prepared->state().own_memory();  // what is known of the organ is in it already
-    use.pixels += s.prepared->state().tool_pixel_memory();
+    use.surface += PreparedOrganAccess::state(*s.prepared).own_memory();  // what is known of the organ is in it already
+    use.pixels += PreparedOrganAccess::state(*s.prepared).tool_pixel_memory();
     use.targets += s.frame.memory();
     if (!s.tool) return use;
     use.geometry += s.tool->geometry_memory();

@@ -6,7 +6,7 @@
 #include "app/editor.h"
 #include "app/files.h"
 #include "app/settings.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "ui/core/id.h"
 #include "ui/widgets/combo.h"
 

@@ -7,7 +7,8 @@
 #include "app/editor.h"
 #include "app/keying_bench.h"
 #include "app/settings.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::app {
 

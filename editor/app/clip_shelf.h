@@ -17,9 +17,10 @@
 #include <vector>
 
 #include "app/jobs.h"
-#include "lapfx/keying.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/keying.h"
+#include "lapfx/authoring/suggest.h"
 #include "lapfx/streaming.h"
-#include "lapfx/suggest.h"
 #include "ui/draw/draw_list.h"
 
 namespace lapfx::app {

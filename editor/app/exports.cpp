@@ -9,6 +9,7 @@
 #include "app/editor.h"
 #include "app/files.h"
 #include "app/settings.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "output/files.h"
 
 namespace lapfx::app {
@@ -198,7 +199,7 @@ void Exports::look_outside() {
         const auto organ = scene != nullptr ? editor_.preview.organ_of(*scene) : nullptr;
         found = output::outside_files(document.preset(), scene, home(), editor_.options().clip_folders,
                                       organ ? std::span(organ->organ().files) : std::span<const fs::path>(),
-                                      organ ? organ->tool_files() : std::vector<fs::path>());
+                                      organ ? tool_files_of(*organ) : std::vector<fs::path>());
         std::erase_if(found, [&](const output::SourceFile& s) { return editor_.files().shipped(s.file); });
     }
     if (found == outside_) return;

@@ -17,7 +17,7 @@
 
 #include "app/clip_shelf.h"
 #include "document/document.h"
-#include "lapfx/suggest.h"
+#include "lapfx/authoring/suggest.h"
 #include "ui/canvas/image_view.h"
 #include "ui/canvas/scope.h"
 

@@ -6,7 +6,9 @@
 #include <set>
 
 #include "app/orbit.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/organ_report.h"
 
 namespace lapfx::app {
 

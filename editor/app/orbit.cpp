@@ -1,4 +1,5 @@
 #include "app/orbit.h"
+#include "lapfx/authoring/organ_report.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,7 @@
 // Moving a scene's camera by hand. Pure functions on the camera, no window; angles radians, lengths mm.
 #pragma once
 
+#include "lapfx/authoring/organ_report.h"
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
 

@@ -8,6 +8,7 @@
 #include "app/orbit.h"
 #include "app/paths.h"
 #include "app/settings.h"
+#include "lapfx/authoring/organ_report.h"
 
 namespace lapfx::app {
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "app/jobs.h"
+#include "lapfx/authoring/organ_report.h"
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
 

@@ -1,7 +1,7 @@
 #include "app/paths.h"
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 
 namespace lapfx::app {
 

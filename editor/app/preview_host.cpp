@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "app/paths.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/prepared_scene.h"
 
 namespace lapfx::app {
 
@@ -169,7 +171,7 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
             return false;
         }
     };
-    organ_files_ = organ->files();
+    organ_files_ = files_of(*organ);
     const Preset whole = document::mended(wanted_.preset, good_);
     Preset bare = whole;
     bare.smoke.clips.clear();
@@ -317,7 +319,7 @@ std::vector<std::filesystem::path> PreviewHost::organ_files(const Scene& scene) 
 }
 
 std::shared_ptr<const PreparedOrgan> PreviewHost::organ_of(const Scene& scene) const {
-    return organ_ && organ_->made_for(scene) ? organ_ : nullptr;
+    return organ_ && made_for(*organ_, scene) ? organ_ : nullptr;
 }
 
 MemoryUse PreviewHost::memory_use() const {

@@ -15,8 +15,8 @@
 #include "app/jobs.h"
 #include "app/target.h"
 #include "document/document.h"
+#include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
-#include "lapfx/preview.h"
 #include "ui/draw/draw_list.h"
 
 namespace lapfx::app {

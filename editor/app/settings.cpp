@@ -6,7 +6,7 @@
 
 #include "app/editor.h"
 #include "app/layouts.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::app {
 

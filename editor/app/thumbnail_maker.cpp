@@ -14,8 +14,9 @@
 #include <mutex>
 #include <opencv2/imgcodecs.hpp>
 
-#include "lapfx/clip.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 

@@ -20,8 +20,8 @@
 #include <thread>
 #include <vector>
 
+#include "lapfx/authoring/video.h"
 #include "lapfx/error.h"
-#include "lapfx/video.h"
 
 namespace lapfx::app {
 

@@ -15,8 +15,8 @@
 
 #include "commands/command.h"
 #include "commands/options.h"
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 
 namespace lapfx::commands {
 

@@ -22,7 +22,7 @@
 #include "commands/bench_simulation.h"
 #include "commands/progress.h"
 #include "commands/session.h"
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
 
 namespace lapfx::commands {
 

@@ -23,7 +23,7 @@
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/progress.h"
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "lapfx/effects.h"
 
 namespace lapfx::commands {

@@ -3,12 +3,13 @@
 
 #include "commands/command.h"
 #include "commands/session.h"
-#include "lapfx/clip.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/smoke_notes.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
-#include "lapfx/smoke_notes.h"
 
 namespace lapfx::commands {
 

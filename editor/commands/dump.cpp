@@ -1,6 +1,6 @@
 #include "commands/dump.h"
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::commands {

@@ -2,6 +2,7 @@
 
 #include "app/settings.h"
 #include "commands/session.h"
+#include "lapfx/authoring/command_line.h"
 #include "panels/panels.h"
 
 namespace lapfx::commands {

@@ -3,8 +3,9 @@
 #include <sstream>
 
 #include "commands/inspect.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "commands/inspect.h"
-#include "lapfx/suggest.h"
+#include "lapfx/authoring/suggest.h"
 
 namespace lapfx::commands {
 

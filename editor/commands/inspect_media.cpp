@@ -7,7 +7,7 @@
 
 #include "commands/inspect.h"
 #include "commands/progress.h"
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {

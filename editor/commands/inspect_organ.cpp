@@ -2,6 +2,8 @@
 #include <iostream>
 
 #include "commands/inspect.h"
+#include "lapfx/authoring/organ_report.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "lapfx/refine.h"
 #include "lapfx/tissue.h"
 

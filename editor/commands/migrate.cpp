@@ -2,6 +2,7 @@
 #include <iostream>
 
 #include "commands/command.h"
+#include "lapfx/authoring/documents.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 

@@ -5,7 +5,8 @@
 #include <iostream>
 #include <regex>
 
-#include "lapfx/smoke_notes.h"
+#include "lapfx/authoring/organ_report.h"
+#include "lapfx/authoring/smoke_notes.h"
 
 namespace lapfx::commands {
 

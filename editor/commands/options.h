@@ -3,8 +3,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "lapfx/authoring/preview.h"
 #include "lapfx/error.h"
-#include "lapfx/preview.h"
 
 namespace lapfx::commands {
 

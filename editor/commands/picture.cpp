@@ -8,7 +8,8 @@
 #include "commands/command.h"
 #include "commands/options.h"
 #include "commands/session.h"
-#include "lapfx/video.h"
+#include "lapfx/authoring/command_line.h"
+#include "lapfx/authoring/video.h"
 #include "output/files.h"
 
 namespace lapfx::commands {

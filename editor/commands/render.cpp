@@ -3,6 +3,7 @@
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
+#include "lapfx/authoring/command_line.h"
 #include "output/render_job.h"
 
 namespace lapfx::commands {

@@ -1,6 +1,6 @@
 #include "commands/session.h"
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::commands {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
 
 namespace lapfx::commands {
 

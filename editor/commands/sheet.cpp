@@ -5,6 +5,7 @@
 #include "commands/options.h"
 #include "commands/progress.h"
 #include "commands/session.h"
+#include "lapfx/authoring/command_line.h"
 #include "output/files.h"
 
 namespace lapfx::commands {

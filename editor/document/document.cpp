@@ -4,8 +4,9 @@
 #include <type_traits>
 #include <utility>
 
-#include "lapfx/clip.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::document {
 

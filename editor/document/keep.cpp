@@ -6,7 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "document/tables.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::document {
 

@@ -11,9 +11,10 @@
 #include <map>
 #include <opencv2/imgcodecs.hpp>
 
-#include "lapfx/clip.h"
-#include "lapfx/file.h"
-#include "lapfx/pack.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
+#include "lapfx/authoring/pack.h"
 #include "output/files.h"
 
 namespace lapfx::output {

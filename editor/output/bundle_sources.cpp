@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "output/bundle.h"
 
 namespace lapfx::output {

@@ -11,8 +11,8 @@
 #include <opencv2/core.hpp>
 #include <opencv2/videoio.hpp>
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 #include "lapfx/organ.h"
 
 namespace lapfx::output {

@@ -3,7 +3,7 @@
 #include <array>
 #include <cmath>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "output/files.h"
 
 namespace lapfx::output {

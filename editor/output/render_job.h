@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/authoring/preview.h"
 #include "lapfx/clip_cache.h"
 #include "lapfx/prepared_organ.h"
-#include "lapfx/preview.h"
 #include "output/frame_files.h"
 
 namespace lapfx::output {

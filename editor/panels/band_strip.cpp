@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "app/tuning.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "lapfx/prepared_organ.h"
 #include "lapfx/tissue.h"
 #include "panels/table_rows.h"

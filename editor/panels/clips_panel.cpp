@@ -7,7 +7,7 @@
 #include "app/files.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
-#include "lapfx/smoke_notes.h"
+#include "lapfx/authoring/smoke_notes.h"
 #include "panels/clip_parameters.h"
 #include "panels/panels.h"
 #include "panels/parts.h"

@@ -6,7 +6,8 @@
 #include <array>
 #include <cmath>
 
-#include "lapfx/keying.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/keying.h"
 #include "panels/clip_parameters.h"
 #include "panels/clip_shapes.h"
 #include "panels/panels.h"

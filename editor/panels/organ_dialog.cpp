@@ -3,6 +3,7 @@
 #include <cstdio>
 
 #include "app/organ_choice.h"
+#include "lapfx/authoring/organ_report.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/progress.h"

@@ -12,6 +12,7 @@
 #include "app/pick_color.h"
 #include "app/reference.h"
 #include "app/settings.h"
+#include "lapfx/authoring/organ_report.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"

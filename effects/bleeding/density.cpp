@@ -5,6 +5,7 @@
 
 #include "bleeding/texture_blur.h"
 #include "bleeding/tissue_color.h"
+#include "lapfx/authoring/tissue_report.h"
 
 namespace lapfx::bleeding {
 

@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "bleeding/texture_layout.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "lapfx/preset.h"
 #include "lapfx/tissue.h"
 #include "organ/pixels.h"

@@ -5,6 +5,7 @@
 
 #include "bleeding/point_blur.h"
 #include "bleeding/tissue_color.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "organ/refine.h"
 
 namespace lapfx::bleeding {

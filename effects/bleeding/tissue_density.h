@@ -11,6 +11,7 @@
 #include <optional>
 
 #include "bleeding/density.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "lapfx/tissue.h"
 #include "organ/surface.h"
 

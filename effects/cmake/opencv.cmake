@@ -1,9 +1,9 @@
 # OpenCV by hand: Debian's OpenCVConfig.cmake lies in libopencv-dev, which depends on libopencv-highgui-dev and
-# so on Qt. The four modules that we use have no such dependency.
+# so on Qt. The modules that we use have no such dependency. Those that the core uses: it reads videos by itself.
 find_path(LAPFX_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
 add_library(lapfx_opencv INTERFACE)
 target_include_directories(lapfx_opencv SYSTEM INTERFACE ${LAPFX_OPENCV_INCLUDE})
-foreach(module core imgproc imgcodecs videoio)
+foreach(module core imgproc imgcodecs)
     find_library(LAPFX_OPENCV_${module} opencv_${module} REQUIRED)
     target_link_libraries(lapfx_opencv INTERFACE ${LAPFX_OPENCV_${module}})
 endforeach()

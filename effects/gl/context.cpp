@@ -3,6 +3,7 @@
 #include "gl/context_owner.h"
 #include "gl/gl.h"
 #include "gl/state_guard.h"
+#include "lapfx/authoring/command_line.h"
 #include "lapfx/error.h"
 
 namespace lapfx {

@@ -1,6 +1,9 @@
 #include "gl/program.h"
 
+#include <array>
 #include <glm/gtc/type_ptr.hpp>
+#include <sstream>
+#include <utility>
 
 #include "gl/shader_source.h"
 #include "lapfx/error.h"
@@ -40,8 +43,7 @@ Error shader_error(const std::string& name, const std::string& log) {
     return {Failure::runtime, std::move(faults)};
 }
 
-Shader compile(GLenum stage, const std::string& name, const std::string& defines) {
-    const ShaderSource source = shader_source(name);
+Shader compile(GLenum stage, const std::string& name, const ShaderSource& source, const std::string& defines) {
     Shader shader(glCreateShader(stage));
     std::string text = source.text;
     if (!defines.empty()) text.insert(text.find('\n') + 1, defines + "#line 2 0\n");  // #version stays first
@@ -55,12 +57,52 @@ Shader compile(GLenum stage, const std::string& name, const std::string& defines
     return shader;
 }
 
+constexpr std::array<std::pair<std::string_view, GLenum>, 10> types{{{"int", GL_INT},
+                                                                     {"bool", GL_INT},
+                                                                     {"float", GL_FLOAT},
+                                                                     {"vec2", GL_FLOAT_VEC2},
+                                                                     {"vec3", GL_FLOAT_VEC3},
+                                                                     {"vec4", GL_FLOAT_VEC4},
+                                                                     {"ivec4", GL_INT_VEC4},
+                                                                     {"mat3", GL_FLOAT_MAT3},
+                                                                     {"mat4", GL_FLOAT_MAT4},
+                                                                     {"sampler", GL_INT}}};
+
+/// In the words of GLSL.
+std::string_view word_of(GLenum type) {
+    for (const auto& [word, known] : types)
+        if (known == type) return word;
+    return "a type that is never set";
+}
+
+GLenum type_of(std::string_view word) {
+    for (const auto& [known, type] : types)
+        if (word == known || (known == "sampler" && word.starts_with(known))) return type;
+    return 0;
+}
+
+/// Type and name of each uniform outside of a block that a text declares, in whatever variant of it.
+template <typename Take>
+void for_each_uniform(const std::string& text, const Take& take) {
+    constexpr std::string_view word = "uniform ";
+    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
+        const std::size_t line = text.rfind('\n', at) + 1, end = text.find_first_of(";{", at);
+        const bool comment = std::string_view(text).substr(line, at - line).find("//") != std::string_view::npos;
+        if (comment || end == std::string::npos || text[end] == '{') continue;
+        std::istringstream words(text.substr(at + word.size(), end - at - word.size()));
+        std::string type, name;
+        words >> type;
+        while (std::getline(words >> std::ws, name, ',')) take(type, name.substr(0, name.find_first_of(" [")));
+    }
+}
+
 }  // namespace
 
 Program::Program(const std::string& vertex, const std::string& fragment, const std::string& defines)
     : vertex_(vertex), fragment_(fragment), defines_(defines), name_(glCreateProgram()) {
-    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, defines);
-    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, defines);
+    const ShaderSource vertex_source = shader_source(vertex), fragment_source = shader_source(fragment);
+    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, vertex_source, defines);
+    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, fragment_source, defines);
     glAttachShader(name(), vertex_shader.get());
     glAttachShader(name(), fragment_shader.get());
     glLinkProgram(name());
@@ -72,15 +114,11 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
     if (done == GL_FALSE)
         throw shader_error(vertex + " + " + fragment, read_log(name(), glGetProgramiv, glGetProgramInfoLog));
 
-    GLint count = 0;
-    glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
-    for (GLint i = 0; i < count; ++i) {
-        char uniform[128] = {};
-        GLint size = 0;
-        GLenum type = 0;
-        glGetActiveUniform(name(), static_cast<GLuint>(i), sizeof uniform, nullptr, &size, &type, uniform);
-        locations_.emplace(uniform, glGetUniformLocation(name(), uniform));
-    }
+    edited_ = vertex_source.edited || fragment_source.edited;
+    for (const ShaderSource* source : {&vertex_source, &fragment_source})
+        for_each_uniform(source->text, [&](const std::string& type, const std::string& uniform) {
+            uniforms_[uniform] = {.location = glGetUniformLocation(name(), uniform.c_str()), .type = type_of(type)};
+        });
 }
 
 Program Program::rebuilt() const {
@@ -93,34 +131,42 @@ void rebuild(std::span<Program* const> programs) {
     for (std::size_t i = 0; i < programs.size(); ++i) *programs[i] = std::move(made[i]);
 }
 
-GLint Program::location(const char* uniform) const {
-    const auto found = locations_.find(std::string_view(uniform));
-    return found == locations_.end() ? -1 : found->second;
+GLint Program::location(const char* uniform, GLenum type) const {
+    const auto found = uniforms_.find(std::string_view(uniform));
+    const bool known = found != uniforms_.end();
+    if (known && found->second.type == type) return found->second.location;
+    if (edited_) return -1;  // GL ignores it
+    throw Error(Failure::runtime,
+                Fault{.file = vertex_ + " + " + fragment_,
+                      .place = uniform,
+                      .reason = known ? "a value of type " + std::string(word_of(type)) +
+                                            " is set; it is declared as " + std::string(word_of(found->second.type))
+                                      : std::string("is set, but not declared as a uniform")});
 }
 
 void Program::set(const char* uniform, int value) const {
-    glProgramUniform1i(name(), location(uniform), value);
+    glProgramUniform1i(name(), location(uniform, GL_INT), value);
 }
 void Program::set(const char* uniform, float value) const {
-    glProgramUniform1f(name(), location(uniform), value);
+    glProgramUniform1f(name(), location(uniform, GL_FLOAT), value);
 }
 void Program::set(const char* uniform, glm::vec2 value) const {
-    glProgramUniform2fv(name(), location(uniform), 1, glm::value_ptr(value));
+    glProgramUniform2fv(name(), location(uniform, GL_FLOAT_VEC2), 1, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, glm::vec3 value) const {
-    glProgramUniform3fv(name(), location(uniform), 1, glm::value_ptr(value));
+    glProgramUniform3fv(name(), location(uniform, GL_FLOAT_VEC3), 1, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, glm::vec4 value) const {
-    glProgramUniform4fv(name(), location(uniform), 1, glm::value_ptr(value));
+    glProgramUniform4fv(name(), location(uniform, GL_FLOAT_VEC4), 1, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, glm::ivec4 value) const {
-    glProgramUniform4iv(name(), location(uniform), 1, glm::value_ptr(value));
+    glProgramUniform4iv(name(), location(uniform, GL_INT_VEC4), 1, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, const glm::mat3& value) const {
-    glProgramUniformMatrix3fv(name(), location(uniform), 1, GL_FALSE, glm::value_ptr(value));
+    glProgramUniformMatrix3fv(name(), location(uniform, GL_FLOAT_MAT3), 1, GL_FALSE, glm::value_ptr(value));
 }
 void Program::set(const char* uniform, const glm::mat4& value) const {
-    glProgramUniformMatrix4fv(name(), location(uniform), 1, GL_FALSE, glm::value_ptr(value));
+    glProgramUniformMatrix4fv(name(), location(uniform, GL_FLOAT_MAT4), 1, GL_FALSE, glm::value_ptr(value));
 }
 
 }  // namespace lapfx::gl

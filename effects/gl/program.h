@@ -1,6 +1,11 @@
 // A linked vertex and fragment shader. Values are set by name on the program itself, so no program need be
-// bound. A name that the shader does not use is ignored: while a shader is edited on disk, its uniforms come
-// and go.
+// bound.
+//
+//     const Program post("fullscreen.vert", "post.frag");
+//     post.set("u_exposure", 1.5f);
+//
+// A uniform that is declared but that the compiler has found no use for is set in vain, without a fault: variants of one shader
+// use some and not others.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -26,6 +31,9 @@ class Program {
     Program rebuilt() const;
 
     void use() const { glUseProgram(name_.get()); }
+    /// Throws Error (runtime), which ends a caller that is noexcept, for a name that neither text declares, and for a value of
+    /// another type than declared: a fault of the caller. Where a text comes from disk such a value is ignored: while a shader
+    /// is edited, its uniforms come and go.
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, glm::vec2 value) const;
@@ -37,7 +45,11 @@ class Program {
     GLuint name() const { return name_.get(); }
 
   private:
-    GLint location(const char* uniform) const;
+    struct Uniform {
+        GLint location = -1;  ///< -1: declared, not used
+        GLenum type = 0;      ///< of the value that is set; a sampler's and a bool's is GL_INT
+    };
+    GLint location(const char* uniform, GLenum type) const;
 
     struct Hash {
         using is_transparent = void;  // look-ups by const char* allocate nothing
@@ -45,7 +57,8 @@ class Program {
     };
     std::string vertex_, fragment_, defines_;  // what it was made of
     Name<release_program> name_;
-    std::unordered_map<std::string, GLint, Hash, std::equal_to<>> locations_;
+    std::unordered_map<std::string, Uniform, Hash, std::equal_to<>> uniforms_;
+    bool edited_ = false;  // some of its text comes from disk
 };
 
 /// All of them compiled once more and then taken, or none. Throws Error (runtime).

@@ -57,12 +57,15 @@ std::optional<std::string> text_on_trial(const std::string& name) {
 
 namespace {
 
-std::optional<std::string> find_text(const std::string& name) {
+std::optional<std::string> text_on_disk(const std::string& name) {
     if (!shader_folder().empty()) {
         std::ifstream file(shader_folder() / name, std::ios::binary);
         if (file) return content_of(file);
     }
-    if (std::optional<std::string> text = text_on_trial(name)) return text;
+    return text_on_trial(name);
+}
+
+std::optional<std::string> embedded_text(const std::string& name) {
     for (unsigned i = 0; i < embedded_shader_count; ++i)
         if (embedded_shaders[i].first == name) return std::string(embedded_shaders[i].second);
     return std::nullopt;
@@ -77,7 +80,9 @@ std::string included_name(const std::string& line) {
 }
 
 void append(ShaderSource& source, const std::string& name, const std::string& from) {
-    const auto text = find_text(name);
+    std::optional<std::string> text = text_on_disk(name);
+    source.edited |= text.has_value();
+    if (!text) text = embedded_text(name);
     if (!text)
         throw Error(Failure::runtime, Fault{.file = from.empty() ? name : from,
                                             .place = "",

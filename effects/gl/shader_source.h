@@ -16,6 +16,7 @@ namespace lapfx::gl {
 struct ShaderSource {
     std::string text;                ///< ready for the compiler
     std::vector<std::string> files;  ///< source string number i of the #line marks is files[i]
+    bool edited = false;             ///< some of it comes from a folder on disk
 };
 
 /// `name` is a file name such as "organ.frag". Throws Error (runtime) when it, or what it includes, is not

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapfx/authoring/clip.h"
 #include "media/clip_file.h"
 #include "media/clip_index.h"
 #include "media/known_clips.h"

@@ -4,7 +4,8 @@
 #include <array>
 #include <fstream>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::media {
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "lapfx/authoring/clip.h"
 #include "lapfx/error.h"
 
 namespace lapfx::media {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "lapfx/authoring/clip.h"
 #include "media/clip_file.h"
 
 namespace lapfx {

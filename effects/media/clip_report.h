@@ -1,7 +1,7 @@
 // What is told of a clip that is open already.
 #pragma once
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "media/decoder.h"
 
 namespace lapfx::media {

@@ -109,19 +109,19 @@ std::shared_ptr<ClipFile> ClipSet::State::opened(const std::filesystem::path& pa
     if (found == files.end()) return nullptr;
     if (!cache) return *found;
     // What the cache was told to forget is opened anew.
-    const std::optional<KnownClip> known = cache->state().find(path, stamp);
+    const std::optional<KnownClip> known = ClipCacheAccess::state(*cache).find(path, stamp);
     return known && known->info.index == (*found)->info.index ? *found : nullptr;
 }
 
 /// From what the cache knows of it, or looked through here.
 Decoder ClipSet::State::open(const std::filesystem::path& path, const FileStamp& stamp) const {
     if (!cache) return Decoder(path, layout_of(options.scheme));
-    if (const std::optional<KnownClip> known = cache->state().find(path, stamp)) {
+    if (const std::optional<KnownClip> known = ClipCacheAccess::state(*cache).find(path, stamp)) {
         if (!known->faults.empty()) throw Error(Failure::bad_input, known->faults);
         return Decoder(path, layout_of(options.scheme), known->info);
     }
     Decoder decoder(path, layout_of(options.scheme));
-    cache->state().put({.path = path, .stamp = stamp, .info = decoder.info(), .faults = {}});
+    ClipCacheAccess::state(*cache).put({.path = path, .stamp = stamp, .info = decoder.info(), .faults = {}});
     return decoder;
 }
 
@@ -280,7 +280,8 @@ std::optional<bool> ClipSet::known_alpha(const SmokeClip& clip, const std::files
         const std::filesystem::path path = clip_path(clip.file, preset_folder, search_path);
         const FileStamp stamp = stamp_of(path);
         if (const std::shared_ptr<ClipFile> file = state_->opened(path, stamp)) return file->info.alpha;
-        const std::optional<KnownClip> known = state_->cache ? state_->cache->state().find(path, stamp) : std::nullopt;
+        const std::optional<KnownClip> known =
+            state_->cache ? ClipCacheAccess::state(*state_->cache).find(path, stamp) : std::nullopt;
         if (known && known->faults.empty()) return known->info.alpha;
     } catch (const Error&) {
         // set() tells.

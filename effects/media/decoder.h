@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "media/picture.h"
 #include "work/stages.h"
 

@@ -2,7 +2,7 @@
 #include <memory>
 #include <thread>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "media/clip_stream.h"
 
 namespace lapfx {

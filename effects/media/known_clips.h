@@ -31,4 +31,9 @@ struct ClipCache::State {
     std::vector<media::KnownClip> clips;  ///< the oldest first
 };
 
+/// The way to it from what a host holds.
+struct ClipCacheAccess {
+    static auto& state(const ClipCache& cache) { return *cache.state_; }
+};
+
 }  // namespace lapfx

@@ -1,4 +1,4 @@
-#include "lapfx/video.h"
+#include "lapfx/authoring/video.h"
 
 #include <algorithm>
 #include <cassert>

@@ -4,7 +4,7 @@
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "organ/gltf_check.h"
 #include "organ/meshopt.h"
 #include "organ/pack.h"

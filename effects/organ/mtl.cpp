@@ -4,7 +4,7 @@
 #include <set>
 #include <sstream>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "media/image.h"
 #include "organ/file.h"
 #include "organ/pack.h"

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 #include "media/image.h"
 #include "organ/load.h"
 #include "organ/raw.h"

@@ -5,7 +5,7 @@
 #include <optional>
 #include <utility>
 
-#include "lapfx/pack.h"
+#include "lapfx/authoring/pack.h"
 #include "organ/file.h"
 
 namespace lapfx::organ {

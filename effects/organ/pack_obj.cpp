@@ -3,8 +3,8 @@
 #include <string>
 #include <string_view>
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 #include "organ/obj_text.h"
 #include "organ/pack.h"
 

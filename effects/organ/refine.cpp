@@ -7,6 +7,7 @@
 #include <cmath>
 #include <unordered_map>
 
+#include "lapfx/authoring/organ_report.h"
 #include "organ/weld.h"
 
 namespace lapfx {

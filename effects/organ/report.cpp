@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <numeric>
 
-#include "lapfx/organ.h"
+#include "lapfx/authoring/organ_report.h"
 #include "organ/refine.h"
 #include "organ/weld.h"
 

@@ -11,8 +11,8 @@
 #include <cstring>
 #include <random>
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 
 namespace lapfx {
 

@@ -1,4 +1,4 @@
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 #include <fcntl.h>
 #include <sys/stat.h>

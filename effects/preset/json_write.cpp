@@ -3,8 +3,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 #include "preset/colors.h"
 #include "preset/document.h"
 #include "preset/text.h"

@@ -2,8 +2,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
-#include "lapfx/file.h"
 
 namespace lapfx {
 

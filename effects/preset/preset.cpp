@@ -1,6 +1,7 @@
 #include "lapfx/preset.h"
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 #include "preset/document.h"
 #include "preset/tables.h"
 #include "preset/text.h"

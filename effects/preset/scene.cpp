@@ -1,7 +1,8 @@
 // The rows of a scene. A scene is for previews only, so the ranges are wide: they catch slips, not taste.
 #include "lapfx/scene.h"
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 #include "preset/document.h"
 #include "preset/tables.h"
 #include "preset/text.h"

@@ -8,7 +8,8 @@
 #include <cmath>
 #include <glm/gtc/color_space.hpp>
 
-#include "lapfx/keying.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/keying.h"
 #include "media/clip_report.h"
 #include "smoke/keying_pixel.h"
 

@@ -4,7 +4,7 @@
 
 #include <glm/glm.hpp>
 
-#include "lapfx/keying.h"
+#include "lapfx/authoring/keying.h"
 #include "lapfx/preset.h"
 
 namespace lapfx::smoke {

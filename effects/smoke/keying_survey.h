@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/suggest.h"
+#include "lapfx/authoring/suggest.h"
 #include "smoke/bars.h"
 
 namespace lapfx::smoke {

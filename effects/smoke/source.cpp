@@ -1,8 +1,8 @@
 // Where the smoke of a file starts: what decoding and keying have to do with it.
 #include <algorithm>
 
-#include "lapfx/keying.h"
-#include "lapfx/suggest.h"
+#include "lapfx/authoring/keying.h"
+#include "lapfx/authoring/suggest.h"
 #include "smoke/find_source.h"
 
 namespace lapfx {

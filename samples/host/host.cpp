@@ -1,34 +1,196 @@
-// A minimal host: what a simulator does to have lapfx in its picture, with nothing but the public headers. It renders one
-// frame of a scene to a binary PPM on standard output; tests/e2e compares it with `lapfx render`, pixel for pixel.
-//
-//     lapfx_host samples/lagb.scene.json 6 320 256 samples/clips > frame.ppm
-#include <lapfx/preview.h>
+// A host simulator, as a stranger writes one: lapfx's public headers, a window and a loop of its own, a thread that reads the tool
+// 1000 times a second, and an organ shader of its own ("own"; "lapfx": the core draws the organ). The hand is a scene's events,
+// in real time; when they are over, so is the program. With SECONDS it draws that frame without a window, as a PPM on standard
+// output: the pixels of `lapfx render`, but for the instrument, which it does not draw. Its OpenGL objects go with the context.
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <glad/gl.h>  // the core's; a simulator has a loader of its own
+#include <lapfx/effects.h>
+#include <lapfx/frame.h>
+#include <lapfx/refine.h>
+#include <lapfx/scene.h>
+#include <array>
 #include <cstdio>
-#include <cstdlib>
+#include <glm/gtc/matrix_transform.hpp>
+#include <glm/gtc/type_ptr.hpp>
+#include <thread>
 
 namespace {
 
-void write_ppm(const lapfx::Image& image) {
-    std::printf("P6\n%d %d\n255\n", image.width, image.height);
-    for (std::size_t i = 0; i < image.pixels.size(); i += 4) std::fwrite(&image.pixels[i], 1, 3, stdout);
+constexpr const char* vertex_text = R"(#version 450 core
+layout(location = 0) in vec3 a_position;
+layout(location = 1) in vec3 a_normal;
+layout(location = 2) in vec2 a_blood;
+layout(location = 0) uniform mat4 u_to_clip;
+out vec3 v_position, v_normal;
+out vec2 v_blood;
+void main() {
+    v_position = a_position, v_normal = a_normal, v_blood = a_blood;
+    gl_Position = u_to_clip * vec4(a_position, 1.0);
+})";
+
+constexpr const char* fragment_text = R"(  // plain Lambert
+in vec3 v_position, v_normal;
+in vec2 v_blood;
+layout(location = 1) uniform vec3 u_eye;
+out vec4 o_color;
+void main() {
+    vec3 normal = normalize(v_normal), albedo = vec3(0.55, 0.33, 0.28);
+    LapfxBlood blood = lapfx_blood(v_blood, vec3(0.0), v_position, normal);
+    albedo = mix(albedo, blood.color, blood.coverage * blood.opacity);
+    normal = normalize(normal - blood.coverage * blood.slope);
+    o_color = vec4(albedo * (0.1 + abs(dot(normal, normalize(u_eye - v_position)))), 1.0);
+})";
+
+void require(bool holds, const char* reason, lapfx::Failure failure = lapfx::Failure::bad_input) {
+    if (!holds) throw lapfx::Error(failure, lapfx::Fault{.file = "", .place = "", .reason = reason});
+}
+
+GLuint link_program(const std::string& vertex, const std::string& fragment) {
+    const GLuint program = glCreateProgram();
+    for (const std::string* text : {&vertex, &fragment}) {
+        const GLuint shader = glCreateShader(text == &vertex ? GL_VERTEX_SHADER : GL_FRAGMENT_SHADER);
+        glShaderSource(shader, 1, std::array{text->c_str()}.data(), nullptr);
+        glCompileShader(shader);
+        glAttachShader(program, shader);
+    }
+    glLinkProgram(program);
+    GLint linked = 0;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    require(linked != 0, "this host's own shader does not compile", lapfx::Failure::runtime);
+    return program;
+}
+
+template <typename T>
+GLuint buffer_of(const std::vector<T>& data) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    glNamedBufferStorage(name, static_cast<GLsizeiptr>(data.size() * sizeof(T)), data.data(), 0);
+    return name;
+}
+
+struct Host {
+    lapfx::Scene scene;
+    glm::ivec2 size;
+    bool own;
+    lapfx::Organ organ;
+    lapfx::Effects effects;
+    lapfx::Frame frame;
+    GLuint program = link_program(vertex_text, "#version 450 core\n" + lapfx::bleeding_shader() + fragment_text);
+    GLuint vertices = 0;
+
+    Host(char** arguments, glm::ivec2 pixels, bool wait)
+        : scene(lapfx::load_scene(arguments[1])),
+          size(pixels),
+          own(std::string(arguments[4]) == "own"),
+          organ(lapfx::load_organ(scene.folder / scene.organ.file, {scene.organ.scale, scene.organ.rotation})),
+          effects(own ? organ = lapfx::refine(organ).organ : organ, lapfx::load_preset(arguments[2]),
+                  {static_cast<std::uint32_t>(scene.seed), scene.gravity, {arguments[3]}, wait}) {
+        glCreateVertexArrays(1, &vertices);
+        const GLuint buffers[] = {buffer_of(organ.positions), buffer_of(organ.normals), effects.bleed_buffer()};
+        for (GLuint i = 0; i < 3; ++i) {
+            glVertexArrayVertexBuffer(vertices, i, buffers[i], 0, i < 2 ? sizeof(glm::vec3) : sizeof(glm::vec2));
+            glVertexArrayAttribFormat(vertices, i, i < 2 ? 3 : 2, GL_FLOAT, GL_FALSE, 0);
+            glEnableVertexArrayAttrib(vertices, i);
+        }
+        glVertexArrayElementBuffer(vertices, buffer_of(organ.indices));
+    }
+
+    void draw(double time, GLuint framebuffer) {
+        const lapfx::SceneCamera& c = scene.camera;
+        const lapfx::SceneLight& l = scene.light;
+        const double field = glm::radians(c.field_of_view), aspect = static_cast<double>(size.x) / size.y;
+        const lapfx::View view{glm::mat4(glm::lookAt(c.eye, c.target, c.up)),
+                               glm::mat4(glm::perspective(field, aspect, 2.0, 5000.0)),
+                               {l.intensity, l.focus_distance, l.beam_angle, lapfx::Lamp{}.ambient, l.color}};
+        effects.seek(time);
+        frame.begin(size);
+        own ? draw_organ(view) : effects.draw_organ(view);
+        frame.begin_smoke();
+        effects.draw_smoke(view, frame.depth());
+        frame.finish(framebuffer, {.exposure = c.exposure, .vignette = c.vignette});
+    }
+
+    void draw_organ(const lapfx::View& view) const {
+        glProgramUniformMatrix4fv(program, 0, 1, GL_FALSE, glm::value_ptr(view.projection * view.view));
+        glProgramUniform3fv(program, 1, 1, glm::value_ptr(glm::vec3(scene.camera.eye)));
+        glUseProgram(program);
+        glBindVertexArray(vertices);
+        glEnable(GL_DEPTH_TEST);
+        effects.bind_bleeding();
+        glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(organ.indices.size()), GL_UNSIGNED_INT, nullptr);
+    }
+};
+
+GLFWwindow* open_window(glm::ivec2 size) {
+    require(glfwInit() == GLFW_TRUE, "no window can be opened", lapfx::Failure::no_gl);
+    std::atexit(glfwTerminate);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    GLFWwindow* const window = glfwCreateWindow(size.x, size.y, "lapfx_host", nullptr, nullptr);
+    require(window != nullptr, "no window with OpenGL 4.5 can be opened", lapfx::Failure::no_gl);
+    glfwMakeContextCurrent(window);
+    glfwSwapInterval(1);
+    return window;
+}
+
+/// What the hand does at a time, s.
+lapfx::ToolSample sample_at(const lapfx::Scene& scene, double time) {
+    for (const lapfx::ToolContact& c : scene.events)
+        if (time >= c.time && time < c.end()) return {time, c.tip(time), true, c.action, c.power, c.strength};
+    return {.time = time};
+}
+
+void run(Host& host, GLFWwindow* window) {
+    int samples = 0, frames = 0;
+    glfwSetTime(0.0);
+    std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, whatever the frames do
+        auto tick = std::chrono::steady_clock::now();
+        for (; !stop.stop_requested(); std::this_thread::sleep_until(tick += std::chrono::milliseconds(1)))
+            if (host.effects.tool_queue().push(sample_at(host.scene, glfwGetTime()))) ++samples;
+    });
+    for (; glfwGetTime() < host.scene.duration && glfwWindowShouldClose(window) == 0; ++frames, glfwPollEvents()) {
+        host.draw(glfwGetTime(), 0);
+        glfwSwapBuffers(window);
+    }
+    hand = {};  // stopped and joined
+    host.effects.seek(host.scene.duration);
+    const lapfx::Amounts amounts = host.effects.amounts();
+    std::printf("%d samples, %d lost, %d frames, %d wounds, %.1f mm2 of blood\n", samples,
+                static_cast<int>(amounts.lost_samples), frames, amounts.wounds, amounts.blood_area);
+}
+
+void write_picture(Host& host, double time) {
+    const auto [width, height] = std::pair(host.size.x, host.size.y);
+    GLuint color = 0, framebuffer = 0;
+    glCreateRenderbuffers(1, &color);
+    glNamedRenderbufferStorage(color, GL_RGBA8, width, height);
+    glCreateFramebuffers(1, &framebuffer);
+    glNamedFramebufferRenderbuffer(framebuffer, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
+    host.effects.set_contacts(host.scene.events);
+    host.draw(time, framebuffer);
+    const std::size_t row = 3 * static_cast<std::size_t>(width);
+    std::vector<unsigned char> pixels(row * static_cast<std::size_t>(height));
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    std::printf("P6\n%d %d\n255\n", width, height);
+    for (auto end = pixels.end(); end != pixels.begin(); end -= row) std::fwrite(&*(end - row), 1, row, stdout);
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc != 6) {
-        std::fprintf(stderr, "usage: lapfx_host SCENE SECONDS WIDTH HEIGHT CLIP_FOLDER > frame.ppm\n");
-        return 2;
-    }
     try {
-        const lapfx::Scene scene = lapfx::load_scene(argv[1]);
-        const lapfx::Preset preset = lapfx::load_preset(scene.folder / scene.preset);
-        const lapfx::Context context = lapfx::Context::create(lapfx::Backend::osmesa);
-        lapfx::Preview preview(scene, preset, {.clip_folders = {argv[5]}, .wait_for_clips = true});
-        write_ppm(preview.image(std::atof(argv[2]), {std::atoi(argv[3]), std::atoi(argv[4])}));
+        require(argc == 7 || argc == 8, "usage: lapfx_host SCENE PRESET CLIPS own|lapfx WIDTH HEIGHT [SECONDS]");
+        const glm::ivec2 size(std::atoi(argv[5]), std::atoi(argv[6]));
+        GLFWwindow* const window = argc == 7 ? open_window(size) : nullptr;
+        const auto context = window != nullptr ? lapfx::Context::external(glfwGetProcAddress)
+                                               : lapfx::Context::create(lapfx::Backend::osmesa);
+        Host host(argv, size, window == nullptr);
+        window != nullptr ? run(host, window) : write_picture(host, std::atof(argv[7]));
     } catch (const lapfx::Error& error) {
-        for (const lapfx::Fault& fault : error.faults()) std::fprintf(stderr, "lapfx_host: %s\n", fault.text().c_str());
-        return static_cast<int>(error.failure());
+        std::fprintf(stderr, "lapfx_host: %s\n", error.what());
+        return error.failure() == lapfx::Failure::no_gl ? 77 : error.failure() == lapfx::Failure::bad_input ? 2 : 1;
     }
-    return 0;
 }

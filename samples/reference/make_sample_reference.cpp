@@ -6,13 +6,14 @@
 //
 // A host of the core: it needs lapfx/*.h alone, and the `ffmpeg` program with libx264. The bytes depend on the renderer and on the
 // version of x264; the pictures hardly.
-#include <lapfx/preview.h>
+#include <lapfx/authoring/preview.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <iostream>
 
 #include "clips/noise.h"
+#include "lapfx/authoring/command_line.h"
 #include "reference/camera.h"
 
 namespace {
@@ -104,7 +105,7 @@ int main(int argc, char** argv) {
         return app.exit(error) ? 2 : 0;
     } catch (const lapfx::Error& error) {
         for (const lapfx::Fault& fault : error.faults()) std::cerr << "make_sample_reference: " << fault.text() << '\n';
-        return static_cast<int>(error.failure());
+        return lapfx::exit_code(error.failure());
     } catch (const std::exception& error) {
         std::cerr << "make_sample_reference: " << error.what() << '\n';
         return 1;

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """Checks that dependencies run one way.
 
-    editor, samples -> effects/include/lapfx/*.h
+    editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs: effects/include_authoring/lapfx/authoring/*.h
+    samples/host, as any host -> effects/include/lapfx/*.h alone
     editor: commands -> window, panels -> app -> document -> lapfx/*.h
     effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work} -> effects/include/lapfx/*.h
     what happens (tool, heat, wounds, blood, haze, amounts) -> no OpenGL
@@ -15,8 +16,9 @@ import sys
 import source_files
 
 PUBLIC = "effects/include/lapfx/"
+AUTHORING = "effects/include_authoring/lapfx/authoring/"
 # The facade: it knows all of the core, so nothing that it is made of may include it.
-FACADE = ("effects.h", "preview.h")
+FACADE = (PUBLIC + "effects.h", PUBLIC + "frame.h", AUTHORING + "preview.h")
 LEVELS = {"preset": 0, "gl": 0, "work": 0, "media": 1, "tool": 1, "organ": 2, "bleeding": 3, "smoke": 3, "cautery": 3, "render": 4,
           "": 5}
 # Of effects/, what runs without OpenGL: whole folders, and files at the top. What these include does too.
@@ -37,7 +39,7 @@ def includes_of(text):
 def part(path):
     """The folder of effects/ that a file lies in, '' at its top, None outside of it or in its public headers."""
     pieces = path.split("/")
-    if pieces[0] != "effects" or path.startswith("effects/include/"):
+    if pieces[0] != "effects" or path.startswith((PUBLIC, AUTHORING)):
         return None
     return pieces[1] if len(pieces) > 2 else ""
 
@@ -45,7 +47,7 @@ def part(path):
 def resolve(path, name, files):
     """The project's file that an #include in `path` means, or None: a system header, or a generated one."""
     top = path.split("/")[0]
-    for folder in (os.path.dirname(path), top, "effects/include", "effects", "editor", "samples", "tests"):
+    for folder in (os.path.dirname(path), top, "effects/include", "effects/include_authoring", "effects", "editor", "samples", "tests"):
         candidate = os.path.normpath(os.path.join(folder, name)).replace(os.sep, "/")
         if candidate in files:
             return candidate
@@ -57,10 +59,12 @@ def public_fault(path, target, name):
     if target is None:
         allowed = STANDARD.fullmatch(name) or name.startswith("glm/")
         return None if allowed else f"a public header may include the standard library, GLM and lapfx/*.h, not {name}"
-    if not target.startswith(PUBLIC):
+    if target.startswith(AUTHORING) and not path.startswith(AUTHORING):
+        return "a host does not see what is for lapfx's own programs"
+    if not target.startswith((PUBLIC, AUTHORING)):
         return "a public header may not include an internal one"
-    if target[len(PUBLIC):] in FACADE and path[len(PUBLIC):] not in FACADE:
-        return "only lapfx/preview.h and lapfx/effects.h know each other: they are above the other headers"
+    if target in FACADE and path not in FACADE:
+        return "only the headers of the facade know each other: they are above the other headers"
     return None
 
 
@@ -69,9 +73,9 @@ def effects_fault(path, target):
     here = part(path)
     if target is None:
         return None
-    if target.startswith(PUBLIC):
-        if target[len(PUBLIC):] in FACADE and here not in ("", "render"):
-            return f"{target[len('effects/include/'):]} is above effects/{here}"
+    if target.startswith((PUBLIC, AUTHORING)):
+        if target in FACADE and here not in ("", "render"):
+            return f"{target[target.index('lapfx/'):]} is above effects/{here}"
         return None
     there = part(target)
     if there is None:
@@ -96,11 +100,14 @@ def toolkit_fault(target, name):
     return None
 
 
-def outside_fault(target):
-    """The editor and the samples see of the core what any simulator sees."""
-    if target is not None and target.startswith("effects/") and not target.startswith(PUBLIC):
-        return "this is an internal header of effects/; only lapfx/*.h may be included here"
-    return None
+def outside_fault(path, target):
+    """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host no more."""
+    seen = PUBLIC if path.startswith("samples/host/") else (PUBLIC, AUTHORING)
+    if target is None or not target.startswith("effects/") or target.startswith(seen):
+        return None
+    if target.startswith(AUTHORING):
+        return "a host does not see what is for lapfx's own programs"
+    return "this is an internal header of effects/; only lapfx/*.h may be included here"
 
 
 def editor_fault(path, target, name):
@@ -119,16 +126,16 @@ def editor_fault(path, target, name):
 
 
 def fault_of(path, target, name):
-    if path.startswith(PUBLIC):
+    if path.startswith((PUBLIC, AUTHORING)):
         return public_fault(path, target, name)
     if path.startswith("effects/"):
         return effects_fault(path, target)
     if path.startswith("editor/ui/"):
         return toolkit_fault(target, name)
     if path.startswith("editor/"):
-        return outside_fault(target) or editor_fault(path, target, name)
+        return outside_fault(path, target) or editor_fault(path, target, name)
     if path.startswith("samples/"):
-        return outside_fault(target)
+        return outside_fault(path, target)
     return None  # tests may look anywhere
 
 
@@ -192,8 +199,8 @@ def check(texts):
 EXAMPLES = [
     (None, {"effects/render/frame.cpp": '#include "bleeding/wounds.h"', "effects/bleeding/wounds.h": "",
             "effects/effects.cpp": '#include "lapfx/effects.h"\n#include "render/frame.h"',
-            "effects/render/frame.h": '#include "lapfx/preview.h"\n#include <glad/gl.h>', PUBLIC + "effects.h": "",
-            PUBLIC + "preview.h": '#include "lapfx/effects.h"\n#include <glm/vec3.hpp>\n#include <vector>'}),
+            "effects/render/frame.h": '#include "lapfx/authoring/preview.h"\n#include <glad/gl.h>', PUBLIC + "effects.h": "",
+            AUTHORING + "preview.h": '#include "lapfx/effects.h"\n#include <glm/vec3.hpp>\n#include <vector>'}),
     (None, {"editor/match/fit.cpp": '#include "lapfx/effects.h"\n#include <nlopt.hpp>', PUBLIC + "effects.h": ""}),
     (None, {"tests/parity/ooze_test.cpp": '#include "bleeding/ooze_cpu.h"\n#include "bleeding/ooze_gpu.h"',
             "effects/bleeding/ooze_cpu.h": "", "effects/bleeding/ooze_gpu.h": ""}),
@@ -207,8 +214,13 @@ EXAMPLES = [
     ("has no level", {"effects/new/a.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),
     ("lapfx/effects.h is above effects/organ",
      {"effects/organ/a.cpp": '#include "lapfx/effects.h"', PUBLIC + "effects.h": ""}),
-    ("lapfx/preview.h is above effects/smoke",
-     {"effects/smoke/a.cpp": '  #  include <lapfx/preview.h>', PUBLIC + "preview.h": ""}),
+    ("lapfx/authoring/preview.h is above effects/smoke",
+     {"effects/smoke/a.cpp": '  #  include <lapfx/authoring/preview.h>', AUTHORING + "preview.h": ""}),
+    (None, {"effects/organ/a.cpp": '#include "lapfx/authoring/file.h"', "editor/app/a.cpp": '#include "lapfx/authoring/file.h"',
+            AUTHORING + "file.h": '#include "lapfx/error.h"', PUBLIC + "error.h": ""}),
+    ("a host does not see", {PUBLIC + "organ.h": '#include "lapfx/authoring/file.h"', AUTHORING + "file.h": ""}),
+    ("a host does not see", {"samples/host/a.cpp": '#include <lapfx/authoring/file.h>', AUTHORING + "file.h": ""}),
+    ("may not include an internal one", {AUTHORING + "file.h": '#include "gl/b.h"', "effects/gl/b.h": ""}),
     ("the core knows nothing of editor/",
      {"effects/render/a.cpp": '#include "../../editor/ui/id.h"', "editor/ui/id.h": ""}),
     ("they are above the other headers",

@@ -12,7 +12,7 @@ import source_files
 
 TEXTS = ("editor/", "effects/")
 LEFT_OUT = ("editor/commands/bench", "editor/app/parameter_words.cpp")
-HEADERS = "effects/include/"
+HEADERS = "effects/include"
 # What is found, and what to write instead.
 EVERYWHERE = [
     (r"\b(?<!there )(?:is|are) no (?!such\b|longer\b|larger\b|smaller\b|finer\b|more\b|less\b|\w+ (?:to|for|on|in|at)\b)\w+",

@@ -1,45 +1,61 @@
 #!/usr/bin/env python3
-"""A host of its own, in an empty folder, with the two lines of CMake that README tells: a program and a plug-in.
+"""A host of its own, in an empty folder, with the two lines of CMake that README tells: the sample host's one file as a program,
+and a plug-in. The core is configured and built with nothing but what it links, and a host sees nothing but what it needs.
 
     host_project_test.py PROJECT FOLDER
 
 The folder is kept: what is built there once is not built again.
 """
 import ctypes
+import json
 import os
 import re
 import shutil
 import subprocess
 import sys
 
-# Neither a standard of C++ nor a build type nor -fPIC: the target brings what it needs.
+# Neither a standard of C++ nor a build type nor -fPIC: the target brings what it needs. The window is the host's own.
 CMAKE = """cmake_minimum_required(VERSION 3.25)
 project(host LANGUAGES C CXX)
 add_subdirectory("{project}" lapfx)
-add_executable(simulator simulator.cpp)
-target_link_libraries(simulator PRIVATE lapfx::effects)
+find_package(glfw3 REQUIRED)
+add_executable(simulator "{project}/samples/host/host.cpp")
+target_link_libraries(simulator PRIVATE lapfx::effects lapfx_glad glfw)
 add_library(plugin SHARED plugin.cpp)
 target_link_libraries(plugin PRIVATE lapfx::effects)
 """
 
-SIMULATOR = r"""#include <iostream>
-#include "lapfx/effects.h"
+# After every public header: what only lapfx's own programs need is not there.
+PLUGIN = r"""
+#if __has_include("lapfx/authoring/preview.h") || __has_include("lapfx/authoring/file.h")
+#error "what is for lapfx's own programs is on a host's include path"
+#endif
 
-int main(int, char** arguments) {
-    try {
-        auto context = lapfx::Context::create(lapfx::Backend::automatic);
-        lapfx::Organ organ = lapfx::load_organ(arguments[1]);
-        lapfx::Effects effects(organ, lapfx::load_preset(arguments[2]), {.clip_folders = {arguments[3]}});
-        effects.seek(1.0);
-        std::cout << organ.triangle_count() << " triangles, " << effects.wounds().size() << " wounds\n";
-    } catch (const lapfx::Error& error) {
-        std::cerr << error.what() << '\n';
-        return error.failure() == lapfx::Failure::no_gl ? 77 : 1;
-    }
-}
-"""
-
-PLUGIN = r"""#include "lapfx/effects.h"
+namespace lapfx {
+template <typename T>
+concept Opens = requires(const T& object) { object.state(); };
+template <typename... A>
+concept Measures = requires(const A&... a) { decoding_rate(a...); };
+template <typename... A>
+concept ParsesWords = requires(const A&... a) { parse_backend(a...); };
+template <typename... A>
+concept WritesFiles = requires(const A&... a) { write_file(a...); };
+template <typename... A>
+concept SavesPresets = requires(const A&... a) { save_preset(a...); };
+template <typename T>
+concept KnowsScenes = requires(const T& object) { object.made_for(0); } || requires(const T& object) { object.tool_files(); };
+static_assert(!Opens<PreparedOrgan> && !Opens<ClipCache> && !KnowsScenes<PreparedOrgan>);
+static_assert(!Measures<std::span<const std::filesystem::path>, int> && !ParsesWords<std::string>);
+static_assert(!WritesFiles<std::filesystem::path, std::string_view>);
+static_assert(!SavesPresets<Preset, std::filesystem::path>);
+static_assert(static_cast<int>(Failure::no_gl) != 77, "exit codes are the program's");
+class Preview {};
+class VideoReader {};
+class KeyingReader {};
+class Beside {};
+struct OrganReport {};
+struct TissueReport {};
+}  // namespace lapfx
 
 extern "C" int triangles(const char* file) {
     try {
@@ -50,6 +66,11 @@ extern "C" int triangles(const char* file) {
 }
 """
 
+# All that lapfx's CMake files look for: what the core links, and what builds it.
+NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
+          "libavutil", "libswscale", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "opencv_imgcodecs", "glad", "ccache"}
+WORDS = {"REQUIRED", "QUIET", "IMPORTED_TARGET", "GLOBAL", "PATH_SUFFIXES", "opencv4"}
+
 
 def put(path, text):
     """Only what changes, or it would be built again."""
@@ -59,40 +80,90 @@ def put(path, text):
         file.write(text)
 
 
-def run(*command):
-    done = subprocess.run(command, capture_output=True, encoding="utf-8", check=False)
-    assert done.returncode == 0, " ".join(command) + "\n" + done.stdout + done.stderr
-    return done.stdout
+def run(*command, text=True):
+    done = subprocess.run(command, capture_output=True, check=False)
+    told = (done.stdout + done.stderr).decode(errors="replace")
+    assert done.returncode == 0, " ".join(command) + "\n" + told
+    return done.stdout.decode() if text else done.stdout
+
+
+def looked_for(trace, project, host):
+    """{name: file and line} of all that the project's own CMake files look for; the host's, which may lie below, are its own."""
+    found = {}
+    with open(trace, encoding="utf-8") as lines:
+        for line in lines:
+            step = json.loads(line)
+            command, file = step.get("cmd", "").lower(), step.get("file", "")
+            if not file.startswith(project + os.sep) or file.startswith(host + os.sep):
+                continue
+            place = f"{os.path.relpath(file, project)}:{step['line']}"
+            arguments = [word for argument in step["args"] for word in argument.split(";")]
+            if command in ("add_subdirectory", "include"):
+                found.setdefault(command + " " + os.path.basename(arguments[0]), place)
+            elif command == "find_package":
+                found.setdefault(arguments[0], place)
+            elif command.startswith(("find_", "pkg_")):
+                for word in arguments[1:]:
+                    if word not in WORDS:
+                        found.setdefault(word, place)
+    return found
+
+
+def configure(project, source, build, *options):
+    """Configures, and checks what was looked for."""
+    cache, trace = os.path.join(build, "CMakeCache.txt"), build + ".trace"
+    if os.path.exists(cache) and f"CMAKE_CACHEFILE_DIR:INTERNAL={build}\n" not in open(cache, encoding="utf-8").read():
+        shutil.rmtree(build)  # it came along when the tree was moved
+    run("cmake", "-S", source, "-B", build, "-G", "Ninja", *options, "--trace-expand", "--trace-format=json-v1",
+        f"--trace-redirect={trace}")
+    found = looked_for(trace, project, os.path.dirname(build))
+    os.remove(trace)
+    folders = {name.split()[1] for name in found if name.startswith("add_subdirectory ")}
+    assert folders == {"effects"}, f"the core is in effects/; what was added is {folders}"
+    names = {name for name in found if " " not in name}
+    assert names == NEEDED, "looked for in vain: " + str({name: found[name] for name in names - NEEDED}) + \
+        ", or not looked for: " + str(NEEDED - names)
+    return open(cache, encoding="utf-8").read()
+
+
+def check_targets(build):
+    targets = run("cmake", "--build", build, "--target", "help")
+    for target in ("lapfx_editor", "lapfx_ui", "lapfx_unit_tests", "lapfx_host", "make_sample_organs"):
+        assert not re.search(rf"\b{target}\b", targets), f"{target} is not of the core"
 
 
 def main(project, folder):
     os.makedirs(folder, exist_ok=True)
+    # By itself; what is built of it is what a host builds of it.
+    alone = os.path.join(folder, "alone")
+    configure(project, project, alone, "-DLAPFX_EDITOR=OFF")
+    check_targets(alone)
+
     build = os.path.join(folder, "build")
+    headers = sorted(os.listdir(os.path.join(project, "effects", "include", "lapfx")))
     put(os.path.join(folder, "CMakeLists.txt"), CMAKE.format(project=project))
-    put(os.path.join(folder, "simulator.cpp"), SIMULATOR)
-    put(os.path.join(folder, "plugin.cpp"), PLUGIN)
-    cache = os.path.join(build, "CMakeCache.txt")
-    if os.path.exists(cache) and f"CMAKE_CACHEFILE_DIR:INTERNAL={build}\n" not in open(cache, encoding="utf-8").read():
-        shutil.rmtree(build)  # it came along when the tree was moved
+    put(os.path.join(folder, "plugin.cpp"), "".join(f'#include "lapfx/{header}"\n' for header in headers) + PLUGIN)
     # Debug: it compiles fastest, and it is the host's own choice.
-    run("cmake", "-S", folder, "-B", build, "-G", "Ninja", "-DCMAKE_BUILD_TYPE=Debug")
-    known = open(cache, encoding="utf-8").read()
-    for what in ("LAPFX_TESTS:BOOL=ON", "LAPFX_EDITOR:BOOL=ON", "glfw3_DIR", "CLI11_DIR", "GTest_DIR", "imgui"):
-        assert what not in known, f"a host has no use for {what}"
-    assert re.search(r"CMAKE_BUILD_TYPE:STRING=Debug\n", known), "the build type is the host's"
+    cache = configure(project, folder, build, "-DCMAKE_BUILD_TYPE=Debug")
+    assert re.search(r"CMAKE_BUILD_TYPE:STRING=Debug\n", cache), "the build type is the host's"
     run("cmake", "--build", build)
-    targets = run("cmake", "--build", build, "--target", "help")
-    for target in ("lapfx_editor", "lapfx_ui", "lapfx_unit_tests", "lapfx_host"):
-        assert not re.search(rf"\b{target}\b", targets), f"{target} is of no use to a host"
+    check_targets(build)
+    plugin = os.path.join(build, "libplugin.so")
+    libraries = run("ldd", plugin)
+    for library in ("glfw", "opencv_videoio", "opencv_highgui", "Qt"):
+        assert f"lib{library}" not in libraries, f"the core does not need {library}"
 
     organ = os.path.join(project, "samples", "hook_cautery.glb")
-    triangles = ctypes.CDLL(os.path.join(build, "libplugin.so")).triangles(organ.encode())
+    triangles = ctypes.CDLL(plugin).triangles(organ.encode())
     assert triangles > 100, f"the plug-in reads {triangles} triangles"
-    done = subprocess.run(
-        [os.path.join(build, "simulator"), organ, os.path.join(project, "presets", "gastric_banding.json"),
-         os.path.join(project, "samples", "clips")], capture_output=True, encoding="utf-8", check=False)
-    if done.returncode != 77:
-        assert done.stdout == f"{triangles} triangles, 0 wounds\n", (done.stdout, done.stderr)
+    scene = os.path.join(folder, "scene.json")
+    put(scene, json.dumps({"format": "lapfx.scene", "version": 1, "organ": {"file": organ}}))
+    pictures = [run(os.path.join(build, "simulator"), scene, os.path.join(project, "presets", "slow_ooze.json"),
+                    os.path.join(project, "samples", "clips"), shader, "64", "48", "1", text=False) for shader in ("lapfx", "own")]
+    for picture in pictures:
+        assert picture.startswith(b"P6\n64 48\n255\n") and len(picture) == 13 + 64 * 48 * 3, picture[:20]
+        assert len(set(picture[13:])) > 20, "an empty picture"
+    assert pictures[0] != pictures[1], "the host's own shader draws what the core's does"
     print(f"a host links the core: {triangles} triangles read by its plug-in")
 
 

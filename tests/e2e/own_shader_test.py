@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""A host with an organ shader of its own (samples/host/own_shader.cpp) has its blood where lapfx has it.
+"""A host with an organ shader of its own (samples/host/host.cpp, "own") has its blood where lapfx has it.
 
-    own_shader_test.py LAPFX LAPFX_HOST_OWN_SHADER ROOT
+    own_shader_test.py LAPFX LAPFX_HOST ROOT
 
 Each draws one view of the liver lobe with and without blood; where the two pictures of one program differ, there is blood.
 The masks of the two programs agree, but for pixels beside the edge of either, which lapfx smooths.
@@ -44,8 +44,8 @@ def core_pixels(lapfx, folder, name):
 
 
 def host_pixels(host, folder, name):
-    ppm = run([host, os.path.join(folder, "scene.json"), os.path.join(folder, name + ".json"), SECONDS, str(WIDTH),
-               str(HEIGHT)])
+    ppm = run([host, os.path.join(folder, "scene.json"), os.path.join(folder, name + ".json"), folder, "own", str(WIDTH),
+               str(HEIGHT), SECONDS])
     header = f"P6\n{WIDTH} {HEIGHT}\n255\n".encode()
     assert ppm.startswith(header) and len(ppm) == len(header) + 3 * WIDTH * HEIGHT, "not the PPM that was asked for"
     return ppm[len(header):]

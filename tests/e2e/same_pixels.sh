@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# One scene, one picture (design: "same pixels"): lapfx render on OSMesa twice and the sample host give the same bytes; EGL's
-# software renderer agrees with them within 1/255 in every channel of every pixel.
+# One scene, one picture (design: "same pixels"): lapfx render (Preview) on OSMesa twice gives the same bytes, and so does the sample
+# host, which loads, sees and draws by itself with Effects; EGL's software renderer agrees with them within 1/255 in every channel
+# of every pixel.
 #
 #   same_pixels.sh LAPFX LAPFX_HOST IMAGES_DIFFER ROOT
 set -euo pipefail
@@ -8,17 +9,38 @@ lapfx=$1 host=$2 differ=$3 root=$4
 work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 scene=$root/samples/lagb.scene.json
+preset=$root/presets/gastric_banding.json
+# The host draws no instrument.
+python3 - "$scene" >"$work/bare.scene.json" <<'END'
+import json, os, sys
+scene = json.load(open(sys.argv[1], encoding="utf-8"))
+scene["organ"]["file"] = os.path.join(os.path.dirname(sys.argv[1]), scene["organ"]["file"])
+scene["preset"] = scene["tool"]["file"] = scene["reference"]["file"] = ""
+json.dump(scene, sys.stdout)
+END
 
-render() { "$lapfx" render "$scene" --at 6 --size 320x256 --backend "$1" -o "$work/$2.png"; }
-render osmesa first
-render osmesa second
+# SCENE SECONDS BACKEND NAME
+render() { "$lapfx" render "$1" --preset "$preset" --at "$2" --size 320x256 --backend "$3" -o "$work/$4.png"; }
+# SCENE SECONDS SHADER NAME
+host() { "$host" "$1" "$preset" "$root/samples/clips" "$3" 320 256 "$2" >"$work/$4.ppm"; }
+render "$scene" 6 osmesa first
+render "$scene" 6 osmesa second
 cmp "$work/first.png" "$work/second.png"
 
-"$host" "$scene" 6 320 256 "$root/samples/clips" >"$work/host.ppm"
-"$differ" "$work/first.png" "$work/host.ppm" 0
+# At 6 s there is blood, a plume and haze; at 8.3 s the instrument has left.
+render "$work/bare.scene.json" 6 osmesa bare
+host "$work/bare.scene.json" 6 lapfx bare
+"$differ" "$work/bare.png" "$work/bare.ppm" 0
+render "$scene" 8.3 osmesa later
+host "$scene" 8.3 lapfx later
+"$differ" "$work/later.png" "$work/later.ppm" 0
+if "$differ" "$work/first.png" "$work/later.ppm" 0 >"$work/told"; then
+    echo "same_pixels: the pictures of two times are the same: nothing was compared"
+    exit 1
+fi
 
 status=0
-render egl egl || status=$?
+render "$scene" 6 egl egl || status=$?
 if [ "$status" -eq 77 ]; then
     echo "same_pixels: no EGL here, so it was not compared"
     exit 77

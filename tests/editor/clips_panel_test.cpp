@@ -5,6 +5,7 @@
 #include "app/keying_bench.h"
 #include "app/tuning.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/documents.h"
 #include "support/clips.h"
 
 namespace lapfx::test {

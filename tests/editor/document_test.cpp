@@ -13,7 +13,8 @@
 #include "app/snapshots.h"
 #include "editor/support/document_fixture.h"
 #include "editor/support/held_jobs.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/documents.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::test {
 namespace {

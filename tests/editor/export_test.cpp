@@ -10,6 +10,7 @@
 #include "app/files.h"
 #include "editor/support/editor_test.h"
 #include "editor/support/held_jobs.h"
+#include "lapfx/authoring/documents.h"
 #include "ui/core/tree.h"
 
 namespace lapfx::test {

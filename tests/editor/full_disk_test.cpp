@@ -12,7 +12,7 @@
 #include "app/exports.h"
 #include "app/files.h"
 #include "editor/support/editor_test.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::test {
 namespace {

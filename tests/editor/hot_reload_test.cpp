@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/documents.h"
 
 namespace lapfx::test {
 namespace {

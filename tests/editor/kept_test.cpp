@@ -10,7 +10,7 @@
 #include "app/snapshots.h"
 #include "app/tuning.h"
 #include "editor/support/document_fixture.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::test {
 namespace {

@@ -11,6 +11,7 @@
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/documents.h"
 
 namespace lapfx::test {
 namespace {

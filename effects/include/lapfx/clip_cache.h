@@ -14,7 +14,6 @@
 #include <filesystem>
 #include <memory>
 #include <span>
-#include <vector>
 
 #include "lapfx/preset.h"
 #include "lapfx/progress.h"
@@ -37,15 +36,10 @@ class ClipCache {
     /// one by one, any of them names the sequence. Empty: all files.
     void forget(const std::filesystem::path& file = {});
 
-    struct State;  ///< private
-    State& state() const { return *state_; }
-
   private:
+    struct State;
+    friend struct ClipCacheAccess;  // the core's own
     std::unique_ptr<State> state_;
 };
-
-/// Where the clips of a preset are looked for, in this order, whether or not there is a file: for those who watch them. Of a
-/// numbered sequence its folder.
-std::vector<std::filesystem::path> clip_places(const Preset& preset, std::span<const std::filesystem::path> folders);
 
 }  // namespace lapfx

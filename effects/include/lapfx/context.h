@@ -45,7 +45,4 @@ class Context {
     std::unique_ptr<Owner> owner_;
 };
 
-/// "egl", "osmesa" or "auto"; throws Error (bad_input) naming the allowed words.
-Backend parse_backend(const std::string& word);
-
 }  // namespace lapfx

@@ -25,11 +25,11 @@ struct Fault {
     std::string text() const;
 };
 
-/// What kind of failure it is; the numbers are the exit codes of the `lapfx` program.
+/// What kind of failure it is.
 enum class Failure {
-    runtime = 1,    ///< it failed while running: disk full, driver lost
-    bad_input = 2,  ///< wrong usage or input: the file has to change
-    no_gl = 77,     ///< no usable OpenGL on this machine
+    runtime,    ///< it failed while running: disk full, driver lost
+    bad_input,  ///< wrong usage or input: the file has to change
+    no_gl,      ///< no usable OpenGL on this machine
 };
 
 /// The one exception type of lapfx. what() contains all faults, one per line.

@@ -57,10 +57,6 @@ struct TriangleCounts {
     std::size_t dropped() const { return unreadable + out_of_range + not_finite + without_area + repeated; }
 };
 
-/// Longest sides that one organ can have, mm: from the ovary of a child to the bowel in place. Others are reported as a likely
-/// mistake in the unit.
-inline constexpr double shortest_organ = 5.0, longest_organ = 600.0;
-
 struct Organ {
     std::string name;
     std::vector<glm::vec3> positions;    ///< mm
@@ -92,19 +88,5 @@ struct OrganOptions {
 /// Throws Error: bad_input (missing, not a plain file, empty, truncated, malformed, no triangles, an
 /// extension we cannot read: each named).
 Organ load_organ(const std::filesystem::path& path, const OrganOptions& options = {});
-
-/// What `lapfx inspect` says about an organ. Edges are counted on the surface after vertices at the same position, and those of
-/// seams that rounding tore, have been joined: a texture seam is not a boundary.
-struct OrganReport {
-    std::size_t vertices = 0;
-    std::size_t triangles = 0;
-    std::size_t components = 0;
-    std::size_t boundary_edges = 0;
-    std::size_t non_manifold_edges = 0;
-    glm::dvec3 minimum{0.0};  ///< mm
-    glm::dvec3 maximum{0.0};
-    std::vector<std::string> warnings;  ///< the organ's own, and whether its size can be that of an organ
-};
-OrganReport report(const Organ& organ);
 
 }  // namespace lapfx

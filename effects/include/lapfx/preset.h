@@ -2,7 +2,7 @@
 //
 //     lapfx::Preset preset = lapfx::load_preset("brisk_bleed.json");  // throws lapfx::Error: every fault
 //     preset.bleeding.speed = 6.0;                                    // mm/s
-//     lapfx::save_preset(preset, "tuned.json");                       // written beside, then renamed
+//     std::string json = lapfx::write_preset(preset);                 // its text, to be kept
 //
 // Lengths are mm, times s, colours sRGB 0..1, thresholds 8-bit levels (0 to 255). Ranges and help: the rows in
 // effects/bleeding/parameters.cpp, effects/cautery/parameters.cpp and effects/smoke/parameters.cpp.
@@ -204,12 +204,5 @@ Preset load_preset(const std::filesystem::path& path);
 /// The JSON text: every key, in table order, two-space indent, final newline.
 /// write(parse(write(p))) == write(p).
 std::string write_preset(const Preset& preset);
-/// Writes beside the file, then renames: never half a file, and the old one stays when it fails. Throws
-/// Error: bad_input for values that could not be loaded again, runtime when the file cannot be written (a
-/// symbolic link is refused).
-void save_preset(const Preset& preset, const std::filesystem::path& path);
-
-/// Draft-07 JSON Schema, from the table.
-std::string preset_schema();
 
 }  // namespace lapfx

@@ -25,12 +25,4 @@ struct RefinedOrgan {
 /// that is not enough (a room, a wrong unit) only longer edges are split.
 RefinedOrgan refine(Organ organ);
 
-/// What refine() would make.
-struct RefineReport {
-    std::size_t triangles = 0;  ///< those of a fine organ: its own
-    double longest_edge = 0.0;  ///< mm, then; 0: nothing is too long
-    bool bounded = false;       ///< 400,000 more would not have done for 4.5 mm
-};
-RefineReport report_refine(const Organ& organ);
-
 }  // namespace lapfx

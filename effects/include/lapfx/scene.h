@@ -77,16 +77,5 @@ const Table& scene_table();
 Scene parse_scene(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
 Scene load_scene(const std::filesystem::path& path);
 std::string write_scene(const Scene& scene);
-void save_scene(const Scene& scene, const std::filesystem::path& path);
-std::string scene_schema();
-
-/// What check_document() found.
-struct CheckedDocument {
-    std::string_view kind;  ///< "preset" or "scene"
-    std::string name;
-};
-
-/// Validates a preset or a scene, whichever its "format" says. Throws Error (bad_input) listing every fault.
-CheckedDocument check_document(const std::filesystem::path& path);
 
 }  // namespace lapfx

@@ -7,6 +7,7 @@
 
 #include "bench/ui/cases.h"
 #include "commands/bench.h"
+#include "lapfx/authoring/command_line.h"
 #include "lapfx/context.h"
 #include "lapfx/error.h"
 
@@ -141,7 +142,7 @@ int main(int argc, char** argv) {
         return 0;
     } catch (const lapfx::Error& error) {
         for (const lapfx::Fault& fault : error.faults()) std::cerr << "lapfx: " << fault.text() << '\n';
-        return static_cast<int>(error.failure());
+        return exit_code(error.failure());
     } catch (const std::exception& error) {
         std::cerr << "lapfx: " << error.what() << '\n';
         return 1;

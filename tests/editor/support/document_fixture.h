@@ -3,6 +3,7 @@
 
 #include "app/files.h"
 #include "editor/support/editor_test.h"
+#include "lapfx/authoring/documents.h"
 
 namespace lapfx::test {
 

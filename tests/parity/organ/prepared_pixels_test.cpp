@@ -3,6 +3,7 @@
 
 #include "foundation.h"
 #include "gl/objects.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/effects.h"
 #include "lapfx/prepared_organ.h"
 #include "parity/render/scene_fixture.h"
@@ -107,7 +108,7 @@ TEST_F(PreparedPixels, ACutOrganHasThoseOfTheFormerOne) {
 TEST_F(PreparedPixels, WhereThereAreNoneTissueIsWhiteAndFlat) {
     const auto prepared = prepare_organ(scene, preset.vessels);
     const render::OrganGpu without(prepared->organ(), nullptr),
-        with(prepared->organ(), nullptr, prepared->state().foundation->pixels);
+        with(prepared->organ(), nullptr, PreparedOrganAccess::state(*prepared).foundation->pixels);
     EXPECT_EQ(without.texture_memory(), 0U);
     EXPECT_GT(with.texture_memory(), 64U * 64 * 4);
     Organ bare = prepared->organ();
@@ -145,7 +146,7 @@ TEST_F(PreparedPixels, AnInstrumentsAreLetGoAndDecodedAgain) {
     const auto prepared = prepare_organ(scene, preset.vessels);
     const std::size_t files =
         std::filesystem::file_size(folder / "color.png") + std::filesystem::file_size(folder / "normals.png");
-    EXPECT_EQ(prepared->state().tool_pixel_memory(), files + 4 * (64 * 64 + 32 * 32));
+    EXPECT_EQ(PreparedOrganAccess::state(*prepared).tool_pixel_memory(), files + 4 * (64 * 64 + 32 * 32));
     Preview first(scene, preset, prepared, options);
     EXPECT_EQ(first.memory_use().pixels, files);
     const Image expected = first.image(1.0, size);

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "gl/shader_source.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/clip_cache.h"
 #include "parity/render/scene_fixture.h"
 

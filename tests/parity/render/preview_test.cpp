@@ -1,4 +1,4 @@
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
 
 #include <numbers>
 

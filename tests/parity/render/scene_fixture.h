@@ -3,7 +3,7 @@
 
 #include <fstream>
 
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
 #include "support/clips.h"
 #include "support/gpu_test.h"
 #include "support/meshes.h"

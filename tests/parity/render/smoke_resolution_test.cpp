@@ -1,6 +1,6 @@
 // The sample scene with its smoke composited off-screen is, but for 2/255 on average, what shading each layer at the frame's
 // resolution gives.
-#include "lapfx/preview.h"
+#include "lapfx/authoring/preview.h"
 #include "support/gpu_test.h"
 
 namespace lapfx {

@@ -1,5 +1,5 @@
 // The pictures of keying that are made on the CPU are those that the shaders draw, for real frames of the sample clips.
-#include "lapfx/keying.h"
+#include "lapfx/authoring/keying.h"
 
 #include "gl/srgb.h"
 #include "media/decoder.h"

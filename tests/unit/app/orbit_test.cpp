@@ -6,6 +6,7 @@
 #include <numbers>
 #include <random>
 
+#include "lapfx/authoring/organ_report.h"
 #include "render/camera.h"
 
 namespace lapfx::app {

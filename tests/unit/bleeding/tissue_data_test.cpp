@@ -1,5 +1,6 @@
 // Vessel and fat density on real organs. The folder is no part of the project; set LAPFX_TEST_DATA to where it lies.
 #include "bleeding/tissue_density.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {

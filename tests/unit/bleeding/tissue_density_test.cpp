@@ -5,6 +5,7 @@
 #include <limits>
 #include <new>
 
+#include "lapfx/authoring/tissue_report.h"
 #include "support/tissue.h"
 
 namespace lapfx::bleeding {

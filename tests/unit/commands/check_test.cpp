@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
+#include "lapfx/authoring/documents.h"
 #include "support/clips.h"
 #include "unit/preset/support.h"
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <random>
 
-#include "lapfx/clip.h"
-#include "lapfx/file.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::document {
 namespace {

@@ -7,7 +7,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 namespace lapfx::document {
 namespace {

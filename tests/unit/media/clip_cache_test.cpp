@@ -24,7 +24,7 @@ class ClipCacheTest : public testing::Test {
     /// What is known of the clip.
     std::optional<media::KnownClip> known() const {
         const fs::path path = media::clip_path("a.mp4", folder_.path(), {});
-        return cache_.state().find(path, media::stamp_of(path));
+        return ClipCacheAccess::state(cache_).find(path, media::stamp_of(path));
     }
 
     test::Folder folder_;
@@ -53,7 +53,7 @@ TEST_F(ClipCacheTest, WhatTheFirstOfTwoThreadsFoundStays) {
     media::KnownClip again = *first;
     again.info = media::Decoder(first->path, media::Layout::planar).info();
     ASSERT_NE(again.info.index, first->info.index);
-    cache_.state().put(again);
+    ClipCacheAccess::state(cache_).put(again);
     EXPECT_EQ(known()->info.index, first->info.index) << "a clip that plays is not opened anew for it";
 }
 

@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "media/decoder.h"
 #include "support/clips.h"
 #include "unit/preset/support.h"

@@ -1,4 +1,4 @@
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 
 #include "support/clips.h"
 #include "unit/media/decoder_support.h"

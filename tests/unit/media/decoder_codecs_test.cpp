@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "media/playhead.h"
 #include "unit/media/decoder_support.h"
 

@@ -3,7 +3,7 @@
 #include <opencv2/videoio.hpp>
 #include <set>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "unit/media/decoder_support.h"
 #include "unit/organ/fixtures.h"
 

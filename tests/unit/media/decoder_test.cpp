@@ -3,6 +3,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <random>
 
+#include "lapfx/authoring/clip.h"
 #include "media/clip_file.h"
 #include "support/clips.h"
 #include "unit/media/decoder_support.h"

@@ -1,5 +1,5 @@
 // Reads videos as a player shows them: against pictures that ffmpeg makes of the same files, and against known colours.
-#include "lapfx/video.h"
+#include "lapfx/authoring/video.h"
 
 #include <fstream>
 #include <random>

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <set>
 
+#include "lapfx/authoring/organ_report.h"
 #include "organ/surface.h"
 #include "unit/organ/fixtures.h"
 

@@ -1,3 +1,4 @@
+#include "lapfx/authoring/organ_report.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {

@@ -1,4 +1,5 @@
 // Mending, completing, reports.
+#include "lapfx/authoring/organ_report.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {

@@ -1,5 +1,5 @@
 // What pack_organ() gives away: the organ loads from it as from its own folder.
-#include "lapfx/pack.h"
+#include "lapfx/authoring/pack.h"
 
 #include <gmock/gmock.h>
 #include <sys/inotify.h>

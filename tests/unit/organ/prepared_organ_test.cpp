@@ -6,6 +6,8 @@
 
 #include "foundation.h"
 #include "lapfx/amounts.h"
+#include "lapfx/authoring/prepared_scene.h"
+#include "lapfx/authoring/tissue_report.h"
 #include "support/meshes.h"
 #include "unit/preset/support.h"
 
@@ -60,7 +62,7 @@ TEST(PreparedOrgan, CanBeStoppedWhereverItAsks) {
 
 TEST(PreparedOrgan, CopiesOfItsTissueAreSetOnTheirOwn) {
     const auto made = prepare_organ(striped());
-    bleeding::TissueDensity first = made->state().foundation->tissue, copy = first;
+    bleeding::TissueDensity first = PreparedOrganAccess::state(*made).foundation->tissue, copy = first;
     first.set({});
     const glm::dvec3 place(3.0, 0.0, 5.0);
     const double before = first.vessels(place);
@@ -76,7 +78,7 @@ TEST(PreparedOrgan, CopiesOfItsTissueAreSetOnTheirOwn) {
 TEST(PreparedOrgan, CopiesOfItsTissueThatAreSetToTheSameShareTheirMaps) {
     constexpr std::size_t texels = 64 * 64, map = 2 * texels;
     const auto made = prepare_organ(striped());
-    const bleeding::TissueDensity& shared = made->state().foundation->tissue;
+    const bleeding::TissueDensity& shared = PreparedOrganAccess::state(*made).foundation->tissue;
     const std::size_t per_vertex = made->organ().positions.size() * sizeof(glm::vec2);
     const std::size_t all = shared.shared_memory();
     bleeding::TissueDensity first = shared, second = shared;
@@ -113,7 +115,7 @@ TEST(PreparedOrgan, EachByteIsCountedOnce) {
     // Two bytes of densities and a bit for whether it is on the surface.
     const std::size_t densities = 2 * texels + texels / 8;
     EXPECT_EQ(made->memory(), given + joined + mesh + densities + 4 * texels);
-    EXPECT_EQ(made->state().foundation->pixel_memory(), 4 * texels);
+    EXPECT_EQ(PreparedOrganAccess::state(*made).foundation->pixel_memory(), 4 * texels);
 }
 
 TEST(PreparedOrgan, ItsInstrumentsTexturesCountAsPixels) {
@@ -128,11 +130,11 @@ TEST(PreparedOrgan, ItsInstrumentsTexturesCountAsPixels) {
     const std::size_t without = prepare_organ(scene)->memory();
     scene.tool.file = "t.obj";
     const auto made = prepare_organ(scene);
-    ASSERT_EQ(made->state().tool->images.size(), 1U);
-    EXPECT_TRUE(made->state().tool->images[0].pixels.empty());
-    EXPECT_EQ(made->state().tool->images[0].width, 32);
+    ASSERT_EQ(PreparedOrganAccess::state(*made).tool->images.size(), 1U);
+    EXPECT_TRUE(PreparedOrganAccess::state(*made).tool->images[0].pixels.empty());
+    EXPECT_EQ(PreparedOrganAccess::state(*made).tool->images[0].width, 32);
     const std::size_t pixels = 32U * 16 * 4 + std::filesystem::file_size(folder / "steel.png");
-    EXPECT_EQ(made->state().tool_pixel_memory(), pixels);
+    EXPECT_EQ(PreparedOrganAccess::state(*made).tool_pixel_memory(), pixels);
     EXPECT_EQ(made->memory(), without + pixels + 3 * (64 + 4)) << "and three corners";
 }
 
@@ -143,7 +145,7 @@ TEST(PreparedOrgan, TellsTheFilesThatItIsMadeOf) {
     Scene scene;
     scene.folder = folder.path();
     scene.organ.file = "m.obj";
-    EXPECT_THAT(prepare_organ(scene)->files(),
+    EXPECT_THAT(files_of(*prepare_organ(scene)),
                 testing::ElementsAre(folder / "m.obj", folder / "m.mtl", folder / "gone.png"))
         << "also what is missing: it may come";
     scene.organ.file = "none.obj";
@@ -182,15 +184,15 @@ TEST(PreparedOrgan, IsMadeForScenesWithTheSameOrganAndTool) {
     Scene other = scene;
     other.gravity = {1.0, 0.0, 0.0};
     other.seed = 7;
-    EXPECT_TRUE(made->made_for(other));
+    EXPECT_TRUE(made_for(*made, other));
     other.organ.scale = 2.0;
-    EXPECT_FALSE(made->made_for(other));
+    EXPECT_FALSE(made_for(*made, other));
     other = scene;
     other.tool.file = "hook.glb";
-    EXPECT_FALSE(made->made_for(other));
+    EXPECT_FALSE(made_for(*made, other));
     other = scene;
     other.folder /= "elsewhere";
-    EXPECT_FALSE(made->made_for(other));
+    EXPECT_FALSE(made_for(*made, other));
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "cautery/cautery.h"
 #include "lapfx/amounts.h"
+#include "lapfx/authoring/organ_report.h"
 #include "organ/refine.h"
 #include "support/logged.h"
 #include "support/meshes.h"

@@ -1,6 +1,7 @@
 // OBJ with MTL, PLY, STL and OFF.
 #include <opencv2/imgcodecs.hpp>
 
+#include "lapfx/authoring/organ_report.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {

@@ -4,6 +4,7 @@
 #include <random>
 
 #include "bleeding/bleed_cpu.h"
+#include "lapfx/authoring/organ_report.h"
 #include "organ/surface.h"
 #include "support/meshes.h"
 #include "unit/organ/fixtures.h"

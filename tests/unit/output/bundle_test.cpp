@@ -10,7 +10,7 @@
 #include <csignal>
 #include <fstream>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "output/files.h"
 #include "unit/preset/support.h"
 

@@ -8,7 +8,7 @@
 #include <csignal>
 #include <thread>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

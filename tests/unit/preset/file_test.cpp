@@ -1,4 +1,4 @@
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 
 #include <gmock/gmock.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 // Names from outside become paths in one place.
 #include <gmock/gmock.h>
 
-#include "lapfx/file.h"
+#include "lapfx/authoring/file.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

@@ -1,5 +1,6 @@
 // The shipped presets, and loading and saving.
 #include "lapfx/preset.h"
+#include "lapfx/authoring/documents.h"
 
 #include <gmock/gmock.h>
 

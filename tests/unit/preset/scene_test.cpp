@@ -1,4 +1,5 @@
 #include "lapfx/scene.h"
+#include "lapfx/authoring/documents.h"
 
 #include <gmock/gmock.h>
 

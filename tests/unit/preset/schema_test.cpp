@@ -3,6 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "lapfx/authoring/documents.h"
 #include "unit/preset/support.h"
 
 namespace lapfx {

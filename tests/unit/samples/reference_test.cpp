@@ -2,8 +2,8 @@
 #include <cmath>
 #include <filesystem>
 
+#include "lapfx/authoring/video.h"
 #include "lapfx/scene.h"
-#include "lapfx/video.h"
 #include "reference/camera.h"
 
 #include <gtest/gtest.h>

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "lapfx/suggest.h"
+#include "lapfx/authoring/suggest.h"
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::smoke {

@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <random>
 
-#include "lapfx/keying.h"
+#include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/keying.h"
 #include "smoke/keying_pixel.h"
 #include "support/clips.h"
 #include "unit/preset/support.h"

@@ -1,7 +1,7 @@
 // What a person is told of smoke that no clip shows.
 #include <gtest/gtest.h>
 
-#include "lapfx/smoke_notes.h"
+#include "lapfx/authoring/smoke_notes.h"
 
 namespace lapfx {
 namespace {

@@ -1,5 +1,5 @@
 // Suggested keying against smoke whose opacity is known, and against clips that are not what keying is for.
-#include "lapfx/suggest.h"
+#include "lapfx/authoring/suggest.h"
 
 #include <gmock/gmock.h>
 

@@ -1,5 +1,5 @@
-// A scene as a picture: what `lapfx render`, the editor's viewport and the sample host all show. For one
-// scene, preset, seed, size and time the pixels are the same, whoever asks.
+// A scene as a picture: what `lapfx render` and the editor's viewport show. For one scene, preset, seed, size and time the
+// pixels are the same, whoever asks; also where a host draws them with Effects (samples/host/host.cpp).
 //
 //     auto context = lapfx::Context::create(lapfx::Backend::automatic);
 //     lapfx::Preview preview(scene, preset, {.clip_folders = {"samples/clips"}, .wait_for_clips = true});
@@ -12,8 +12,8 @@
 #include <memory>
 #include <optional>
 
+#include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/effects.h"
-#include "lapfx/prepared_organ.h"
 #include "lapfx/scene.h"
 
 namespace lapfx {

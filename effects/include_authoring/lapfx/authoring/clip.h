@@ -48,6 +48,10 @@ DecodableFrames count_decodable_frames(const std::filesystem::path& path, const 
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> folders);
 
+/// Where the clips of a preset are looked for, in this order, whether or not there is a file: for those who watch them. Of a
+/// numbered sequence its folder.
+std::vector<std::filesystem::path> clip_places(const Preset& preset, std::span<const std::filesystem::path> folders);
+
 /// The images of numbered ones, as they are played: from the lowest number on, until one is missing. `path`: as find_clip() found
 /// it. Empty: it is not such a pattern, but a single file.
 std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path);

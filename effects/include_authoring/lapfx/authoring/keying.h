@@ -19,7 +19,7 @@
 #include <span>
 #include <vector>
 
-#include "lapfx/clip.h"
+#include "lapfx/authoring/clip.h"
 #include "lapfx/organ.h"
 #include "lapfx/preset.h"
 

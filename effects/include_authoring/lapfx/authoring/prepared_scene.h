@@ -1,0 +1,30 @@
+// A scene's organ and instrument, loaded and prepared on any thread (prepared_organ.h).
+//
+//     auto coming = std::async(std::launch::async, [=] { return lapfx::prepare_organ(scene, preset.vessels, [&](double share) {
+//         bar = share;
+//         return !cancelled;
+//     }); });
+//     preview = lapfx::Preview(scene, preset, coming.get(), options);  // render thread
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "lapfx/prepared_organ.h"
+#include "lapfx/scene.h"
+
+namespace lapfx {
+
+/// The scene's organ and instrument; the rest as for an organ alone. Throws Error (bad_input).
+std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels = {},
+                                                   const Progress& progress = {});
+
+/// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are those, as
+/// large and turned the same way.
+bool made_for(const PreparedOrgan& organ, const Scene& scene);
+/// Every file that was read for it or looked for: organ, textures, materials, the instrument.
+std::vector<std::filesystem::path> files_of(const PreparedOrgan& organ);
+/// The files that the instrument was read from, the mesh first.
+std::vector<std::filesystem::path> tool_files_of(const PreparedOrgan& organ);
+
+}  // namespace lapfx

@@ -1,0 +1,87 @@
+#!/usr/bin/env python3
+"""The sample host in its window: its thread pushes the tool at 1 kHz in real time while its loop draws; what has happened at the end
+is what the same events do at once.
+
+    host_window_test.py LAPFX_HOST LAPFX ROOT
+
+77 where Xvfb or OpenGL is missing.
+"""
+import csv
+import json
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+import real_window
+
+DURATION = 4.0  # s
+FPS = 5
+SAMPLES = 900  # of 1000 per second, at least, while tests run beside it
+
+
+def scene(root, duration):
+    return {"format": "lapfx.scene", "version": 1, "name": "live", "seed": 3, "duration": duration,
+            "organ": {"file": os.path.join(root, "samples/liver_lobe.glb")},
+            "events": [{"action": "cut", "time": 0.5, "duration": 0.6, "position": [0, 9, 23], "to": [2, 9, 23]}],
+            "camera": {"eye": [20, 10, 120], "target": [5, 0, 0], "field_of_view": 55}}
+
+
+def amounts_at_once(lapfx, folder):
+    """Those of lapfx render at the end: of a scene that is a frame longer, because a frame begins its time."""
+    table = os.path.join(folder, "amounts.csv")
+    subprocess.run([lapfx, "render", os.path.join(folder, "longer.json"), "--preset", os.path.join(folder, "preset.json"),
+                    "--amounts", table, "--size", "32x32", "--fps", str(FPS), "-o", os.path.join(folder, "f_%04d.png")], check=True)
+    with open(table, encoding="utf-8") as file:
+        last = list(csv.DictReader(file))[-1]
+    assert float(last["time_s"]) == DURATION, last
+    return float(last["blood_area_mm2"])
+
+
+def live(host, folder, shader, display):
+    environment = {**os.environ, "DISPLAY": display.name}
+    environment.pop("WAYLAND_DISPLAY", None)
+    done = subprocess.run([host, os.path.join(folder, "scene.json"), os.path.join(folder, "preset.json"), folder, shader, "160",
+                           "128"], env=environment, capture_output=True, encoding="utf-8", timeout=120, check=False)
+    if done.returncode == real_window.SKIP:
+        raise real_window.Skip(done.stderr.strip())
+    assert done.returncode == 0, (done.returncode, done.stderr)
+    found = re.fullmatch(r"(\d+) samples, (\d+) lost, (\d+) frames, (\d+) wounds, ([0-9.]+) mm2 of blood\n", done.stdout)
+    assert found, done.stdout
+    return [float(number) for number in found.groups()]
+
+
+def main():
+    host, lapfx, root = sys.argv[1:]
+    if shutil.which("Xvfb") is None:
+        print("host_window: no Xvfb here")
+        return real_window.SKIP
+    with tempfile.TemporaryDirectory() as folder:
+        preset = {"format": "lapfx.preset", "version": 1, "name": "blood only"}
+        for name, text in (("scene", scene(root, DURATION)), ("longer", scene(root, DURATION + 1 / FPS)), ("preset", preset)):
+            with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8") as file:
+                json.dump(text, file)
+        blood = amounts_at_once(lapfx, folder)
+        assert blood > 100, "too little blood to compare"
+        display = None
+        try:
+            display = real_window.Display(folder)
+            for shader in ("lapfx", "own"):
+                samples, lost, frames, wounds, area = live(host, folder, shader, display)
+                print(f"{shader}: {samples:.0f} samples, {frames:.0f} frames, {area} mm2; at once {blood:.1f} mm2")
+                assert samples >= SAMPLES * DURATION, "the thread was made to wait"
+                assert samples <= 1.01 * 1000 * DURATION + 100 and lost == 0 and frames >= 2
+                assert wounds == 1 and abs(area / blood - 1) < 0.02, "what came through the queue bleeds otherwise"
+        except real_window.Skip as skip:
+            print(f"host_window: {skip}")
+            return real_window.SKIP
+        finally:
+            if display is not None:
+                display.close()
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,85 @@
+#include "gl/program.h"
+
+#include <gmock/gmock.h>
+
+#include "gl/shader_source.h"
+#include "support/gpu_test.h"
+#include "unit/preset/support.h"
+
+namespace lapfx::gl {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+class ProgramTest : public test::GpuTest {
+  protected:
+    void TearDown() override {
+        set_shader_folder("");
+        test::GpuTest::TearDown();
+    }
+    template <typename T>
+    static std::vector<std::string> faults(const Program& program, const char* uniform, const T& value) {
+        return test::faults_of([&] { program.set(uniform, value); }, Failure::runtime);
+    }
+    /// As the shader has it.
+    static float value_of(const Program& program, const char* uniform) {
+        float value = -1.0f;
+        glGetUniformfv(program.name(), glGetUniformLocation(program.name(), uniform), &value);
+        return value;
+    }
+};
+
+TEST_F(ProgramTest, AValueOfTheDeclaredTypeArrives) {
+    const Program program("fullscreen.vert", "post.frag");
+    program.set("u_exposure", 1.5f);
+    program.set("u_frame", 0);
+    program.set("u_size", glm::vec2(320.0f, 256.0f));
+    EXPECT_EQ(value_of(program, "u_exposure"), 1.5f);
+}
+
+TEST_F(ProgramTest, AnUnknownUniformIsRefused) {
+    const Program program("fullscreen.vert", "post.frag");
+    EXPECT_THAT(faults(program, "u_exposur", 1.5f),
+                ElementsAre("fullscreen.vert + post.frag: u_exposur: is set, but not declared as a uniform"));
+    EXPECT_THAT(faults(program.rebuilt(), "u_exposur", 1.5f), testing::SizeIs(1));
+}
+
+TEST_F(ProgramTest, AValueOfAnotherTypeIsRefusedAndTheOldOneStays) {
+    const Program program("fullscreen.vert", "post.frag");
+    program.set("u_exposure", 1.5f);
+    EXPECT_THAT(
+        faults(program, "u_exposure", glm::vec3(2.0f)),
+        ElementsAre("fullscreen.vert + post.frag: u_exposure: a value of type vec3 is set; it is declared as float"));
+    EXPECT_THAT(faults(program, "u_exposure", 2),
+                ElementsAre("fullscreen.vert + post.frag: u_exposure: a value of type int is set; it is declared as "
+                            "float"));
+    EXPECT_THAT(faults(program, "u_frame", 0.0f), testing::SizeIs(1)) << "a sampler's unit is an int";
+    EXPECT_EQ(value_of(program, "u_exposure"), 1.5f);
+}
+
+// organ.vert does not use what organ.frag does, and a variant of a shader leaves out what another one uses.
+TEST_F(ProgramTest, ADeclaredUniformThatTheCompilerLeftOutIsSetInVain) {
+    const Program program("resolve.vert", "resolve.frag", "#define LAPFX_PLUME\n");
+    ASSERT_EQ(glGetUniformLocation(program.name(), "u_even"), -1) << "the plume has come to use it: choose another";
+    EXPECT_THAT(faults(program, "u_even", 1.0f), IsEmpty());
+    EXPECT_THAT(faults(program, "u_even", glm::vec2(1.0f)), testing::SizeIs(1)) << "its type is known all the same";
+}
+
+TEST_F(ProgramTest, WhileAShaderIsEditedOnDiskItsUniformsComeAndGo) {
+    const test::Folder folder;
+    folder.write("edited.frag",
+                 "#version 450 core\n// uniform float u_gone;\nuniform vec4 u_a, u_b[2];\n"
+                 "layout(location = 0) out vec4 o;\nvoid main() { o = u_a + u_b[0] + u_b[1]; }\n");
+    set_shader_folder(folder.path());
+    const Program program("fullscreen.vert", "edited.frag");
+    EXPECT_THAT(faults(program, "u_gone", 1.0f), IsEmpty());
+    EXPECT_THAT(faults(program, "u_a", 1.0f), IsEmpty());
+    program.set("u_a", glm::vec4(0.25f));
+    EXPECT_EQ(value_of(program, "u_a"), 0.25f) << "of several in a line";
+    program.set("u_b", glm::vec4(0.5f));
+    EXPECT_EQ(value_of(program, "u_b"), 0.5f);
+}
+
+}  // namespace
+}  // namespace lapfx::gl
