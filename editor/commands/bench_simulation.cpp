@@ -9,8 +9,8 @@
 #include <limits>
 
 #include "commands/session.h"
+#include "lapfx/authoring/prepared_scene.h"
 #include "lapfx/effects.h"
-#include "lapfx/prepared_organ.h"
 #include "lapfx/scene.h"
 
 namespace lapfx::commands {

@@ -15,7 +15,7 @@
 //     glVertexArrayVertexBuffer(my_vertex_array, 5, effects.bleed_buffer(), 0, sizeof(glm::vec2));
 //     effects.bind_bleeding();  // then draw, instead of draw_organ
 //
-// samples/host/own_shader.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 4.5 mm
+// samples/host/host.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 4.5 mm
 // (refine.h), Effects splits them for itself.
 //
 // Lengths mm, times s, organ space = the space of Organ::positions. One thread: that of the context.
