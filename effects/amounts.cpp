@@ -27,9 +27,7 @@ AmountsModel::~AmountsModel() = default;
 
 void AmountsModel::set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves) {
     require_valid(preset);
-    state_->simulation.set_preset(preset);
-    state_->simulation.set_curves(curves);
-    state_->simulation.set_contacts(contacts);
+    state_->simulation.set(preset, contacts, curves);
 }
 
 Amounts AmountsModel::at(double time) noexcept {

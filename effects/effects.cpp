@@ -142,11 +142,11 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
         if (one) needed.push_back(one->get());
     const auto foundation = foundation_of(fine, s.simulation.preset().vessels, std::move(pixels));
     auto body = std::make_unique<Body>(fine.organ(), foundation, s.simulation.down(), s.options.seed);
+    body->set_color(s.organ_color);
     s.simulation.set_surface(foundation, origin);
     s.body = std::move(body);
     s.body->take(s.simulation);
     s.body->set_overlay(s.overlay, s.simulation);
-    s.body->set_color(s.organ_color);
 }
 
 void Effects::reload_shaders(const std::filesystem::path& folder) {

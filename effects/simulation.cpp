@@ -44,22 +44,43 @@ Simulation::Tissue::Tissue(std::shared_ptr<const Foundation> of, const glm::dvec
 Simulation::Simulation(std::shared_ptr<const Foundation> foundation, const glm::dvec3& down)
     : down_(down), tissue_(std::make_unique<Tissue>(std::move(foundation), down)) {}
 
-void Simulation::set_preset(const Preset& preset) {
+void Simulation::put(const Preset& preset) {
     if (!(preset.vessels == preset_.vessels)) {
         tissue_->cautery.strengths_changed();
         tissue_->burns.clear();
     }
     tissue_->density.set(preset.vessels);
     preset_ = preset;
+}
+
+void Simulation::put(const Curves& curves) {
+    bleeding_factor_ = FactorCurve(curves.bleeding_strength);
+    emission_factor_ = FactorCurve(curves.emission);
+    tissue_->bleed->set_strength(bleeding_factor_);
+    log_.set_power(curves.cautery_power);
+}
+
+void Simulation::update_log() {
+    if (recorder_.changed()) log_.update(recorder_.contacts(), recorder_.take_same());
+}
+
+void Simulation::set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves) {
+    put(preset);
+    put(curves);
+    recorder_.set(contacts);
+    update_log();
+    take_pieces();
+    take_wounds();
+}
+
+void Simulation::set_preset(const Preset& preset) {
+    put(preset);
     take_pieces();
     take_wounds();
 }
 
 void Simulation::set_curves(const Curves& curves) {
-    bleeding_factor_ = FactorCurve(curves.bleeding_strength);
-    emission_factor_ = FactorCurve(curves.emission);
-    tissue_->bleed->set_strength(bleeding_factor_);
-    log_.set_power(curves.cautery_power);
+    put(curves);
     take_pieces();
 }
 
@@ -78,7 +99,7 @@ void Simulation::set_contacts(std::span<const ToolContact> contacts) {
 
 void Simulation::take_samples() {
     if (!recorder_.changed()) return;
-    log_.update(recorder_.contacts(), recorder_.take_same());
+    update_log();
     take_pieces();
 }
 
@@ -94,9 +115,9 @@ void Simulation::set_surface(std::shared_ptr<const Foundation> foundation, std::
         glm::vec2& at = kept[tissue->foundation->surface.weld[v]];
         if (value.x > std::max(at.x, former.dry())) at = value;
     }
+    tissue->bleed->set_strength(bleeding_factor_);
+    tissue->density.set(preset_.vessels);
     tissue_ = std::move(tissue);
-    tissue_->bleed->set_strength(bleeding_factor_);
-    tissue_->density.set(preset_.vessels);
     take_pieces();
     take_wounds();
     tissue_->bleed->keep(std::move(kept), time_);

@@ -37,6 +37,7 @@ class Simulation {
     Simulation& operator=(const Simulation&) = delete;
 
     /// Each takes effect at once, on all that has happened too; amounts of blood and wounds at the next seek().
+    void set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves);
     void set_preset(const Preset& preset);
     void set_curves(const Curves& curves);
     void set_down(const glm::dvec3& down);
@@ -81,6 +82,9 @@ class Simulation {
         smoke::BurnList burns;
         std::uint64_t wounds_version = 0;
     };
+    void put(const Preset& preset);
+    void put(const Curves& curves);
+    void update_log();
     void take_pieces();
     void take_wounds();
 

@@ -81,12 +81,13 @@ double scene_cost(const std::shared_ptr<const PreparedOrgan>& organ, const Scene
 void measure_simulation(BenchReport& report) {
     const std::filesystem::path data = data_folder();
     const Scene scene = load_scene(data / "samples/lagb.scene.json");
-    Preset preset = load_preset(data / "presets/gastric_banding.json");
-    preset.smoke.clips.clear();
+    const Preset preset = load_preset(data / "presets/gastric_banding.json");
+    Preset without_clips = preset;
+    without_clips.smoke.clips.clear();
     const auto organ = prepare_organ(scene, preset.vessels);
     EffectsOptions options;
     options.gravity = scene.gravity;
-    Effects effects(organ, preset, options);
+    Effects effects(organ, without_clips, options);
     constexpr int histories[] = {10, 600};
     double cost[2], whole = std::numeric_limits<double>::infinity();
     std::fill(cost, cost + 2, whole);

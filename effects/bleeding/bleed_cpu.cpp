@@ -113,7 +113,7 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
 }
 
 void BleedField::set_clearing(const tool::Log& log, const BleedingParameters& parameters) {
-    if (clearing_.set(log, parameters)) stale_ = true;
+    if (clearing_.set(log, parameters)) stale_ = watch_all_ = true;
 }
 
 void BleedField::set_strength(const FactorCurve& strength) {

@@ -82,7 +82,7 @@ bool Clearing::update(double time) noexcept {
     stale_ = all_stale_ = false;
     for (Sweep& sweep : sweeps_) {
         if (sweep.is_over || time <= sweep.contact.time) continue;
-        sweep.is_over = time >= sweep.contact.end();
+        sweep.is_over = time >= sweep.contact.end() && &sweep != &sweeps_.back();  // the last one may grow
         lay(sweep, time, sweep.is_over ? over_ : running_);
     }
     return true;

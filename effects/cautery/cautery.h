@@ -24,8 +24,8 @@ class Cautery {
     Cautery(const Cautery&) = delete;
     Cautery& operator=(const Cautery&) = delete;
 
-    /// What the tool has done and will. Costs what was written to the log since the call before; a change before its last piece, or of
-    /// the parameters, does all anew. Always the same log.
+    /// What the tool has done and will. Costs what was written to the log since the call before; a change before its last piece does
+    /// the marks anew, one of the parameters all. Always the same log.
     void set(const tool::Log& log, const CauteryParameters& parameters);
     /// strength_at would answer otherwise than before: the next set() does all anew.
     void strengths_changed() { chosen_ = false; }

@@ -10,7 +10,7 @@
 // cannot be (usable_contact.h) are left out.
 //
 // Who reads the log keeps the revision that it knows, and takes what was written after it: a sample of a held stroke costs the end
-// of that stroke, however much happened before. One thread at a time.
+// of that stroke, however much happened before. A contact that comes before others in time writes all anew. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +35,7 @@ struct Piece {
 
 class Log {
   public:
-    /// Pieces that curves may cut all contacts into, if these are not half as many themselves; then steps are larger.
+    /// At most this many pieces, or twice as many as contacts; where curves would cut more, their steps are larger.
     static constexpr std::size_t most_pieces = 1u << 16;
 
     /// The scene's factor on cautery power over time.

@@ -13,7 +13,7 @@ PowerCurve::PowerCurve(std::span<const CurvePoint> points) : curve_(points, 1.0)
 void PowerCurve::make_steps(int coarser) {
     coarser_ = coarser;
     steps_.clear();
-    if (coarser >= coarsest) return;
+    if (coarser > coarsest) return;
     const std::span<const CurvePoint> points = curve_.points();
     for (std::size_t i = 0; i < points.size(); ++i) {
         steps_.push_back(points[i].time);

@@ -22,8 +22,8 @@ class PowerCurve {
     explicit PowerCurve(std::span<const CurvePoint> points = {});
     const FactorCurve& curve() const { return curve_; }
 
-    /// With steps of so many times the largest, 1 at first, or, at `coarsest`, none: each contact is one part then, with the mean of
-    /// its time.
+    /// With steps of so many times the largest, 1 at first; beyond `coarsest` there are none, and each contact is one part, with the
+    /// mean of its time.
     void make_steps(int coarser);
     int coarser() const { return coarser_; }
 

@@ -86,6 +86,7 @@ struct Host {
           organ(lapfx::load_organ(scene.folder / scene.organ.file, {scene.organ.scale, scene.organ.rotation})),
           effects(own ? organ = lapfx::refine(organ).organ : organ, lapfx::load_preset(arguments[2]),
                   {static_cast<std::uint32_t>(scene.seed), scene.gravity, {arguments[3]}, wait}) {
+        effects.set_curves(scene.curves);
         glCreateVertexArrays(1, &vertices);
         const GLuint buffers[] = {buffer_of(organ.positions), buffer_of(organ.normals), effects.bleed_buffer()};
         for (GLuint i = 0; i < 3; ++i) {

@@ -21,8 +21,10 @@ AUTHORING = "effects/include_authoring/lapfx/authoring/"
 FACADE = (PUBLIC + "effects.h", PUBLIC + "frame.h", AUTHORING + "preview.h")
 LEVELS = {"preset": 0, "gl": 0, "work": 0, "media": 1, "tool": 1, "organ": 2, "bleeding": 3, "smoke": 3, "cautery": 3, "render": 4,
           "": 5}
-# Of effects/, what runs without OpenGL: whole folders, and files at the top. What these include does too.
-WITHOUT_GL = ("preset", "work", "tool", "organ", "cautery")
+# Of effects/, what runs without OpenGL: whole folders but for what draws (_gpu, and DRAWS), and files at the top. What these include
+# does too.
+WITHOUT_GL = ("preset", "work", "tool", "organ", "cautery", "bleeding", "smoke")
+DRAWS = ("effects/smoke/smoke.h", "effects/smoke/smoke.cpp")
 WITHOUT_GL_FILES = ("effects/simulation.h", "effects/simulation.cpp", "effects/amounts.cpp", "effects/foundation.h")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
@@ -169,8 +171,8 @@ def cpu_gpu_faults(texts, graph):
 def opengl_faults(texts, graph):
     """What happens on an organ is worked out without OpenGL; nor by a detour."""
     for path in sorted(texts):
-        if not (part(path) in WITHOUT_GL or path in WITHOUT_GL_FILES or
-                path.startswith("effects/") and re.search(r"_cpu\.(?:h|cpp)$", path)):
+        draws = path in DRAWS or re.search(r"_gpu\.(?:h|cpp)$", path)
+        if draws or not (part(path) in WITHOUT_GL or path in WITHOUT_GL_FILES):
             continue
         for target in sorted({**reachable(path, graph), path: path}):
             for _, name in includes_of(texts[target]):
@@ -256,6 +258,8 @@ EXAMPLES = [
     ("knows no OpenGL", {"effects/smoke/key_cpu.h": "#include <glad/gl.h>"}),
     ("knows no OpenGL", {"effects/simulation.h": '#include "smoke/a.h"', "effects/smoke/a.h": "#include <glad/gl.h>"}),
     ("knows no OpenGL", {"effects/cautery/a.h": "#include <EGL/egl.h>"}),
+    ("knows no OpenGL", {"effects/smoke/haze.cpp": "#include <glad/gl.h>"}),
+    (None, {"effects/smoke/haze_gpu.cpp": "#include <glad/gl.h>"}),
     ("leave _cpu out of its name", {"effects/smoke/haze_cpu.h": ""}),
 ]
 

@@ -308,6 +308,7 @@ TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     std::vector<Wound> wounds;
     BleedField kept(surface, down);
     std::vector<ToolContact> suction;
+    tool::Log log;
     double time = 0.0;
     for (int step = 0; step < 120; ++step) {
         if (step % 4 == 0) {
@@ -320,10 +321,11 @@ TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
             if (step % 40 == 20) wounds.erase(wounds.begin());
             kept.set(wounds, b);
         }
-        if (step == 90) {
-            suction.push_back({.action = ToolAction::suction, .time = 12.0, .duration = 2.0, .to = {10, 0, 0}});
-            kept.set_clearing(test::log_of(suction), b);
-        }
+        if (step == 60 || step == 90) suction.clear();
+        if (step == 50 || step == 70)
+            suction.push_back({.action = ToolAction::suction, .time = time - 2.0, .duration = 2.0, .to = {10, 0, 0}});
+        log.update(suction);
+        kept.set_clearing(log, b);
         time = step % 13 == 12 ? number(0, 25) : time + number(0, 1);
         kept.update(time);
         BleedField fresh(surface, down);
