@@ -142,16 +142,17 @@ bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
-/// Whether nothing that comes changes what the bleeder is: it has clotted, or bled all over its extent with nothing to end it.
+/// Whether nothing that comes changes what the bleeder is, but for another clearing: it has clotted, or bled all over its extent with
+/// nothing to end it.
 bool BleedField::is_settled(const Bleeder& b, double time) const noexcept {
     if (b.clot == 1.0f && time > b.wound.start) return true;
-    return b.wound.stop == std::numeric_limits<double>::infinity() &&
+    return b.wound.stop == std::numeric_limits<double>::infinity() && b.cleared == never_cleared &&
            flow(b.wound, parameters_, time, strength_) >= parameters_.max_extent;
 }
 
 /// Much has bled and stands: a frame costs what still changes.
-void BleedField::watch(double time) noexcept {
-    if (watch_all_ || clearing_.any() || time < watched_at_) {
+void BleedField::watch(double time, bool cleared) noexcept {
+    if (watch_all_ || cleared || time < watched_at_) {
         watched_.resize(bleeders_.size());
         std::iota(watched_.begin(), watched_.end(), 0u);
     }
@@ -161,7 +162,7 @@ void BleedField::watch(double time) noexcept {
 
 void BleedField::update(double time) noexcept {
     const bool cleared = clearing_.update(time);
-    watch(time);
+    watch(time, cleared);
     bool changed = stale_ || cleared, only_grows = !changed;
     for (const std::uint32_t i : watched_) {
         Bleeder& b = bleeders_[i];
@@ -176,12 +177,12 @@ void BleedField::update(double time) noexcept {
     if (age_kept(time)) changed = true, only_grows = false;
     if (!changed) return tell(time);
     stale_ = false;
-    only_grows = only_grows && !clearing_.any();
     if (!only_grows) wipe();
     const auto write_at = [&](Bleeder& b) {
-        b.flowed = flow(b.wound, parameters_, time, strength_);
-        const double source = source_of(b, b.flowed);
-        if (only_grows && source == b.source) return;
+        const double flowed = flow(b.wound, parameters_, time, strength_), source = source_of(b, flowed);
+        const bool same = source == b.source && !refills(b, flowed);
+        b.flowed = flowed;
+        if (only_grows && same) return;
         b.source = source;
         write(b);
     };

@@ -78,7 +78,7 @@ class BleedField {
         float area;  // mm2, at rest
     };
     void replace_wounds(std::span<const Wound> wounds);
-    void watch(double time) noexcept;
+    void watch(double time, bool cleared) noexcept;
     bool is_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;

@@ -7,6 +7,7 @@ namespace lapfx::bleeding {
 
 namespace {
 
+constexpr double held_on = 0.1;      // s after its end in which a contact may go on (tool/recorder.h)
 constexpr double draw_speed = 40.0;  // mm/s at which the reach grows when the tip is put on
 
 /// From `point` to the nearest place of the path a b.
@@ -64,9 +65,14 @@ bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
     return changed;
 }
 
+/// From when on nothing changes a sweep. The last one may be growing: then it ends about now, and its next piece takes its place.
+double Clearing::over_at(const Sweep& sweep) const noexcept {
+    return sweep.contact.end() + (&sweep == &sweeps_.back() ? held_on : 0.0);
+}
+
 bool Clearing::update(double time) noexcept {
     const auto touched = [&](const Sweep& s) {  // between the two times
-        return std::min(time, updated_) < s.contact.end() && std::max(time, updated_) > s.contact.time;
+        return std::min(time, updated_) < over_at(s) && std::max(time, updated_) > s.contact.time;
     };
     const bool changes = stale_ || (time != updated_ && std::any_of(sweeps_.begin(), sweeps_.end(), touched));
     if (time < updated_) all_stale_ = all_stale_ || changes;
@@ -82,7 +88,7 @@ bool Clearing::update(double time) noexcept {
     stale_ = all_stale_ = false;
     for (Sweep& sweep : sweeps_) {
         if (sweep.is_over || time <= sweep.contact.time) continue;
-        sweep.is_over = time >= sweep.contact.end() && &sweep != &sweeps_.back();  // the last one may grow
+        sweep.is_over = time >= over_at(sweep);
         lay(sweep, time, sweep.is_over ? over_ : running_);
     }
     return true;

@@ -71,6 +71,7 @@ class Clearing {
         void insert(std::uint32_t vertex, double time, float cap);
     };
     Sweep sweep_of(const ToolContact& contact, std::size_t piece) const;
+    double over_at(const Sweep& sweep) const noexcept;  // s
     void lay(const Sweep& sweep, double time, Layer& layer);
 
     const Surface& surface_;
