@@ -7,8 +7,6 @@
 #include <tuple>
 #include <utility>
 
-#include "organ/above_zero.h"
-
 namespace lapfx::bleeding {
 
 namespace {
@@ -38,10 +36,13 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
       room_(surface, down),
       clearing_(surface, down),
       surface_values_(surface.positions.size(), glm::vec2(dry_, 0.0f)),
+      settled_values_(surface_values_),
+      anew_(surface.positions),
+      settled_anew_(surface.positions),
       values_(surface.weld.size(), glm::vec2(dry_, 0.0f)),
       is_touched_(surface.positions.size(), false),
-      is_counted_(surface.triangles.size(), false),
-      changed_(surface.weld.size()) {
+      changed_(surface.weld.size()),
+      amount_(surface) {
     copies_of_.resize(surface.positions.size() + 1);
     for (const std::uint32_t v : surface.weld) ++copies_of_[v + 1];
     for (std::size_t i = 1; i < copies_of_.size(); ++i) copies_of_[i] += copies_of_[i - 1];
@@ -52,21 +53,28 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
 }
 
 void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& parameters) {
-    if (metric_of(parameters) != metric_of(parameters_)) bleeders_.clear();
+    if (metric_of(parameters) != metric_of(parameters_)) {
+        bleeders_.clear();
+        active_.clear();
+        status_.clear();
+    }
     // What only the shader or the amounts look at changes no value.
     const bool same_values =
         parameters.speed == parameters_.speed && parameters.max_extent == parameters_.max_extent &&
         parameters.noise_strength == parameters_.noise_strength && parameters.pulse_rate == parameters_.pulse_rate &&
         parameters.pulse_strength == parameters_.pulse_strength &&
         parameters.coagulation_time == parameters_.coagulation_time && metric_of(parameters) == metric_of(parameters_);
+    const bool same_amounts = parameters.threshold == parameters_.threshold &&
+                              parameters.thickness == parameters_.thickness &&
+                              parameters.deep_at == parameters_.deep_at;
     stale_ = stale_ || !same_values;
-    watch_all_ = true;
+    if (!same_amounts) amount_.mark_all();
     parameters_ = parameters;
     if (!same_values) strength_ = Strength(strength_.curve(), parameters_);
-    amount_known_ = false;
     if (const float wanted = driest(); wanted != dry_) {
         dry_ = wanted;
         std::fill(surface_values_.begin(), surface_values_.end(), glm::vec2(dry_, 0.0f));
+        std::fill(settled_values_.begin(), settled_values_.end(), glm::vec2(dry_, 0.0f));
         std::fill(values_.begin(), values_.end(), glm::vec2(dry_, 0.0f));
         changed_.mark_all();
     }
@@ -86,7 +94,11 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
         return true;
     };
     if (wounds.size() >= bleeders_.size() && in_place()) {
-        for (std::size_t i = 0; i < bleeders_.size(); ++i) bleeders_[i].wound = wounds[i];
+        for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
+            if (bleeders_[i].wound == wounds[i]) continue;
+            if (bleeders_[i].is_settled) activate(i);
+            bleeders_[i].wound = status_[i].wound = wounds[i];
+        }
     } else {
         const auto key = [](const glm::dvec3& p) { return std::tuple(p.x, p.y, p.z); };
         std::multimap<std::tuple<double, double, double>, Bleeder> known;
@@ -103,23 +115,30 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
             bleeders_.push_back({.wound = wound, .front = std::move(found->second.front)});
             known.erase(found);
         }
+        active_.clear();
+        status_.clear();
+        for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
+            active_.push_back(i);
+            status_.push_back({.wound = wounds[i]});
+        }
         stale_ = true;
     }
     bleeders_.reserve(wounds.size());
-    for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i)
+    for (std::size_t i = bleeders_.size(); i < wounds.size(); ++i) {
         bleeders_.push_back({.wound = wounds[i], .front = Front(room_, metric_of(parameters_), wounds[i].position)});
-    status_.resize(wounds.size());
-    for (std::size_t i = 0; i < wounds.size(); ++i) status_[i].wound = wounds[i];
+        active_.push_back(static_cast<std::uint32_t>(i));
+        status_.push_back({.wound = wounds[i]});
+    }
 }
 
 void BleedField::set_clearing(const tool::Log& log, const BleedingParameters& parameters) {
-    if (clearing_.set(log, parameters)) stale_ = watch_all_ = true;
+    clearing_.set(log, parameters);
 }
 
 void BleedField::set_strength(const FactorCurve& strength) {
     if (strength == strength_.curve()) return;
     strength_ = Strength(strength, parameters_);
-    stale_ = watch_all_ = true;
+    stale_ = true;
 }
 
 void BleedField::keep(std::vector<glm::vec2> values, double time) {
@@ -142,78 +161,150 @@ bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
-/// Whether nothing that comes changes what the bleeder is, but for another clearing: it has clotted, or bled all over its extent with
-/// nothing to end it.
+/// Whether nothing changes what the bleeder is but the tool: it has clotted, or bled all over its extent with nothing to end it.
 bool BleedField::is_settled(const Bleeder& b, double time) const noexcept {
+    constexpr double rounding = 1e-6;  // mm; flows of two times may differ so in the wrong direction
     if (b.clot == 1.0f && time > b.wound.start) return true;
-    return b.wound.stop == std::numeric_limits<double>::infinity() && b.cleared == never_cleared &&
-           flow(b.wound, parameters_, time, strength_) >= parameters_.max_extent;
+    if (b.wound.stop != std::numeric_limits<double>::infinity()) return false;
+    const double full = parameters_.max_extent + rounding, flowed = flow(b.wound, parameters_, time, strength_);
+    return flowed >= full &&
+           (b.cleared == never_cleared || flowed - flow(b.wound, parameters_, b.cleared, strength_) >= full);
 }
 
-/// Much has bled and stands: a frame costs what still changes.
-void BleedField::watch(double time, bool cleared) noexcept {
-    if (watch_all_ || cleared || time < watched_at_) {
-        watched_.resize(bleeders_.size());
-        std::iota(watched_.begin(), watched_.end(), 0u);
-    }
-    watch_all_ = false;
-    watched_at_ = time;
+/// What the bleeder is at `time`, and what that changes.
+void BleedField::look(Bleeder& b, double time) noexcept {
+    const auto clot = static_cast<float>(clot_of(b.wound, parameters_, time));
+    const double flowed = flow(b.wound, parameters_, time, strength_), before = b.source;
+    const bool clots = clot != b.clot;
+    b.clot = clot;
+    b.source = source_of(b, flowed);
+    b.falls = clots || b.source < before;
+    b.writes = b.falls || b.source != before || refills(b, flowed);
+    b.flowed = flowed;
 }
 
 void BleedField::update(double time) noexcept {
     const bool cleared = clearing_.update(time);
-    watch(time, cleared);
-    bool changed = stale_ || cleared, only_grows = !changed;
-    for (const std::uint32_t i : watched_) {
-        Bleeder& b = bleeders_[i];
-        const auto clot = static_cast<float>(clot_of(b.wound, parameters_, time));
-        only_grows = only_grows && clot == b.clot;
-        changed = changed || clot != b.clot;
-        b.clot = clot;
-        const double flowed = flow(b.wound, parameters_, time, strength_), source = source_of(b, flowed);
-        only_grows = only_grows && source >= b.source;
-        changed = changed || source != b.source || refills(b, flowed);
+    stale_ = stale_ || time < updated_ || (cleared && clearing_.changed_anywhere());
+    updated_ = time;
+    for (const std::uint32_t i : active_) look(bleeders_[i], time);
+    if (age_kept(time)) stale_ = true;
+    if (stale_) {
+        write_anew(time);
+    } else {
+        if (cleared) unsettle_cleared(time);
+        write_changes(time);
     }
-    if (age_kept(time)) changed = true, only_grows = false;
-    if (!changed) return tell(time);
     stale_ = false;
-    if (!only_grows) wipe();
-    const auto write_at = [&](Bleeder& b) {
-        const double flowed = flow(b.wound, parameters_, time, strength_), source = source_of(b, flowed);
-        const bool same = source == b.source && !refills(b, flowed);
-        b.flowed = flowed;
-        if (only_grows && same) return;
-        b.source = source;
-        write(b);
-    };
-    if (only_grows)
-        for (const std::uint32_t i : watched_) write_at(bleeders_[i]);
-    else
-        for (Bleeder& b : bleeders_) write_at(b);
     publish();
     if (bleeders_.empty() && kept_.empty()) forget();
-    tell(time);
+    settle(time);
 }
 
-/// What each wound is doing: of what has been written, for that is where its blood was cleared.
-void BleedField::tell(double time) noexcept {
-    for (const std::uint32_t i : watched_) {
-        const Bleeder& b = bleeders_[i];
-        status_[i] = {.wound = b.wound,
-                      .state = state_of(b.wound, parameters_, time, strength_, b.cleared),
-                      .extent = source_value(b.wound, parameters_, time, strength_),
-                      .bleeds = bleeds(b.wound, parameters_, time, strength_, b.cleared)};
+/// All of it, as if nothing had been before.
+void BleedField::write_anew(double time) noexcept {
+    anew_.clear();
+    settled_anew_.clear();
+    for (const std::uint32_t v : touched_) settled_values_[v] = kept_at(v);
+    active_.clear();
+    for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
+        Bleeder& b = bleeders_[i];
+        look(b, time);
+        b.cleared = never_cleared;
+        // Where something was cleared it takes writing to know.
+        b.is_settled = is_settled(b, time) && (b.clot == 1.0f || !clearing_.any());
+        march(b);
+        if (b.is_settled)
+            write(b, settled_values_);
+        else
+            active_.push_back(i);
     }
-    std::erase_if(watched_, [&](std::uint32_t i) { return is_settled(bleeders_[i], time); });
+    for (const std::uint32_t v : touched_) surface_values_[v] = settled_values_[v];
+    written_.assign(touched_.begin(), touched_.end());
+    for (const std::uint32_t i : active_) write(bleeders_[i], surface_values_);
+    for (std::uint32_t i = 0; i < bleeders_.size(); ++i) tell(i, time);
+}
+
+/// The tool has taken blood away at some places: the settled wounds whose blood was there may fill them again.
+void BleedField::unsettle_cleared(double time) noexcept {
+    for (const std::uint32_t v : clearing_.changed())
+        if (is_touched_[v]) {
+            settled_anew_.add(v);
+            anew_.add(v);
+        }
+    const Box cleared = settled_anew_.box();
+    for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
+        Bleeder& b = bleeders_[i];
+        if (!b.is_settled || b.clot == 1.0f || !b.box.meets(cleared)) continue;
+        look(b, time);
+        for_each_reached(b, [&](const Reached& at) {
+            if (settled_anew_.has(at.vertex)) value_at(b, at);
+        });
+        if (!is_settled(b, time)) activate(i);
+    }
+}
+
+/// What has changed since the last time, at the places where it has.
+void BleedField::write_changes(double time) noexcept {
+    for (const std::uint32_t v : settled_anew_.vertices()) settled_values_[v] = kept_at(v);
+    if (!settled_anew_.empty())
+        for (Bleeder& b : bleeders_)
+            if (b.is_settled && b.box.meets(settled_anew_.box())) write(b, settled_values_, settled_anew_);
+    for (const std::uint32_t i : active_) {
+        Bleeder& b = bleeders_[i];
+        if (b.falls) for_each_reached(b, [&](const Reached& at) { anew_.add(at.vertex); });
+    }
+    for (const std::uint32_t v : anew_.vertices()) {
+        surface_values_[v] = settled_values_[v];
+        written_.push_back(v);
+    }
+    for (const std::uint32_t i : active_) {
+        Bleeder& b = bleeders_[i];
+        const bool is_wiped = !anew_.empty() && b.box.meets(anew_.box());
+        if (b.writes || is_wiped) {
+            march(b);
+            write(b, surface_values_);
+        }
+        tell(i, time);
+    }
+    anew_.clear();
+    settled_anew_.clear();
+}
+
+/// A settled one may change again: its values leave the layer of those that are.
+void BleedField::activate(std::uint32_t number) noexcept {
+    Bleeder& b = bleeders_[number];
+    b.is_settled = false;
+    active_.push_back(number);
+    for_each_reached(b, [&](const Reached& at) {
+        settled_anew_.add(at.vertex);
+        anew_.add(at.vertex);
+    });
+}
+
+void BleedField::settle(double time) noexcept {
+    std::erase_if(active_, [&](std::uint32_t i) {
+        Bleeder& b = bleeders_[i];
+        b.is_settled = is_settled(b, time);
+        if (b.is_settled) write(b, settled_values_);
+        return b.is_settled;
+    });
+}
+
+/// What a wound is doing: of what has been written, for that is where its blood was cleared.
+void BleedField::tell(std::uint32_t number, double time) noexcept {
+    const Bleeder& b = bleeders_[number];
+    status_[number] = {.wound = b.wound,
+                       .state = state_of(b.wound, parameters_, time, strength_, b.cleared),
+                       .extent = source_value(b.wound, parameters_, time, strength_),
+                       .bleeds = bleeds(b.wound, parameters_, time, strength_, b.cleared)};
 }
 
 /// No blood is left: what it has touched need not be looked at again.
 void BleedField::forget() noexcept {
     for (const std::uint32_t v : touched_) is_touched_[v] = false;
-    for (const Touched& t : touched_triangles_) is_counted_[t.triangle] = false;
     touched_.clear();
-    touched_triangles_.clear();
-    sorted_triangles_ = 0;
+    amount_.clear();
 }
 
 /// Blood that was there before the organ was cut belongs to the wounds of that time: it clots when they have. True when
@@ -235,110 +326,106 @@ bool BleedField::age_kept(double time) noexcept {
     return changed;
 }
 
-void BleedField::wipe() noexcept {
-    for (const std::uint32_t v : touched_) {
-        surface_values_[v] = glm::vec2(dry_, 0.0f);
-        if (kept_.empty() || kept_[v].x <= none) continue;
-        if (!kept_shown_) continue;
-        glm::vec2 value(kept_[v].x, std::max(kept_[v].y, kept_clot_));
-        clearing_.for_each(v, [&](const Clearing::Cap& cap) {
-            if (cap.time >= kept_at_) value.x = std::min(value.x, cap.cap);
-        });
-        surface_values_[v] = {std::max(value.x, dry_), value.x > dry_ ? value.y : 0.0f};
-    }
-    written_.assign(touched_.begin(), touched_.end());
+/// What was kept at a place, dry where nothing was.
+glm::vec2 BleedField::kept_at(std::uint32_t v) const noexcept {
+    const glm::vec2 none_here(dry_, 0.0f);
+    if (!kept_shown_ || kept_.empty() || kept_[v].x <= none) return none_here;
+    glm::vec2 value(kept_[v].x, std::max(kept_[v].y, kept_clot_));
+    clearing_.for_each(v, [&](const Clearing::Cap& cap) {
+        if (cap.time >= kept_at_) value.x = std::min(value.x, cap.cap);
+    });
+    return value.x > dry_ ? value : none_here;
 }
 
-void BleedField::write(Bleeder& b) noexcept {
-    b.cleared = never_cleared;
+/// As far as it was written.
+template <class Visit>
+void BleedField::for_each_reached(Bleeder& b, Visit visit) noexcept {
+    for (std::size_t r = 0; r < b.rings; ++r)
+        for (const Reached& at : b.front.ring(r, room_)) visit(at);
+}
+
+/// Up to what noise can reach, and a triangle beyond, where gravity at most doubles a distance.
+void BleedField::march(Bleeder& b) noexcept {
+    b.rings = 0;
     if (b.source <= 0.0) return;
-    const auto source = static_cast<float>(b.source), noise = static_cast<float>(parameters_.noise_strength);
-    const float steep = steepness(source, noise);
-    const bool cleared = clearing_.any();
     double edge = 0.0;
-    // Up to what noise can reach, and a triangle beyond, where gravity at most doubles a distance.
     for (std::size_t r = 0;
          static_cast<double>(r) * Front::ring_width <= b.source + parameters_.noise_strength + 2.0 * edge; ++r) {
         const std::span<const Reached> ring = b.front.ring(r, room_);
         if (b.front.ended(r)) break;
         edge = std::min(b.front.longest_edge(r), longest_triangle);
+        b.rings = r + 1;
+        if (r < b.boxed) continue;
+        b.boxed = b.rings;
         for (const Reached& at : ring) {
-            const float inside = source - at.distance;
-            const float value = inside >= 0.0f ? inside : inside * steep;
-            put(at.vertex, std::max(cleared ? shown(b, at) : value, dry_), b.clot);
+            b.box.add(surface_.positions[at.vertex]);
+            touch(at.vertex);
         }
     }
 }
 
-/// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not. Notes
-/// when blood of the wound was taken away.
-float BleedField::shown(Bleeder& b, const Reached& at) const noexcept {
-    const auto since = [&](double time) {
-        const double source = source_of(b, b.flowed - flow(b.wound, parameters_, time, strength_));
-        if (source <= 0.0) return dry_;
-        const float inside = static_cast<float>(source) - at.distance;
-        return inside >= 0.0f
-                   ? inside
-                   : inside * steepness(static_cast<float>(source), static_cast<float>(parameters_.noise_strength));
-    };
-    const float whole = since(Clearing::never);
-    float value = whole;
-    clearing_.for_each(at.vertex, [&](const Clearing::Cap& cap) {
-        value = std::max(std::min(value, cap.cap), since(cap.time));
-        if (cap.cap < whole) b.cleared = std::max(b.cleared, cap.time);
+void BleedField::write(Bleeder& b, Layer& layer) noexcept {
+    b.cleared = never_cleared;
+    for_each_reached(b, [&](const Reached& at) { put_value(b, at, layer); });
+}
+
+void BleedField::write(Bleeder& b, Layer& layer, const Region& within) noexcept {
+    for_each_reached(b, [&](const Reached& at) {
+        if (within.has(at.vertex)) put_value(b, at, layer);
     });
-    return value;
 }
 
 /// The larger value counts; of equal ones the fresher blood.
-void BleedField::put(std::uint32_t vertex, float value, float clot) noexcept {
-    touch(vertex);
-    glm::vec2& at = surface_values_[vertex];
-    if (value < at.x || (value == at.x && clot >= at.y)) return;
-    at = {value, clot};
-    written_.push_back(vertex);
+void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer) noexcept {
+    const float value = std::max(value_at(b, to), dry_);
+    glm::vec2& at = layer[to.vertex];
+    if (value < at.x || (value == at.x && b.clot >= at.y)) return;
+    at = {value, b.clot};
+    if (&layer == &surface_values_) written_.push_back(to.vertex);
+}
+
+/// Value of one wound. Where something was cleared, what was there is capped; what has flowed since is not. Notes when blood of the
+/// wound was taken away.
+float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
+    const auto value_of = [&](double source) {
+        if (source <= 0.0) return dry_;
+        const float reach = static_cast<float>(source), inside = reach - at.distance;
+        return inside >= 0.0f ? inside : inside * steepness(reach, static_cast<float>(parameters_.noise_strength));
+    };
+    const float whole = value_of(b.source);
+    if (!clearing_.any()) return whole;
+    float value = whole;
+    clearing_.for_each(at.vertex, [&](const Clearing::Cap& cap) {
+        const double since = b.flowed - flow(b.wound, parameters_, cap.time, strength_);
+        value = std::max(std::min(value, cap.cap), value_of(source_of(b, since)));
+        if (cap.cap < whole) b.cleared = std::max(b.cleared, cap.time);
+    });
+    return value;
 }
 
 void BleedField::touch(std::uint32_t vertex) noexcept {
     if (is_touched_[vertex]) return;
     is_touched_[vertex] = true;
     touched_.push_back(vertex);
-    for (const std::uint32_t t : surface_.triangles_at(vertex)) {
-        if (is_counted_[t]) continue;
-        is_counted_[t] = true;
-        touched_triangles_.push_back({t, static_cast<float>(surface_.area(t))});
-    }
 }
 
 void BleedField::publish() noexcept {
-    for (const std::uint32_t v : written_)
+    for (const std::uint32_t v : written_) {
+        bool changes = false;
         for (std::uint32_t i = copies_of_[v]; i < copies_of_[v + 1]; ++i) {
             const std::uint32_t copy = copies_[i];
             if (values_[copy] == surface_values_[v]) continue;
             values_[copy] = surface_values_[v];
             changed_.mark(copy);
+            changes = true;
         }
+        if (changes) amount_.mark(v);
+    }
     written_.clear();
-    amount_known_ = false;
 }
 
 BloodAmount BleedField::amount() const noexcept {
-    if (amount_known_) return amount_;
-    amount_ = {};
-    // In the order of the triangles: sums depend on theirs, and blood touches them in another at each frame rate.
-    if (sorted_triangles_ != touched_triangles_.size())
-        std::sort(touched_triangles_.begin(), touched_triangles_.end(),
-                  [](const Touched& a, const Touched& b) { return a.triangle < b.triangle; });
-    sorted_triangles_ = touched_triangles_.size();
-    const auto above = [&](std::uint32_t v) { return surface_values_[v].x - parameters_.threshold; };
-    for (const Touched& t : touched_triangles_) {
-        const auto& c = surface_.triangles[t.triangle];
-        const organ::AboveZero wet = organ::above_zero(above(c[0]), above(c[1]), above(c[2]));
-        amount_.area += t.area * wet.share;
-        amount_.volume += t.area * wet.share * parameters_.thickness * std::min(1.0, wet.mean / parameters_.deep_at);
-    }
-    amount_known_ = true;
-    return amount_;
+    return amount_.measure(surface_values_, parameters_);
 }
 
 int BleedField::bleeding_wounds() const noexcept {

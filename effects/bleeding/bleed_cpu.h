@@ -6,16 +6,19 @@
 // Where suction or irrigation has cleared a place, what was there is capped (clearing.h), and what has flowed since comes
 // on top: the wound fills the place again from the wound outwards.
 //
-// Work follows what changes: while blood only grows, the wounds that grow are written and nothing else; when nothing changes,
-// nothing is done. One thread at a time.
+// Work follows what changes. A wound that has clotted, or bled all over its extent, is settled: its values lie in a layer of their own,
+// and it is looked at again only when the tool comes to its blood. While blood grows, the wounds that grow are written; where blood is
+// taken away or draws together, those that reach there. One thread at a time.
 #pragma once
 
 #include <cstdint>
 #include <span>
 #include <vector>
 
+#include "bleeding/blood_amount.h"
 #include "bleeding/clearing.h"
 #include "bleeding/front.h"
+#include "bleeding/region.h"
 #include "bleeding/wound.h"
 #include "lapfx/preset.h"
 #include "lapfx/tool.h"
@@ -24,13 +27,6 @@
 #include "organ/surface.h"
 
 namespace lapfx::bleeding {
-
-/// Blood on the whole organ.
-struct BloodAmount {
-    double area = 0.0;  ///< mm2 of surface above the threshold, noise aside
-    double volume =
-        0.0;  ///< mm3: a layer that rises from its edge to `thickness` where the colour gradient ends (deep_at)
-};
 
 class BleedField {
   public:
@@ -65,30 +61,41 @@ class BleedField {
     std::span<const WoundStatus> wounds() const { return status_; }
 
   private:
+    using Layer = std::vector<glm::vec2>;  // per surface vertex: bleed value, clot
     struct Bleeder {
         Wound wound;
         Front front;
-        double source = 0.0;             // mm, as written
+        double source = 0.0;             // mm
         double flowed = 0.0;             // mm, the same without the bound
         double cleared = never_cleared;  // s, the latest clearing that has taken blood of it, as written
         float clot = 0.0f;
-    };
-    struct Touched {
-        std::uint32_t triangle;
-        float area;  // mm2, at rest
+        bool writes = false, falls = false;  // what the last look at it has changed: anything; some value is lower
+        bool is_settled = false;
+        std::size_t rings = 0;  // of the front, as written
+        Box box{};              // of all that was ever written
+        std::size_t boxed = 0;  // rings
     };
     void replace_wounds(std::span<const Wound> wounds);
-    void watch(double time, bool cleared) noexcept;
     bool is_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
+    void look(Bleeder& bleeder, double time) noexcept;
+    void activate(std::uint32_t bleeder) noexcept;
+    void write_anew(double time) noexcept;
+    void write_changes(double time) noexcept;
+    void unsettle_cleared(double time) noexcept;
+    void settle(double time) noexcept;
     bool age_kept(double time) noexcept;
-    void wipe() noexcept;
+    glm::vec2 kept_at(std::uint32_t vertex) const noexcept;
     void forget() noexcept;
-    void write(Bleeder& bleeder) noexcept;
-    float shown(Bleeder& bleeder, const Reached& at) const noexcept;
-    void tell(double time) noexcept;
-    void put(std::uint32_t vertex, float value, float clot) noexcept;
+    template <class Visit>
+    void for_each_reached(Bleeder& bleeder, Visit visit) noexcept;
+    void march(Bleeder& bleeder) noexcept;
+    void write(Bleeder& bleeder, Layer& layer) noexcept;
+    void write(Bleeder& bleeder, Layer& layer, const Region& within) noexcept;
+    void put_value(Bleeder& bleeder, const Reached& at, Layer& layer) noexcept;
+    float value_at(Bleeder& bleeder, const Reached& at) const noexcept;
+    void tell(std::uint32_t bleeder, double time) noexcept;
     void touch(std::uint32_t vertex) noexcept;
     void publish() noexcept;
 
@@ -102,30 +109,26 @@ class BleedField {
     FrontRoom room_;
     Clearing clearing_;
     std::vector<Bleeder> bleeders_;
-    std::vector<std::uint32_t>
-        watched_;  // bleeders that were not settled as of watched_at_: later times change only these
-    double watched_at_ = 0.0;
-    bool watch_all_ = true;  // before the next update
+    std::vector<std::uint32_t> active_;  // bleeders that are not settled
+    double updated_ = 0.0;
     std::vector<WoundStatus> status_;
     std::vector<std::uint32_t>
         copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]
     std::vector<std::uint32_t> copies_;
-    std::vector<glm::vec2> surface_values_;  // per surface vertex
-    std::vector<glm::vec2> values_;          // per organ vertex
-    std::vector<glm::vec2> kept_;            // per surface vertex, or empty
+    Layer surface_values_;
+    Layer settled_values_;           // of what was kept, and of the settled bleeders
+    Region anew_, settled_anew_;     // where the layers have to be made anew; the former holds the latter
+    std::vector<glm::vec2> values_;  // per organ vertex
+    Layer kept_;                     // or empty
     double kept_at_ = 0.0;
     float kept_clot_ = 0.0f;
     bool kept_shown_ = false;
     std::vector<char> is_touched_;  // per surface vertex: blood has come near
     std::vector<std::uint32_t> touched_;
-    std::vector<char> is_counted_;  // per triangle
-    mutable std::vector<Touched> touched_triangles_;
-    mutable std::size_t sorted_triangles_ = 0;
     std::vector<std::uint32_t> written_;  // surface vertices since the last publish, some more than once
     ChangedVertices changed_;
     bool stale_ = true;  // all has to be written anew
-    mutable BloodAmount amount_;
-    mutable bool amount_known_ = false;
+    mutable AmountSum amount_;
 };
 
 }  // namespace lapfx::bleeding

@@ -59,6 +59,9 @@ bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
         const bool clears = contact.action == ToolAction::suction || contact.action == ToolAction::irrigation;
         if (!clears || !(contact.duration > 0.0)) continue;
         sweeps_.push_back(sweep_of(contact, i));
+        const double before = sweeps_.size() > 1 ? sweeps_[sweeps_.size() - 2].latest_end : contact.end();
+        sweeps_.back().latest_end = std::max(before, contact.end());
+        stale_from_ = std::min(stale_from_, contact.time);
         changed = true;
     }
     stale_ = stale_ || changed;
@@ -70,27 +73,42 @@ double Clearing::over_at(const Sweep& sweep) const noexcept {
     return sweep.contact.end() + (&sweep == &sweeps_.back() ? held_on : 0.0);
 }
 
+/// A run of the sweeps with all that start before `to` and are not over by `from`.
+std::span<Clearing::Sweep> Clearing::between(double from, double to) noexcept {
+    const auto end =
+        std::partition_point(sweeps_.begin(), sweeps_.end(), [&](const Sweep& s) { return s.contact.time < to; });
+    auto begin = end;
+    while (begin != sweeps_.begin() && (begin - 1)->latest_end + held_on > from) --begin;
+    return {begin, end};
+}
+
 bool Clearing::update(double time) noexcept {
-    const auto touched = [&](const Sweep& s) {  // between the two times
-        return std::min(time, updated_) < over_at(s) && std::max(time, updated_) > s.contact.time;
-    };
-    const bool changes = stale_ || (time != updated_ && std::any_of(sweeps_.begin(), sweeps_.end(), touched));
+    const double before = std::min(time, updated_), after = std::max(time, updated_);
+    const std::span<const Sweep> reached = between(before, after);
+    const bool changes =
+        stale_ || (time != updated_ &&
+                   std::any_of(reached.begin(), reached.end(), [&](const Sweep& s) { return before < over_at(s); }));
     if (time < updated_) all_stale_ = all_stale_ || changes;
     updated_ = time;
-    if (!changes) return false;
+    changed_.clear();
+    anew_ = all_stale_;
+    if (!changes) return anew_ = false;
     for (Layer* layer : {&over_, &running_})
         if (layer->heads.empty()) layer->heads.assign(surface_.positions.size(), -1);
+    changed_ = running_.vertices;
     running_.clear();
     if (all_stale_) {
         over_.clear();
         for (Sweep& sweep : sweeps_) sweep.is_over = false;
     }
-    stale_ = all_stale_ = false;
-    for (Sweep& sweep : sweeps_) {
-        if (sweep.is_over || time <= sweep.contact.time) continue;
+    constexpr double ever = std::numeric_limits<double>::infinity();
+    for (Sweep& sweep : between(all_stale_ ? -ever : std::min(before, stale_from_), time)) {
+        if (sweep.is_over) continue;
         sweep.is_over = time >= over_at(sweep);
         lay(sweep, time, sweep.is_over ? over_ : running_);
     }
+    stale_ = all_stale_ = false;
+    stale_from_ = ever;
     return true;
 }
 
@@ -106,6 +124,7 @@ void Clearing::lay(const Sweep& sweep, double time, Layer& layer) {
         if (outside > rim) continue;
         const double until = std::min(time, p.leave);
         layer.insert(p.vertex, until, static_cast<float>(cap_slope * outside));
+        changed_.push_back(p.vertex);
     }
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -35,8 +36,12 @@ class Clearing {
     /// cleared may have changed.
     bool set(const tool::Log& log, const BleedingParameters& parameters);
 
-    /// The caps as of `time`. True when any has changed.
+    /// The caps as of `time`. True when any may have changed: at the places of changed(), or anywhere.
     bool update(double time) noexcept;
+    /// By the last update(): surface vertices, some more than once.
+    std::span<const std::uint32_t> changed() const { return changed_; }
+    /// Whether the last update() took caps away that had been there for good: all is as if it were looked at for the first time.
+    bool changed_anywhere() const { return anew_; }
 
     bool any() const { return !sweeps_.empty(); }
     /// Calls visit(cap) for each cap of a place: of what is over in order of time, then of what still runs.
@@ -61,7 +66,8 @@ class Clearing {
         std::size_t piece;  // of the log
         double reach;       // mm
         std::vector<Passed> passed;
-        bool is_over = false;  // and lies in the layer over_
+        double latest_end = 0.0;  // s, of this one and all before
+        bool is_over = false;     // and lies in the layer over_
     };
     struct Layer {
         std::vector<std::int32_t> heads;  // per surface vertex, into caps; empty until there is a sweep
@@ -72,6 +78,7 @@ class Clearing {
     };
     Sweep sweep_of(const ToolContact& contact, std::size_t piece) const;
     double over_at(const Sweep& sweep) const noexcept;  // s
+    std::span<Sweep> between(double from, double to) noexcept;
     void lay(const Sweep& sweep, double time, Layer& layer);
 
     const Surface& surface_;
@@ -82,7 +89,9 @@ class Clearing {
     // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that were.
     Layer over_, running_;
     double updated_ = 0.0;
-    bool stale_ = false, all_stale_ = false;
+    double stale_from_ = std::numeric_limits<double>::infinity();  // s, when the first of those starts that are new
+    bool stale_ = false, all_stale_ = false, anew_ = false;
+    std::vector<std::uint32_t> changed_;
 };
 
 }  // namespace lapfx::bleeding

@@ -184,7 +184,7 @@ void Cautery::measure_burnt() {
         for (const std::uint32_t t : surface_.triangles_at(point)) {
             const auto& corners = surface_.triangles[t];
             const double share = organ::above_zero(beyond(corners[0]), beyond(corners[1]), beyond(corners[2])).share;
-            const std::int64_t now = std::llround(share * surface_.area(t) / burnt_unit);
+            const std::int64_t now = organ::whole_units(share * surface_.area(t), burnt_unit);
             burnt_ += now - burnt_at_[t];
             burnt_at_[t] = now;
         }

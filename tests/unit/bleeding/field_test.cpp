@@ -341,6 +341,77 @@ TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     }
 }
 
+/// As a session goes: time runs on, wounds open and are closed, a tool is held to the blood and grows, all of it over blood that has
+/// long settled. Every frame is, to the last bit, what a field gives that knew nothing before.
+TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
+    const Surface surface(lumpy(4));
+    for (const unsigned seed : {1u, 2u, 3u, 4u}) {
+        std::mt19937 random(seed);
+        const auto number = [&](double low, double high) { return std::uniform_real_distribution(low, high)(random); };
+        const auto place = [&] {
+            return surface.positions[static_cast<std::size_t>(number(0, double(surface.positions.size()) - 1))];
+        };
+        BleedingParameters b = plain();
+        b.coagulation_time = 1.0;
+        b.max_extent = 9.0;
+        b.gravity_bias = 0.3;
+        if (seed % 2 == 0) b.pulse_rate = 1.2, b.pulse_strength = 0.9;
+        const std::vector<CurvePoint> points = {{5.0, 1.0}, {20.0, 0.2}, {30.0, 1.6}};
+        const FactorCurve strength = seed > 2 ? FactorCurve(points) : FactorCurve();
+        std::vector<Wound> wounds;
+        std::vector<ToolContact> contacts;
+        tool::Log log;
+        BleedField kept(surface, down);
+        kept.set_strength(strength);
+        double time = 0.0;
+        int refilled = 0, emptied = 0;
+        double before = 0.0;
+        for (int step = 0; step < 200; ++step, time += number(0.0, 0.3)) {
+            if (step % 6 == 0) wounds.push_back({.position = place(), .start = time, .strength = number(0, 2)});
+            if (step % 11 == 5)
+                wounds[static_cast<std::size_t>(number(0, double(wounds.size()) - 1))].stop = time - number(0, 1);
+            const bool is_held = step % 25 > 12;
+            if (is_held && step % 25 == 13)
+                contacts.push_back({.action = step % 50 > 25 ? ToolAction::suction : ToolAction::irrigation,
+                                    .time = time,
+                                    .duration = 0.01,
+                                    .position = place(),
+                                    .to = contacts.empty() ? place() : contacts.front().to});
+            else if (is_held)
+                contacts.back().duration = time - contacts.back().time;
+            kept.set(wounds, b);
+            log.update(contacts, contacts.size() - (is_held ? 1 : 0));
+            kept.set_clearing(log, b);
+            kept.update(time);
+            BleedField fresh(surface, down);
+            fresh.set_strength(strength);
+            fresh.set(wounds, b);
+            fresh.set_clearing(log, b);
+            fresh.update(time);
+            const auto differ = std::mismatch(fresh.values().begin(), fresh.values().end(), kept.values().begin());
+            ASSERT_EQ(differ.first, fresh.values().end())
+                << seed << ", step " << step << ", vertex " << differ.first - fresh.values().begin() << ": "
+                << kept.values()[static_cast<std::size_t>(differ.first - fresh.values().begin())].x << ", not "
+                << differ.first->x;
+            ASSERT_EQ(fresh.amount().area, kept.amount().area) << seed << ", step " << step;
+            ASSERT_EQ(fresh.amount().volume, kept.amount().volume) << seed << ", step " << step;
+            for (std::size_t i = 0; i < wounds.size(); ++i) {
+                ASSERT_EQ(fresh.wounds()[i].wound, wounds[i]);
+                ASSERT_EQ(kept.wounds()[i].wound, wounds[i]);
+                ASSERT_EQ(fresh.wounds()[i].state, kept.wounds()[i].state) << seed << ", " << step << ": " << i;
+                ASSERT_EQ(fresh.wounds()[i].bleeds, kept.wounds()[i].bleeds) << seed << ", " << step << ": " << i;
+                ASSERT_EQ(fresh.wounds()[i].extent, kept.wounds()[i].extent) << seed << ", " << step << ": " << i;
+            }
+            const double area = kept.amount().area;
+            emptied += area < before;
+            refilled += area > before;
+            before = area;
+        }
+        EXPECT_GT(emptied, 10) << "the tool takes blood away";
+        EXPECT_GT(refilled, 10);
+    }
+}
+
 TEST(Field, ThousandsOfWoundsEachCount) {
     const Surface surface(test::plane(200.0, 100));
     BleedField field(surface, down);

@@ -1,0 +1,53 @@
+// Places of a surface that have to be looked at anew, with a box around them. Allocates only to grow. One thread at a time.
+#pragma once
+
+#include <cstdint>
+#include <glm/glm.hpp>
+#include <limits>
+#include <span>
+#include <vector>
+
+namespace lapfx::bleeding {
+
+/// Axis-aligned, mm; empty at first.
+struct Box {
+    glm::dvec3 low{std::numeric_limits<double>::infinity()}, high{-std::numeric_limits<double>::infinity()};
+
+    void add(const glm::dvec3& place) {
+        low = glm::min(low, place);
+        high = glm::max(high, place);
+    }
+    bool meets(const Box& other) const {
+        return glm::all(glm::lessThanEqual(low, other.high)) && glm::all(glm::lessThanEqual(other.low, high));
+    }
+};
+
+class Region {
+  public:
+    /// Of a surface with these points; empty.
+    explicit Region(std::span<const glm::dvec3> positions) : positions_(positions), has_(positions.size(), false) {}
+
+    void add(std::uint32_t vertex) {
+        if (has_[vertex]) return;
+        has_[vertex] = true;
+        vertices_.push_back(vertex);
+        box_.add(positions_[vertex]);
+    }
+    void clear() {
+        for (const std::uint32_t v : vertices_) has_[v] = false;
+        vertices_.clear();
+        box_ = {};
+    }
+    bool has(std::uint32_t vertex) const { return has_[vertex]; }
+    bool empty() const { return vertices_.empty(); }
+    std::span<const std::uint32_t> vertices() const { return vertices_; }
+    const Box& box() const { return box_; }
+
+  private:
+    std::span<const glm::dvec3> positions_;
+    std::vector<char> has_;  // per point
+    std::vector<std::uint32_t> vertices_;
+    Box box_;
+};
+
+}  // namespace lapfx::bleeding
