@@ -5,6 +5,8 @@
 #include <cmath>
 #include <set>
 
+#include "lapfx/authoring/strokes.h"
+
 namespace lapfx::app {
 
 namespace {
@@ -45,18 +47,21 @@ std::vector<Stroke> strokes_of(std::span<const ToolContact> events) {
     std::stable_sort(order.begin(), order.end(),
                      [&](std::size_t a, std::size_t b) { return events[a].time < events[b].time; });
     std::vector<Stroke> strokes;
-    std::array<std::size_t, action_count> newest;  // of each action
-    newest.fill(events.size());
-    for (const std::size_t i : order) {
-        const ToolContact& event = events[i];
-        std::size_t& last = newest[static_cast<std::size_t>(event.action)];
-        if (last < strokes.size() && goes_on(events[strokes[last].events.back()], event)) {
-            strokes[last].events.push_back(i);
-            strokes[last].end = event.end();
+    std::vector<std::size_t> stroke_of(order.size());  // of each, in the order of time
+    std::vector<char> is_continued(order.size(), false);
+    for (std::size_t i = 0; i < order.size(); ++i) {
+        const ToolContact& event = events[order[i]];
+        const auto before = goes_on_from(
+            i, [&](std::size_t k) -> const ToolContact& { return events[order[k]]; },
+            [&](std::size_t k) { return is_continued[k] != 0; });
+        stroke_of[i] = before ? stroke_of[*before] : strokes.size();
+        if (!before) {
+            strokes.push_back({.events = {order[i]}, .action = event.action, .start = event.time, .end = event.end()});
             continue;
         }
-        last = strokes.size();
-        strokes.push_back({.events = {i}, .action = event.action, .start = event.time, .end = event.end()});
+        is_continued[*before] = true;
+        strokes[stroke_of[i]].events.push_back(order[i]);
+        strokes[stroke_of[i]].end = event.end();
     }
     const auto first = [](const Stroke& stroke) {
         return *std::min_element(stroke.events.begin(), stroke.events.end());

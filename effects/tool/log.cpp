@@ -3,101 +3,103 @@
 #include <algorithm>
 #include <tuple>
 
+#include "lapfx/authoring/strokes.h"
 #include "tool/usable_contact.h"
 
 namespace lapfx::tool {
 
-namespace {
-
-/// Few tools work at once: what a contact goes on from is among the last.
-constexpr std::uint32_t looked_at = 16;
-
-}  // namespace
-
 void Log::set_power(std::span<const CurvePoint> points) {
     if (FactorCurve(points, 1.0) == power_.curve()) return;
     power_ = PowerCurve(points);
-    write(choose_steps(0, true));
+    parts_of_all_ = {};
+    for (Entry& entry : entries_) count(entry);
+    level_ = level_with_room();
+    write(0);
 }
 
 void Log::update(std::span<const ToolContact> contacts, std::size_t same) {
+    const std::size_t kept = keep(std::min(same, contacts.size()));
+    const std::size_t first = std::min(kept, append(contacts));
+    for (std::size_t i = first; i < entries_.size(); ++i) join(i);
+    const int level = level_with_room();
+    const bool same_steps = level == level_;
+    level_ = level;
+    write(same_steps ? first : 0);
+}
+
+/// Takes away what is not of the first `same` contacts; gives the number of the first entry that it was.
+std::size_t Log::keep(std::size_t same) {
+    if (same >= usable_before_.size()) return entries_.size();
+    const std::size_t kept = usable_before_[same];
+    usable_before_.resize(same);
+    const auto goes = [&](const Entry& entry) { return entry.given >= same; };
+    auto first = entries_.end();
+    while (first != entries_.begin() && goes(*(first - 1))) --first;
+    // Nearly always they are the last.
+    if (static_cast<std::size_t>(first - entries_.begin()) > kept) first = std::find_if(entries_.begin(), first, goes);
+    loosen(static_cast<std::size_t>(first - entries_.begin()));
+    for (auto entry = first; entry != entries_.end(); ++entry)
+        if (goes(*entry))
+            for (std::size_t k = 0; k < entry->parts.size(); ++k) parts_of_all_[k] -= entry->parts[k];
+    const auto number = static_cast<std::size_t>(first - entries_.begin());
+    entries_.erase(std::remove_if(first, entries_.end(), goes), entries_.end());
+    return number;
+}
+
+/// Those that are not there yet; gives the number of the first entry that is not where it was.
+std::size_t Log::append(std::span<const ToolContact> contacts) {
     const std::size_t former = entries_.size();
-    std::size_t first = 0;
-    bool anew = true;
-    if (keep(std::min(same, contacts.size()))) {
-        first = entries_.size();
-        anew = first < former;
-        if (!append(contacts)) first = 0;
-    } else {
-        entries_.clear();
-        usable_before_.clear();
-        append(contacts);
-    }
-    if (first == 0)
-        std::sort(entries_.begin(), entries_.end(), [](const Entry& a, const Entry& b) {
-            return std::tie(a.contact.time, a.given) < std::tie(b.contact.time, b.given);
-        });
-    for (std::size_t i = first; i < entries_.size(); ++i) join(static_cast<std::uint32_t>(i));
-    write(choose_steps(first, anew || first == 0));
-}
-
-/// Takes away what is not of the first `same` contacts; false when some of it lies before these in time.
-bool Log::keep(std::size_t same) {
-    if (same < usable_before_.size()) {
-        const std::size_t kept = usable_before_[same];
-        for (; entries_.size() > kept && entries_.back().given >= same; entries_.pop_back())
-            if (const std::uint32_t before = entries_.back().before; before != Piece::none)
-                entries_[before].is_continued = false;
-        if (entries_.size() > kept) return false;
-        usable_before_.resize(same);
-    }
-    return true;
-}
-
-/// Those that are not there yet; false when one comes before what is there.
-bool Log::append(std::span<const ToolContact> contacts) {
-    bool in_order = true;
+    const auto earlier = [](const Entry& a, const Entry& b) {
+        return std::tie(a.contact.time, a.given) < std::tie(b.contact.time, b.given);
+    };
     for (std::size_t i = usable_before_.size(); i < contacts.size(); ++i) {
         usable_before_.push_back(static_cast<std::uint32_t>(entries_.size()));
         const auto contact = usable(contacts[i]);
         if (!contact) continue;
-        in_order = in_order && (entries_.empty() || entries_.back().contact.time <= contact->time);
         entries_.push_back({.contact = *contact, .given = static_cast<std::uint32_t>(i)});
+        count(entries_.back());
     }
-    return in_order;
+    const auto begin = entries_.begin(), middle = begin + static_cast<std::ptrdiff_t>(former), end = entries_.end();
+    if (middle == end) return former;
+    if (!std::is_sorted(middle, end, earlier)) std::sort(middle, end, earlier);
+    const auto first = std::upper_bound(begin, middle, *middle, earlier);
+    loosen(static_cast<std::size_t>(first - begin));
+    if (first != middle) std::inplace_merge(first, middle, end, earlier);
+    return static_cast<std::size_t>(first - begin);
 }
 
-void Log::join(std::uint32_t number) {
-    Entry& entry = entries_[number];
-    entry.before = Piece::none;
-    entry.is_continued = false;
-    for (std::uint32_t back = 1; back <= std::min(number, looked_at); ++back) {
-        Entry& before = entries_[number - back];
-        if (before.is_continued || !goes_on(before.contact, entry.contact)) continue;
-        before.is_continued = true;
-        entry.before = number - back;
-        return;
+/// Those from this one on go on from none of those before.
+void Log::loosen(std::size_t first) {
+    for (std::size_t i = first; i < entries_.size(); ++i) {
+        if (entries_[i].before != Piece::none) entries_[entries_[i].before].is_continued = false;
+        entries_[i].before = Piece::none;
     }
 }
 
-/// Steps of the curve with which all pieces have room; gives the first entry that they change. Where `anew`, the finest that do:
-/// what they are follows from the contacts, not from what was there before.
-std::size_t Log::choose_steps(std::size_t first, bool anew) {
-    const auto set = [&](int coarser) {
-        if (coarser == power_.coarser()) return;
-        power_.make_steps(coarser);
-        first = 0;
-    };
+void Log::join(std::size_t number) {
+    entries_[number].is_continued = false;
+    const auto before = goes_on_from(
+        number, [&](std::size_t i) -> const ToolContact& { return entries_[i].contact; },
+        [&](std::size_t i) { return entries_[i].is_continued; });
+    if (!before) return;
+    entries_[*before].is_continued = true;
+    entries_[number].before = static_cast<std::uint32_t>(*before);
+}
+
+void Log::count(Entry& entry) {
+    for (int level = 0; level < PowerCurve::levels; ++level) {
+        const auto k = static_cast<std::size_t>(level);
+        entry.parts[k] = power_.count(entry.contact, level);
+        parts_of_all_[k] += entry.parts[k];
+    }
+}
+
+/// The finest steps with which all pieces have room: they follow from the contacts, not from what was there before.
+int Log::level_with_room() const {
     const std::size_t room = std::max(most_pieces, 2 * entries_.size());
-    const auto has_room = [&] {
-        std::size_t count = end_before(first);
-        for (std::size_t i = first; i < entries_.size() && count <= room; ++i)
-            count += power_.count(entries_[i].contact);
-        return count <= room;
-    };
-    if (anew) set(1);
-    while (!has_room()) set(2 * power_.coarser());
-    return first;
+    int level = 0;
+    while (level + 1 < PowerCurve::levels && parts_of_all_[static_cast<std::size_t>(level)] > room) ++level;
+    return level;
 }
 
 /// The pieces of the entries from `first` on. Those that are what they were keep their revision.
@@ -109,7 +111,7 @@ void Log::write(std::size_t first) {
         std::uint32_t before =
             entry.before == Piece::none ? Piece::none : static_cast<std::uint32_t>(entries_[entry.before].end) - 1;
         parts_.clear();
-        power_.cut(entry.contact, parts_);
+        power_.cut(entry.contact, level_, parts_);
         for (const ToolContact& part : parts_) {
             written_.push_back({.contact = part, .before = before});
             before = static_cast<std::uint32_t>(begin + written_.size()) - 1;

@@ -10,9 +10,11 @@
 // cannot be (usable_contact.h) are left out.
 //
 // Who reads the log keeps the revision that it knows, and takes what was written after it: a sample of a held stroke costs the end
-// of that stroke, however much happened before. A contact that comes before others in time writes all anew. One thread at a time.
+// of that stroke, however much happened before. A contact that comes before others in time costs those that come after it. One
+// thread at a time.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -40,8 +42,8 @@ class Log {
 
     /// The scene's factor on cautery power over time.
     void set_power(std::span<const CurvePoint> points);
-    /// All contacts, in any order. The first `same` are as they were in the call before: they cost nothing, as long as none
-    /// of the others comes earlier.
+    /// All contacts, in any order. The first `same` are as they were in the call before: those of them that come before all others
+    /// in time cost nothing.
     void update(std::span<const ToolContact> contacts, std::size_t same = 0);
 
     /// In the order of their times. Valid until the next call that is not const.
@@ -55,19 +57,24 @@ class Log {
     /// A usable contact, in the order of time.
     struct Entry {
         ToolContact contact;
-        std::uint32_t given = 0;             // its number in the list
-        std::uint32_t before = Piece::none;  // the entry that it goes on from
-        bool is_continued = false;           // another one goes on from it
-        std::size_t end = 0;                 // of its pieces
+        std::uint32_t given = 0;                                // its number in the list
+        std::uint32_t before = Piece::none;                     // the entry that it goes on from
+        bool is_continued = false;                              // another one goes on from it
+        std::size_t end = 0;                                    // of its pieces
+        std::array<std::uint32_t, PowerCurve::levels> parts{};  // at each level of the curve
     };
-    bool keep(std::size_t same);
-    bool append(std::span<const ToolContact> contacts);
-    void join(std::uint32_t entry);
-    std::size_t choose_steps(std::size_t first, bool anew);
+    std::size_t keep(std::size_t same);
+    std::size_t append(std::span<const ToolContact> contacts);
+    void loosen(std::size_t first);
+    void join(std::size_t entry);
+    void count(Entry& entry);
+    int level_with_room() const;
     std::size_t end_before(std::size_t entry) const { return entry > 0 ? entries_[entry - 1].end : 0; }
     void write(std::size_t first);
 
     PowerCurve power_;
+    int level_ = 0;                                                 // of its steps
+    std::array<std::uint64_t, PowerCurve::levels> parts_of_all_{};  // at each level
     std::vector<std::uint32_t> usable_before_;  // per contact of the list: how many of those before it are usable
     std::vector<Entry> entries_;
     std::vector<Piece> pieces_, written_;  // the latter is kept for its memory, as is parts_

@@ -6,38 +6,40 @@
 namespace lapfx::tool {
 
 PowerCurve::PowerCurve(std::span<const CurvePoint> points) : curve_(points, 1.0) {
-    make_steps(1);
+    for (int level = 0; level + 1 < levels; ++level) steps_[static_cast<std::size_t>(level)] = steps_of(level);
 }
 
-/// The points themselves stay until there are no steps at all.
-void PowerCurve::make_steps(int coarser) {
-    coarser_ = coarser;
-    steps_.clear();
-    if (coarser > coarsest) return;
+/// The points themselves are always among them.
+std::vector<double> PowerCurve::steps_of(int level) const {
+    const double largest = (1 << level) * largest_step;
+    std::vector<double> steps;
     const std::span<const CurvePoint> points = curve_.points();
     for (std::size_t i = 0; i < points.size(); ++i) {
-        steps_.push_back(points[i].time);
+        steps.push_back(points[i].time);
         if (i + 1 == points.size()) break;
         const double length = points[i + 1].time - points[i].time;
-        const double wanted = std::ceil(std::abs(points[i + 1].value - points[i].value) / (coarser * largest_step));
+        const double wanted = std::ceil(std::abs(points[i + 1].value - points[i].value) / largest);
         const int count = static_cast<int>(std::min(wanted, std::floor(length / shortest)));
-        for (int k = 1; k < count; ++k) steps_.push_back(points[i].time + length * k / count);
+        for (int k = 1; k < count; ++k) steps.push_back(points[i].time + length * k / count);
     }
+    return steps;
 }
 
-std::size_t PowerCurve::count(const ToolContact& contact) const {
-    if (steps_.empty() || !contact.hot() || !(contact.duration > 0.0)) return 1;
-    const auto first = std::upper_bound(steps_.begin(), steps_.end(), contact.time);
-    return 1 + static_cast<std::size_t>(std::lower_bound(first, steps_.end(), contact.end()) - first);
+std::uint32_t PowerCurve::count(const ToolContact& contact, int level) const {
+    const std::vector<double>& steps = steps_[static_cast<std::size_t>(level)];
+    if (steps.empty() || !contact.hot() || !(contact.duration > 0.0)) return 1;
+    const auto first = std::upper_bound(steps.begin(), steps.end(), contact.time);
+    return 1 + static_cast<std::uint32_t>(std::lower_bound(first, steps.end(), contact.end()) - first);
 }
 
-void PowerCurve::cut(const ToolContact& contact, std::vector<ToolContact>& parts) const {
+void PowerCurve::cut(const ToolContact& contact, int level, std::vector<ToolContact>& parts) const {
     if (curve_.even() || !contact.hot()) return parts.push_back(contact);
+    const std::vector<double>& steps = steps_[static_cast<std::size_t>(level)];
     const double end = contact.end();
-    auto next = std::upper_bound(steps_.begin(), steps_.end(), contact.time);
+    auto next = std::upper_bound(steps.begin(), steps.end(), contact.time);
     double from = contact.time;
     while (true) {
-        const bool last = next == steps_.end() || *next >= end;
+        const bool last = next == steps.end() || *next >= end;
         const double to = last ? end : *next;
         ToolContact part = contact;
         part.time = from;
@@ -45,7 +47,7 @@ void PowerCurve::cut(const ToolContact& contact, std::vector<ToolContact>& parts
         part.position = from == contact.time ? contact.position : contact.tip(from);
         part.to = last ? contact.to : contact.tip(to);
         // All of the step that it lies in, not only what of it the contact fills: a contact that grows keeps its parts.
-        const bool between = next != steps_.begin() && next != steps_.end();
+        const bool between = next != steps.begin() && next != steps.end();
         part.power *= between ? factor_from(*(next - 1), *next) : factor_from(from, to);
         parts.push_back(part);
         if (last) return;

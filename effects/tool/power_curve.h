@@ -5,6 +5,8 @@
 // curve alone: however a stroke is cut into contacts, the same heat comes of it. One thread at a time.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -17,27 +19,24 @@ class PowerCurve {
   public:
     static constexpr double largest_step = 0.02;  ///< of the factor
     static constexpr double shortest = 0.005;     ///< s between steps, where the line is steep
-    static constexpr int coarsest = 64;
+    /// How fine the steps are: level 0 has the ones above, each next one twice as large, the last none at all: there each contact is
+    /// one part, with the mean of its time.
+    static constexpr int levels = 8;
 
     explicit PowerCurve(std::span<const CurvePoint> points = {});
     const FactorCurve& curve() const { return curve_; }
 
-    /// With steps of so many times the largest, 1 at first; beyond `coarsest` there are none, and each contact is one part, with the
-    /// mean of its time.
-    void make_steps(int coarser);
-    int coarser() const { return coarser_; }
-
     /// How many parts a contact is cut into: one, unless it is hot.
-    std::size_t count(const ToolContact& contact) const;
+    std::uint32_t count(const ToolContact& contact, int level) const;
     /// Adds them to `parts`, in the order of their times. `contact`: usable.
-    void cut(const ToolContact& contact, std::vector<ToolContact>& parts) const;
+    void cut(const ToolContact& contact, int level, std::vector<ToolContact>& parts) const;
 
   private:
+    std::vector<double> steps_of(int level) const;
     double factor_from(double begin, double end) const;
 
     FactorCurve curve_;
-    std::vector<double> steps_;  // s, ascending
-    int coarser_ = 1;
+    std::array<std::vector<double>, levels> steps_;  // s, ascending
 };
 
 }  // namespace lapfx::tool

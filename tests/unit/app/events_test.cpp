@@ -38,6 +38,22 @@ TEST(Events, AGapInTimeOrPlacePartsThem) {
     EXPECT_EQ(strokes_of(events).size(), 3U);
 }
 
+TEST(Events, TwoToolsOfOneActionAtOnceAreTwoStrokes) {
+    std::vector<ToolContact> events;
+    for (int i = 0; i < 4; ++i)
+        for (const double x : {0.0, 50.0})
+            events.push_back({.action = ToolAction::cut,
+                              .time = 1.0 * i,
+                              .duration = 1.0,
+                              .position = {x, i, 0},
+                              .to = {x, i + 1.0, 0}});
+    const std::vector<Stroke> strokes = strokes_of(events);
+    ASSERT_EQ(strokes.size(), 2U);
+    EXPECT_EQ(strokes[0].events, (std::vector<std::size_t>{0, 2, 4, 6}));
+    EXPECT_EQ(strokes[1].events, (std::vector<std::size_t>{1, 3, 5, 7}));
+    EXPECT_EQ(strokes[1].end, 4.0);
+}
+
 TEST(Events, AStrokeMovesWhole) {
     std::vector<ToolContact> events = path_and_cut();
     move_stroke(events, strokes_of(events)[0], 4);

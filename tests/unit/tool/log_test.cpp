@@ -94,6 +94,21 @@ TEST(Log, WhoKnowsARevisionTakesWhatWasWrittenAfterIt) {
     EXPECT_EQ(contacts_of(log), (std::vector{stroke(-3, 1), stroke(0, 1)}));
 }
 
+TEST(Log, AStrokeBeforeOthersCostsThoseThatComeAfterIt) {
+    Log log;
+    std::vector<ToolContact> contacts{stroke(0, 1), stroke(2, 1, 7), stroke(20, 1), stroke(21, 1, 1), stroke(10, 1)};
+    log.update(contacts);
+    const std::uint64_t known = log.revision();
+    contacts.back().duration = 1.5;
+    contacts.push_back(stroke(11.5, 1, 1.5));
+    log.update(contacts, 4);
+    EXPECT_EQ(log.first_after(known), 2u) << "what came before it is known";
+    EXPECT_EQ(contacts_of(log),
+              (std::vector{contacts[0], contacts[1], contacts[4], contacts[5], contacts[2], contacts[3]}));
+    EXPECT_EQ(log.pieces()[3].before, 2u);
+    EXPECT_EQ(log.pieces()[5].before, 4u) << "joints of what comes after it stay";
+}
+
 /// However it came to be, a log is that of its list; and a reader that follows it by revisions has all of it.
 TEST(Log, IsAFunctionOfItsListAndCurve) {
     std::mt19937 random(3);
@@ -208,6 +223,15 @@ TEST(LogPower, NeverMorePiecesThanThereIsRoomForAndFewerLeaveFinerSteps) {
     log.update(std::vector{stroke(0.0, 500.0)});
     EXPECT_EQ(contacts_of(log), applied(zigzag, {stroke(0.0, 500.0)}));
     EXPECT_GT(log.pieces().size(), 1000u);
+    std::vector<ToolContact> grown;
+    for (const std::size_t count : {100u, 700u, 1500u, 1600u}) {
+        const std::size_t same = grown.size();
+        while (grown.size() < count) grown.push_back(stroke(0.01 * static_cast<double>(grown.size()), 10.0));
+        log.update(grown, same);
+        EXPECT_TRUE(contacts_of(log) == applied(zigzag, grown)) << count;
+        EXPECT_LE(log.pieces().size(), Log::most_pieces) << count;
+        EXPECT_GT(log.pieces().size(), Log::most_pieces / 10) << count << ": as fine as there is room for";
+    }
 }
 
 /// Heat: one stay under a curve is as many small ones, each with the power of its time.
