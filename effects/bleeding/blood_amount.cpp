@@ -7,6 +7,7 @@
 namespace lapfx::bleeding {
 
 void AmountSum::mark(std::uint32_t vertex) noexcept {
+    if (parts_.empty()) parts_.resize(surface_.triangles.size());
     for (const std::uint32_t t : surface_.triangles_at(vertex)) {
         if (state_[t] == marked) continue;
         if (state_[t] == unknown) known_.push_back(t);
@@ -23,7 +24,7 @@ void AmountSum::mark_all() noexcept {
 void AmountSum::clear() noexcept {
     for (const std::uint32_t t : known_) {
         state_[t] = unknown;
-        if (!parts_.empty()) parts_[t] = {};
+        parts_[t] = {};
     }
     known_.clear();
     marked_.clear();
@@ -31,7 +32,6 @@ void AmountSum::clear() noexcept {
 }
 
 BloodAmount AmountSum::measure(std::span<const glm::vec2> values, const BleedingParameters& parameters) noexcept {
-    if (!marked_.empty()) parts_.resize(surface_.triangles.size());
     const auto above = [&](std::uint32_t v) { return values[v].x - parameters.threshold; };
     for (const std::uint32_t t : marked_) {
         const auto& c = surface_.triangles[t];
