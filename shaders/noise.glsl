@@ -1,5 +1,5 @@
 // Perlin's improved gradient noise (Ken Perlin, "Improving Noise", SIGGRAPH 2002) on a hashed lattice, so that it never
-// repeats and needs no texture. Mirrored on the CPU by effects/gl/noise.h; tests/parity/noise_test.cpp compares them.
+// repeats and needs no texture. Mirrored on the CPU by effects/smoke/noise.h; tests/parity/smoke/noise_test.cpp compares them.
 
 uint lapfx_hash(ivec3 cell, uint seed) {
     uvec3 c = uvec3(cell);

@@ -1,12 +1,12 @@
 // The CPU mirror of shaders/noise.glsl: the same lattice, the same constants, float arithmetic in the same
-// order. tests/parity/noise_test.cpp compares the two. Pure functions, any thread.
+// order. tests/parity/smoke/noise_test.cpp compares the two. Pure functions, any thread.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 
-namespace lapfx::gl {
+namespace lapfx::smoke {
 
 inline std::uint32_t noise_hash(glm::ivec3 cell, std::uint32_t seed) {
     const glm::uvec3 c(cell);
@@ -67,4 +67,4 @@ inline float fractal_noise(glm::vec3 p, int octaves, std::uint32_t seed) {
     return octaves > 0 ? sum / total : 0.0f;
 }
 
-}  // namespace lapfx::gl
+}  // namespace lapfx::smoke
