@@ -106,7 +106,8 @@ bool in_word(char c) {
     return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// The words of each declaration of uniforms outside of blocks, in whatever variant of a shader: their names, and a few more.
+/// The words of each declaration of uniforms outside of blocks, in whatever variant of a shader: their names, and a few
+/// more.
 template <typename Take>
 void for_each_declared(const std::string& text, const Take& take) {
     constexpr std::string_view keyword = "uniform";

@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """Checks that dependencies run one way.
 
-    editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs: effects/include_authoring/lapfx/authoring/*.h
+    editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs:
+                       effects/include_authoring/lapfx/authoring/*.h
     samples/host, as any host -> effects/include/lapfx/*.h alone
     editor: commands -> window, panels -> app -> document -> lapfx/*.h
-    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work} -> effects/include/lapfx/*.h
-    lapfx::simulation (all of effects/ that does not draw, by the list in effects/CMakeLists.txt) -> nothing that draws, no OpenGL
+    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work}
+                      -> effects/include/lapfx/*.h
+    lapfx::simulation (all of effects/ that does not draw, by the list in effects/CMakeLists.txt) -> nothing that draws,
+                      no OpenGL
 
 With --self-test, checks the checker: each rule on made-up files that break it and on ones that keep it.
 """
@@ -100,7 +103,8 @@ def toolkit_fault(target, name):
 
 
 def outside_fault(path, target):
-    """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host no more."""
+    """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host
+    no more."""
     seen = PUBLIC if path.startswith("samples/host/") else (PUBLIC, AUTHORING)
     if target is None or not target.startswith("effects/") or target.startswith(seen):
         return None

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""Hosts of their own, in an empty folder, with the two lines of CMake that README tells: the sample host's one file as a
-program, a plug-in, and the sample host that scores, without OpenGL. The core is configured and built with nothing but what
-it links, and a host sees nothing but what it needs.
+"""Hosts of their own, in an empty folder, with the two lines of CMake that README tells: the sample host's one file as
+a program, a plug-in, and the sample host that scores, without OpenGL. The core is configured and built with nothing but
+what it links, and a host sees nothing but what it needs.
 
     host_project_test.py PROJECT FOLDER LAPFX
 
@@ -94,7 +94,8 @@ def run(*command, text=True):
 
 
 def looked_for(trace, project, host):
-    """{name: file and line} of all that the project's own CMake files look for; the host's, which may lie below, are its own."""
+    """{name: file and line} of all that the project's own CMake files look for; the host's, which may lie below, are
+    its own."""
     found = {}
     with open(trace, encoding="utf-8") as lines:
         for line in lines:

@@ -3,8 +3,8 @@
 
     own_shader_test.py LAPFX LAPFX_HOST ROOT
 
-Each draws one view of the liver lobe with and without blood; where the two pictures of one program differ, there is blood.
-The masks of the two programs agree, but for pixels beside the edge of either, which lapfx smooths.
+Each draws one view of the liver lobe with and without blood; where the two pictures of one program differ, there is
+blood. The masks of the two programs agree, but for pixels beside the edge of either, which lapfx smooths.
 """
 import json
 import os

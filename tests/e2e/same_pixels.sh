@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One scene, one picture (design: "same pixels"): lapfx render (Preview) on OSMesa twice gives the same bytes, and so does
-# the sample host, which loads, sees and draws by itself with Effects, and is told of a contact when it begins; EGL's
-# software renderer agrees with them within 1/255 in every channel of every pixel. With curves over time as well.
+# One scene, one picture (design: "same pixels"): lapfx render (Preview) on OSMesa twice gives the same bytes, and so
+# does the sample host, which loads, sees and draws by itself with Effects, and is told of a contact when it begins;
+# EGL's software renderer agrees with them within 1/255 in every channel of every pixel. With curves over time as well.
 #
 #   same_pixels.sh LAPFX LAPFX_HOST IMAGES_DIFFER ROOT
 set -euo pipefail
