@@ -1,5 +1,5 @@
-// Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). For lapfx's own organ shader and for
-// a host's: paste this text (lapfx::bleeding_shader() gives it with its includes), bind the uniform block
+// Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). For lapfx's own organ shader
+// and for a host's: paste this text (lapfx::bleeding_shader() gives it with its includes), bind the uniform block
 // (Effects::bind_bleeding), pass Effects::bleed_buffer() through the vertex shader as a vec2, and call lapfx_blood().
 // It names nothing of the shader around it. Lengths mm in organ space, colours linear.
 #include "noise.glsl"
@@ -16,14 +16,14 @@ struct LapfxBlood {
     vec3 slope;       // gradient of the layer's height over organ space: subtract it from the unit normal
 };
 
-// How much light 1 mm of film takes: powers of a half per channel for deep_at = 1. Haemoglobin takes several times more green
-// and blue than red (Prahl's tables: 8 to 20 times), less so in a film that also scatters.
+// How much light 1 mm of film takes: powers of a half per channel for deep_at = 1. Haemoglobin takes several times more
+// green and blue than red (Prahl's tables: 8 to 20 times), less so in a film that also scatters.
 const vec3 lapfx_blood_absorption = vec3(2.6, 8.0, 7.5);
 
-// The noise that moves the edge, in -1..1, and its gradient over organ space. Rivulets press it together along gravity, the
-// fine octaves more than the first: on a wall its lobes become runs that point downhill; level tissue has no extent along
-// gravity, so nothing changes there. Steep tissue also sends the runs farther. All of it is odd in the noise, so that blood
-// gains as much area as it loses.
+// The noise that moves the edge, in -1..1, and its gradient over organ space. Rivulets press it together along gravity,
+// the fine octaves more than the first: on a wall its lobes become runs that point downhill; level tissue has no extent
+// along gravity, so nothing changes there. Steep tissue also sends the runs farther. All of it is odd in the noise, so
+// that blood gains as much area as it loses.
 vec4 lapfx_blood_noise(vec3 position, vec3 normal, int octaves) {
     vec3 down = u_blood_down.xyz;
     float rivulets = u_blood_surface.w, scale = u_blood_edge.y;
@@ -46,9 +46,9 @@ vec4 lapfx_blood_noise(vec3 position, vec3 normal, int octaves) {
     return vec4(bent, noise.yzw * (1.0 + steep) * (1.0 - steep * x * x / 2.25));
 }
 
-// `blood`: interpolated bleed value, mm, and clot, 0..1. `slope`: the bleed value's gradient over organ space; 0 if it is not
-// at hand. `position`: rest position, mm. `normal`: of the tissue, unit, organ space. Call it in uniform control flow: it takes
-// screen derivatives.
+// `blood`: interpolated bleed value, mm, and clot, 0..1. `slope`: the bleed value's gradient over organ space; 0 if it
+// is not at hand. `position`: rest position, mm. `normal`: of the tissue, unit, organ space. Call it in uniform control
+// flow: it takes screen derivatives.
 LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     float threshold = u_blood_edge.x, strength = u_blood_edge.z, deep_at = u_blood_thin.a;
     // Out of the noise's reach no octave is run.
@@ -78,7 +78,8 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     b.gloss = u_blood_surface.y * (1.0 - 0.85 * b.clot);
     b.level = b.coverage * (1.0 - exp2(-2.5 * share));
 
-    // The layer rises steeply at its rim (the meniscus) and is flat inside: height = thickness * (1 - exp(-depth / rim)).
+    // The layer rises steeply at its rim (the meniscus) and is flat inside:
+    // height = thickness * (1 - exp(-depth / rim)).
     float rim = 0.7;
     float steep = u_blood_surface.x / rim * exp(-depth / rim);
     b.slope = steep * (0.5 * slope - strength * noise.yzw);

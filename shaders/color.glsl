@@ -1,4 +1,5 @@
-// sRGB transfer (IEC 61966-2-1) and luma. Lighting happens in linear light; thresholds of a clip in its own code values.
+// sRGB transfer (IEC 61966-2-1) and luma. Lighting happens in linear light; thresholds of a clip in its own code
+// values.
 
 vec3 lapfx_to_linear(vec3 srgb) {
     return mix(srgb / 12.92, pow((srgb + 0.055) / 1.055, vec3(2.4)), greaterThan(srgb, vec3(0.04045)));

@@ -1,5 +1,5 @@
-// Smoke out of a video frame (paper: figure 1): luma and chroma thresholds take the background away, Perlin noise varies
-// what is left. Mirrored on the CPU by effects/smoke/keying_pixel.h; tests/parity/keying_test.cpp compares them.
+// Smoke out of a video frame (paper: figure 1): luma and chroma thresholds take the background away, Perlin noise
+// varies what is left. Mirrored on the CPU by effects/smoke/keying_pixel.h; tests/parity/keying_test.cpp compares them.
 // Code values: 0..255 as in the clip, BT.601 luma and chroma (full range).
 
 struct LapfxKeying {
@@ -22,8 +22,8 @@ float lapfx_unit(float x) { return x > 0.0 ? min(x, 1.0) : 0.0; }
 
 float lapfx_ramp(float value, float low, float high) { return lapfx_unit((value - low) / max(high - low, 1e-3)); }
 
-// Opacity 0..1 of the smoke in one pixel is the product of these two. The ramps are linear, for smoke of one colour over a flat
-// background is mixed linearly: luma and chroma distance both grow in proportion to its opacity.
+// Opacity 0..1 of the smoke in one pixel is the product of these two. The ramps are linear, for smoke of one colour
+// over a flat background is mixed linearly: luma and chroma distance both grow in proportion to its opacity.
 float lapfx_key_luma(float luma, LapfxKeying key) {
     return lapfx_ramp(key.dark > 0.5 ? 255.0 - luma : luma, key.luma_low, key.luma_high);
 }
@@ -49,10 +49,11 @@ vec3 lapfx_tint(float luma, vec2 chroma) {
     return clamp(1.0 + vec3(1.402 * share.y, -0.344 * share.x - 0.714 * share.y, 1.772 * share.x), 0.0, 2.0);
 }
 
-// How brightly smoke is lit, 1 at middle grey, where its opacity comes from the clip itself: keyed by luma, brighter is denser,
-// and that is all that luma says; here it is free to tell light from shadow. The clip's colour is taken as premultiplied, as it is
-// in clips that lie over black. Where hardly anything is there, colour over opacity is but rounding: 0.05 on both draws it to 1.
-// Squared, code values are nearly linear light. Bounded, so that dark smoke does not turn black nor a straight clip's edge glow.
+// How brightly smoke is lit, 1 at middle grey, where its opacity comes from the clip itself: keyed by luma, brighter is
+// denser, and that is all that luma says; here it is free to tell light from shadow. The clip's colour is taken as
+// premultiplied, as it is in clips that lie over black. Where hardly anything is there, colour over opacity is but
+// rounding: 0.05 on both draws it to 1. Squared, code values are nearly linear light. Bounded, so that dark smoke does
+// not turn black nor a straight clip's edge glow.
 float lapfx_shade(float luma, float alpha) {
     float own = (max(luma, 0.0) / 128.0 + 0.05) / (lapfx_unit(alpha) + 0.05);
     return clamp(own * own, 0.1, 2.0);

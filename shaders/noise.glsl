@@ -1,5 +1,6 @@
 // Perlin's improved gradient noise (Ken Perlin, "Improving Noise", SIGGRAPH 2002) on a hashed lattice, so that it never
-// repeats and needs no texture. Mirrored on the CPU by effects/gl/noise.h; tests/parity/noise_test.cpp compares them.
+// repeats and needs no texture. Mirrored on the CPU by effects/smoke/noise.h; tests/parity/smoke/noise_test.cpp
+// compares them.
 
 uint lapfx_hash(ivec3 cell, uint seed) {
     uvec3 c = uvec3(cell);
@@ -21,8 +22,8 @@ vec3 lapfx_gradient(ivec3 cell, uint seed) {
     return (h & 1u) == 0u ? vec3(v, 1.0, 0.0) : vec3(0.0, -1.0, v);
 }
 
-// Value in about -1..1 with mean 0 (x), and its gradient (yzw). One lobe per unit of p. `from`: whole lobes that are added to
-// p without losing its precision, so that noise may drift for days.
+// Value in about -1..1 with mean 0 (x), and its gradient (yzw). One lobe per unit of p. `from`: whole lobes that are
+// added to p without losing its precision, so that noise may drift for days.
 vec4 lapfx_perlin_from(ivec3 from, vec3 p, uint seed) {
     vec3 base = floor(p);
     ivec3 cell = from + ivec3(base);
@@ -51,7 +52,8 @@ vec4 lapfx_perlin_from(ivec3 from, vec3 p, uint seed) {
 
 vec4 lapfx_perlin(vec3 p, uint seed) { return lapfx_perlin_from(ivec3(0), p, seed); }
 
-// Octaves of noise, each half as large and half as strong, scaled so that the sum stays in about -1..1. Value and gradient.
+// Octaves of noise, each half as large and half as strong, scaled so that the sum stays in about -1..1. Value and
+// gradient.
 vec4 lapfx_fractal_noise(vec3 p, int octaves, uint seed) {
     vec4 sum = vec4(0.0);
     float amplitude = 1.0, frequency = 1.0, total = 0.0;

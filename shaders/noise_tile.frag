@@ -1,6 +1,7 @@
 #version 450 core
-// The Perlin noise on the opacity of one to four layers, a channel each (paper: "perturb alpha using a Perlin noise texture"), made anew for every frame, so
-// that it drifts without ever repeating. Two octaves. Filled from effects/smoke/noise_tiles_gpu.cpp.
+// The Perlin noise on the opacity of one to four layers, a channel each (paper: "perturb alpha using a Perlin noise
+// texture"), made anew for every frame, so that it drifts without ever repeating. Two octaves. Filled from
+// effects/smoke/noise_tiles_gpu.cpp.
 #include "noise.glsl"
 
 layout(location = 0) in vec2 v_uv;

@@ -10,7 +10,7 @@ layout(location = 4) in vec4 a_color;     // linear
 layout(location = 5) in vec2 a_blood;     // bleed value, mm; how far the blood has clotted, 0..1
 layout(location = 6) in vec2 a_marks;     // char, 0..1; how far the tissue is divided, 0..1
 layout(location = 7) in vec3 a_rest;      // mm, rest shape: noise and textures stay on the tissue when it moves
-layout(location = 8) in vec2 a_density;   // vessels and fat, 0..1, which the density texture multiplies; for the overlay
+layout(location = 8) in vec2 a_density;   // vessels and fat, 0..1, times the density texture; for the overlay
 
 uniform mat4 u_model;  // organ space to scene space; rigid
 

@@ -1,5 +1,5 @@
-// What is not seen but decides: density of vessels and fat (paper: figure 9) and the bleed value, as false colour over the
-// shaded tissue, which turns grey. Output linear.
+// What is not seen but decides: density of vessels and fat (paper: figure 9) and the bleed value, as false colour over
+// the shaded tissue, which turns grey. Output linear.
 
 uniform int u_overlay;  // lapfx::Overlay: 0 none, 1 vessels, 2 fat, 3 bleed
 layout(binding = 2) uniform sampler2D u_density;  // of the texture: vessels, fat; white where vertices have them
@@ -19,7 +19,8 @@ vec3 lapfx_overlay(vec3 shaded, vec2 density, float bleed) {
     if (u_overlay == 1) return mix(grey, vec3(0.0, 0.6, 1.0), lapfx_overlay_cover * density.x);
     if (u_overlay == 2) return mix(grey, vec3(1.0, 0.7, 0.0), lapfx_overlay_cover * density.y);
     // Isolines every 2 mm from 0, one and a half pixels wide; colours run to red at 20 mm.
-    float steps = bleed / 2.0, width = clamp(fwidth(steps), 1e-6, 1.0);  // beyond the reach of blood the value falls off a cliff
+    // Bounded: beyond the reach of blood the value falls off a cliff.
+    float steps = bleed / 2.0, width = clamp(fwidth(steps), 1e-6, 1.0);
     float line = 1.0 - clamp(abs(fract(steps + 0.5) - 0.5) / width - 0.25, 0.0, 1.0);
     vec3 color = lapfx_false_color(clamp(bleed / 20.0, 0.0, 1.0));
     float inside = clamp(steps / width + 0.5, 0.0, 1.0);

@@ -1,6 +1,6 @@
 #version 450 core
-// A speck of fat: a lump of its own shape, wet and lit by the lamp, glowing while it is young (paper: future work, "tiny fat
-// particles" made "at the fragment shader level").
+// A speck of fat: a lump of its own shape, wet and lit by the lamp, glowing while it is young (paper: future work,
+// "tiny fat particles" made "at the fragment shader level").
 #include "view.glsl"
 
 layout(binding = 1) uniform sampler2D u_scene_depth;  // window depth of what has been drawn

@@ -1,6 +1,6 @@
 #version 450 core
-// Source smoke: a quad that faces the camera, anchored where the clip's smoke starts, at the tool tip. Its corners come from
-// effects/smoke/plume.h.
+// Source smoke: a quad that faces the camera, anchored where the clip's smoke starts, at the tool tip. Its corners come
+// from effects/smoke/plume.h.
 #include "view.glsl"
 #include "smoke_layer.glsl"
 

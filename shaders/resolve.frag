@@ -2,10 +2,10 @@
 // Lays smoke over the frame once: the sum of all layers of a role, at the resolution of their clips, becomes light and
 // transmission per channel (tests/support/thickness.h is the same on the CPU).
 //
-// Why a sum is enough: light that crosses layers of thickness t1, t2, .. keeps exp(-t1) * exp(-t2) .. of itself, which is
-// exp(-(t1 + t2 + ..)), whatever their order. What the layers scatter towards the eye is, for a mixture of media that share
-// one extinction, the mean of their colours weighted by thickness, times what does not pass; that equals layer over layer
-// wherever the colours agree, and has no order where they do not, as smoke that mingles has none.
+// Why a sum is enough: light that crosses layers of thickness t1, t2, .. keeps exp(-t1) * exp(-t2) .. of itself, which
+// is exp(-(t1 + t2 + ..)), whatever their order. What the layers scatter towards the eye is, for a mixture of media
+// that share one extinction, the mean of their colours weighted by thickness, times what does not pass; that equals
+// layer over layer wherever the colours agree, and has no order where they do not, as smoke that mingles has none.
 //   LAPFX_PLUME  its thickness changes suddenly where the scene's depth does: upsampling looks at that
 //   LAPFX_EVEN   no layers, an even veil
 //   else haze: more of it lies before what is farther away; that is done here, at full resolution
@@ -25,7 +25,8 @@ layout(location = 0, index = 0) out vec4 o_light;
 layout(location = 0, index = 1) out vec4 o_transmission;
 
 #ifdef LAPFX_PLUME
-// Bilinear, but neighbours that lie at another depth count little: smoke behind an instrument does not bleed over its edge.
+// Bilinear, but neighbours that lie at another depth count little: smoke behind an instrument does not bleed over its
+// edge.
 vec4 smoke_sum(float scene) {
     ivec2 last = textureSize(u_sum, 0) - 1;
     vec2 position = v_uv * vec2(last + 1) - 0.5;

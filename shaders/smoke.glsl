@@ -25,7 +25,8 @@ layout(binding = 8) uniform sampler2DArray u_opacity[LAPFX_LAYERS];
 #ifdef LAPFX_NOISE
 layout(binding = 12) uniform sampler2D u_noise;  // tiles; a channel for each layer drawn at once; 0..1 is -1..1
 #endif
-layout(binding = 13) uniform sampler2D u_scene_depth;  // direct: window depth; else view depth, mm, at this target's size
+// Direct: window depth; else view depth, mm, at this target's size.
+layout(binding = 13) uniform sampler2D u_scene_depth;
 
 #ifdef LAPFX_DIRECT
 // Dual-source blending: destination * o_transmission + o_light.
@@ -40,8 +41,8 @@ LapfxKeying keying(int i) {
     return LapfxKeying(ramps.x, ramps.y, key.xy, ramps.z, ramps.w, key.z, key.w);
 }
 
-// Luma, Cb and Cr (around 0) of layer i, code values. Chroma is sampled as lying in the middle of its four pixels, which is how
-// RGB frames are made of it too: there each chroma sample serves just those four.
+// Luma, Cb and Cr (around 0) of layer i, code values. Chroma is sampled as lying in the middle of its four pixels,
+// which is how RGB frames are made of it too: there each chroma sample serves just those four.
 vec3 clip_code(int i, vec2 place) {
     float array_layer = u_layers[i].vary.w;
 #ifdef LAPFX_PLANAR
@@ -91,7 +92,8 @@ float lapfx_opacity_at(vec2 position) {
     return clip_opacity(edged_layer, place, clip_code(edged_layer, place));
 }
 
-// The clip's own tint, which real smoke has a little of; and its shading where its opacity does not say how bright it is.
+// The clip's own tint, which real smoke has a little of; and its shading where its opacity does not say how bright it
+// is.
 vec3 own_light(int i, vec2 place, vec3 code) {
 #ifdef LAPFX_ALPHA
     float shade = lapfx_shade(code.x, textureLod(u_opacity[i], vec3(place, u_layers[i].vary.w), 0.0).r);
@@ -112,7 +114,8 @@ float smoke_opacity(int i, vec2 uv, float noise, out vec3 light) {
     vec4 turn = u_layers[i].turn;
 #ifdef LAPFX_TURNED
     vec2 place = 0.5 + turn.xy * (uv.x - 0.5) + turn.zw * (uv.y - 0.5);
-    place = abs(place - 2.0 * floor(0.5 * place + 0.5));  // turned beyond its border, the clip goes on as its mirror image
+    // Turned beyond its border, the clip goes on as its mirror image.
+    place = abs(place - 2.0 * floor(0.5 * place + 0.5));
 #else
     vec2 place = vec2(0.5 + turn.x * (uv.x - 0.5), uv.y);
 #endif

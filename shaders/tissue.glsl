@@ -1,5 +1,5 @@
-// Wet tissue under an endoscope: base colour, bump (normal) mapping and a specular film (paper: "the existing shader, which
-// allows bump mapping and wet surface effects"). Linear light in and out.
+// Wet tissue under an endoscope: base colour, bump (normal) mapping and a specular film (paper: "the existing shader,
+// which allows bump mapping and wet surface effects"). Linear light in and out.
 #include "view.glsl"
 #include "color.glsl"
 #include "noise.glsl"
@@ -44,8 +44,8 @@ vec3 mapped_normal(vec3 normal, out float spread) {
     return normalize(bumped);
 }
 
-// The film that wets tissue follows its bumps and has fine ripples of its own: they break highlights into the clusters of
-// small white spots that every laparoscopic picture is full of.
+// The film that wets tissue follows its bumps and has fine ripples of its own: they break highlights into the clusters
+// of small white spots that every laparoscopic picture is full of.
 vec3 film_normal(vec3 geometric, vec3 normal) {
     vec3 ripple = lapfx_fractal_noise(v_rest / 2.1, 2 * u_tissue, 5u).yzw;
     vec3 film = mix(geometric, normal, 0.8) - 0.045 * (ripple - geometric * dot(geometric, ripple));

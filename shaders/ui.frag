@@ -1,5 +1,6 @@
 #version 450 core
-// Colours of the UI, sRGB-encoded as they are blended, premultiplied. See ui.vert for the two programs and for what comes in.
+// Colours of the UI, sRGB-encoded as they are blended, premultiplied. See ui.vert for the two programs and for what
+// comes in.
 
 flat in vec4 v_color;
 flat in vec4 v_shape;
@@ -13,7 +14,8 @@ flat in float v_glyph;
 in vec4 v_place;
 
 #ifndef LAPFX_UI_PICTURES
-layout(binding = 0) uniform samplerBuffer u_atlas;  // coverage, rows one after the other: an eighth of a frame faster on llvmpipe
+// Coverage, rows one after the other: an eighth of a frame faster on llvmpipe.
+layout(binding = 0) uniform samplerBuffer u_atlas;
 layout(location = 1) uniform int u_atlas_width;
 #else
 layout(binding = 1) uniform sampler2D u_first;  // sRGB, straight alpha; filtered, never mipmapped

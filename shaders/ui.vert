@@ -1,7 +1,7 @@
 #version 450 core
-// The UI's quads: one instance of 32 bytes each (editor/ui/draw/draw_list.h), four corners without a vertex buffer. Two programs
-// are made of this file: shapes and text, which is most of a frame; and, with LAPFX_UI_PICTURES, all that is larger and rarer.
-// Apart, because llvmpipe runs every branch of a fragment shader for every pixel.
+// The UI's quads: one instance of 32 bytes each (editor/ui/draw/draw_list.h), four corners without a vertex buffer. Two
+// programs are made of this file: shapes and text, which is most of a frame; and, with LAPFX_UI_PICTURES, all that is
+// larger and rarer. Apart, because llvmpipe runs every branch of a fragment shader for every pixel.
 
 layout(location = 0) in vec4 a_rect;    // px: x, y, w, h; a line: both ends
 layout(location = 1) in uvec4 a_uv;     // as the kind has it
@@ -78,7 +78,8 @@ void put_fill(float radius, float border) {
     v_place.xy = put_corner(low, high) - middle;
 }
 
-// A bar with round ends along the line. Within the clip its quad is as slanted; else it is the box around, cut to the clip.
+// A bar with round ends along the line. Within the clip its quad is as slanted; else it is the box around, cut to the
+// clip.
 void put_line() {
     vec2 middle = 0.5 * (a_rect.xy + a_rect.zw), way = a_rect.zw - a_rect.xy;
     float far = length(way), radius = float(a_uv.x) / 128.0;
@@ -100,8 +101,9 @@ void put_line() {
 }
 
 void put_glyph() {
-    // Blended in sRGB, light text on dark looks thinner than dark on light does: half-covered pixels are made up to 0.1 stronger
-    // by how light the text is. Looked at with 14 px: 0 is spindly on dark, 0.8 half-bold; dark text stays as it is.
+    // Blended in sRGB, light text on dark looks thinner than dark on light does: half-covered pixels are made up to 0.1
+    // stronger by how light the text is. Looked at with 14 px: 0 is spindly on dark, 0.8 half-bold; dark text stays as
+    // it is.
     float light = dot(a_color.rgb, vec3(0.2126, 0.7152, 0.0722));
     v_shape = vec4(endless, endless, 0.0, 0.4 * light);
     v_glyph = 1.0;

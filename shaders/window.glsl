@@ -1,5 +1,5 @@
-// What of a clip's frame keys to smoke at all: crop, fade at its edges, masks. Pixels of the clip, from its upper left corner.
-// Mirrored on the CPU by effects/smoke/keying_pixel.h; constants by effects/smoke/window.h.
+// What of a clip's frame keys to smoke at all: crop, fade at its edges, masks. Pixels of the clip, from its upper left
+// corner. Mirrored on the CPU by effects/smoke/keying_pixel.h; constants by effects/smoke/window.h.
 
 // 0 at or below 0, 1 from 1 on, without a kink.
 vec4 lapfx_eased(vec4 x) {

@@ -1,10 +1,11 @@
 // Method: CPU time of the calling thread, the best of five runs of each, in turns.
 //
-// Samples: on the sample scene's organ, with its preset but without clips. Strokes of 0.6 s, one a second, cauterise, cut and suck
-// in turns, have gone by, and their wounds have bled out; then a tool is held and slowly drawn 60 mm beside them for 2 s, 1000
-// samples a second and 60 frames, and nothing is drawn. The ratio is that of the tool for which it is the largest. Suction is
-// measured 20 mm beside them too, where it takes their blood away: there it costs the wounds whose blood that is.
-// Scene: AmountsModel with the organ prepared; from setting preset and events to the last of 1800 amounts.
+// Samples: on the sample scene's organ, with its preset but without clips. Strokes of 0.6 s, one a second, cauterise,
+// cut and suck in turns, have gone by, and their wounds have bled out; then a tool is held and slowly drawn 60 mm
+// beside them for 2 s, 1000 samples a second and 60 frames, and nothing is drawn. The ratio is that of the tool for
+// which it is the largest. Suction is measured 20 mm beside them too, where it takes their blood away: there it costs
+// the wounds whose blood that is. Scene: AmountsModel with the organ prepared; from setting preset and events to the
+// last of 1800 amounts.
 #include "commands/bench_simulation.h"
 
 #include <algorithm>

@@ -154,14 +154,15 @@ double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexce
     return std::min(flowed, parameters_.max_extent) * (1.0 - clot_shrink * static_cast<double>(bleeder.clot));
 }
 
-/// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the extent
-/// has long been reached.
+/// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the
+/// extent has long been reached.
 bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     if (b.cleared == never_cleared || flowed == b.flowed) return false;
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
-/// Whether nothing changes what the bleeder is but the tool: it has clotted, or bled all over its extent with nothing to end it.
+/// Whether nothing changes what the bleeder is but the tool: it has clotted, or bled all over its extent with nothing
+/// to end it.
 bool BleedField::is_settled(const Bleeder& b, double time) const noexcept {
     constexpr double rounding = 1e-6;  // mm; flows of two times may differ so in the wrong direction
     if (b.clot == 1.0f && time > b.wound.start) return true;
@@ -384,8 +385,8 @@ void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer) noexcept
     if (&layer == &surface_values_) written_.push_back(to.vertex);
 }
 
-/// Value of one wound. Where something was cleared, what was there is capped; what has flowed since is not. Notes when blood of the
-/// wound was taken away.
+/// Value of one wound. Where something was cleared, what was there is capped; what has flowed since is not. Notes when
+/// blood of the wound was taken away.
 float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
     const auto value_of = [&](double source) {
         if (source <= 0.0) return dry_;

@@ -1,5 +1,6 @@
-// Area and volume of the blood on a surface, kept up with what changes: it costs the triangles whose values have changed since it was
-// last asked for. In whole units, so that the sum is the same in whatever order it came to be. One thread at a time.
+// Area and volume of the blood on a surface, kept up with what changes: it costs the triangles whose values have
+// changed since it was last asked for. In whole units, so that the sum is the same in whatever order it came to be. One
+// thread at a time.
 #pragma once
 
 #include <cstdint>

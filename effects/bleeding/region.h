@@ -1,4 +1,5 @@
-// Places of a surface that have to be looked at anew, with a box around them. Allocates only to grow. One thread at a time.
+// Places of a surface that have to be looked at anew, with a box around them. Allocates only to grow. One thread at a
+// time.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,8 @@
 #include "gl/program.h"
 
 #include <array>
+#include <cctype>
 #include <glm/gtc/type_ptr.hpp>
-#include <sstream>
 #include <utility>
 
 #include "gl/shader_source.h"
@@ -43,10 +43,15 @@ Error shader_error(const std::string& name, const std::string& log) {
     return {Failure::runtime, std::move(faults)};
 }
 
-Shader compile(GLenum stage, const std::string& name, const ShaderSource& source, const std::string& defines) {
-    Shader shader(glCreateShader(stage));
+/// As it is compiled.
+std::string text_of(const ShaderSource& source, const std::string& defines) {
     std::string text = source.text;
     if (!defines.empty()) text.insert(text.find('\n') + 1, defines + "#line 2 0\n");  // #version stays first
+    return text;
+}
+
+Shader compile(GLenum stage, const std::string& name, const ShaderSource& source, const std::string& text) {
+    Shader shader(glCreateShader(stage));
     const char* lines = text.c_str();
     glShaderSource(shader.get(), 1, &lines, nullptr);
     glCompileShader(shader.get());
@@ -57,8 +62,9 @@ Shader compile(GLenum stage, const std::string& name, const ShaderSource& source
     return shader;
 }
 
-constexpr std::array<std::pair<std::string_view, GLenum>, 10> types{{{"int", GL_INT},
-                                                                     {"bool", GL_INT},
+constexpr std::array<std::pair<std::string_view, GLenum>, 12> types{{{"int", GL_INT},
+                                                                     {"uint", GL_UNSIGNED_INT},
+                                                                     {"bool", GL_BOOL},
                                                                      {"float", GL_FLOAT},
                                                                      {"vec2", GL_FLOAT_VEC2},
                                                                      {"vec3", GL_FLOAT_VEC3},
@@ -66,7 +72,8 @@ constexpr std::array<std::pair<std::string_view, GLenum>, 10> types{{{"int", GL_
                                                                      {"ivec4", GL_INT_VEC4},
                                                                      {"mat3", GL_FLOAT_MAT3},
                                                                      {"mat4", GL_FLOAT_MAT4},
-                                                                     {"sampler", GL_INT}}};
+                                                                     {"sampler2D", GL_SAMPLER_2D},
+                                                                     {"sampler2DArray", GL_SAMPLER_2D_ARRAY}}};
 
 /// In the words of GLSL.
 std::string_view word_of(GLenum type) {
@@ -75,24 +82,47 @@ std::string_view word_of(GLenum type) {
     return "a type that is never set";
 }
 
-GLenum type_of(std::string_view word) {
-    for (const auto& [known, type] : types)
-        if (word == known || (known == "sampler" && word.starts_with(known))) return type;
-    return 0;
+/// Whether a uniform of one type is set by a value of another: a sampler by the number of its unit.
+bool takes(GLenum declared, GLenum value) {
+    const bool by_int = declared == GL_BOOL || declared == GL_SAMPLER_2D || declared == GL_SAMPLER_2D_ARRAY;
+    return (by_int ? GLenum{GL_INT} : declared) == value;
 }
 
-/// Type and name of each uniform outside of a block that a text declares, in whatever variant of it.
+std::string without_comments(const std::string& text) {
+    std::string code;
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t comment = std::min(text.find("//", at), text.find("/*", at));
+        code.append(text, at, comment - at);
+        if (comment == std::string::npos) break;
+        const bool line = text[comment + 1] == '/';
+        const std::size_t end = line ? text.find('\n', comment) : text.find("*/", comment + 2);
+        code += ' ';
+        at = end == std::string::npos ? text.size() : end + (line ? 0 : 2);
+    }
+    return code;
+}
+
+bool in_word(char c) {
+    return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
+}
+
+/// The words of each declaration of uniforms outside of blocks, in whatever variant of a shader: their names, and a few
+/// more.
 template <typename Take>
-void for_each_uniform(const std::string& text, const Take& take) {
-    constexpr std::string_view word = "uniform ";
-    for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) {
-        const std::size_t line = text.rfind('\n', at) + 1, end = text.find_first_of(";{", at);
-        const bool comment = std::string_view(text).substr(line, at - line).find("//") != std::string_view::npos;
-        if (comment || end == std::string::npos || text[end] == '{') continue;
-        std::istringstream words(text.substr(at + word.size(), end - at - word.size()));
-        std::string type, name;
-        words >> type;
-        while (std::getline(words >> std::ws, name, ',')) take(type, name.substr(0, name.find_first_of(" [")));
+void for_each_declared(const std::string& text, const Take& take) {
+    constexpr std::string_view keyword = "uniform";
+    const std::string code = without_comments(text);
+    for (std::size_t at = code.find(keyword); at != std::string::npos; at = code.find(keyword, at + 1)) {
+        std::size_t begin = at + keyword.size();
+        const std::size_t kind = code.find_first_of(";={", begin), end = code.find(';', begin);
+        const bool inside_word = (at > 0 && in_word(code[at - 1])) || (begin < code.size() && in_word(code[begin]));
+        if (inside_word || end == std::string::npos || code[kind] == '{') continue;
+        for (; begin < end; ++begin) {
+            std::size_t length = 0;
+            while (in_word(code[begin + length])) ++length;
+            if (length > 0) take(code.substr(begin, length));
+            begin += length;
+        }
     }
 }
 
@@ -101,8 +131,9 @@ void for_each_uniform(const std::string& text, const Take& take) {
 Program::Program(const std::string& vertex, const std::string& fragment, const std::string& defines)
     : vertex_(vertex), fragment_(fragment), defines_(defines), name_(glCreateProgram()) {
     const ShaderSource vertex_source = shader_source(vertex), fragment_source = shader_source(fragment);
-    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, vertex_source, defines);
-    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, fragment_source, defines);
+    const std::string vertex_text = text_of(vertex_source, defines), fragment_text = text_of(fragment_source, defines);
+    const Shader vertex_shader = compile(GL_VERTEX_SHADER, vertex, vertex_source, vertex_text);
+    const Shader fragment_shader = compile(GL_FRAGMENT_SHADER, fragment, fragment_source, fragment_text);
     glAttachShader(name(), vertex_shader.get());
     glAttachShader(name(), fragment_shader.get());
     glLinkProgram(name());
@@ -115,10 +146,26 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
         throw shader_error(vertex + " + " + fragment, read_log(name(), glGetProgramiv, glGetProgramInfoLog));
 
     edited_ = vertex_source.edited || fragment_source.edited;
-    for (const ShaderSource* source : {&vertex_source, &fragment_source})
-        for_each_uniform(source->text, [&](const std::string& type, const std::string& uniform) {
-            uniforms_[uniform] = {.location = glGetUniformLocation(name(), uniform.c_str()), .type = type_of(type)};
-        });
+    // GL knows those that are used; of the others it knows nothing, not even that they are declared.
+    for (const std::string* text : {&vertex_text, &fragment_text})
+        for_each_declared(*text, [&](std::string&& uniform) { uniforms_.try_emplace(std::move(uniform)); });
+    find_used();
+}
+
+void Program::find_used() {
+    GLint count = 0, longest = 0;
+    glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
+    glGetProgramiv(name(), GL_ACTIVE_UNIFORM_MAX_LENGTH, &longest);
+    std::string buffer(static_cast<std::size_t>(std::max(longest, 1)), '\0');
+    for (GLuint i = 0; i < static_cast<GLuint>(count); ++i) {
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(name(), i, longest, nullptr, &size, &type, buffer.data());
+        const GLint location = glGetUniformLocation(name(), buffer.c_str());
+        if (location < 0) continue;  // in a block
+        const std::string_view uniform = buffer.c_str();
+        uniforms_[std::string(uniform.substr(0, uniform.find("[0]")))] = {location, type};
+    }
 }
 
 Program Program::rebuilt() const {
@@ -133,15 +180,15 @@ void rebuild(std::span<Program* const> programs) {
 
 GLint Program::location(const char* uniform, GLenum type) const {
     const auto found = uniforms_.find(std::string_view(uniform));
-    const bool known = found != uniforms_.end();
-    if (known && found->second.type == type) return found->second.location;
+    const bool declared = found != uniforms_.end();
+    if (declared && (found->second.location < 0 || takes(found->second.type, type))) return found->second.location;
     if (edited_) return -1;  // GL ignores it
     throw Error(Failure::runtime,
                 Fault{.file = vertex_ + " + " + fragment_,
                       .place = uniform,
-                      .reason = known ? "a value of type " + std::string(word_of(type)) +
-                                            " is set; it is declared as " + std::string(word_of(found->second.type))
-                                      : std::string("is set, but not declared as a uniform")});
+                      .reason = declared ? "a value of type " + std::string(word_of(type)) +
+                                               " is set; it is declared as " + std::string(word_of(found->second.type))
+                                         : std::string("is set, but not declared as a uniform")});
 }
 
 void Program::set(const char* uniform, int value) const {

@@ -24,8 +24,8 @@ inline AboveZero above_zero(double a, double b, double c) {
     return {1.0 - below_share, (whole - below) / (1.0 - below_share)};
 }
 
-/// A part of a sum over triangles, in whole units: such a sum is the same in whatever order it is made. Parts of absurd size (a file
-/// with a wrong unit) are cut off, so that it has room.
+/// A part of a sum over triangles, in whole units: such a sum is the same in whatever order it is made. Parts of absurd
+/// size (a file with a wrong unit) are cut off, so that it has room.
 inline std::int64_t whole_units(double value, double unit) {
     constexpr double largest = 1e12;
     const double count = value / unit;

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gl/noise.h"
+#include "smoke/noise.h"
 
 namespace lapfx::smoke {
 
@@ -15,7 +15,7 @@ constexpr double farthest = 1e6;              // mm: no organ is there, and an i
 }  // namespace
 
 std::size_t ContactFat::Hash::operator()(const glm::ivec3& cell) const {
-    return gl::noise_hash(cell, 0);
+    return noise_hash(cell, 0);
 }
 
 double ContactFat::at(const glm::dvec3& place, const Sample& sample) {

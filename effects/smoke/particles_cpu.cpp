@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gl/noise.h"
+#include "smoke/noise.h"
 
 namespace lapfx::smoke {
 
@@ -20,7 +20,7 @@ constexpr double smallest = 0.35;      // of `size`
 class Chance {
   public:
     Chance(std::uint32_t contact, int number, std::uint32_t seed) : contact_(contact), number_(number), seed_(seed) {}
-    std::uint32_t bits() { return gl::noise_hash({static_cast<int>(contact_), number_, drawn_++}, seed_); }
+    std::uint32_t bits() { return noise_hash({static_cast<int>(contact_), number_, drawn_++}, seed_); }
     /// 0 <= x < 1
     double unit() { return static_cast<double>(bits() >> 8) / static_cast<double>(1u << 24); }
 
@@ -35,8 +35,7 @@ std::uint32_t number_of(const ToolContact& contact) {
     std::uint32_t h = 0;
     for (const double value : {contact.time, contact.position.x, contact.position.y, contact.position.z}) {
         const auto bits = std::bit_cast<std::uint64_t>(value + 0.0);  // -0 is 0
-        h = gl::noise_hash({static_cast<int>(bits >> 32), static_cast<int>(bits & 0xffffffffu), static_cast<int>(h)},
-                           9u);
+        h = noise_hash({static_cast<int>(bits >> 32), static_cast<int>(bits & 0xffffffffu), static_cast<int>(h)}, 9u);
     }
     return h;
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gl/noise.h"
 #include "media/playhead.h"
+#include "smoke/noise.h"
 
 namespace lapfx::smoke {
 
@@ -15,7 +15,7 @@ constexpr double thickest = 500.0;
 
 /// A repeatable number for the n-th thing that wants chance.
 std::uint32_t chance(std::uint32_t seed, std::size_t n) {
-    return gl::noise_hash({static_cast<int>(n), 17, 4}, seed);
+    return noise_hash({static_cast<int>(n), 17, 4}, seed);
 }
 
 /// Where smoke rises to on screen, unit.
@@ -43,8 +43,8 @@ bool there(const media::ClipFrame& frame) {
     return frame.color != 0;
 }
 
-/// A clip that fades from one of its frames to another is two layers, for thickness adds up. Where only one of them is there, it
-/// is all.
+/// A clip that fades from one of its frames to another is two layers, for thickness adds up. Where only one of them is
+/// there, it is all.
 template <typename Add>
 void add_shown(auto shown, Layer layer, double density, const Add& add) {
     if (shown.fading && !there(*shown.fading)) shown.fading.reset(), shown.fade = 0.0;

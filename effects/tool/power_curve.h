@@ -1,8 +1,8 @@
-// Cautery power over time (lapfx/curves.h): contacts as they come from the tool, cut into parts with the power of their time. The
-// heat models and the smoke then need know nothing of curves.
+// Cautery power over time (lapfx/curves.h): contacts as they come from the tool, cut into parts with the power of their
+// time. The heat models and the smoke then need know nothing of curves.
 //
-// Between two points the power goes in steps of at most `largest_step` that have the mean of the line, at times that depend on the
-// curve alone: however a stroke is cut into contacts, the same heat comes of it. One thread at a time.
+// Between two points the power goes in steps of at most `largest_step` that have the mean of the line, at times that
+// depend on the curve alone: however a stroke is cut into contacts, the same heat comes of it. One thread at a time.
 #pragma once
 
 #include <array>
@@ -19,8 +19,8 @@ class PowerCurve {
   public:
     static constexpr double largest_step = 0.02;  ///< of the factor
     static constexpr double shortest = 0.005;     ///< s between steps, where the line is steep
-    /// How fine the steps are: level 0 has the ones above, each next one twice as large, the last none at all: there each contact is
-    /// one part, with the mean of its time.
+    /// How fine the steps are: level 0 has the ones above, each next one twice as large, the last none at all: there
+    /// each contact is one part, with the mean of its time.
     static constexpr int levels = 8;
 
     explicit PowerCurve(std::span<const CurvePoint> points = {});

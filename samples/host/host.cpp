@@ -1,7 +1,7 @@
-// A host simulator, as a stranger writes one: lapfx's public headers, a window and a loop of its own, a thread that reads the tool
-// 1000 times a second, and an organ shader of its own ("own"; "lapfx": the core draws the organ). The hand is a scene's events,
-// in real time; when they are over, so is the program. With SECONDS it draws that frame without a window, as a PPM on standard
-// output: the pixels of `lapfx render`, but for the instrument, which it does not draw. Its OpenGL objects go with the context.
+// A host simulator, as a stranger writes one: lapfx's public headers, a window and a loop of its own, a thread that
+// reads the tool 1000 times a second, and an organ shader of its own ("own"; "lapfx": the core draws the organ). The
+// hand is a scene's events, in real time; when they are over, so is the program. With SECONDS it draws that frame
+// without a window, as a PPM on standard output: the pixels of `lapfx render`, but for the instrument.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>  // the core's; a simulator has a loader of its own
@@ -169,7 +169,9 @@ void write_picture(Host& host, double time) {
     glNamedRenderbufferStorage(color, GL_RGBA8, width, height);
     glCreateFramebuffers(1, &framebuffer);
     glNamedFramebufferRenderbuffer(framebuffer, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-    host.effects.set_contacts(host.scene.events);
+    const std::span<const lapfx::ToolContact> events = host.scene.events;
+    for (std::size_t i = 0; i < events.size() && events[i].time <= time; host.effects.seek(events[i++].time))
+        host.effects.set_contacts(events.first(i + 1));  // as the hand goes on
     host.draw(time, framebuffer);
     const std::size_t row = 3 * static_cast<std::size_t>(width);
     std::vector<unsigned char> pixels(row * static_cast<std::size_t>(height));

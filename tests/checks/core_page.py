@@ -67,7 +67,7 @@ def self_test():
 
 def check():
     texts = {path: source_files.read(path) for path in source_files.project_files()
-             if path.endswith(source_files.CPP + source_files.SHADERS + (".py", ".md"))}
+             if path.endswith(source_files.CPP + source_files.SHADERS + (".py", ".md", "CMakeLists.txt"))}
     for fault in faults(texts[PAGE], texts):
         yield f"{PAGE}: {fault}"
 

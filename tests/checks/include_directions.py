@@ -1,11 +1,14 @@
 #!/usr/bin/env python3
 """Checks that dependencies run one way.
 
-    editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs: effects/include_authoring/lapfx/authoring/*.h
+    editor, samples -> effects/include/lapfx/*.h, and what is for lapfx's own programs:
+                       effects/include_authoring/lapfx/authoring/*.h
     samples/host, as any host -> effects/include/lapfx/*.h alone
     editor: commands -> window, panels -> app -> document -> lapfx/*.h
-    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work} -> effects/include/lapfx/*.h
-    what happens (tool, heat, wounds, blood, haze, amounts) -> no OpenGL
+    effects/*.{h,cpp} -> render -> {bleeding, smoke, cautery} -> organ -> {media, tool} -> {preset, gl, work}
+                      -> effects/include/lapfx/*.h
+    lapfx::simulation (all of effects/ that does not draw, by the list in effects/CMakeLists.txt) -> nothing that draws,
+                      no OpenGL
 
 With --self-test, checks the checker: each rule on made-up files that break it and on ones that keep it.
 """
@@ -21,11 +24,8 @@ AUTHORING = "effects/include_authoring/lapfx/authoring/"
 FACADE = (PUBLIC + "effects.h", PUBLIC + "frame.h", AUTHORING + "preview.h")
 LEVELS = {"preset": 0, "gl": 0, "work": 0, "media": 1, "tool": 1, "organ": 2, "bleeding": 3, "smoke": 3, "cautery": 3, "render": 4,
           "": 5}
-# Of effects/, what runs without OpenGL: whole folders but for what draws (_gpu, and DRAWS), and files at the top. What these include
-# does too.
-WITHOUT_GL = ("preset", "work", "tool", "organ", "cautery", "bleeding", "smoke")
-DRAWS = ("effects/smoke/smoke.h", "effects/smoke/smoke.cpp")
-WITHOUT_GL_FILES = ("effects/simulation.h", "effects/simulation.cpp", "effects/amounts.cpp", "effects/foundation.h")
+# Public headers of what draws; what else of effects/ draws is said once, where the two libraries are made of it.
+DRAWN = (*FACADE, PUBLIC + "context.h")
 INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.MULTILINE)
 STANDARD = re.compile(r"[a-z_0-9]+")
 # Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
@@ -103,7 +103,8 @@ def toolkit_fault(target, name):
 
 
 def outside_fault(path, target):
-    """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host no more."""
+    """The editor and the samples see of the core what any simulator sees, and what there is for them; the sample host
+    no more."""
     seen = PUBLIC if path.startswith("samples/host/") else (PUBLIC, AUTHORING)
     if target is None or not target.startswith("effects/") or target.startswith(seen):
         return None
@@ -168,16 +169,29 @@ def cpu_gpu_faults(texts, graph):
                 yield f"{path}: includes {target}{through}: the CPU part and the GPU part never include each other"
 
 
+def drawing_files():
+    """Pattern of the files that draw, below effects/: the list in its CMakeLists.txt."""
+    text = source_files.read("effects/CMakeLists.txt")
+    found = re.search(r'string\(JOIN "\|" DRAWS((?:\s*"[^"]+")+)\)', text)
+    patterns = re.findall(r'"([^"]+)"', found[1]) if found else []
+    assert patterns, "effects/CMakeLists.txt: does not list what draws"
+    return re.compile("|".join(patterns))
+
+
 def opengl_faults(texts, graph):
-    """What happens on an organ is worked out without OpenGL; nor by a detour."""
+    """What happens on an organ links without OpenGL: nothing of it includes what draws; nor by a detour."""
+    pattern = drawing_files()
+    drawing = {path for path in texts if part(path) is not None and pattern.search(path[len("effects/"):])}.union(DRAWN)
     for path in sorted(texts):
-        draws = path in DRAWS or re.search(r"_gpu\.(?:h|cpp)$", path)
-        if draws or not (part(path) in WITHOUT_GL or path in WITHOUT_GL_FILES):
+        if part(path) is None or path in drawing:
             continue
-        for target in sorted({**reachable(path, graph), path: path}):
-            for _, name in includes_of(texts[target]):
-                if name.startswith(GL):
-                    yield f"{path}: reaches {name} through {target}: this part knows no OpenGL"
+        reached = {**reachable(path, graph), path: path}
+        for target in sorted(reached):
+            through = f"{target} (through {reached[target]})"
+            if target in drawing:
+                yield f"{path}: includes {through}, which draws: this part knows no OpenGL"
+            elif name := next((name for _, name in includes_of(texts[target]) if name.startswith(GL)), None):
+                yield f"{path}: includes {name} in {through}: this part knows no OpenGL"
 
 
 def check(texts):
@@ -259,7 +273,14 @@ EXAMPLES = [
     ("knows no OpenGL", {"effects/simulation.h": '#include "smoke/a.h"', "effects/smoke/a.h": "#include <glad/gl.h>"}),
     ("knows no OpenGL", {"effects/cautery/a.h": "#include <EGL/egl.h>"}),
     ("knows no OpenGL", {"effects/smoke/haze.cpp": "#include <glad/gl.h>"}),
+    ("knows no OpenGL", {"effects/amounts.cpp": '#include "lapfx/context.h"', PUBLIC + "context.h": ""}),
+    ("knows no OpenGL", {"effects/organ/a.cpp": '#include "gl/b.h"', "effects/gl/b.h": ""}),
+    ("knows no OpenGL", {"effects/smoke/a.cpp": '#include "media/clip_set.h"', "effects/media/clip_set.h": ""}),
+    ("(through effects/media/b.h)",
+     {"effects/media/a.cpp": '#include "b.h"', "effects/media/b.h": '#include "clip_player.h"',
+      "effects/media/clip_player.h": ""}),
     (None, {"effects/smoke/haze_gpu.cpp": "#include <glad/gl.h>"}),
+    (None, {"effects/media/clip_set.cpp": '#include "gl/a.h"', "effects/gl/a.h": "#include <glad/gl.h>"}),
     ("leave _cpu out of its name", {"effects/smoke/haze_cpu.h": ""}),
 ]
 

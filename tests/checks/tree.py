@@ -1,8 +1,10 @@
 #!/usr/bin/env python3
-"""Checks the tree: what lies at the top, that code is ASCII (strings of C++ aside) without stray blanks, that files stay readable.
+"""Checks the tree: what lies at the top, that code is ASCII (strings of C++ aside) without stray blanks, that files
+and comments stay readable (those of C++ are wrapped by clang-format).
 
 With --self-test, checks the checker on made-up files.
 """
+import ast
 import os
 import re
 import sys
@@ -13,6 +15,7 @@ TOP = {"CMakeLists.txt", "README.md", "editor", "effects", "shaders", "presets",
 TEXT = source_files.CPP + source_files.SHADERS + (".cmake", "CMakeLists.txt", ".py", ".sh", ".md")
 LIMITED = source_files.CPP + source_files.SHADERS
 MAX_LINES = 600
+MAX_COLUMNS = 120  # of a comment
 # What a person reads, such as a unit, may be UTF-8: raw strings, strings; characters only so that '"' opens none.
 STRING = re.compile(rb'''R"\((?s:.*?)\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])[']''')
 COMMANDS = ("editor/start", "tests/run", "tests/accept", ".ci/run")
@@ -27,6 +30,19 @@ def top_faults(paths):
             yield f"{path}: made by a program, not to be kept"
 
 
+def comment_lines(path, text):
+    """Numbers of the lines that are, or end in, a comment or belong to a docstring."""
+    if path.endswith(".md"):
+        return set()
+    mark = re.compile(r"(?:^|\s)//" if path.endswith(LIMITED) else r"(?:^|\s)#")
+    found = {number for number, line in enumerate(text.split("\n"), 1) if mark.search(line)}
+    if path.endswith(".py"):
+        for node in ast.walk(ast.parse(text)):
+            if isinstance(node, (ast.Module, ast.ClassDef, ast.FunctionDef)) and ast.get_docstring(node):
+                found.update(range(node.body[0].lineno, node.body[0].end_lineno + 1))
+    return found
+
+
 def text_faults(path, data):
     lines = code = data.split(b"\n")
     if path.endswith(source_files.CPP):
@@ -36,6 +52,9 @@ def text_faults(path, data):
             yield f"{path}:{number}: not ASCII"
         if line != line.rstrip():
             yield f"{path}:{number}: blanks or a carriage return at the end of the line"
+    long = [number for number, line in enumerate(lines, 1) if len(line.decode()) > MAX_COLUMNS]
+    for number in sorted(comment_lines(path, data.decode()).intersection(long)) if long else ():
+        yield f"{path}:{number}: a comment of more than {MAX_COLUMNS} columns"
     if data and lines[-1] != b"":
         yield f"{path}:{len(lines)}: no newline at the end of the file"
     if path.endswith(LIMITED) and len(lines) - 1 > MAX_LINES:
@@ -59,6 +78,14 @@ def self_test():
         (list(text_faults("a.cpp", b"\n" * MAX_LINES)), 0),
         (list(text_faults("a.cpp", b"\n" * (MAX_LINES + 1))), 1),
         (list(text_faults("a.md", b"\n" * (MAX_LINES + 1))), 0),
+        (list(text_faults("a.cpp", b"// " + b"c" * (MAX_COLUMNS - 3) + b"\n")), 0),
+        (list(text_faults("a.cpp", b"    // " + b"c" * (MAX_COLUMNS - 6) + b"\n")), 1),
+        (list(text_faults("a.glsl", b"float a;  // " + b"c" * MAX_COLUMNS + b"\n")), 1),
+        (list(text_faults("a.frag", b"float a = " + b"1" * MAX_COLUMNS + b";\n")), 0),
+        (list(text_faults("CMakeLists.txt", b"#" + b"c" * MAX_COLUMNS + b"\n")), 1),
+        (list(text_faults("a.py", b'"""A' + b"c" * MAX_COLUMNS + b'"""\na = 1\n')), 1),
+        (list(text_faults("a.py", b'a = "' + b"c" * MAX_COLUMNS + b'"\n')), 0),
+        (list(text_faults("a.md", b"# " + b"c" * MAX_COLUMNS + b"\n")), 0),
     ]
     for number, (faults, expected) in enumerate(cases):
         if len(faults) != expected:

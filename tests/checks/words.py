@@ -1,9 +1,10 @@
 #!/usr/bin/env python3
-"""Checks the words that users read: texts of the program, the README, comments of the public headers. No jargon on the surface, no
-phrase that is archaic or translated word by word, one word for one thing.
+"""Checks the words that users read: texts of the program, the README, comments of the public headers. No jargon on the
+surface, no phrase that is archaic or translated word by word, one word for one thing.
 
-A text is a string literal of editor/ or effects/ with a blank in it, literals that follow each other taken as one. Measurements
-(`lapfx bench`) and the words that a search understands are left out. With --self-test, checks the checker on made-up texts.
+A text is a string literal of editor/ or effects/ with a blank in it, literals that follow each other taken as one.
+Measurements (`lapfx bench`) and the words that a search understands are left out. With --self-test, checks the checker
+on made-up texts.
 """
 import re
 import sys

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """`lapfx edit` in a window, as a person uses it.
 
-editor_test.py LAPFX DROP_FILES [NAME]: with NAME only the cases whose name contains it. DROP_FILES: the program that drops files on
-a window, or a path that is not there. 77 where Xvfb, xdotool or OpenGL is missing.
+editor_test.py LAPFX DROP_FILES [NAME]: with NAME only the cases whose name contains it. DROP_FILES: the program that
+drops files on a window, or a path that is not there. 77 where Xvfb, xdotool or OpenGL is missing.
 """
 import json
 import os
@@ -169,7 +169,8 @@ def same_as_rendered(editor, file):
 
 
 def case_export(open_editor):
-    """A picture by keyboard alone: Ctrl+E, the kind, a name, Enter; the file is there, as it is rendered, and the editor goes on."""
+    """A picture by keyboard alone: Ctrl+E, the kind, a name, Enter; the file is there, as it is rendered, and the
+    editor goes on."""
     with open_editor() as editor:
         file = os.path.join(editor.folder, "still.png")
         if os.path.exists(file):

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 """`lapfx gallery` in a window, as a person uses it.
 
-gallery_test.py LAPFX [NAME]: with NAME only the cases whose name contains it. 77 where Xvfb, xdotool or OpenGL is missing.
+gallery_test.py LAPFX [NAME]: with NAME only the cases whose name contains it. 77 where Xvfb, xdotool or OpenGL is
+missing.
 """
 import os
 import re

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""A host of its own, in an empty folder, with the two lines of CMake that README tells: the sample host's one file as a program,
-and a plug-in. The core is configured and built with nothing but what it links, and a host sees nothing but what it needs.
+"""Hosts of their own, in an empty folder, with the two lines of CMake that README tells: the sample host's one file as
+a program, a plug-in, and the sample host that scores, without OpenGL. The core is configured and built with nothing but
+what it links, and a host sees nothing but what it needs.
 
-    host_project_test.py PROJECT FOLDER
+    host_project_test.py PROJECT FOLDER LAPFX
 
 The folder is kept: what is built there once is not built again.
 """
@@ -23,6 +24,8 @@ add_executable(simulator "{project}/samples/host/host.cpp")
 target_link_libraries(simulator PRIVATE lapfx::effects lapfx_glad glfw)
 add_library(plugin SHARED plugin.cpp)
 target_link_libraries(plugin PRIVATE lapfx::effects)
+add_executable(scores "{project}/samples/host/scores.cpp")
+target_link_libraries(scores PRIVATE lapfx::simulation)
 """
 
 # After every public header: what only lapfx's own programs need is not there.
@@ -69,6 +72,9 @@ extern "C" int triangles(const char* file) {
 # All that lapfx's CMake files look for: what the core links, and what builds it.
 NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
           "libavutil", "libswscale", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "opencv_imgcodecs", "glad", "ccache"}
+DRAWING = {"egl", "glad"}
+# What a program that scores is neither made of nor linked to. (Debian's libopencv_core loads libGLX for itself.)
+OPENGL = re.compile(r"glad|shaders|lapfx_effects|lib(?:EGL|GL|GLESv2|OpenGL|OSMesa|gbm)\.so")
 WORDS = {"REQUIRED", "QUIET", "IMPORTED_TARGET", "GLOBAL", "PATH_SUFFIXES", "opencv4"}
 
 
@@ -88,7 +94,8 @@ def run(*command, text=True):
 
 
 def looked_for(trace, project, host):
-    """{name: file and line} of all that the project's own CMake files look for; the host's, which may lie below, are its own."""
+    """{name: file and line} of all that the project's own CMake files look for; the host's, which may lie below, are
+    its own."""
     found = {}
     with open(trace, encoding="utf-8") as lines:
         for line in lines:
@@ -109,8 +116,8 @@ def looked_for(trace, project, host):
     return found
 
 
-def configure(project, source, build, *options):
-    """Configures, and checks what was looked for."""
+def configure(project, source, build, needed, *options):
+    """Configures, and checks that what was looked for is what is needed."""
     cache, trace = os.path.join(build, "CMakeCache.txt"), build + ".trace"
     if os.path.exists(cache) and f"CMAKE_CACHEFILE_DIR:INTERNAL={build}\n" not in open(cache, encoding="utf-8").read():
         shutil.rmtree(build)  # it came along when the tree was moved
@@ -121,33 +128,58 @@ def configure(project, source, build, *options):
     folders = {name.split()[1] for name in found if name.startswith("add_subdirectory ")}
     assert folders == {"effects"}, f"the core is in effects/; what was added is {folders}"
     names = {name for name in found if " " not in name}
-    assert names == NEEDED, "looked for in vain: " + str({name: found[name] for name in names - NEEDED}) + \
-        ", or not looked for: " + str(NEEDED - names)
+    assert names == needed, "looked for in vain: " + str({name: found[name] for name in names - needed}) + \
+        ", or not looked for: " + str(needed - names)
     return open(cache, encoding="utf-8").read()
 
 
-def check_targets(build):
+def check_targets(build, *others):
     targets = run("cmake", "--build", build, "--target", "help")
-    for target in ("lapfx_editor", "lapfx_ui", "lapfx_unit_tests", "lapfx_host", "make_sample_organs"):
+    for target in ("lapfx_editor", "lapfx_ui", "lapfx_unit_tests", "lapfx_host", "make_sample_organs", *others):
         assert not re.search(rf"\b{target}\b", targets), f"{target} is not of the core"
 
 
-def main(project, folder):
+def check_scores(project, folder, build, lapfx):
+    """Made and run without OpenGL, it has the amounts of what lapfx draws."""
+    program = os.path.join(build, "scores")
+    made_of = run("ninja", "-C", build, "-t", "inputs", "scores")
+    assert "amounts.cpp" in made_of, made_of
+    linked = run("readelf", "-d", program)
+    assert "NEEDED" in linked and "GL" not in linked, linked
+    for text in (made_of, run("ldd", program)):
+        found = [line for line in text.splitlines() if OPENGL.search(line)]
+        assert not found, f"a host that draws nothing is made of {found}"
+
+    scene, preset = (os.path.join(project, name) for name in ("samples/lagb.scene.json", "presets/gastric_banding.json"))
+    table = os.path.join(folder, "amounts.csv")
+    run(lapfx, "render", scene, "--preset", preset, "--amounts", table, "--fps", "10", "--size", "32x32", "--backend", "osmesa",
+        "-o", os.path.join(folder, "f_%04d.png"))
+    drawn, scored = open(table, encoding="utf-8").read(), run(program, scene, preset)
+    assert scored == drawn, "the scores are not those of what is drawn:\n" + scored
+    last = scored.splitlines()[-1].split(",")
+    assert len(last) == 6 and float(last[1]) > 100 and int(last[3]) > 0 and float(last[5]) > 0, f"nothing has happened: {last}"
+
+
+def main(project, folder, lapfx):
     os.makedirs(folder, exist_ok=True)
-    # By itself; what is built of it is what a host builds of it.
+    # By itself, with and without drawing; what is built of it is what a host builds of it.
     alone = os.path.join(folder, "alone")
-    configure(project, project, alone, "-DLAPFX_EDITOR=OFF")
+    configure(project, project, alone, NEEDED, "-DLAPFX_EDITOR=OFF")
     check_targets(alone)
+    blind = os.path.join(folder, "blind")
+    configure(project, project, blind, NEEDED - DRAWING, "-DLAPFX_DRAWING=OFF")
+    check_targets(blind, "lapfx_effects", "lapfx_glad", "lapfx_shaders")
 
     build = os.path.join(folder, "build")
     headers = sorted(os.listdir(os.path.join(project, "effects", "include", "lapfx")))
     put(os.path.join(folder, "CMakeLists.txt"), CMAKE.format(project=project))
     put(os.path.join(folder, "plugin.cpp"), "".join(f'#include "lapfx/{header}"\n' for header in headers) + PLUGIN)
     # Debug: it compiles fastest, and it is the host's own choice.
-    cache = configure(project, folder, build, "-DCMAKE_BUILD_TYPE=Debug")
+    cache = configure(project, folder, build, NEEDED, "-DCMAKE_BUILD_TYPE=Debug")
     assert re.search(r"CMAKE_BUILD_TYPE:STRING=Debug\n", cache), "the build type is the host's"
     run("cmake", "--build", build)
     check_targets(build)
+    check_scores(project, folder, build, lapfx)
     plugin = os.path.join(build, "libplugin.so")
     libraries = run("ldd", plugin)
     for library in ("glfw", "opencv_videoio", "opencv_highgui", "Qt"):
@@ -168,4 +200,4 @@ def main(project, folder):
 
 
 if __name__ == "__main__":
-    main(os.path.realpath(sys.argv[1]), os.path.realpath(sys.argv[2]))
+    main(*map(os.path.realpath, sys.argv[1:]))

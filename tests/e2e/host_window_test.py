@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""The sample host in its window: its thread pushes the tool at 1 kHz in real time while its loop draws; what has happened at the end
-is what the same events do at once.
+"""The sample host in its window: its thread pushes the tool at 1 kHz in real time while its loop draws; what has
+happened at the end is what the same events do at once.
 
     host_window_test.py LAPFX_HOST LAPFX ROOT
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# lapfx inspect on every file of the third-party test data: no crash, no hang; exit 0, or exit 2 and at least one line that
-# begins with "lapfx: ". Skips (77) where that data is not there.
+# lapfx inspect on every file of the third-party test data: no crash, no hang; exit 0, or exit 2 and at least one line
+# that begins with "lapfx: ". Skips (77) where that data is not there.
 #
 #   inspect_walk.sh LAPFX DATA_FOLDER
 set -euo pipefail

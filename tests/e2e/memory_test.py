@@ -1,12 +1,12 @@
 #!/usr/bin/env python3
 """What the editor's window holds in main memory while it is used at random, on the sample scene.
 
-memory_test.py LAPFX [SECONDS]: 60 s unless told otherwise; of more than 120 s every ten seconds are printed, too. 77 where Xvfb,
-xdotool or OpenGL is missing, or the process's memory cannot be read.
+memory_test.py LAPFX [SECONDS]: 60 s unless told otherwise; of more than 120 s every ten seconds are printed, too. 77
+where Xvfb, xdotool or OpenGL is missing, or the process's memory cannot be read.
 
-A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts, overlays,
-snapshots, undo. A slow machine does less of it in the same time. What counts is all memory but the frames of clips, which have a
-budget of their own (StreamingOptions::memory).
+A person's hands, from a fixed seed: drags, clicks and wheel all over the window, tools on the organ, keys of layouts,
+overlays, snapshots, undo. A slow machine does less of it in the same time. What counts is all memory but the frames of
+clips, which have a budget of their own (StreamingOptions::memory).
 """
 import os
 import random
@@ -19,8 +19,8 @@ import editor_test
 import real_window
 
 MOST = 525e6  # bytes beside the clips, as it opens and plays: 455 to 500 were seen, the more the busier the machine
-# After every layout was used: a preview beside the reference has more pixels, and a driver without a GPU keeps the triangles of the
-# frame that it draws, up to 100 MB of them, which come and go.
+# After every layout was used: a preview beside the reference has more pixels, and a driver without a GPU keeps the
+# triangles of the frame that it draws, up to 100 MB of them, which come and go.
 MOST_USED = 675e6
 GROWTH = 100e6  # bytes, from when all of it has been used once to the end
 USED_S = 45  # of random use, or half of it if that is more, until all of it has been used

@@ -3,9 +3,9 @@
 
     organ_walk.py LAPFX DATA_FOLDER
 
-Prints, by folder and format: files, triangles read, drawn and left out by reason, vertices mended, and the reasons of the files
-that were refused. Fails when a file's triangles do not add up, or one is refused without a line that names it. Skips (77) where
-that data is not there.
+Prints, by folder and format: files, triangles read, drawn and left out by reason, vertices mended, and the reasons of
+the files that were refused. Fails when a file's triangles do not add up, or one is refused without a line that names
+it. Skips (77) where that data is not there.
 """
 import collections
 import concurrent.futures

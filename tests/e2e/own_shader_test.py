@@ -1,13 +1,15 @@
 #!/usr/bin/env python3
-"""A host with an organ shader of its own (samples/host/host.cpp, "own") has its blood where lapfx has it.
+"""A host with an organ shader of its own (samples/host/host.cpp, "own") has its blood and smoke where lapfx has them.
 
     own_shader_test.py LAPFX LAPFX_HOST ROOT
 
-Each draws one view of the liver lobe with and without blood; where the two pictures of one program differ, there is blood.
-The masks of the two programs agree, but for pixels beside the edge of either, which lapfx smooths.
+Each draws one view of the liver lobe with and without blood; where the two pictures of one program differ, there is
+blood. The masks of the two programs agree, but for pixels beside the edge of either, which lapfx smooths; and where one
+has more of it over the tissue, so has the other. Smoke over what is not organ is the same to the last bit.
 """
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -23,10 +25,16 @@ def preset(bleeds):
                          "gravity_bias": 0.5, "rivulets": 1}}
 
 
-def scene(root):
-    cut = [{"action": "cut", "time": 0, "duration": 0.2, "position": place} for place in ([0, 9, 23], [30, 24, 15])]
+def smoke_preset():
+    plume, haze = ({"file": "plume_thick.mp4", "role": role} for role in ("plume", "haze"))
+    return {**preset(False), "smoke": {"clips": [plume, haze]}}
+
+
+def scene(root, action="cut", duration=0.2):
+    events = [{"action": action, "time": 0, "duration": duration, "position": place}
+              for place in ([0, 9, 23], [30, 24, 15])]
     return {"format": "lapfx.scene", "version": 1, "name": "own shader", "seed": 3, "duration": 10,
-            "organ": {"file": os.path.join(root, "samples/liver_lobe.glb")}, "events": cut,
+            "organ": {"file": os.path.join(root, "samples/liver_lobe.glb")}, "events": events,
             "camera": {"eye": [20, 10, 120], "target": [5, 0, 0], "field_of_view": 55, "vignette": 0, "exposure": 1.5}}
 
 
@@ -36,15 +44,15 @@ def run(command, **more):
     return done.stdout
 
 
-def core_pixels(lapfx, folder, name):
-    picture = os.path.join(folder, name + ".png")
-    run([lapfx, "render", os.path.join(folder, "scene.json"), "--preset", os.path.join(folder, name + ".json"), "--at",
+def core_pixels(lapfx, folder, name, tool="scene"):
+    picture = os.path.join(folder, "core.png")
+    run([lapfx, "render", os.path.join(folder, tool + ".json"), "--preset", os.path.join(folder, name + ".json"), "--at",
          SECONDS, "--size", f"{WIDTH}x{HEIGHT}", "--backend", "osmesa", "-o", picture])
     return run(["ffmpeg", "-v", "error", "-i", picture, "-f", "rawvideo", "-pix_fmt", "rgb24", "-"])
 
 
-def host_pixels(host, folder, name):
-    ppm = run([host, os.path.join(folder, "scene.json"), os.path.join(folder, name + ".json"), folder, "own", str(WIDTH),
+def host_pixels(host, folder, name, tool="scene"):
+    ppm = run([host, os.path.join(folder, tool + ".json"), os.path.join(folder, name + ".json"), folder, "own", str(WIDTH),
                str(HEIGHT), SECONDS])
     header = f"P6\n{WIDTH} {HEIGHT}\n255\n".encode()
     assert ppm.startswith(header) and len(ppm) == len(header) + 3 * WIDTH * HEIGHT, "not the PPM that was asked for"
@@ -62,21 +70,65 @@ def beside_edge(pixels):
     return lambda pixel: len({pixel + step in pixels for step in around}) > 1
 
 
+def order(values):
+    """The rank of each."""
+    ranks = [0] * len(values)
+    for rank, index in enumerate(sorted(range(len(values)), key=values.__getitem__)):
+        ranks[index] = rank
+    return ranks
+
+
+def agreement(first, second):
+    """Rank correlation (Spearman's, but for ties): 1 where both have the same order."""
+    count = len(first)
+    apart = sum((a - b) ** 2 for a, b in zip(order(first), order(second)))
+    return 1 - 6 * apart / (count * (count * count - 1))
+
+
+def left_of_tissue(bleeding, dry, pixels):
+    """How much of the tissue's green is left under blood, which takes green before all else."""
+    return [(bleeding[3 * i + 1] + 1) / (dry[3 * i + 1] + 1) for i in pixels]
+
+
+def off_organ(*pictures):
+    """Pixels of the background, which the first one is, as are those around them."""
+    empty = {i for i in range(WIDTH * HEIGHT) if all(picture[3 * i:3 * i + 3] == picture[:3] for picture in pictures)}
+    around = [dy * WIDTH + dx for dy in (-2, -1, 0, 1, 2) for dx in (-2, -1, 0, 1, 2)]
+    return [i for i in empty if all(i + step in empty or not 0 <= i + step < WIDTH * HEIGHT for step in around)]
+
+
 def main():
     lapfx, host, root = sys.argv[1:]
     with tempfile.TemporaryDirectory() as folder:
-        for name, text in (("scene", scene(root)), ("blood", preset(True)), ("dry", preset(False))):
+        shutil.copy(os.path.join(root, "samples/clips/plume_thick.mp4"), folder)
+        for name, text in (("scene", scene(root)), ("burn", scene(root, "cauterise", 6)), ("blood", preset(True)),
+                           ("dry", preset(False)), ("smoke", smoke_preset())):
             with open(os.path.join(folder, name + ".json"), "w", encoding="utf-8") as file:
                 json.dump(text, file)
-        core = mask(core_pixels(lapfx, folder, "blood"), core_pixels(lapfx, folder, "dry"))
-        own = mask(host_pixels(host, folder, "blood"), host_pixels(host, folder, "dry"))
-    share = len(core) / (WIDTH * HEIGHT)
-    apart = sum(1 for pixel in core ^ own if not beside_edge(core)(pixel)) / max(len(core), 1)
-    area = len(own) / max(len(core), 1)
+        pictures = (("blood", "scene"), ("dry", "scene"), ("smoke", "burn"))
+        core = {name: core_pixels(lapfx, folder, name, tool) for name, tool in pictures}
+        own = {name: host_pixels(host, folder, name, tool) for name, tool in pictures}
+    core_mask, own_mask = (mask(picture["blood"], picture["dry"]) for picture in (core, own))
+    share = len(core_mask) / (WIDTH * HEIGHT)
+    apart = sum(1 for pixel in core_mask ^ own_mask if not beside_edge(core_mask)(pixel)) / max(len(core_mask), 1)
+    area = len(own_mask) / max(len(core_mask), 1)
     print(f"blood covers {share:.3f} of lapfx's picture; the host's is {area:.3f} as large, {apart:.5f} of it elsewhere")
     assert share > 0.05, "too little blood to compare"
     assert apart < 0.002, "the host's blood is not where lapfx has it"
     assert abs(area - 1) < 0.04, "the host has more or less blood than lapfx"
+
+    both = sorted(core_mask & own_mask)
+    depth = agreement(*(left_of_tissue(picture["blood"], picture["dry"], both) for picture in (core, own)))
+    print(f"what is left of the tissue under blood has the same order: {depth:.3f}")
+    assert depth > 0.55, "the host's blood is deep where lapfx's is not"
+
+    assert core["dry"][:3] == own["dry"][:3], "the background is another"
+    bare = off_organ(core["dry"], own["dry"])
+    smoky = {core["smoke"][3 * i:3 * i + 3] for i in bare}
+    wrong = [i for i in bare if core["smoke"][3 * i:3 * i + 3] != own["smoke"][3 * i:3 * i + 3]]
+    print(f"smoke beside the organ: {len(smoky)} colours in {len(bare)} pixels; the host's is another in {len(wrong)}")
+    assert len(bare) > 10000 and len(smoky) > 50, "too little smoke to compare"
+    assert not wrong, "smoke over the host's own picture is not lapfx's"
 
 
 if __name__ == "__main__":

@@ -1,12 +1,13 @@
-"""A program's window as a person uses it: a display of its own (Xvfb), pointer and keys from xdotool. For the tests of windows.
+"""A program's window as a person uses it: a display of its own (Xvfb), pointer and keys from xdotool. For the tests of
+windows.
 
     class Gallery(Window):
         title = "lapfx gallery"
     ...
     sys.exit(real_window.run(cases_of(globals(), name), lambda display, folder: ...))
 
-What a case looks at is the log of frames (--statistics) while the window is open, and the tree of widgets once it is closed
-(--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
+What a case looks at is the log of frames (--statistics) while the window is open, and the tree of widgets once it is
+closed (--dump-on-close). Where widgets are is asked beforehand, without a window (--dump).
 """
 import json
 import os

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One scene, one picture (design: "same pixels"): lapfx render (Preview) on OSMesa twice gives the same bytes, and so does the sample
-# host, which loads, sees and draws by itself with Effects; EGL's software renderer agrees with them within 1/255 in every channel
-# of every pixel.
+# One scene, one picture (design: "same pixels"): lapfx render (Preview) on OSMesa twice gives the same bytes, and so
+# does the sample host, which loads, sees and draws by itself with Effects, and is told of a contact when it begins;
+# EGL's software renderer agrees with them within 1/255 in every channel of every pixel. With curves over time as well.
 #
 #   same_pixels.sh LAPFX LAPFX_HOST IMAGES_DIFFER ROOT
 set -euo pipefail
@@ -10,19 +10,31 @@ work=$(mktemp -d)
 trap 'rm -rf -- "$work"' EXIT
 scene=$root/samples/lagb.scene.json
 preset=$root/presets/gastric_banding.json
-# The host draws no instrument.
-python3 - "$scene" >"$work/bare.scene.json" <<'END'
+# The host draws no instrument. Each curve by itself changes the picture at 6 s.
+python3 - "$scene" "$work" <<'END'
 import json, os, sys
 scene = json.load(open(sys.argv[1], encoding="utf-8"))
 scene["organ"]["file"] = os.path.join(os.path.dirname(sys.argv[1]), scene["organ"]["file"])
 scene["preset"] = scene["tool"]["file"] = scene["reference"]["file"] = ""
-json.dump(scene, sys.stdout)
+curves = {"cautery_power": [(1, 1), (2, 0.4), (5, 0.8)], "bleeding_strength": [(1, 0.2), (4, 1.4), (5, 0.6)],
+          "emission": [(0, 0.3), (5, 2)]}
+points = {key: [{"time": time, "value": value} for time, value in curve] for key, curve in curves.items()}
+for name, some in {"bare": {}, "curves": points, **{key: {key: points[key]} for key in points}}.items():
+    with open(os.path.join(sys.argv[2], name + ".scene.json"), "w", encoding="utf-8") as file:
+        json.dump({**scene, "curves": {**{key: [] for key in curves}, **some}}, file)
 END
 
 # SCENE SECONDS BACKEND NAME
 render() { "$lapfx" render "$1" --preset "$preset" --at "$2" --size 320x256 --backend "$3" -o "$work/$4.png"; }
 # SCENE SECONDS SHADER NAME
 host() { "$host" "$1" "$preset" "$root/samples/clips" "$3" 320 256 "$2" >"$work/$4.ppm"; }
+# PICTURE PICTURE: else nothing was compared
+differs() {
+    if "$differ" "$work/$1" "$work/$2" 0 >"$work/told"; then
+        echo "same_pixels: $1 and $2 are the same"
+        exit 1
+    fi
+}
 render "$scene" 6 osmesa first
 render "$scene" 6 osmesa second
 cmp "$work/first.png" "$work/second.png"
@@ -34,10 +46,13 @@ host "$work/bare.scene.json" 6 lapfx bare
 render "$scene" 8.3 osmesa later
 host "$scene" 8.3 lapfx later
 "$differ" "$work/later.png" "$work/later.ppm" 0
-if "$differ" "$work/first.png" "$work/later.ppm" 0 >"$work/told"; then
-    echo "same_pixels: the pictures of two times are the same: nothing was compared"
-    exit 1
-fi
+differs first.png later.ppm
+for curves in cautery_power bleeding_strength emission curves; do
+    render "$work/$curves.scene.json" 6 osmesa "$curves"
+    host "$work/$curves.scene.json" 6 lapfx "$curves"
+    "$differ" "$work/$curves.png" "$work/$curves.ppm" 0
+    differs bare.png "$curves.ppm"
+done
 
 status=0
 render "$scene" 6 egl egl || status=$?

@@ -1,7 +1,8 @@
-// shaders/bleeding.glsl with the uniform block that bleeding/bleed_gpu.h fills: the edge, and the colour along the depth.
+// shaders/bleeding.glsl with the uniform block that bleeding/bleed_gpu.h fills: the edge, and the colour along the
+// depth.
 #include "bleeding/bleed_gpu.h"
-#include "gl/noise.h"
 #include "gl/srgb.h"
+#include "smoke/noise.h"
 #include "support/gpu_function.h"
 #include "support/gpu_test.h"
 
@@ -56,7 +57,7 @@ float edge_noise(const BleedingParameters& b, glm::vec3 position, glm::vec3 norm
         const float press = (i == 0 ? 0.6f : 0.8f) * rivulets;
         const glm::vec3 place =
             (position - press * glm::dot(position, g) * g) / (static_cast<float>(b.noise_scale) * amplitude);
-        sum += amplitude * gl::perlin(place, (seed & 0xffffu) + static_cast<std::uint32_t>(i));
+        sum += amplitude * smoke::perlin(place, (seed & 0xffffu) + static_cast<std::uint32_t>(i));
         total += amplitude;
         amplitude *= 0.5f;
     }

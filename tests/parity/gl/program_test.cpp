@@ -63,14 +63,40 @@ TEST_F(ProgramTest, ADeclaredUniformThatTheCompilerLeftOutIsSetInVain) {
     const Program program("resolve.vert", "resolve.frag", "#define LAPFX_PLUME\n");
     ASSERT_EQ(glGetUniformLocation(program.name(), "u_even"), -1) << "the plume has come to use it: choose another";
     EXPECT_THAT(faults(program, "u_even", 1.0f), IsEmpty());
-    EXPECT_THAT(faults(program, "u_even", glm::vec2(1.0f)), testing::SizeIs(1)) << "its type is known all the same";
+    EXPECT_THAT(faults(program, "u_evn", 1.0f), testing::SizeIs(1));
+}
+
+// What GL knows nothing of is told from the text: by what is code in it, wherever its lines end.
+TEST_F(ProgramTest, WhatIsDeclaredIsToldFromCommentsBlocksAndOtherWords) {
+    const Program program(
+        "fullscreen.vert", "post.frag",
+        "/* uniform float u_in_block_comment; */ // uniform float u_in_line_comment;\n"
+        "/* several\nlines uniform float u_in_lines; */ uniform /* of */ float u_after_comment; // and\n"
+        "uniform uint\n    u_count,\n    u_list[3], u_last; uniform int u_initial = 3, u_after_it;\n"
+        "layout(std140, binding = 5) uniform Block { float u_member; };\n"
+        "const float not_uniform = 1.0, uniform_not = 2.0;\n");
+    for (const char* uniform : {"u_after_comment", "u_count", "u_list", "u_last", "u_initial", "u_after_it"})
+        EXPECT_THAT(faults(program, uniform, 1), IsEmpty()) << uniform;
+    for (const char* uniform : {"u_in_block_comment", "u_in_line_comment", "u_in_lines", "u_member", "not_uniform",
+                                "uniform_not", "u_cou", ""})
+        EXPECT_THAT(faults(program, uniform, 1), testing::SizeIs(1)) << uniform;
+}
+
+// Names and types come from GL, so it does not matter how a text spells them.
+TEST_F(ProgramTest, AUniformThatAMacroDeclaresIsKnownWithItsType) {
+    const Program program("fullscreen.vert", "post.frag", "#define u_frame u_picture\n");
+    EXPECT_THAT(faults(program, "u_picture", 1), IsEmpty());
+    EXPECT_THAT(faults(program, "u_picture", 1.0f),
+                ElementsAre("fullscreen.vert + post.frag: u_picture: a value of type float is set; it is declared as "
+                            "sampler2D"));
 }
 
 TEST_F(ProgramTest, WhileAShaderIsEditedOnDiskItsUniformsComeAndGo) {
     const test::Folder folder;
-    folder.write("edited.frag",
-                 "#version 450 core\n// uniform float u_gone;\nuniform vec4 u_a, u_b[2];\n"
-                 "layout(location = 0) out vec4 o;\nvoid main() { o = u_a + u_b[0] + u_b[1]; }\n");
+    folder.write(
+        "edited.frag",
+        "#version 450 core\n// uniform float u_gone;\nuniform vec4 u_a, u_b[2];\nuniform uint u_n; uniform bool u_on;\n"
+        "layout(location = 0) out vec4 o;\nvoid main() { o = u_a + u_b[0] + u_b[1] + float(u_n) + float(u_on); }\n");
     set_shader_folder(folder.path());
     const Program program("fullscreen.vert", "edited.frag");
     EXPECT_THAT(faults(program, "u_gone", 1.0f), IsEmpty());
@@ -79,6 +105,11 @@ TEST_F(ProgramTest, WhileAShaderIsEditedOnDiskItsUniformsComeAndGo) {
     EXPECT_EQ(value_of(program, "u_a"), 0.25f) << "of several in a line";
     program.set("u_b", glm::vec4(0.5f));
     EXPECT_EQ(value_of(program, "u_b"), 0.5f);
+    EXPECT_THAT(faults(program, "u_n", 3), IsEmpty());
+    EXPECT_EQ(value_of(program, "u_n"), 0.0f) << "an int is no uint: GL would refuse it";
+    program.set("u_on", 1);
+    EXPECT_EQ(value_of(program, "u_on"), 1.0f) << "a bool takes an int";
+    EXPECT_EQ(glGetError(), static_cast<GLenum>(GL_NO_ERROR));
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
-// The tiles of noise_tiles_gpu.h hold the noise of gl/noise.h: at their texels to the 8 bits that they are stored in, filtered in
-// between to a few hundredths, and each its own.
+// The tiles of noise_tiles_gpu.h hold the noise of smoke/noise.h: at their texels to the 8 bits that they are stored
+// in, filtered in between to a few hundredths, and each its own.
 #include "smoke/noise_tiles_gpu.h"
 
-#include "gl/noise.h"
+#include "smoke/noise.h"
 #include "support/gpu_test.h"
 
 namespace lapfx::smoke {
@@ -22,7 +22,7 @@ float expected(const KeyingParameters& k, float aspect, double time, int seed, g
         const glm::uvec3 cell(static_cast<std::uint32_t>(static_cast<std::int64_t>(whole.x)),
                               static_cast<std::uint32_t>(static_cast<std::int64_t>(whole.y)),
                               static_cast<std::uint32_t>(static_cast<std::int64_t>(whole.z)));
-        sum += gl::perlin_from(cell, glm::vec3(p - whole), static_cast<std::uint32_t>(seed + octave)) /
+        sum += smoke::perlin_from(cell, glm::vec3(p - whole), static_cast<std::uint32_t>(seed + octave)) /
                static_cast<float>(frequency);
     }
     return sum / 1.5f;

@@ -149,7 +149,8 @@ TEST(DockLayout, AFileWithNothingInItHoldsEverything) {
     const auto layouts = read_layouts(R"({"version": 1, "layouts": [{"name": "Empty"}]})", all);
     EXPECT_EQ(layouts.front().layout.nodes[0].tabs.size(), 5U);
     const auto shut = read_layouts(
-        R"({"version": 1, "layouts": [{"name": "Shut", "closed": ["View", "Parameters", "Scopes", "Presets", "Log"]}]})",
+        R"({"version": 1,
+            "layouts": [{"name": "Shut", "closed": ["View", "Parameters", "Scopes", "Presets", "Log"]}]})",
         all);
     expect_sound(shut.front().layout);
     EXPECT_EQ(shut.front().layout.closed.size(), 4U);

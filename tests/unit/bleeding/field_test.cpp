@@ -298,7 +298,8 @@ TEST(Field, ContactsInOddPlacesGiveClearResults) {
     EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = infinity}), 0.0);
 }
 
-/// What has settled is not looked at again while time goes on: nobody sees the difference, whatever is set and sought in between.
+/// What has settled is not looked at again while time goes on: nobody sees the difference, whatever is set and sought
+/// in between.
 TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     const Surface surface(test::plane(60.0, 60));
     std::mt19937 random(11);
@@ -341,8 +342,8 @@ TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     }
 }
 
-/// As a session goes: time runs on, wounds open and are closed, a tool is held to the blood and grows, all of it over blood that has
-/// long settled. Every frame is, to the last bit, what a field gives that knew nothing before.
+/// As a session goes: time runs on, wounds open and are closed, a tool is held to the blood and grows, all of it over
+/// blood that has long settled. Every frame is, to the last bit, what a field gives that knew nothing before.
 TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
     const Surface surface(lumpy(4));
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {

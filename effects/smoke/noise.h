@@ -1,12 +1,12 @@
 // The CPU mirror of shaders/noise.glsl: the same lattice, the same constants, float arithmetic in the same
-// order. tests/parity/noise_test.cpp compares the two. Pure functions, any thread.
+// order. tests/parity/smoke/noise_test.cpp compares the two. Pure functions, any thread.
 #pragma once
 
 #include <cmath>
 #include <cstdint>
 #include <glm/glm.hpp>
 
-namespace lapfx::gl {
+namespace lapfx::smoke {
 
 inline std::uint32_t noise_hash(glm::ivec3 cell, std::uint32_t seed) {
     const glm::uvec3 c(cell);
@@ -28,7 +28,8 @@ inline glm::vec3 noise_gradient(glm::ivec3 cell, std::uint32_t seed) {
     return (h & 1u) == 0u ? glm::vec3(v, 1.0f, 0.0f) : glm::vec3(0.0f, -1.0f, v);
 }
 
-/// Improved Perlin noise: about -1..1, mean 0, one lobe per unit of p. `from`: whole lobes added to p; they wrap around.
+/// Improved Perlin noise: about -1..1, mean 0, one lobe per unit of p. `from`: whole lobes added to p; they wrap
+/// around.
 inline float perlin_from(glm::uvec3 from, glm::vec3 p, std::uint32_t seed) {
     const glm::vec3 base = glm::floor(p);
     const glm::ivec3 cell(from + glm::uvec3(glm::ivec3(base)));
@@ -67,4 +68,4 @@ inline float fractal_noise(glm::vec3 p, int octaves, std::uint32_t seed) {
     return octaves > 0 ? sum / total : 0.0f;
 }
 
-}  // namespace lapfx::gl
+}  // namespace lapfx::smoke

@@ -1,5 +1,5 @@
-// shaders/noise.glsl and its CPU mirror effects/gl/noise.h give the same noise, to 1e-5.
-#include "gl/noise.h"
+// shaders/noise.glsl and its CPU mirror effects/smoke/noise.h give the same noise, to 1e-5.
+#include "smoke/noise.h"
 
 #include <random>
 
@@ -40,7 +40,7 @@ TEST_F(NoiseParity, Perlin) {
     const test::GpuFunction gpu({"noise.glsl"}, "lapfx_perlin(a.xyz, uint(u_0.x))");
     const auto inputs = points(10'000, 50'000.0);
     for (const std::uint32_t seed : {0u, 1u, 77u, 65535u})
-        test::expect_near(inputs, on_cpu(inputs, [&](glm::vec3 p) { return gl::perlin(p, seed); }),
+        test::expect_near(inputs, on_cpu(inputs, [&](glm::vec3 p) { return smoke::perlin(p, seed); }),
                           gpu(inputs, {glm::vec4(static_cast<float>(seed))}), 0, tolerance,
                           "perlin, seed " + std::to_string(seed));
 }
@@ -50,7 +50,8 @@ TEST_F(NoiseParity, Fractal) {
     const auto inputs = points(10'000, 2'000.0);
     for (const std::uint32_t seed : {0u, 5u, 40000u})
         for (const int octaves : {0, 1, 3, 6})
-            test::expect_near(inputs, on_cpu(inputs, [&](glm::vec3 p) { return gl::fractal_noise(p, octaves, seed); }),
+            test::expect_near(inputs,
+                              on_cpu(inputs, [&](glm::vec3 p) { return smoke::fractal_noise(p, octaves, seed); }),
                               gpu(inputs, {glm::vec4(seed, octaves, 0, 0)}), 0, tolerance,
                               std::to_string(octaves) + " octaves, seed " + std::to_string(seed));
 }
@@ -69,8 +70,8 @@ TEST_F(NoiseParity, TheAnalyticGradientIsThatOfTheValue) {
                 glm::vec3 to(p), from(p);
                 to[axis] += step;
                 from[axis] -= step;
-                d[axis] =
-                    (gl::fractal_noise(to, octaves, 3) - gl::fractal_noise(from, octaves, 3)) / (to[axis] - from[axis]);
+                d[axis] = (smoke::fractal_noise(to, octaves, 3) - smoke::fractal_noise(from, octaves, 3)) /
+                          (to[axis] - from[axis]);
             }
             differences.push_back(d);
         }
@@ -91,7 +92,7 @@ TEST(Noise, HasMeanZeroAndStaysWithinOne) {
             return static_cast<float>(static_cast<double>(random()) / 4294967296.0 * 400.0 - 200.0);
         };
         const float x = place(), y = place(), z = place();
-        const float value = gl::perlin({x, y, z}, 9);
+        const float value = smoke::perlin({x, y, z}, 9);
         sum += value;
         squares += value * value;
         most = std::max(most, std::abs(value));
@@ -106,8 +107,8 @@ TEST(Noise, SeedsAreDifferentAndLatticePointsZero) {
     int same = 0;
     for (int i = 0; i < 100; ++i) {
         const glm::vec3 p(0.37f + static_cast<float>(i), 0.41f, -0.73f * static_cast<float>(i));
-        same += gl::perlin(p, 1) == gl::perlin(p, 2) ? 1 : 0;
-        EXPECT_EQ(gl::perlin(glm::floor(p), 1), 0.0f);
+        same += smoke::perlin(p, 1) == smoke::perlin(p, 2) ? 1 : 0;
+        EXPECT_EQ(smoke::perlin(glm::floor(p), 1), 0.0f);
     }
     EXPECT_LT(same, 10);
 }

@@ -1,0 +1,34 @@
+// A host that scores: what a scene's tool does to its organ, in amounts, ten times a second. It draws nothing and links
+// lapfx::simulation alone, so it runs where there is no OpenGL. Writes the table of `lapfx render --amounts`.
+#include <lapfx/amounts.h>
+#include <lapfx/prepared_organ.h>
+#include <lapfx/preset.h>
+#include <lapfx/scene.h>
+
+#include <cmath>
+#include <cstdio>
+
+int main(int argc, char** argv) {
+    if (argc != 3) {
+        std::fprintf(stderr, "usage: lapfx_scores SCENE PRESET\n");
+        return 2;
+    }
+    try {
+        const lapfx::Scene scene = lapfx::load_scene(argv[1]);
+        const lapfx::Preset preset = lapfx::load_preset(argv[2]);
+        const auto organ = lapfx::prepare_organ(
+            lapfx::load_organ(scene.folder / scene.organ.file, {scene.organ.scale, scene.organ.rotation}),
+            preset.vessels);
+        lapfx::AmountsModel model(organ, {.gravity = scene.gravity});
+        model.set(preset, scene.events, scene.curves);
+        std::printf("time_s,blood_area_mm2,blood_volume_mm3,wounds,bleeding_wounds,haze\n");
+        for (int tenth = 0; tenth < std::ceil(10.0 * scene.duration - 1e-9); ++tenth) {
+            const lapfx::Amounts a = model.at(tenth / 10.0);
+            std::printf("%.4f,%.3f,%.3f,%d,%d,%.5f\n", tenth / 10.0, a.blood_area, a.blood_volume, a.wounds,
+                        a.bleeding_wounds, a.haze);
+        }
+    } catch (const lapfx::Error& error) {
+        std::fprintf(stderr, "lapfx_scores: %s\n", error.what());
+        return error.failure() == lapfx::Failure::bad_input ? 2 : 1;
+    }
+}
