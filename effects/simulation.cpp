@@ -87,10 +87,13 @@ void Simulation::set_curves(const Curves& curves) {
 
 void Simulation::set_down(const glm::dvec3& down) {
     down_ = down;
+    bleeding::KeptBlood kept = tissue_->bleed->take_kept();
     tissue_->bleed.emplace(tissue_->foundation->surface, down);
     tissue_->bleed->set_strength(bleeding_factor_);
     take_pieces();
     take_wounds();
+    tissue_->bleed->keep(std::move(kept));
+    tissue_->bleed->update(time_);
 }
 
 void Simulation::set_contacts(std::span<const ToolContact> contacts) {
@@ -121,7 +124,7 @@ void Simulation::set_surface(std::shared_ptr<const Foundation> foundation, std::
     tissue_ = std::move(tissue);
     take_pieces();
     take_wounds();
-    tissue_->bleed->keep(std::move(kept), time_);
+    tissue_->bleed->keep({.values = std::move(kept), .time = time_});
 }
 
 /// What was written to the log since the call before, with the preset as it is.

@@ -77,6 +77,7 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
         std::fill(settled_values_.begin(), settled_values_.end(), glm::vec2(dry_, 0.0f));
         std::fill(values_.begin(), values_.end(), glm::vec2(dry_, 0.0f));
         changed_.mark_all();
+        amount_.mark_all();  // where blood is gone, nothing else tells of it
     }
     replace_wounds(wounds);
 }
@@ -96,7 +97,10 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
     if (wounds.size() >= bleeders_.size() && in_place()) {
         for (std::uint32_t i = 0; i < bleeders_.size(); ++i) {
             if (bleeders_[i].wound == wounds[i]) continue;
-            if (bleeders_[i].is_settled) activate(i);
+            if (bleeders_[i].is_settled)
+                activate(i);
+            else  // also what has flowed since a clearing may be less now
+                for_each_reached(bleeders_[i], [&](const Reached& at) { anew_.add(at.vertex); });
             bleeders_[i].wound = status_[i].wound = wounds[i];
         }
     } else {
@@ -141,11 +145,10 @@ void BleedField::set_strength(const FactorCurve& strength) {
     stale_ = true;
 }
 
-void BleedField::keep(std::vector<glm::vec2> values, double time) {
-    kept_ = std::move(values);
-    kept_at_ = time;
-    for (std::uint32_t v = 0; v < kept_.size(); ++v)
-        if (kept_[v].x > none) touch(v);
+void BleedField::keep(KeptBlood kept) {
+    kept_ = std::move(kept);
+    for (std::uint32_t v = 0; v < kept_.values.size(); ++v)
+        if (kept_.values[v].x > none) touch(v);
     stale_ = true;
 }
 
@@ -161,15 +164,14 @@ bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
-/// Whether nothing changes what the bleeder is but the tool: it has clotted, or bled all over its extent with nothing
-/// to end it.
-bool BleedField::is_settled(const Bleeder& b, double time) const noexcept {
+/// Whether nothing changes what the bleeder is, as it was looked at at `time`, but the tool: it has clotted, or bled
+/// all over its extent with nothing to end it.
+bool BleedField::has_settled(const Bleeder& b, double time) const noexcept {
     constexpr double rounding = 1e-6;  // mm; flows of two times may differ so in the wrong direction
     if (b.clot == 1.0f && time > b.wound.start) return true;
-    if (b.wound.stop != std::numeric_limits<double>::infinity()) return false;
-    const double full = parameters_.max_extent + rounding, flowed = flow(b.wound, parameters_, time, strength_);
-    return flowed >= full &&
-           (b.cleared == never_cleared || flowed - flow(b.wound, parameters_, b.cleared, strength_) >= full);
+    const double full = parameters_.max_extent + rounding;
+    if (b.wound.stop != std::numeric_limits<double>::infinity() || b.flowed < full) return false;
+    return b.cleared == never_cleared || b.flowed - flow(b.wound, parameters_, b.cleared, strength_) >= full;
 }
 
 /// What the bleeder is at `time`, and what that changes.
@@ -188,7 +190,10 @@ void BleedField::update(double time) noexcept {
     const bool cleared = clearing_.update(time);
     stale_ = stale_ || time < updated_ || (cleared && clearing_.changed_anywhere());
     updated_ = time;
-    for (const std::uint32_t i : active_) look(bleeders_[i], time);
+    if (stale_)
+        for (Bleeder& b : bleeders_) look(b, time);
+    else
+        for (const std::uint32_t i : active_) look(bleeders_[i], time);
     if (age_kept(time)) stale_ = true;
     if (stale_) {
         write_anew(time);
@@ -198,7 +203,7 @@ void BleedField::update(double time) noexcept {
     }
     stale_ = false;
     publish();
-    if (bleeders_.empty() && kept_.empty()) forget();
+    if (bleeders_.empty() && kept_.values.empty()) forget();
     settle(time);
 }
 
@@ -213,7 +218,7 @@ void BleedField::write_anew(double time) noexcept {
         look(b, time);
         b.cleared = never_cleared;
         // Where something was cleared it takes writing to know.
-        b.is_settled = is_settled(b, time) && (b.clot == 1.0f || !clearing_.any());
+        b.is_settled = has_settled(b, time) && (b.clot == 1.0f || !clearing_.any());
         march(b);
         if (b.is_settled)
             write(b, settled_values_);
@@ -241,7 +246,7 @@ void BleedField::unsettle_cleared(double time) noexcept {
         for_each_reached(b, [&](const Reached& at) {
             if (settled_anew_.has(at.vertex)) value_at(b, at);
         });
-        if (!is_settled(b, time)) activate(i);
+        if (!has_settled(b, time)) activate(i);
     }
 }
 
@@ -272,7 +277,7 @@ void BleedField::write_changes(double time) noexcept {
     settled_anew_.clear();
 }
 
-/// A settled one may change again: its values leave the layer of those that are.
+/// A settled one may change again: its values leave the layer of the settled ones.
 void BleedField::activate(std::uint32_t number) noexcept {
     Bleeder& b = bleeders_[number];
     b.is_settled = false;
@@ -286,7 +291,7 @@ void BleedField::activate(std::uint32_t number) noexcept {
 void BleedField::settle(double time) noexcept {
     std::erase_if(active_, [&](std::uint32_t i) {
         Bleeder& b = bleeders_[i];
-        b.is_settled = is_settled(b, time);
+        b.is_settled = has_settled(b, time);
         if (b.is_settled) write(b, settled_values_);
         return b.is_settled;
     });
@@ -311,12 +316,12 @@ void BleedField::forget() noexcept {
 /// Blood that was there before the organ was cut belongs to the wounds of that time: it clots when they have. True when
 /// that has changed.
 bool BleedField::age_kept(double time) noexcept {
-    if (kept_.empty()) return false;
-    const bool shown = time >= kept_at_;
+    if (kept_.values.empty()) return false;
+    const bool shown = time >= kept_.time;
     float clot = 1.0f;
     bool any = false;
     for (const Bleeder& b : bleeders_) {
-        if (b.wound.start >= kept_at_) continue;
+        if (b.wound.start >= kept_.time) continue;
         clot = std::min(clot, b.clot);
         any = true;
     }
@@ -330,10 +335,10 @@ bool BleedField::age_kept(double time) noexcept {
 /// What was kept at a place, dry where nothing was.
 glm::vec2 BleedField::kept_at(std::uint32_t v) const noexcept {
     const glm::vec2 none_here(dry_, 0.0f);
-    if (!kept_shown_ || kept_.empty() || kept_[v].x <= none) return none_here;
-    glm::vec2 value(kept_[v].x, std::max(kept_[v].y, kept_clot_));
+    if (!kept_shown_ || kept_.values.empty() || kept_.values[v].x <= none) return none_here;
+    glm::vec2 value(kept_.values[v].x, std::max(kept_.values[v].y, kept_clot_));
     clearing_.for_each(v, [&](const Clearing::Cap& cap) {
-        if (cap.time >= kept_at_) value.x = std::min(value.x, cap.cap);
+        if (cap.time >= kept_.time) value.x = std::min(value.x, cap.cap);
     });
     return value.x > dry_ ? value : none_here;
 }

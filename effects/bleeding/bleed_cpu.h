@@ -13,6 +13,7 @@
 
 #include <cstdint>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "bleeding/blood_amount.h"
@@ -28,6 +29,12 @@
 
 namespace lapfx::bleeding {
 
+/// Blood of an organ before it was cut.
+struct KeptBlood {
+    std::vector<glm::vec2> values;  ///< per surface vertex, bleed value and clot; BleedField::none where there is none
+    double time = 0.0;              ///< s, from when on it is there
+};
+
 class BleedField {
   public:
     static constexpr float none = -1e30f;  ///< for keep(): nothing is kept here
@@ -42,9 +49,11 @@ class BleedField {
     void set_clearing(const tool::Log& log, const BleedingParameters& parameters);
     /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
     void set_strength(const FactorCurve& strength);
-    /// Blood that is there from `time` on, whatever the wounds say, until it is cleared: per surface vertex, bleed
-    /// value and clot. It clots on when the wounds have that were open by then.
-    void keep(std::vector<glm::vec2> values, double time);
+    /// Blood that is there whatever the wounds say, until it is cleared. It clots on when the wounds have that were
+    /// open by its time.
+    void keep(KeptBlood kept);
+    /// What keep() was given. The field is not to be used after it.
+    KeptBlood take_kept() { return std::move(kept_); }
 
     void update(double time) noexcept;
 
@@ -76,7 +85,7 @@ class BleedField {
         std::size_t boxed = 0;  // rings
     };
     void replace_wounds(std::span<const Wound> wounds);
-    bool is_settled(const Bleeder& bleeder, double time) const noexcept;
+    bool has_settled(const Bleeder& bleeder, double time) const noexcept;
     bool refills(const Bleeder& bleeder, double flowed) const noexcept;
     double source_of(const Bleeder& bleeder, double flowed) const noexcept;
     void look(Bleeder& bleeder, double time) noexcept;
@@ -117,10 +126,9 @@ class BleedField {
     std::vector<std::uint32_t> copies_;
     Layer surface_values_;
     Layer settled_values_;           // of what was kept, and of the settled bleeders
-    Region anew_, settled_anew_;     // where the layers have to be made anew; the former holds the latter
+    Region anew_, settled_anew_;     // where surface_values_ and settled_values_ have to be made anew
     std::vector<glm::vec2> values_;  // per organ vertex
-    Layer kept_;                     // or empty
-    double kept_at_ = 0.0;
+    KeptBlood kept_;                 // or empty
     float kept_clot_ = 0.0f;
     bool kept_shown_ = false;
     std::vector<char> is_touched_;  // per surface vertex: blood has come near

@@ -10,23 +10,23 @@ void AmountSum::mark(std::uint32_t vertex) noexcept {
     if (parts_.empty()) parts_.resize(surface_.triangles.size());
     for (const std::uint32_t t : surface_.triangles_at(vertex)) {
         if (state_[t] == marked) continue;
-        if (state_[t] == unknown) known_.push_back(t);
+        if (state_[t] == untouched) touched_.push_back(t);
         state_[t] = marked;
         marked_.push_back(t);
     }
 }
 
 void AmountSum::mark_all() noexcept {
-    for (const std::uint32_t t : known_) state_[t] = marked;
-    marked_ = known_;
+    for (const std::uint32_t t : touched_) state_[t] = marked;
+    marked_ = touched_;
 }
 
 void AmountSum::clear() noexcept {
-    for (const std::uint32_t t : known_) {
-        state_[t] = unknown;
+    for (const std::uint32_t t : touched_) {
+        state_[t] = untouched;
         parts_[t] = {};
     }
-    known_.clear();
+    touched_.clear();
     marked_.clear();
     sum_ = {};
 }

@@ -22,8 +22,8 @@ struct BloodAmount {
 
 class AmountSum {
   public:
-    /// Keeps a reference. Of no blood.
-    explicit AmountSum(const Surface& surface) : surface_(surface), state_(surface.triangles.size(), unknown) {}
+    /// Keeps a reference to `surface`, on which there is no blood yet.
+    explicit AmountSum(const Surface& surface) : surface_(surface), state_(surface.triangles.size(), untouched) {}
 
     /// The value of a surface vertex has changed.
     void mark(std::uint32_t vertex) noexcept;
@@ -35,16 +35,16 @@ class AmountSum {
     BloodAmount measure(std::span<const glm::vec2> values, const BleedingParameters& parameters) noexcept;
 
   private:
-    enum State : char { unknown, measured, marked };
+    enum State : char { untouched, measured, marked };
     struct Part {
         std::int64_t area = 0, volume = 0;
     };
     static constexpr double unit = 1e-6;  // mm2, mm3
 
     const Surface& surface_;
-    std::vector<char> state_;           // per triangle
-    std::vector<Part> parts_;           // per triangle; empty until there is blood
-    std::vector<std::uint32_t> known_;  // triangles that are not unknown
+    std::vector<char> state_;             // per triangle
+    std::vector<Part> parts_;             // per triangle; empty until there is blood
+    std::vector<std::uint32_t> touched_;  // triangles that have had blood
     std::vector<std::uint32_t> marked_;
     Part sum_;
 };

@@ -82,6 +82,13 @@ std::string_view word_of(GLenum type) {
     return "a type that is never set";
 }
 
+/// 0 where values of it are never set.
+GLenum type_of(std::string_view word) {
+    for (const auto& [known, type] : types)
+        if (known == word) return type;
+    return 0;
+}
+
 /// Whether a uniform of one type is set by a value of another: a sampler by the number of its unit.
 bool takes(GLenum declared, GLenum value) {
     const bool by_int = declared == GL_BOOL || declared == GL_SAMPLER_2D || declared == GL_SAMPLER_2D_ARRAY;
@@ -106,23 +113,45 @@ bool in_word(char c) {
     return c == '_' || std::isalnum(static_cast<unsigned char>(c)) != 0;
 }
 
-/// The words of each declaration of uniforms outside of blocks, in whatever variant of a shader: their names, and a few
-/// more.
+/// The last word of it.
+std::string last_word(std::string_view text) {
+    std::size_t end = text.size();
+    while (end > 0 && !in_word(text[end - 1])) --end;
+    std::size_t begin = end;
+    while (begin > 0 && in_word(text[begin - 1])) --begin;
+    return std::string(text.substr(begin, end - begin));
+}
+
+/// Calls take(name, type) for each uniform that is declared outside of blocks, in whatever variant of a shader.
+/// `declaration`: what stands between `uniform` and its semicolon, "vec4 u_a, u_b[2] = vec4[2](...)".
+template <typename Take>
+void read_declaration(std::string_view declaration, const Take& take) {
+    std::string type;
+    int depth = 0;
+    for (std::size_t begin = 0, at = 0; at <= declaration.size(); ++at) {
+        const char c = at < declaration.size() ? declaration[at] : ',';
+        if (c == '(' || c == '[' || c == '{') ++depth;
+        if (c == ')' || c == ']' || c == '}') --depth;
+        if (c != ',' || depth > 0) continue;
+        const std::string_view part = declaration.substr(begin, at - begin),
+                               head = part.substr(0, part.find_first_of("[="));
+        std::string name = last_word(head);
+        if (begin == 0) type = last_word(head.substr(0, head.rfind(name)));
+        if (!name.empty()) take(std::move(name), type);
+        begin = at + 1;
+    }
+}
+
 template <typename Take>
 void for_each_declared(const std::string& text, const Take& take) {
     constexpr std::string_view keyword = "uniform";
     const std::string code = without_comments(text);
     for (std::size_t at = code.find(keyword); at != std::string::npos; at = code.find(keyword, at + 1)) {
-        std::size_t begin = at + keyword.size();
+        const std::size_t begin = at + keyword.size();
         const std::size_t kind = code.find_first_of(";={", begin), end = code.find(';', begin);
         const bool inside_word = (at > 0 && in_word(code[at - 1])) || (begin < code.size() && in_word(code[begin]));
         if (inside_word || end == std::string::npos || code[kind] == '{') continue;
-        for (; begin < end; ++begin) {
-            std::size_t length = 0;
-            while (in_word(code[begin + length])) ++length;
-            if (length > 0) take(code.substr(begin, length));
-            begin += length;
-        }
+        read_declaration(std::string_view(code).substr(begin, end - begin), take);
     }
 }
 
@@ -146,9 +175,12 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
         throw shader_error(vertex + " + " + fragment, read_log(name(), glGetProgramiv, glGetProgramInfoLog));
 
     edited_ = vertex_source.edited || fragment_source.edited;
-    // GL knows those that are used; of the others it knows nothing, not even that they are declared.
+    // GL knows those that are used; of the others it knows nothing, not even that they are declared. Where a macro
+    // names one of these it stays unknown.
     for (const std::string* text : {&vertex_text, &fragment_text})
-        for_each_declared(*text, [&](std::string&& uniform) { uniforms_.try_emplace(std::move(uniform)); });
+        for_each_declared(*text, [&](std::string&& uniform, const std::string& type) {
+            uniforms_.try_emplace(std::move(uniform), Uniform{.location = -1, .type = type_of(type)});
+        });
     find_used();
 }
 
@@ -181,7 +213,7 @@ void rebuild(std::span<Program* const> programs) {
 GLint Program::location(const char* uniform, GLenum type) const {
     const auto found = uniforms_.find(std::string_view(uniform));
     const bool declared = found != uniforms_.end();
-    if (declared && (found->second.location < 0 || takes(found->second.type, type))) return found->second.location;
+    if (declared && (found->second.type == 0 || takes(found->second.type, type))) return found->second.location;
     if (edited_) return -1;  // GL ignores it
     throw Error(Failure::runtime,
                 Fault{.file = vertex_ + " + " + fragment_,

@@ -1,8 +1,9 @@
 // Cautery power over time (lapfx/curves.h): contacts as they come from the tool, cut into parts with the power of their
 // time. The heat models and the smoke then need know nothing of curves.
 //
-// Between two points the power goes in steps of at most `largest_step` that have the mean of the line, at times that
-// depend on the curve alone: however a stroke is cut into contacts, the same heat comes of it. One thread at a time.
+// Between two points the power goes in steps that have the mean of the line, at times that depend on the curve and the
+// level alone: however a stroke is cut into contacts, the same heat comes of it. Only at the last level, which very
+// long histories under a curve come to, does each contact have the mean of its own time. One thread at a time.
 #pragma once
 
 #include <array>

@@ -163,21 +163,21 @@ void run(Host& host, GLFWwindow* window) {
 }
 
 void write_picture(Host& host, double time) {
-    const auto [width, height] = std::pair(host.size.x, host.size.y);
     GLuint color = 0, framebuffer = 0;
     glCreateRenderbuffers(1, &color);
-    glNamedRenderbufferStorage(color, GL_RGBA8, width, height);
+    glNamedRenderbufferStorage(color, GL_RGBA8, host.size.x, host.size.y);
     glCreateFramebuffers(1, &framebuffer);
     glNamedFramebufferRenderbuffer(framebuffer, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, color);
-    const std::span<const lapfx::ToolContact> events = host.scene.events;
+    std::vector<lapfx::ToolContact> events = host.scene.events;
+    std::ranges::stable_sort(events, {}, &lapfx::ToolContact::time);
     for (std::size_t i = 0; i < events.size() && events[i].time <= time; host.effects.seek(events[i++].time))
-        host.effects.set_contacts(events.first(i + 1));  // as the hand goes on
+        host.effects.set_contacts(std::span(events).first(i + 1));  // as the hand goes on
     host.draw(time, framebuffer);
-    const std::size_t row = 3 * static_cast<std::size_t>(width);
-    std::vector<unsigned char> pixels(row * static_cast<std::size_t>(height));
+    const std::size_t row = 3 * static_cast<std::size_t>(host.size.x);
+    std::vector<unsigned char> pixels(row * static_cast<std::size_t>(host.size.y));
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
-    glReadPixels(0, 0, width, height, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
-    std::printf("P6\n%d %d\n255\n", width, height);
+    glReadPixels(0, 0, host.size.x, host.size.y, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    std::printf("P6\n%d %d\n255\n", host.size.x, host.size.y);
     for (auto end = pixels.end(); end != pixels.begin(); end -= row) std::fwrite(&*(end - row), 1, row, stdout);
 }
 

@@ -10,6 +10,7 @@ has more of it over the tissue, so has the other. Smoke over what is not organ i
 import json
 import os
 import shutil
+import statistics
 import subprocess
 import sys
 import tempfile
@@ -71,18 +72,25 @@ def beside_edge(pixels):
 
 
 def order(values):
-    """The rank of each."""
-    ranks = [0] * len(values)
-    for rank, index in enumerate(sorted(range(len(values)), key=values.__getitem__)):
-        ranks[index] = rank
+    """The rank of each; equal ones share theirs."""
+    by_value = sorted(range(len(values)), key=values.__getitem__)
+    ranks, begin = [0.0] * len(values), 0
+    while begin < len(by_value):
+        end = begin
+        while end < len(by_value) and values[by_value[end]] == values[by_value[begin]]:
+            end += 1
+        for index in by_value[begin:end]:
+            ranks[index] = (begin + end - 1) / 2
+        begin = end
     return ranks
 
 
 def agreement(first, second):
-    """Rank correlation (Spearman's, but for ties): 1 where both have the same order."""
-    count = len(first)
-    apart = sum((a - b) ** 2 for a, b in zip(order(first), order(second)))
-    return 1 - 6 * apart / (count * (count * count - 1))
+    """Rank correlation (Spearman's): 1 where both have the same order."""
+    ranks = order(first), order(second)
+    mean = (len(first) - 1) / 2
+    products = [sum((a - mean) * (b - mean) for a, b in zip(ranks[i], ranks[j])) for i, j in ((0, 1), (0, 0), (1, 1))]
+    return products[0] / max((products[1] * products[2]) ** 0.5, 1e-9)
 
 
 def left_of_tissue(bleeding, dry, pixels):
@@ -118,9 +126,13 @@ def main():
     assert abs(area - 1) < 0.04, "the host has more or less blood than lapfx"
 
     both = sorted(core_mask & own_mask)
-    depth = agreement(*(left_of_tissue(picture["blood"], picture["dry"], both) for picture in (core, own)))
+    left = [left_of_tissue(picture["blood"], picture["dry"], both) for picture in (core, own)]
+    depth, middle = agreement(*left), [statistics.median(one) for one in left]
     print(f"what is left of the tissue under blood has the same order: {depth:.3f}")
+    print(f"half of them keep less than {middle[0]:.3f} of its green, {middle[1]:.3f} in the host's picture")
     assert depth > 0.55, "the host's blood is deep where lapfx's is not"
+
+    assert 0.5 < middle[1] / middle[0] < 2, "the host's blood is deeper or shallower"
 
     assert core["dry"][:3] == own["dry"][:3], "the background is another"
     bare = off_organ(core["dry"], own["dry"])

@@ -21,7 +21,8 @@ curves = {"cautery_power": [(1, 1), (2, 0.4), (5, 0.8)], "bleeding_strength": [(
 points = {key: [{"time": time, "value": value} for time, value in curve] for key, curve in curves.items()}
 for name, some in {"bare": {}, "curves": points, **{key: {key: points[key]} for key in points}}.items():
     with open(os.path.join(sys.argv[2], name + ".scene.json"), "w", encoding="utf-8") as file:
-        json.dump({**scene, "curves": {**{key: [] for key in curves}, **some}}, file)
+        some = {**{key: [] for key in curves}, **some}
+        json.dump({**scene, "events": scene["events"][::-1], "curves": some}, file)  # in any order
 END
 
 # SCENE SECONDS BACKEND NAME

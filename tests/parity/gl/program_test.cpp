@@ -63,6 +63,7 @@ TEST_F(ProgramTest, ADeclaredUniformThatTheCompilerLeftOutIsSetInVain) {
     const Program program("resolve.vert", "resolve.frag", "#define LAPFX_PLUME\n");
     ASSERT_EQ(glGetUniformLocation(program.name(), "u_even"), -1) << "the plume has come to use it: choose another";
     EXPECT_THAT(faults(program, "u_even", 1.0f), IsEmpty());
+    EXPECT_THAT(faults(program, "u_even", glm::vec3(1.0f)), testing::SizeIs(1)) << "its type is checked all the same";
     EXPECT_THAT(faults(program, "u_evn", 1.0f), testing::SizeIs(1));
 }
 
@@ -75,10 +76,14 @@ TEST_F(ProgramTest, WhatIsDeclaredIsToldFromCommentsBlocksAndOtherWords) {
         "uniform uint\n    u_count,\n    u_list[3], u_last; uniform int u_initial = 3, u_after_it;\n"
         "layout(std140, binding = 5) uniform Block { float u_member; };\n"
         "const float not_uniform = 1.0, uniform_not = 2.0;\n");
-    for (const char* uniform : {"u_after_comment", "u_count", "u_list", "u_last", "u_initial", "u_after_it"})
+    for (const char* uniform : {"u_initial", "u_after_it"})
         EXPECT_THAT(faults(program, uniform, 1), IsEmpty()) << uniform;
+    EXPECT_THAT(faults(program, "u_after_comment", 1.0f), IsEmpty());
+    for (const char* uniform : {"u_count", "u_list", "u_last"})
+        EXPECT_THAT(faults(program, uniform, 1), ElementsAre(std::string("fullscreen.vert + post.frag: ") + uniform +
+                                                             ": a value of type int is set; it is declared as uint"));
     for (const char* uniform : {"u_in_block_comment", "u_in_line_comment", "u_in_lines", "u_member", "not_uniform",
-                                "uniform_not", "u_cou", ""})
+                                "uniform_not", "u_cou", "uint", "3", ""})
         EXPECT_THAT(faults(program, uniform, 1), testing::SizeIs(1)) << uniform;
 }
 

@@ -234,7 +234,7 @@ TEST(Field, KeptBloodStaysUntilItIsCleared) {
     std::vector<glm::vec2> kept(surface.positions.size(), glm::vec2(BleedField::none, 0.0f));
     const std::size_t middle = 20 * 41 + 20;
     kept[middle] = {3.0f, 0.5f};
-    field.keep(kept, 5.0);
+    field.keep({kept, 5.0});
     field.update(6.0);
     EXPECT_EQ(field.values()[middle], glm::vec2(3.0f, 0.5f));
     field.set(std::vector<Wound>{{.position = {4, 0, 0}, .start = 6.0}}, b);
@@ -256,9 +256,11 @@ TEST(Field, KeptBloodClotsWithTheWoundsOfItsTimeAndIsNotThereBefore) {
     std::vector<glm::vec2> kept(surface.positions.size(), glm::vec2(BleedField::none, 0.0f));
     const std::size_t far = 20 * 41 + 2;
     kept[far] = {3.0f, 0.0f};
-    field.keep(kept, 5.0);
+    field.keep({kept, 5.0});
     field.update(30.0);
     EXPECT_EQ(field.values()[far], glm::vec2(3.0f, 1.0f));
+    field.update(5.5);
+    EXPECT_LT(field.values()[far].y, 0.2f) << "back in time, from where its wound had clotted";
     field.update(4.0);
     EXPECT_EQ(field.values()[far].x, field.dry());
     field.update(5.5);
@@ -364,6 +366,9 @@ TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
         tool::Log log;
         BleedField kept(surface, down);
         kept.set_strength(strength);
+        KeptBlood blood{.values = std::vector(surface.positions.size(), glm::vec2(BleedField::none, 0.0f)),
+                        .time = 4.0};
+        for (int i = 0; i < 60; ++i) blood.values[static_cast<std::size_t>(7 * i)] = {number(-1, 4), number(0, 1)};
         double time = 0.0;
         int refilled = 0, emptied = 0;
         double before = 0.0;
@@ -371,6 +376,11 @@ TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
             if (step % 6 == 0) wounds.push_back({.position = place(), .start = time, .strength = number(0, 2)});
             if (step % 11 == 5)
                 wounds[static_cast<std::size_t>(number(0, double(wounds.size()) - 1))].stop = time - number(0, 1);
+            if (step % 17 == 3)
+                wounds[static_cast<std::size_t>(number(0, double(wounds.size()) - 1))].strength = number(0, 2);
+            if (step % 37 == 30) b.noise_strength = number(0, 3);
+            if (step % 41 == 40) b.coagulation_time = number(0.2, 4);
+            if (step % 53 == 52) time = std::max(0.0, time - number(0, 6));
             const bool is_held = step % 25 > 12;
             if (is_held && step % 25 == 13)
                 contacts.push_back({.action = step % 50 > 25 ? ToolAction::suction : ToolAction::irrigation,
@@ -379,13 +389,15 @@ TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
                                     .position = place(),
                                     .to = contacts.empty() ? place() : contacts.front().to});
             else if (is_held)
-                contacts.back().duration = time - contacts.back().time;
+                contacts.back().duration = std::max(time - contacts.back().time, 0.01);
+            if (step == 60) kept.keep(blood);
             kept.set(wounds, b);
             log.update(contacts, contacts.size() - (is_held ? 1 : 0));
             kept.set_clearing(log, b);
             kept.update(time);
             BleedField fresh(surface, down);
             fresh.set_strength(strength);
+            if (step >= 60) fresh.keep(blood);
             fresh.set(wounds, b);
             fresh.set_clearing(log, b);
             fresh.update(time);
