@@ -45,9 +45,9 @@ int run(int argc, char** argv) {
     return 0;
 }
 
-/// Pictures, textures and decoded frames come from the system and go back to it. Left alone, glibc takes the first of them that is
-/// freed for a sign that such blocks belong on the heap, up to 32 MB each, where what is freed between others stays: a tenth of
-/// the editor's memory. A plane of a small video's frame is large.
+/// Pictures, textures and decoded frames come from the system and go back to it. Left alone, glibc takes the first of
+/// them that is freed for a sign that such blocks belong on the heap, up to 32 MB each, where what is freed between
+/// others stays: a tenth of the editor's memory. A plane of a small video's frame is large.
 void give_large_blocks_back() {
     constexpr int large = 1 << 18;
     mallopt(M_MMAP_THRESHOLD, large);

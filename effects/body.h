@@ -1,5 +1,5 @@
-// What is drawn of the organ: its mesh, blood and burns on the GPU, as a simulation says they are. Cutting the organ makes another
-// body. Render thread, context current.
+// What is drawn of the organ: its mesh, blood and burns on the GPU, as a simulation says they are. Cutting the organ
+// makes another body. Render thread, context current.
 #pragma once
 
 #include <memory>

@@ -1,4 +1,5 @@
-// What the effects know of an organ before they draw it: found once, on any thread, and shared by all bodies of that organ.
+// What the effects know of an organ before they draw it: found once, on any thread, and shared by all bodies of that
+// organ.
 #pragma once
 
 #include <optional>
@@ -12,8 +13,8 @@
 namespace lapfx {
 
 struct Foundation {
-    /// `unsplit`: what the organ was split from. `pixels`: of the organ's images, where these have none themselves; empty: copies of
-    /// what is needed.
+    /// `unsplit`: what the organ was split from. `pixels`: of the organ's images, where these have none themselves;
+    /// empty: copies of what is needed.
     Foundation(const Organ& organ, const VesselParameters& vessels, const work::Stages& stages = {},
                organ::Unsplit unsplit = {}, organ::PixelList pixels = {});
     Foundation(const Foundation&) = delete;

@@ -11,8 +11,9 @@ namespace lapfx {
 
 namespace {
 
-/// The vertex of the former organ that each vertex of the new one was; where it was none, a number beyond all. `origin`: of the
-/// vertices as they were given; a midpoint was the former one between the same two, if their edge was there.
+/// The vertex of the former organ that each vertex of the new one was; where it was none, a number beyond all.
+/// `origin`: of the vertices as they were given; a midpoint was the former one between the same two, if their edge was
+/// there.
 std::vector<std::uint32_t> sources_of(const Foundation& former, const Foundation& now,
                                       std::span<const std::uint32_t> origin) {
     constexpr std::uint32_t gone = 0xffffffff;

@@ -1,5 +1,5 @@
-// What happens on an organ, without OpenGL: the tool's log, the tissue, heat, wounds, blood, burns and haze, over time. Effects draws
-// what it says, AmountsModel asks it for amounts; both are the same to the last bit.
+// What happens on an organ, without OpenGL: the tool's log, the tissue, heat, wounds, blood, burns and haze, over time.
+// Effects draws what it says, AmountsModel asks it for amounts; both are the same to the last bit.
 //
 //     Simulation simulation(foundation, down);
 //     simulation.set_preset(preset);

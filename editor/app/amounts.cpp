@@ -50,9 +50,11 @@ void AmountSeries::add(double time, const Amounts& amounts) {
     of(AmountKind::bleeding_wounds).push_back(amounts.bleeding_wounds);
 }
 
-/// Kept from job to job: what has not changed costs nothing then. A job that was cancelled may still be in it for a moment.
+/// Kept from job to job: what has not changed costs nothing then. A job that was cancelled may still be in it for a
+/// moment.
 struct AmountsOverTime::Model {
-    /// Gives back what it takes, the organ among it, which nobody else may need. False while a job works with it. UI thread.
+    /// Gives back what it takes, the organ among it, which nobody else may need. False while a job works with it. UI
+    /// thread.
     bool let_go() {
         const std::unique_lock lock(mutex, std::try_to_lock);
         if (!lock) return false;

@@ -1,5 +1,5 @@
-// The core's own amounts over the scene's time, worked out beside the UI whenever what they depend on has settled, and only while
-// somebody looks at them.
+// The core's own amounts over the scene's time, worked out beside the UI whenever what they depend on has settled, and
+// only while somebody looks at them.
 //
 //     AmountsOverTime& amounts = editor.amounts();
 //     amounts.want();                                     // in each build that shows them
@@ -72,8 +72,8 @@ class AmountsOverTime {
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
 
-    /// Laid over the scene's by those who have others, a reference or a snapshot: set() with the same name replaces, without times
-    /// takes away.
+    /// Laid over the scene's by those who have others, a reference or a snapshot: set() with the same name replaces,
+    /// without times takes away.
     void lay_over(AmountSeries series);
     const std::vector<AmountSeries>& others() const { return others_; }
     /// Changes when any series does.

@@ -1,8 +1,9 @@
 // What is not saved yet, kept in the user's state folder, and offered again after a crash.
 //
-// Kept when nothing has been changed for 2 s, 5 s after the first change at the latest, when something went wrong, and once more when it has been saved. Written on a thread of its own. What
-// is kept goes when the editor ends with everything saved or given up by choice (end()); after a crash it stays, and find() of the
-// next editor offers it. What was recovered stays as well, until the recovered work is saved.
+// Kept when nothing has been changed for 2 s, 5 s after the first change at the latest, when something went wrong, and
+// once more when it has been saved. Written on a thread of its own. What is kept goes when the editor ends with
+// everything saved or given up by choice (end()); after a crash it stays, and find() of the next editor offers it. What
+// was recovered stays as well, until the recovered work is saved.
 #pragma once
 
 #include <cstdint>

@@ -1,12 +1,13 @@
-// Presets in folders: the shipped ones, those beside the preset that is open, and where the user keeps more; with thumbnails.
+// Presets in folders: the shipped ones, those beside the preset that is open, and where the user keeps more; with
+// thumbnails.
 //
 //     Browser& browser = editor.browser();
 //     browser.show();                                  // by the panel, in each build: it is looked at
 //     for (std::size_t i : browser.found()) draw(browser.files()[i]);
 //     browser.open(i);
 //
-// Folders are read in a job when the panel comes to be seen, when the preset was saved and by reload(); nothing is read or
-// rendered for a panel that is not seen. UI thread.
+// Folders are read in a job when the panel comes to be seen, when the preset was saved and by reload(); nothing is read
+// or rendered for a panel that is not seen. UI thread.
 #pragma once
 
 #include <cstdint>
@@ -63,8 +64,8 @@ class Browser {
     PresetOrder order = PresetOrder::name;
     bool stars_only = false;
 
-    /// As "Open" does: it takes the place of the preset, and what was done is forgotten. Ask first if the preset is unsaved: it is
-    /// given up.
+    /// As "Open" does: it takes the place of the preset, and what was done is forgotten. Ask first if the preset is
+    /// unsaved: it is given up.
     void open(std::size_t file);
     /// Its parameters and clips in place of those that are open, as one undo step; name and file stay.
     void take_values(std::size_t file);
@@ -72,7 +73,8 @@ class Browser {
     void add_folder(const std::filesystem::path& folder);
     void remove_folder(const std::filesystem::path& folder);
 
-    /// Another program than this one renders thumbnails, although pictures of the editor must not wait for them: for tests.
+    /// Another program than this one renders thumbnails, although pictures of the editor must not wait for them: for
+    /// tests.
     void render_with(const std::filesystem::path& program);
     /// What is there now and what is still to come; for tests and the panel's status.
     bool busy() const;

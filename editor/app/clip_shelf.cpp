@@ -118,7 +118,8 @@ std::vector<std::uint8_t> shrunk(const Image& image, glm::ivec2 size) {
     return rgba;
 }
 
-// --- what is known -------------------------------------------------------------------------------------------------------
+// --- what is known
+// -------------------------------------------------------------------------------------------------------
 
 ClipFacts& ClipShelf::find(const std::string& file) {
     const std::string key = editor_.document.preset().folder.string() + '\n' + file;
@@ -246,7 +247,8 @@ bool ClipShelf::is_outside(const ClipFacts& facts) const {
     return within(real(facts.path), real(home())).empty();
 }
 
-// --- adding ----------------------------------------------------------------------------------------------------------------
+// --- adding
+// ----------------------------------------------------------------------------------------------------------------
 
 void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::size_t> replace) {
     if (files.empty()) return;

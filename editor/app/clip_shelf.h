@@ -1,5 +1,5 @@
-// The preset's clips as files: where each lies, what it holds, what is wrong with it, a small picture; adding, replacing and
-// copying them. Files are looked through by jobs, each once.
+// The preset's clips as files: where each lies, what it holds, what is wrong with it, a small picture; adding,
+// replacing and copying them. Files are looked through by jobs, each once.
 //
 //     shelf.update(now);                                // once before each frame
 //     const ClipFacts& facts = shelf.of(editor.clip);   // while the UI is built
@@ -53,7 +53,8 @@ class ClipShelf {
     const ClipStatus* playing(std::size_t clip) const;
     /// All that is wrong with a clip, file and values, a line each.
     const std::vector<std::string>& faults(std::size_t clip) const;
-    /// Not inside of the folder that the preset file is in, nor on the search path: its name would not be found again. Copy it.
+    /// Not inside of the folder that the preset file is in, nor on the search path: its name would not be found again.
+    /// Copy it.
     bool outside(std::size_t clip) const;
     bool any_outside() const;
     /// Where the preset's clips are to lie; empty: nobody knows yet.
@@ -62,12 +63,13 @@ class ClipShelf {
     void look_again();
 
     // --- changing ----------------------------------------------------------------------------------------------------
-    /// Looks through files, by a job, and adds those that are clips, or puts the first one in the place of clip `replace`. What is
-    /// wrong with the others is in refused().
+    /// Looks through files, by a job, and adds those that are clips, or puts the first one in the place of clip
+    /// `replace`. What is wrong with the others is in refused().
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
     /// Copies every clip that lies outside into home(), by a job, and names it there.
     void copy_beside();
-    /// Copies the clips that a preset in `folder` could not name into it, by a job, names the copies, and goes on with `then`.
+    /// Copies the clips that a preset in `folder` could not name into it, by a job, names the copies, and goes on with
+    /// `then`.
     void copy_to(const std::filesystem::path& folder, std::function<void()> then);
     /// A job of add() or copy_beside(); null: none runs.
     const std::shared_ptr<Job>& work() const { return work_; }

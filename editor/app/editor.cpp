@@ -30,7 +30,8 @@ namespace lapfx::app {
 
 namespace {
 
-/// A folder that hangs must not be waited for, not even at the end. Throws std::system_error: there are too many threads.
+/// A folder that hangs must not be waited for, not even at the end. Throws std::system_error: there are too many
+/// threads.
 void run_beside(std::function<void()> work) {
     std::thread(std::move(work)).detach();
 }
@@ -174,7 +175,8 @@ void Editor::seek(double time) {
 Shot Editor::shot() const {
     SceneCamera camera = document.scene().camera;
     if (!looking.endoscope) {
-        // The lamp is at the camera: nearer than the scene's the picture would burn out, and an endoscope turns it down, too.
+        // The lamp is at the camera: nearer than the scene's the picture would burn out, and an endoscope turns it
+        // down, too.
         const double nearer = nearness(camera, looking.camera);
         const double exposure = camera.exposure * std::clamp(nearer * nearer, 0.05, 4.0);
         camera = looking.camera;
@@ -255,7 +257,8 @@ bool Editor::draw_pictures() {
     return preview.draw(shot()) || compared;
 }
 
-/// Following the document may bring what the panels just built knew nothing of: the first picture, a fault, something that loads.
+/// Following the document may bring what the panels just built knew nothing of: the first picture, a fault, something
+/// that loads.
 void Editor::follow() {
     const auto told = [this] {
         return std::tuple(preview.picture(), preview.loading().has_value(), preview.preset_faults().size(),
@@ -292,7 +295,8 @@ bool Editor::draw_in_turn() {
         pace_.left_out(now_);
         return false;
     }
-    // Without a GPU the work is done where it is waited for: here, so that it is known, and not in what the panels draw.
+    // Without a GPU the work is done where it is waited for: here, so that it is known, and not in what the panels
+    // draw.
     if (working && options_.software) glFinish();
     pace_.drawn(now_, now_ + clock() - begin);
     return true;

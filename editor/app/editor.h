@@ -1,10 +1,11 @@
-// The editor without its panels: the document, what is shown of it, and everything that panels share. Panels (editor/panels) are
-// functions on this; a test drives them without a window.
+// The editor without its panels: the document, what is shown of it, and everything that panels share. Panels
+// (editor/panels) are functions on this; a test drives them without a window.
 //
 //     ui::ImageStore images;
 //     app::Editor editor(images, {.data_folder = "..."});
 //     editor.open({"samples/lagb.scene.json"});
-//     each frame:  editor.update(now);  ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); });  editor.draw();
+//     each frame:  editor.update(now);  ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); });
+//     editor.draw();
 //
 // UI thread, context current.
 #pragma once
@@ -62,7 +63,8 @@ struct EditorOptions {
 
 /// How the organ is looked at.
 struct Looking {
-    /// True: through the scene's camera, with its vignette, and fixed: what `lapfx render` shows. False: freely, by `camera`.
+    /// True: through the scene's camera, with its vignette, and fixed: what `lapfx render` shows. False: freely, by
+    /// `camera`.
     bool endoscope = true;
     SceneCamera camera;
     Overlay overlay = Overlay::none;
@@ -118,19 +120,19 @@ class Editor {
     const EditorOptions& options() const { return options_; }
 
     // --- files ------------------------------------------------------------------------------------------------------
-    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts. Asks first when work
-    /// would be lost, or another editor has the file (app/files.h).
+    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts. Asks
+    /// first when work would be lost, or another editor has the file (app/files.h).
     void open(const std::vector<std::string>& files);
-    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference, and is asked
-    /// about.
+    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference,
+    /// and is asked about.
     void bring(const std::vector<std::string>& files);
     /// An organ, by the dialog that sets its unit and orientation.
     void open_organ(const std::filesystem::path& file);
-    /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was asked). While the
-    /// UI is built: ui() must be there.
+    /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was
+    /// asked). While the UI is built: ui() must be there.
     void ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then);
-    /// Where something is written unless the person says otherwise: where it was last (`title` of the dialog), in `beside`, among
-    /// the user's documents; never among the files that came with the program.
+    /// Where something is written unless the person says otherwise: where it was last (`title` of the dialog), in
+    /// `beside`, among the user's documents; never among the files that came with the program.
     std::filesystem::path own_folder(const std::string& title, const std::filesystem::path& beside = {}) const;
     /// Once a frame, by the workspace.
     void build_file_dialog();
@@ -138,7 +140,8 @@ class Editor {
     void tell(const std::vector<Fault>& faults);
     void tell(const Error& error) { tell(error.faults()); }
 
-    /// Another document, or preset alone, has been opened: what was selected, held or on its way for the former one goes.
+    /// Another document, or preset alone, has been opened: what was selected, held or on its way for the former one
+    /// goes.
     void forget_document(bool scene_too = true);
 
     // --- a frame ----------------------------------------------------------------------------------------------------
@@ -149,8 +152,8 @@ class Editor {
     /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
     void set_ui(ui::Ui& ui);
     ui::Ui& ui() { return *ui_; }
-    /// Once after each frame: draws what the panels asked for. Gives whether a picture has changed, so that the window has to be
-    /// drawn although its list is the same.
+    /// Once after each frame: draws what the panels asked for. Gives whether a picture has changed, so that the window
+    /// has to be drawn although its list is the same.
     bool draw();
     Shot shot() const;                                                             ///< of the viewport, as it is now
     double scene_scale() const { return options_.exact ? 1 : pace_.scale(now_); }  ///< Shot::scale

@@ -1,8 +1,9 @@
-// A scene's events as a person sees them: contacts that go on from each other (lapfx/tool.h) are one stroke, and are moved, stretched and
-// erased together. Pure functions.
+// A scene's events as a person sees them: contacts that go on from each other (lapfx/tool.h) are one stroke, and are
+// moved, stretched and erased together. Pure functions.
 //
-//     for (const app::Stroke& stroke : app::strokes_of(scene.events)) show(app::action_title(stroke.action), stroke.start, stroke.end);
-//     document.change("Move event", [&](Content& c) { app::move_stroke(c.scene.events, stroke, 3.5); });
+//     for (const app::Stroke& stroke : app::strokes_of(scene.events)) show(app::action_title(stroke.action),
+//     stroke.start, stroke.end); document.change("Move event", [&](Content& c) { app::move_stroke(c.scene.events,
+//     stroke, 3.5); });
 #pragma once
 
 #include <cstddef>
@@ -40,7 +41,8 @@ void stretch_stroke(std::span<ToolContact> events, const Stroke& stroke, double 
 void shift_stroke(std::span<ToolContact> events, const Stroke& stroke, const glm::dvec3& by);
 void erase_events(std::vector<ToolContact>& events, std::span<const std::size_t> erased);
 
-/// What was recorded, with as few contacts as keep the tip within `tolerance` mm of where it was; times to 0.1 ms, places to 1 um.
+/// What was recorded, with as few contacts as keep the tip within `tolerance` mm of where it was; times to 0.1 ms,
+/// places to 1 um.
 std::vector<ToolContact> simplified(std::span<const ToolContact> recorded, double tolerance = 0.2);
 
 }  // namespace lapfx::app

@@ -1,6 +1,6 @@
-// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, a frame at a time while the editor
-// lives on. What is exported is a copy made at the start: editing goes on. Nothing appears before it is whole and has been loaded
-// back.
+// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, a frame at a time while
+// the editor lives on. What is exported is a copy made at the start: editing goes on. Nothing appears before it is
+// whole and has been loaded back.
 //
 //     exports.propose(ExportKind::video);
 //     exports.form.fps = 30;
@@ -78,22 +78,23 @@ class Exports {
 
     /// Of the dialog that asks for a file of that kind.
     static std::string title(ExportKind kind);
-    /// Fills in what the person has not said yet: names where such files were written last, beside the person's own preset or among
-    /// their documents; the time that is shown, the range of play.
+    /// Fills in what the person has not said yet: names where such files were written last, beside the person's own
+    /// preset or among their documents; the time that is shown, the range of play.
     void propose(ExportKind kind);
     /// What is wrong with the form as it is. Places are the options of `lapfx render`: "-o", "--size".
     const std::vector<Fault>& faults();
     std::string_view fault_at(std::string_view place);  ///< its reason; empty: nothing is wrong there
     /// Whether something of that name is there and will be replaced.
     bool replaces() const { return replaces_; }
-    /// What a bundle would copy from outside the folder of its scene (without one: of the preset), other than files that came with
-    /// lapfx. As of the last faults(). A person has to agree to it (ExportForm::outside_agreed), and again when it changes.
+    /// What a bundle would copy from outside the folder of its scene (without one: of the preset), other than files
+    /// that came with lapfx. As of the last faults(). A person has to agree to it (ExportForm::outside_agreed), and
+    /// again when it changes.
     const std::vector<output::SourceFile>& outside() const { return outside_; }
     std::filesystem::path home() const;  ///< that folder; empty: it was never saved, so everything is outside
     int frames() const;
 
-    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is written at once,
-    /// whatever is running; of the rest there is one at a time.
+    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is
+    /// written at once, whatever is running; of the rest there is one at a time.
     void start();
     /// The form has to wait for what is running.
     bool waits() const { return running() && form.what() != ExportKind::preset; }

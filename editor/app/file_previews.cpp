@@ -71,7 +71,8 @@ void FilePreviews::give_up() {
     maker_->take();
 }
 
-/// Scenes, clips and organs that pictures depend on may have been written meanwhile. What is the same is still in the cache.
+/// Scenes, clips and organs that pictures depend on may have been written meanwhile. What is the same is still in the
+/// cache.
 void FilePreviews::begin() {
     give_up();
     for (const Kept& each : kept_)

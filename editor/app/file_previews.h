@@ -1,5 +1,6 @@
-// Pictures for the file dialog: a frame of a video, an image, an organ, a scene, a preset on the scene that is open. Each is made by
-// a child process (app/thumbnail_maker.h), once it has been looked at for a moment; the newest are kept.
+// Pictures for the file dialog: a frame of a video, an image, an organ, a scene, a preset on the scene that is open.
+// Each is made by a child process (app/thumbnail_maker.h), once it has been looked at for a moment; the newest are
+// kept.
 //
 //     editor.file_dialog.show_pictures(&previews);
 //     each frame:  previews.update();

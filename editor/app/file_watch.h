@@ -4,8 +4,8 @@
 //     watch.set({"presets/tuned.json", "shaders"});   // a file, or a folder with what is right in it
 //     for (const auto& path : watch.take()) reload(path);  // once a frame
 //
-// Changes are told when nothing more has happened for 150 ms, at the latest after a second: programs write in pieces, or beside
-// the file and rename. Folders may vanish and come back. What a symbolic link points to is not watched.
+// Changes are told when nothing more has happened for 150 ms, at the latest after a second: programs write in pieces,
+// or beside the file and rename. Folders may vanish and come back. What a symbolic link points to is not watched.
 #pragma once
 
 #include <filesystem>
@@ -31,7 +31,8 @@ class FileWatch {
 
     /// These instead of the former ones; absolute, without "..". One thread.
     void set(const Paths& paths);
-    /// What has changed, appeared or gone since the last call, each once. Of a folder that is watched, the files in it. One thread.
+    /// What has changed, appeared or gone since the last call, each once. Of a folder that is watched, the files in it.
+    /// One thread.
     Paths take();
     /// False where the system has no more watches to give, or none at all.
     bool works() const { return queue_ >= 0; }

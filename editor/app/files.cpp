@@ -227,7 +227,8 @@ void Files::ask_outside(const fs::path& file, const std::vector<std::string>& cl
     ask(std::move(question));
 }
 
-// --- saving ------------------------------------------------------------------------------------------------------------
+// --- saving
+// ------------------------------------------------------------------------------------------------------------
 
 void Files::save_preset(Then then) {
     save(Kind::preset, std::move(then));
@@ -380,7 +381,8 @@ std::string Files::holder(const fs::path& file) const {
     return who.empty() ? "an unknown process" : who;
 }
 
-// --- opening -----------------------------------------------------------------------------------------------------------
+// --- opening
+// -----------------------------------------------------------------------------------------------------------
 
 void Files::make_new() {
     const auto begin = [this] {
@@ -542,7 +544,8 @@ void Files::become(Opened opened, const std::vector<std::string>& files, Kinds k
         editor_.toasts.add({.kind = ui::ToastKind::warning, .text = warning});
 }
 
-// --- closing -----------------------------------------------------------------------------------------------------------
+// --- closing
+// -----------------------------------------------------------------------------------------------------------
 
 void Files::close() {
     if (question_) return;  // that one comes first

@@ -1,5 +1,5 @@
-// New, open, save, close: what each asks first, and what it says when it fails. A question is data here; panels/closing_dialog.cpp
-// shows it. Nothing is lost without an answer that says so.
+// New, open, save, close: what each asks first, and what it says when it fails. A question is data here;
+// panels/closing_dialog.cpp shows it. Nothing is lost without an answer that says so.
 //
 //     editor.files().save_preset();                    // asks for a name where there is none
 //     if (const auto* q = editor.files().question()) ...  // "tuned.json has been changed by another program"
@@ -27,7 +27,8 @@ class Files {
 
     explicit Files(Editor& editor) : editor_(editor) {}
 
-    // --- commands: each asks what it has to ----------------------------------------------------------------------------
+    // --- commands: each asks what it has to
+    // ----------------------------------------------------------------------------
     void make_new();  ///< the sample's organ with the default preset, without events
     void open_dialog();
     /// `then` follows when it has been saved.
@@ -45,13 +46,15 @@ class Files {
     void open_anyway(const std::vector<std::string>& files);
     /// What was opened becomes the document; asks first when it is open in another editor.
     void put(Opened opened, const std::vector<std::string>& files);
-    /// The program has put something into the document by itself, at start or recovered: the same question, after the fact.
+    /// The program has put something into the document by itself, at start or recovered: the same question, after the
+    /// fact.
     void note_opened();
 
     /// Asks what videos are to be: clips of smoke, or, the first of them, the reference.
     void ask_use(const std::vector<std::string>& videos);
 
-    // --- what is asked -------------------------------------------------------------------------------------------------
+    // --- what is asked
+    // -------------------------------------------------------------------------------------------------
     struct Answer {
         std::string label;
         std::string tip{};

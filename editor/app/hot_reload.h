@@ -1,5 +1,6 @@
-// What changes on disk while it is open is read again: shaders, clips, the organ with its textures and its tool, preset and scene.
-// What cannot be read, or is gone, leaves what is shown and is told once; edited work is never lost: then it asks.
+// What changes on disk while it is open is read again: shaders, clips, the organ with its textures and its tool, preset
+// and scene. What cannot be read, or is gone, leaves what is shown and is told once; edited work is never lost: then it
+// asks.
 //
 //     editor.hot_reload().update(now);      // once before each frame
 //     editor.hot_reload().reload_all();     // "Reload from disk"
@@ -33,7 +34,8 @@ class HotReload {
     /// What is wrong with the shaders on disk; empty again once they are mended. The last good ones are used.
     const std::vector<Fault>& shader_faults() const { return shader_faults_; }
 
-    /// The shaders of the user interface, which its window has (ui::Renderer::reload): false, and why, keeps the former ones.
+    /// The shaders of the user interface, which its window has (ui::Renderer::reload): false, and why, keeps the former
+    /// ones.
     using UiShaders = std::function<bool(std::string_view vertex, std::string_view fragment, std::string& fault)>;
     void set_ui_shaders(UiShaders reload) { ui_shaders_ = std::move(reload); }
 

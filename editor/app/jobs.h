@@ -1,10 +1,10 @@
-// Long work beside the UI: files read, organs made ready, presets rendered. Each job has a name, a progress and can be cancelled;
-// what comes of it is applied on the UI thread.
+// Long work beside the UI: files read, organs made ready, presets rendered. Each job has a name, a progress and can be
+// cancelled; what comes of it is applied on the UI thread.
 //
 //     jobs.start("Loading stomach.glb", [=](Job& job) -> Jobs::Apply {
-//         auto organ = std::make_shared<Organ>(load_organ(path));   // worker thread; what it throws becomes the job's fault
-//         job.set_progress(0.5);
-//         return [=, this] { show(*organ); };                        // UI thread, in Jobs::take()
+//         auto organ = std::make_shared<Organ>(load_organ(path));   // worker thread; what it throws becomes the job's
+//         fault job.set_progress(0.5); return [=, this] { show(*organ); };                        // UI thread, in
+//         Jobs::take()
 //     });
 #pragma once
 
@@ -54,8 +54,8 @@ class Jobs {
     Jobs(const Jobs&) = delete;
     Jobs& operator=(const Jobs&) = delete;
 
-    /// UI thread. `failed` is told, on the UI thread, what the work threw. Of a cancelled job nothing is applied or told.
-    /// Valid until the end of the job; keep it to cancel by.
+    /// UI thread. `failed` is told, on the UI thread, what the work threw. Of a cancelled job nothing is applied or
+    /// told. Valid until the end of the job; keep it to cancel by.
     std::shared_ptr<Job> start(std::string name, Work work, Failed failed);
     /// UI thread, once a frame: applies what has come. Gives whether there was anything.
     bool take();

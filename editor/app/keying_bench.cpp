@@ -243,8 +243,8 @@ bool KeyingBench::stale() const {
             editor_.preview.picture() != 0);
 }
 
-/// The picture of the frame before is that of now once time has stood still for a frame. One that was drawn with fewer pixels
-/// is not taken: it is drawn whole in a moment.
+/// The picture of the frame before is that of now once time has stood still for a frame. One that was drawn with fewer
+/// pixels is not taken: it is drawn whole in a moment.
 void KeyingBench::follow_backdrop() {
     const double now = editor_.timeline.time;
     const bool stands = now == time_before_ && !editor_.playing();
@@ -363,7 +363,8 @@ ui::Picture KeyingBench::picture(BenchView view) const {
             .transparent = view == BenchView::keyed};
 }
 
-// --- suggesting ------------------------------------------------------------------------------------------------------------
+// --- suggesting
+// ------------------------------------------------------------------------------------------------------------
 
 void KeyingBench::cancel_suggesting() {
     if (suggesting_) suggesting_->cancel();

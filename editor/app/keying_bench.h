@@ -1,12 +1,13 @@
-// A frame of a clip on its way to smoke: source, matte, keyed, composite; and what of it is counted. It follows the clip that is
-// selected (Editor::clip), its keying, and the bench's own time or the timeline's.
+// A frame of a clip on its way to smoke: source, matte, keyed, composite; and what of it is counted. It follows the
+// clip that is selected (Editor::clip), its keying, and the bench's own time or the timeline's.
 //
 //     editor.keying().update(now);                               // once before each frame
 //     editor.keying().show();                                    // by the panel: the pictures are wanted
 //     ui::image_view(ui, "Matte", editor.keying().picture(BenchView::matte), view);
 //
-// Frames are read by a job, never waited for: pictures are late by it, and the newest wish is the next that is met. Once a frame is
-// there a changed threshold is seen in the next frame. In exact mode everything is done at once. UI thread.
+// Frames are read by a job, never waited for: pictures are late by it, and the newest wish is the next that is met.
+// Once a frame is there a changed threshold is seen in the next frame. In exact mode everything is done at once. UI
+// thread.
 #pragma once
 
 #include <array>
@@ -72,7 +73,8 @@ class KeyingBench {
     /// The source picture comes into sight with it.
     void set_eyedropper(bool on);
 
-    // --- what is shown -------------------------------------------------------------------------------------------------
+    // --- what is shown
+    // -------------------------------------------------------------------------------------------------
     bool ready() const { return frames_ > 0; }
     ui::Picture picture(BenchView view) const;
     std::span<const std::uint32_t> histogram() const { return bins_; }  ///< of luma; of 255 - luma for dark smoke
@@ -85,15 +87,17 @@ class KeyingBench {
     bool broken() const { return broken_; }  ///< the frame cannot be decoded; the one before is shown
     const std::vector<Fault>& faults() const { return faults_; }
 
-    // --- keying --------------------------------------------------------------------------------------------------------
+    // --- keying
+    // --------------------------------------------------------------------------------------------------------
     const SmokeClip* clip() const;  ///< null: none is selected
     /// What holds for the clip: its own keying, or the preset's.
     const KeyingParameters& keying() const;
     static const KeyingParameters& keying_of(const SmokeParameters& smoke, std::size_t clip);
     static KeyingParameters& keying_of(document::Content& content, std::size_t clip);
 
-    /// Thresholds out of the clip, by a job; one undo step, with polarity, crop and masks. They are for this clip: it gets a keying
-    /// of its own, unless it is the only one. For all: into the keying that clips share, and the clip shares it.
+    /// Thresholds out of the clip, by a job; one undo step, with polarity, crop and masks. They are for this clip: it
+    /// gets a keying of its own, unless it is the only one. For all: into the keying that clips share, and the clip
+    /// shares it.
     enum class For { clip, all };
     void suggest(For whose = For::clip);
     /// What has been suggested for the selected clip, for all of them. One undo step.
@@ -108,7 +112,8 @@ class KeyingBench {
     /// Of the clip that is selected, as long as nobody has selected another one.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
     static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
-    /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed again.
+    /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed
+    /// again.
     std::string_view suggestion_changes() const;
     /// The document as it is now came of it: undo takes it back.
     bool suggestion_undoes() const { return suggestion_undoes_ && !suggestion_changes().empty(); }

@@ -21,8 +21,8 @@ class Layouts {
     Layouts();
 
     ui::DockLayout shown;  ///< what is on the screen, and is changed by what the user does
-    /// The window's size, in em. A small one has no room for panels beside each other: they are tabs of one group then, the layout's
-    /// main one in front, until the window is larger again.
+    /// The window's size, in em. A small one has no room for panels beside each other: they are tabs of one group then,
+    /// the layout's main one in front, until the window is larger again.
     void fit_window(glm::vec2 ems);
     bool stacked() const { return stacked_; }
     /// As it is, or will be again, in a window with room, with what has been closed and opened in a small one.

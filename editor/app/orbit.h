@@ -10,7 +10,8 @@ namespace lapfx::app {
 /// Turns the eye around the target: `right` about the camera's up, `up` about its right axis. Never over the poles.
 void orbit(SceneCamera& camera, double right, double up);
 
-/// Moves eye and target together by this many pixels of a frame `height` pixels high, so that the target follows the pointer.
+/// Moves eye and target together by this many pixels of a frame `height` pixels high, so that the target follows the
+/// pointer.
 void pan(SceneCamera& camera, glm::dvec2 pixels, double height);
 
 /// Moves the eye to `factor` times its distance from the target, within 5 mm to 2 m.
@@ -22,7 +23,8 @@ void zoom_at(SceneCamera& camera, double factor, const glm::dvec3& place);
 /// Looks at `place` from the same side and distance.
 void center_on(SceneCamera& camera, const glm::dvec3& place);
 
-/// How far `seen` is from what it looks at, as a part of how far `from` is: what light that comes along is farther away by.
+/// How far `seen` is from what it looks at, as a part of how far `from` is: what light that comes along is farther away
+/// by.
 double nearness(const SceneCamera& from, const SceneCamera& seen);
 
 /// Where an instrument enters so that it is seen from the right, as in a picture of two ports; mm.

@@ -82,7 +82,8 @@ void OrganChoice::open(const std::filesystem::path& file) {
         [this, file](Job& job) -> Jobs::Apply {
             auto organ = std::make_shared<Organ>(load_organ(file));
             if (job.cancelled()) return {};
-            // The default scale of the format is taken out again: what is chosen is to begin from the file's own numbers.
+            // The default scale of the format is taken out again: what is chosen is to begin from the file's own
+            // numbers.
             const double standard = organ->scale;
             for (glm::vec3& position : organ->positions) position = glm::vec3(glm::dvec3(position) / standard);
             OrganReport report = lapfx::report(*organ);

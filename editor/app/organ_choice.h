@@ -34,7 +34,8 @@ inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10
 /// Of length_units; none: -1.
 int unit_of(double scale);
 
-/// mm per unit that make an organ of something `longest` units long; nothing when none of the units does, or `scale` does already.
+/// mm per unit that make an organ of something `longest` units long; nothing when none of the units does, or `scale`
+/// does already.
 std::optional<double> likely_scale(double longest, double scale);
 
 /// The ways up, and the rotations (degrees about x, then y, then z) that bring each to y.

@@ -14,11 +14,13 @@
 
 namespace lapfx::app {
 
-/// JSON, two-space indent: the groups ("smoke.keying") in their places. Empty `groups`: all, with clips, name and description.
+/// JSON, two-space indent: the groups ("smoke.keying") in their places. Empty `groups`: all, with clips, name and
+/// description.
 std::string copy_parameters(const Preset& preset, std::span<const std::string_view> groups);
 
-/// `preset` with what `text` has. With `group`, only that group is taken, and has to be there. Throws Error (bad_input, file
-/// "clipboard"): no JSON, unknown keys, values that are not allowed, rules that would not hold; `preset` is not touched.
+/// `preset` with what `text` has. With `group`, only that group is taken, and has to be there. Throws Error (bad_input,
+/// file "clipboard"): no JSON, unknown keys, values that are not allowed, rules that would not hold; `preset` is not
+/// touched.
 Preset paste_parameters(const Preset& preset, std::string_view text, std::string_view group = {});
 
 /// Of a value that 0 does not mean as a number: "automatic"; else empty.

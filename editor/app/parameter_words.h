@@ -1,5 +1,5 @@
-// What people call a parameter when they do not know its name: the everyday words that search looks into besides name, key and
-// help.
+// What people call a parameter when they do not know its name: the everyday words that search looks into besides name,
+// key and help.
 //
 //     app::everyday_words("bleeding.max_extent");  // "size spread reach ..."
 //
@@ -12,8 +12,8 @@
 
 namespace lapfx::app {
 
-/// Keys of the preset's parameters and groups, of the scene's as "scene.camera.eye", with words between spaces. A group's words hold
-/// for all that is in it.
+/// Keys of the preset's parameters and groups, of the scene's as "scene.camera.eye", with words between spaces. A
+/// group's words hold for all that is in it.
 std::span<const std::pair<std::string_view, std::string_view>> parameter_words();
 
 /// Of one key alone; empty: it is found by its name.

@@ -1,5 +1,5 @@
-// The parameters of a preset in one list, made from the parameter table: what the rows of the preset panel, locks, favourites and
-// search go by. Lists of objects (smoke clips) are not in it.
+// The parameters of a preset in one list, made from the parameter table: what the rows of the preset panel, locks,
+// favourites and search go by. Lists of objects (smoke clips) are not in it.
 //
 //     const app::Parameters& all = app::parameters();
 //     for (const app::ParameterEntry& entry : all.of(all.group("smoke.keying"))) std::cout << entry.key << '\n';
@@ -81,11 +81,12 @@ class Parameters {
 /// Those of presets.
 const Parameters& parameters();
 
-/// What search looks into, in lower case: title, key, help, and the everyday words of the key and of the groups it is in.
+/// What search looks into, in lower case: title, key, help, and the everyday words of the key and of the groups it is
+/// in.
 std::string search_words(std::string_view title, std::string_view key, std::string_view help);
 
-/// What a tooltip tells of a row: what it does, with the paper's term; range and unit; with `defaults`, a struct like its owner, what
-/// it is by default.
+/// What a tooltip tells of a row: what it does, with the paper's term; range and unit; with `defaults`, a struct like
+/// its owner, what it is by default.
 std::string tip_text(const Parameter& row, const void* defaults = nullptr);
 
 /// As set_parameter() reads it: "4.5", "true", "light", "#5d0f11", "1,2,3".

@@ -1,4 +1,5 @@
-// A colour from a picture that is shown, for a field of the presets or the scene: ui::Eyedropper asks, the panels with pictures give.
+// A colour from a picture that is shown, for a field of the presets or the scene: ui::Eyedropper asks, the panels with
+// pictures give.
 //
 //     editor.eyedropper.picked = app::color_around(*picture.pixels, picture.size, at);
 #pragma once
@@ -12,7 +13,8 @@ namespace lapfx::app {
 /// Pixels a side that are averaged: noise and the blocks of a video weigh less.
 inline constexpr int picked_side = 5;
 
-/// sRGB code values, as colours of presets are: the mean around `at` in linear light, of as much as is inside of `size`.
+/// sRGB code values, as colours of presets are: the mean around `at` in linear light, of as much as is inside of
+/// `size`.
 ui::Color color_around(const ui::PickSource& source, glm::ivec2 size, glm::ivec2 at);
 
 /// Zero outside.

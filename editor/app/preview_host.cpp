@@ -100,7 +100,8 @@ glm::ivec2 PreviewHost::size() const {
     return target_.size();
 }
 
-// --- following ----------------------------------------------------------------------------------------------------------
+// --- following
+// ----------------------------------------------------------------------------------------------------------
 
 void PreviewHost::follow(const document::Document& document) {
     if (tool_on_) return;
@@ -260,7 +261,8 @@ void PreviewHost::follow_scene() {
     }
 }
 
-// --- loading ------------------------------------------------------------------------------------------------------------
+// --- loading
+// ------------------------------------------------------------------------------------------------------------
 
 std::optional<Loading> PreviewHost::loading() const {
     const std::shared_ptr<Job>& job = organ_job_ ? organ_job_ : clips_job_;
@@ -328,7 +330,8 @@ MemoryUse PreviewHost::memory_use() const {
     return use;
 }
 
-// --- the driver ---------------------------------------------------------------------------------------------------------
+// --- the driver
+// ---------------------------------------------------------------------------------------------------------
 
 std::optional<Fault> PreviewHost::check_driver(double now) {
     if (lost_ || !unchecked_ || now - checked_ < 1.0) return std::nullopt;
@@ -348,7 +351,8 @@ std::optional<Fault> PreviewHost::check_driver(double now) {
     return Fault{.file = "", .place = "", .reason = "OpenGL " + what + "; the picture may be wrong"};
 }
 
-// --- drawing ------------------------------------------------------------------------------------------------------------
+// --- drawing
+// ------------------------------------------------------------------------------------------------------------
 
 void PreviewHost::resize(glm::ivec2 size) {
     size = glm::clamp(size, glm::ivec2(0), glm::ivec2(8192));

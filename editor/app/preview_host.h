@@ -1,8 +1,9 @@
-// The preview as the editor has it: it follows the document, and draws into a texture that the UI shows. The one place of the
-// editor that draws effects; its pixels are those of `lapfx render`. Render thread, context current. No OpenGL in this header.
+// The preview as the editor has it: it follows the document, and draws into a texture that the UI shows. The one place
+// of the editor that draws effects; its pixels are those of `lapfx render`. Render thread, context current. No OpenGL
+// in this header.
 //
-// Nothing here waits: organs are made ready and clips looked through by jobs, and what was shown before stays, live, until they
-// are done.
+// Nothing here waits: organs are made ready and clips looked through by jobs, and what was shown before stays, live,
+// until they are done.
 #pragma once
 
 #include <atomic>
@@ -68,14 +69,14 @@ class PreviewHost {
     PreviewHost(const PreviewHost&) = delete;
     PreviewHost& operator=(const PreviewHost&) = delete;
 
-    /// Shows the document from the next draw() on, or when what it needs is loaded; with PreviewOptions::wait_for_clips that is
-    /// waited for. What cannot be shown (values that contradict each other, a clip or an organ that is gone) stays what it was
-    /// before, all else is shown, and the faults below tell of it.
+    /// Shows the document from the next draw() on, or when what it needs is loaded; with PreviewOptions::wait_for_clips
+    /// that is waited for. What cannot be shown (values that contradict each other, a clip or an organ that is gone)
+    /// stays what it was before, all else is shown, and the faults below tell of it.
     void follow(const document::Document& document);
     /// Makes room for pictures of this size, px; picture() is another one then. Before the list that shows it is drawn.
     void resize(glm::ivec2 size);
-    /// Draws if the picture would differ from the last one; gives whether it did. Nothing is drawn without an organ, or once the
-    /// driver has failed.
+    /// Draws if the picture would differ from the last one; gives whether it did. Nothing is drawn without an organ, or
+    /// once the driver has failed.
     bool draw(const Shot& shot);
     /// The same into `copy`, whose target has a size.
     bool draw_into(PreviewCopy& copy, const Shot& shot);
@@ -93,8 +94,8 @@ class PreviewHost {
     /// What is on its way: an organ, else clips; none when all is there.
     std::optional<Loading> loading() const;
     void cancel_loading();  ///< what was shown stays; the document, which asks for another, does too
-    /// Reads again what has changed on disk: clips that these paths name (empty: all), the organ with all that belongs to it. What
-    /// cannot be read leaves what is shown.
+    /// Reads again what has changed on disk: clips that these paths name (empty: all), the organ with all that belongs
+    /// to it. What cannot be read leaves what is shown.
     void reload_clips(const std::vector<std::filesystem::path>& changed = {});
     void reload_organ();
     /// Compiles the shaders of this folder. Throws Error, with file and line, and keeps those that it had.
@@ -107,8 +108,8 @@ class PreviewHost {
     /// What keeps the document from being shown: of the preset and its clips, and of the organ.
     const std::vector<Fault>& preset_faults() const { return preset_faults_; }
     const std::vector<Fault>& organ_faults() const { return organ_faults_; }
-    /// Looks, at most once a second and only when there was something to draw, whether the driver still works. Gives a fault the
-    /// first time that it does not; then nothing is drawn any more. `now`: s.
+    /// Looks, at most once a second and only when there was something to draw, whether the driver still works. Gives a
+    /// fault the first time that it does not; then nothing is drawn any more. `now`: s.
     std::optional<Fault> check_driver(double now);
     bool lost() const { return lost_; }
 
@@ -118,7 +119,8 @@ class PreviewHost {
 
     /// What is known of clips: another preview that uses it looks through none of them again.
     const std::shared_ptr<ClipCache>& clip_cache() const { return options_.clip_cache; }
-    /// The organ of this scene as it is shown, for others that work on it; null while it is not there, or another one is.
+    /// The organ of this scene as it is shown, for others that work on it; null while it is not there, or another one
+    /// is.
     std::shared_ptr<const PreparedOrgan> organ_of(const Scene& scene) const;
     /// Grows whenever another one is shown, or why there is none.
     std::uint64_t organ_version() const { return organ_version_; }
@@ -128,7 +130,8 @@ class PreviewHost {
     const Preview* preview() const { return preview_.get(); }
 
     // --- a tool in the hand ------------------------------------------------------------------------------------------
-    /// From `time` on the tip is on the organ at `place`. The preview shows what it does, the document knows nothing of it yet.
+    /// From `time` on the tip is on the organ at `place`. The preview shows what it does, the document knows nothing of
+    /// it yet.
     void put_tool(ToolAction action, double power, double strength, double time, glm::dvec3 place);
     void move_tool(double time, glm::dvec3 place);  ///< straight from where it was, at 100 Hz
     /// What it has done since put_tool(): contacts for the scene's events.

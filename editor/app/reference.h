@@ -1,9 +1,10 @@
-// The surgery video that is to be matched, and how it is compared with the preview. The scene names it; here it is opened, followed
-// by the timeline, and shown.
+// The surgery video that is to be matched, and how it is compared with the preview. The scene names it; here it is
+// opened, followed by the timeline, and shown.
 //
 //     editor.reference().choose("operation.mp4");  // the scene's reference from now on: an undo step
 //     ...
-//     while the panel is built:  reference.follow();  ui::image_view(u, "Video", reference.picture(), reference.compare.view);
+//     while the panel is built:  reference.follow();  ui::image_view(u, "Video", reference.picture(),
+//     reference.compare.view);
 //
 // UI thread; what decodes is beside it (video_feed.h), but with EditorOptions::exact.
 #pragma once
@@ -34,8 +35,8 @@ class Reference {
     ~Reference();
 
     // --- which ------------------------------------------------------------------------------------------------------
-    /// Opened beside the UI and then, by an undo step, the scene's reference, from its first frame on. What cannot be opened is in
-    /// refused(), and the one that is there stays. One of numbered images stands for all of them.
+    /// Opened beside the UI and then, by an undo step, the scene's reference, from its first frame on. What cannot be
+    /// opened is in refused(), and the one that is there stays. One of numbered images stands for all of them.
     void choose(const std::filesystem::path& file);
     /// Of the last choose(), until another reference comes.
     const std::vector<Fault>& refused() const { return refused_; }
@@ -71,18 +72,20 @@ class Reference {
     /// The newest frame that has come.
     ui::Picture picture() const;
     bool good() const { return feed_.good(); }  ///< the file could give it
-    /// Both of one size, for compare_view: the scene through its camera at the timeline's time, drawn after this frame; the
-    /// reference, counted in the same pixels. Those are the video's, in its aspect.
+    /// Both of one size, for compare_view: the scene through its camera at the timeline's time, drawn after this frame;
+    /// the reference, counted in the same pixels. Those are the video's, in its aspect.
     ui::Picture compared_preview();
     ui::Picture compared_reference() const;
-    /// As large as compare_view shows them (CompareResult::zoom): the preview is drawn with as many pixels, but pixel for pixel with
-    /// the video where both are subtracted or single pixels are looked at. Gives whether that is another size than before.
+    /// As large as compare_view shows them (CompareResult::zoom): the preview is drawn with as many pixels, but pixel
+    /// for pixel with the video where both are subtracted or single pixels are looked at. Gives whether that is another
+    /// size than before.
     bool show_at(double zoom);
     glm::ivec2 drawn_size() const;  ///< px that the preview is drawn at
     CompareWay way = CompareWay::beside;
     ui::CompareState compare;  ///< its view is that of the reference alone, too
 
-    // --- of the editor ------------------------------------------------------------------------------------------------
+    // --- of the editor
+    // ------------------------------------------------------------------------------------------------
     void set_wake(std::function<void()> wake) { feed_.set_wake(std::move(wake)); }
     /// Once before each frame. `now`: s.
     void update(double now);

@@ -1,7 +1,7 @@
-// When the scene is drawn, and how finely, while a person works: panels never wait for it. Without a GPU one picture of the scene
-// takes up to half a second, and nothing else is shown meanwhile. So from an input until a moment after the last one the scene gets
-// at most half of the time, in pieces that nobody feels: with fewer pixels, as many as fit into `budget`. At rest it is drawn
-// whole again. Time is an argument; no OpenGL.
+// When the scene is drawn, and how finely, while a person works: panels never wait for it. Without a GPU one picture of
+// the scene takes up to half a second, and nothing else is shown meanwhile. So from an input until a moment after the
+// last one the scene gets at most half of the time, in pieces that nobody feels: with fewer pixels, as many as fit into
+// `budget`. At rest it is drawn whole again. Time is an argument; no OpenGL.
 //
 //     pace.touch(now);                                   // an input
 //     if (pace.due(now)) { draw(pace.scale(now)); pace.drawn(now, after); }
@@ -30,7 +30,8 @@ class ScenePace {
     double scale(double now) const { return touched(now) ? steps[step_] : 1; }
     /// A picture has been drawn, with scale(begin).
     void drawn(double begin, double end);
-    /// It was its turn at `now`, and nothing had to be drawn: at rest, what was drawn with fewer pixels is not seen any more.
+    /// It was its turn at `now`, and nothing had to be drawn: at rest, what was drawn with fewer pixels is not seen any
+    /// more.
     void left_out(double now) { coarse_ = coarse_ && touched(now); }
     /// When a picture that was drawn with fewer pixels is to be drawn whole, s; infinite: it is.
     double whole_at() const { return coarse_ ? touched_ + rest : std::numeric_limits<double>::infinity(); }

@@ -1,4 +1,5 @@
-// What the user chose, kept as settings.json in the config folder: read at start, written a moment after it has changed.
+// What the user chose, kept as settings.json in the config folder: read at start, written a moment after it has
+// changed.
 //
 //     Settings settings(folders);         // as it was left; a broken file is put aside and told
 //     settings.connect(editor);           // once all commands are there: layouts, keys, folders of the file dialog

@@ -1,4 +1,5 @@
-// A picture that is drawn into and shown or read: a texture of sRGB-encoded RGBA8 with its framebuffer. Context current.
+// A picture that is drawn into and shown or read: a texture of sRGB-encoded RGBA8 with its framebuffer. Context
+// current.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,12 +1,13 @@
-// Pictures of files, made beside the UI: this very program makes them in a child process, niced, one at a time, and they are kept
-// in the cache folder. A file that hangs, crashes or wants all memory does that to the child.
+// Pictures of files, made beside the UI: this very program makes them in a child process, niced, one at a time, and
+// they are kept in the cache folder. A file that hangs, crashes or wants all memory does that to the child.
 //
 //     ThumbnailMaker maker({.cache = folders.cache, .clip_folders = ..., .wake = [&] { ui.wake("thumbnail"); }});
-//     maker.want({{.file = "presets/slow_ooze.json", .scene = "samples/lagb.scene.json", .time = 9}, {.file = "liver.glb"}});
-//     for (ThumbnailMaker::Result& result : maker.take()) show(result);   // each frame
+//     maker.want({{.file = "presets/slow_ooze.json", .scene = "samples/lagb.scene.json", .time = 9}, {.file =
+//     "liver.glb"}}); for (ThumbnailMaker::Result& result : maker.take()) show(result);   // each frame
 //
-// A picture is found again by what it shows: the texts of preset and scene, their clips and organ, any other file by its name, size
-// and time, and the program. One that is no longer wanted is not finished. UI thread; the work is on a thread of its own.
+// A picture is found again by what it shows: the texts of preset and scene, their clips and organ, any other file by
+// its name, size and time, and the program. One that is no longer wanted is not finished. UI thread; the work is on a
+// thread of its own.
 #pragma once
 
 #include <sys/types.h>
@@ -63,8 +64,8 @@ class ThumbnailMaker {
     bool busy() const;
     void finish();  ///< waits for all that is wanted
 
-    /// Of memory and of processor time one that makes a picture may take no more than is good for the rest: nobody may be there to
-    /// end it. Nobody wants its core, either. 0: this one.
+    /// Of memory and of processor time one that makes a picture may take no more than is good for the rest: nobody may
+    /// be there to end it. Nobody wants its core, either. 0: this one.
     static void limit_process(pid_t process);
 
   private:

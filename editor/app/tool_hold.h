@@ -1,4 +1,5 @@
-// A tool held on the organ: time runs while it works there, and what it did becomes events of the scene, in one undo step.
+// A tool held on the organ: time runs while it works there, and what it did becomes events of the scene, in one undo
+// step.
 //
 //     if (pressed && hit) editor.hold.begin(editor, hit->position);
 //     if (editor.hold.on() && hit) editor.hold.move(editor, hit->position);

@@ -1,5 +1,5 @@
-// What the preset panel needs beside the values: locks, favourites, what differs from the file, what is wrong, and what is done
-// to many parameters at once.
+// What the preset panel needs beside the values: locks, favourites, what differs from the file, what is wrong, and what
+// is done to many parameters at once.
 //
 //     Tuning& tuning = editor.tuning();
 //     tuning.follow();                                   // once a build: up to date with the document
@@ -31,7 +31,8 @@ class Tuning {
     explicit Tuning(Editor& editor);
     void follow();
 
-    // --- of one parameter ---------------------------------------------------------------------------------------------
+    // --- of one parameter
+    // ---------------------------------------------------------------------------------------------
     bool locked(std::size_t entry) const { return states_[entry].locked; }
     void lock(std::size_t entry, bool locked) { states_[entry].locked = locked; }
     bool favourite(std::size_t entry) const { return states_[entry].favourite; }
@@ -42,8 +43,8 @@ class Tuning {
     const Preset& standard() const { return saved_.preset; }
     /// Scene and preset as they were opened or saved: what the dot of a row compares with and Backspace goes back to.
     const document::Content& saved() const { return saved_; }
-    /// What was saved of this clip, wherever it stood in the list then: the same file, as often used before it, however the
-    /// folder of either names it. Null: it is new.
+    /// What was saved of this clip, wherever it stood in the list then: the same file, as often used before it, however
+    /// the folder of either names it. Null: it is new.
     const SmokeClip* saved_clip(std::size_t number) const;
     /// What is wrong with it; empty: nothing.
     const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
@@ -51,7 +52,8 @@ class Tuning {
     Range range(std::size_t entry) const;
     void set_range(std::size_t entry, const Range& range) { states_[entry].range = range; }
 
-    // --- of many ------------------------------------------------------------------------------------------------------
+    // --- of many
+    // ------------------------------------------------------------------------------------------------------
     int changed_in(const ParameterGroup& group) const { return changed_in_[index_of(group)]; }
     int changed_in_all() const { return changed_in_all_; }
     bool all_locked(const ParameterGroup& group) const;
@@ -62,8 +64,8 @@ class Tuning {
     /// Null stands for all groups. Each is one undo step; locked values stay with randomise(), only with that.
     void reset(const ParameterGroup* group);
     void reset(std::size_t entry);
-    /// From the values as they are. The same seed, preset, locks and strength give the same values. Rules between values hold if they
-    /// held before. Gives how many values changed.
+    /// From the values as they are. The same seed, preset, locks and strength give the same values. Rules between
+    /// values hold if they held before. Gives how many values changed.
     int randomise(const ParameterGroup* group);
     static constexpr double standard_strength = 0.1;
     /// How far a value goes at most, of its range; 1: anywhere in it, choices too.
@@ -76,7 +78,8 @@ class Tuning {
     std::string copy(std::size_t entry) const;
     bool paste(const std::string& text, std::size_t entry);
 
-    // --- what the panel shows -----------------------------------------------------------------------------------------
+    // --- what the panel shows
+    // -----------------------------------------------------------------------------------------
     std::string search;
     bool changed_only = false;
     bool wants_search = false;       ///< the field is to have the keyboard

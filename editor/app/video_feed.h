@@ -6,8 +6,8 @@
 //     each frame:  feed.take();  if (feed.video()) feed.want(feed.video()->frame_at(time));
 //                  show(feed.image());
 //
-// It also looks once a second whether the file is still there and still the same: what vanished is told, what changed is opened
-// again, and meanwhile the last frame stays. UI thread.
+// It also looks once a second whether the file is still there and still the same: what vanished is told, what changed
+// is opened again, and meanwhile the last frame stays. UI thread.
 #pragma once
 
 #include <atomic>
@@ -35,7 +35,8 @@ class VideoFeed {
 
     /// Any thread calls it, when there is something to take().
     void set_wake(std::function<void()> wake);
-    /// Another video; empty: none. What was shown is gone. `reader`: of this file, opened already by somebody who needs it no more.
+    /// Another video; empty: none. What was shown is gone. `reader`: of this file, opened already by somebody who needs
+    /// it no more.
     void open(const std::filesystem::path& file, std::shared_ptr<VideoReader> reader = nullptr);
     void want(int frame);
     /// What has come since. Gives whether there was anything.

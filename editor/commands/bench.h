@@ -1,5 +1,5 @@
-// What the benches share: rows of figures, ratios with names that read alone, and the machine they were taken on; printed as
-// a table and written as JSON: {"bench", "machine", "results": [...], "ratios": {...}}.
+// What the benches share: rows of figures, ratios with names that read alone, and the machine they were taken on;
+// printed as a table and written as JSON: {"bench", "machine", "results": [...], "ratios": {...}}.
 #pragma once
 
 #include <filesystem>

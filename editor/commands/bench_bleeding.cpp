@@ -1,8 +1,9 @@
-// lapfx bench bleeding: what blood costs per frame on sheets of 10 thousand to a million vertices of equal spacing, for 1, 10
-// and 100 wounds, while they grow and when they have settled.
+// lapfx bench bleeding: what blood costs per frame on sheets of 10 thousand to a million vertices of equal spacing, for
+// 1, 10 and 100 wounds, while they grow and when they have settled.
 //
-// Method: each figure is of Effects::seek(), 60 frames per second, in CPU time of the calling thread; the best of several
-// fresh runs of every case, the sizes taking turns, so that a passing load of the machine does not fall on one of them.
+// Method: each figure is of Effects::seek(), 60 frames per second, in CPU time of the calling thread; the best of
+// several fresh runs of every case, the sizes taking turns, so that a passing load of the machine does not fall on one
+// of them.
 #include <algorithm>
 #include <cmath>
 #include <limits>

@@ -1,5 +1,5 @@
-// What the editor's panels cost beside what they stand around: a frame of the scene and of the UI, on the sample scene, playing,
-// with a value that changes in every frame.
+// What the editor's panels cost beside what they stand around: a frame of the scene and of the UI, on the sample scene,
+// playing, with a value that changes in every frame.
 #include <glad/gl.h>
 
 #include <chrono>
@@ -28,7 +28,8 @@ struct Costs {
     std::vector<double> scene, ui;
 };
 
-/// As the window does it: panels, preview, list. GL is waited for after each part, so that each pays for its own drawing.
+/// As the window does it: panels, preview, list. GL is waited for after each part, so that each pays for its own
+/// drawing.
 Costs measure(HeadlessEditor& headless, Progress& progress) {
     app::Editor& editor = headless.editor();
     Costs costs;

@@ -1,5 +1,5 @@
-// What the ffmpeg program takes for the same clips, by the wall clock: a short run is taken off a long one, so that starting and
-// opening files do not count.
+// What the ffmpeg program takes for the same clips, by the wall clock: a short run is taken off a long one, so that
+// starting and opening files do not count.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>

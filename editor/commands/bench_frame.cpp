@@ -1,13 +1,14 @@
-// lapfx bench frame: what smoke adds to a frame of the sample scene, what a haptic thread notices of it all, and what happening
-// costs without drawing (bench_simulation.cpp).
+// lapfx bench frame: what smoke adds to a frame of the sample scene, what a haptic thread notices of it all, and what
+// happening costs without drawing (bench_simulation.cpp).
 //
-// Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in turns, medians.
-// The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once beside the core that
-// plays 15 clips at 30 frames per second in real time, once beside threads that do nothing but take the same share of the
-// processor, as many as the core has at work beside it: the drawing one, and one for each processor that decodes and, with a
-// renderer in software, one that fills pixels. In turns; medians, and half of the distance between the quartiles as spread.
-// Haptic threads run at real-time priority where the system lets them (as root, or by RLIMIT_RTPRIO): then that is the ratio;
-// that of a thread of ordinary priority has a name of its own, and is the only one where the system does not.
+// Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in
+// turns, medians. The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once
+// beside the core that plays 15 clips at 30 frames per second in real time, once beside threads that do nothing but
+// take the same share of the processor, as many as the core has at work beside it: the drawing one, and one for each
+// processor that decodes and, with a renderer in software, one that fills pixels. In turns; medians, and half of the
+// distance between the quartiles as spread. Haptic threads run at real-time priority where the system lets them (as
+// root, or by RLIMIT_RTPRIO): then that is the ratio; that of a thread of ordinary priority has a name of its own, and
+// is the only one where the system does not.
 #include <pthread.h>
 #include <sys/resource.h>
 

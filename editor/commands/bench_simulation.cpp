@@ -1,9 +1,9 @@
 // Method: CPU time of the calling thread, the best of five runs of each, in turns.
 //
-// Samples: on the sample scene's organ, with its preset but without clips. Strokes of 0.6 s, one a second, have gone by, and the
-// wounds that they opened have bled out; then coagulation is held for 2 s beside them, 1000 samples a second and 60 frames, and
-// nothing is drawn. A history of suction is not among it: it costs more.
-// Scene: AmountsModel with the organ prepared; from setting preset and events to the last of 1800 amounts.
+// Samples: on the sample scene's organ, with its preset but without clips. Strokes of 0.6 s, one a second, have gone
+// by, and the wounds that they opened have bled out; then coagulation is held for 2 s beside them, 1000 samples a
+// second and 60 frames, and nothing is drawn. A history of suction is not among it: it costs more. Scene: AmountsModel
+// with the organ prepared; from setting preset and events to the last of 1800 amounts.
 #include "commands/bench_simulation.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// What happens on the organ, without drawing: what a sample of the tool costs after much has happened, and how long a scene takes.
+// What happens on the organ, without drawing: what a sample of the tool costs after much has happened, and how long a
+// scene takes.
 #pragma once
 
 #include "commands/bench.h"
@@ -6,8 +7,9 @@
 namespace lapfx::commands {
 
 /// Adds its rows, and the ratios
-///   sample_cost_10min_over_10s   CPU time of a sample of a held stroke after ten minutes of strokes, over that after ten seconds
-///   simulation_over_real_time    CPU time of the amounts over 60 s of the sample scene, at 30 a second, over 60 s
+///   sample_cost_10min_over_10s   CPU time of a sample of a held stroke after ten minutes of strokes, over that after
+///   ten seconds simulation_over_real_time    CPU time of the amounts over 60 s of the sample scene, at 30 a second,
+///   over 60 s
 /// Context current.
 void measure_simulation(BenchReport& report);
 

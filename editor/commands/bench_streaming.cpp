@@ -1,17 +1,18 @@
-// lapfx bench streaming: what N smoke clips over a 1280x1024 frame cost by each scheme, as the paper's table 2 has it, and what
-// FFmpeg takes for the like.
+// lapfx bench streaming: what N smoke clips over a 1280x1024 frame cost by each scheme, as the paper's table 2 has it,
+// and what FFmpeg takes for the like.
 //
-// Method: clips 720x480, MPEG-4 part 2, 30 frames per second, each over the whole view (environmental smoke), luma keyed with
-// noise; one frame of every clip a frame (Policy::wait: nothing is skipped). "Late" are the paper's two schemes on a display half as
-// fast as the clips, which go on by two frames in each of its cycles: pipeline sends one of the two in every cycle, buffering (with
-// LateClips::skip, as the paper implemented it) one of four in every second cycle. Decoding rests before each of these cycles, so
-// that sending is compared: who skips what is not decoded in time would seem to send fast. The paper's schemes shade every layer at the
-// screen's resolution, ours as Effects does unless told otherwise. FFmpeg has the same picture to make: every clip keyed and
-// scaled over the whole frame; unscaled, where they cover a quarter of it, is a ratio of its own. After the warm-up (a loop of
-// the clips for resident, else a few frames) `measured` frames. Times per frame are medians; waiting, sending, decoding and
-// copying are means, since the buffered scheme does not send in every frame. The table is gone through three times (--rounds) and
-// the best round of each case is kept: what else the machine does must not fall on one of them. --only measures the two cases of
-// one ratio, in turns.
+// Method: clips 720x480, MPEG-4 part 2, 30 frames per second, each over the whole view (environmental smoke), luma
+// keyed with noise; one frame of every clip a frame (Policy::wait: nothing is skipped). "Late" are the paper's two
+// schemes on a display half as fast as the clips, which go on by two frames in each of its cycles: pipeline sends one
+// of the two in every cycle, buffering (with LateClips::skip, as the paper implemented it) one of four in every second
+// cycle. Decoding rests before each of these cycles, so that sending is compared: who skips what is not decoded in time
+// would seem to send fast. The paper's schemes shade every layer at the screen's resolution, ours as Effects does
+// unless told otherwise. FFmpeg has the same picture to make: every clip keyed and scaled over the whole frame;
+// unscaled, where they cover a quarter of it, is a ratio of its own. After the warm-up (a loop of the clips for
+// resident, else a few frames) `measured` frames. Times per frame are medians; waiting, sending, decoding and copying
+// are means, since the buffered scheme does not send in every frame. The table is gone through three times (--rounds)
+// and the best round of each case is kept: what else the machine does must not fall on one of them. --only measures the
+// two cases of one ratio, in turns.
 #include "commands/bench_streaming.h"
 
 #include <algorithm>

@@ -1,4 +1,5 @@
-// lapfx bench streaming, in parts: the clips it plays, the cases it measures, the paper's figures, FFmpeg beside it, the plot.
+// lapfx bench streaming, in parts: the clips it plays, the cases it measures, the paper's figures, FFmpeg beside it,
+// the plot.
 #pragma once
 
 #include <filesystem>
@@ -32,10 +33,10 @@ struct StreamingRow {
     double sending = 0.0;   ///< waiting and sending, of the round in which they took least
 };
 
-/// Table 2 of the paper: its "video streaming to GPU" by buffering is half of that by pipeline, with one clip (1.55 and 0.78 ms) as
-/// with 15 (32.4 and 16.2 ms); retrieving and shading take the same. Two frames in one cycle and none in the next send as many
-/// as one in each: what halves it is what the text says last, "consecutive video frames are skipped for performance enhancement".
-/// GeForce 9800 GX2, quad core at 2.83 GHz; DivX 720x480, screen 1280x1024.
+/// Table 2 of the paper: its "video streaming to GPU" by buffering is half of that by pipeline, with one clip (1.55 and
+/// 0.78 ms) as with 15 (32.4 and 16.2 ms); retrieving and shading take the same. Two frames in one cycle and none in
+/// the next send as many as one in each: what halves it is what the text says last, "consecutive video frames are
+/// skipped for performance enhancement". GeForce 9800 GX2, quad core at 2.83 GHz; DivX 720x480, screen 1280x1024.
 std::span<const StreamingRow> paper_table_2();
 
 constexpr int bench_clip_frames = 60;
@@ -58,8 +59,8 @@ class BenchClips {
     std::filesystem::path folder_;
 };
 
-/// ms that FFmpeg's lumakey and overlay take for a 1280x1024 frame with the first `streams` clips over it, scaled to cover it or as
-/// large as they are; nothing where there is no ffmpeg.
+/// ms that FFmpeg's lumakey and overlay take for a 1280x1024 frame with the first `streams` clips over it, scaled to
+/// cover it or as large as they are; nothing where there is no ffmpeg.
 std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams, bool scaled);
 /// Frames per second of `ffmpeg -f null` over the first `streams` clips.
 std::optional<double> ffmpeg_decode_fps(const BenchClips& clips, int streams);

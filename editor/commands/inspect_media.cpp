@@ -34,7 +34,8 @@ DecodableFrames decodable_frames(const std::filesystem::path& file) {
     });
 }
 
-/// Of a time, s, the whole milliseconds before it: rounded up, a clip's "out" there would play the frame that begins then.
+/// Of a time, s, the whole milliseconds before it: rounded up, a clip's "out" there would play the frame that begins
+/// then.
 double rounded_down(double time) {
     constexpr double inexact = 5e-4;  // ms: 0.5 s is not to become 0.499; far less than frames come early
     return std::floor(1000.0 * time + inexact) / 1000.0;

@@ -1,5 +1,5 @@
-// lapfx picture: a small picture of any file that the editor opens. File dialogs ask a child process for it: what a stranger's file
-// does, it does there.
+// lapfx picture: a small picture of any file that the editor opens. File dialogs ask a child process for it: what a
+// stranger's file does, it does there.
 #include <new>
 #include <opencv2/imgproc.hpp>
 

@@ -5,8 +5,8 @@
 
 namespace lapfx::commands {
 
-/// While one lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the process but make step() throw Error (runtime), so that
-/// everything that was begun is undone on the way out.
+/// While one lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the process but make step() throw Error (runtime),
+/// so that everything that was begun is undone on the way out.
 class Progress {
   public:
     /// `what` as in "rendering". Prints to stderr, and only when that is a terminal.

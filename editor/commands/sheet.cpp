@@ -1,4 +1,5 @@
-// lapfx sheet: one picture of many, time across and presets down, to judge presets beside each other and beside real frames.
+// lapfx sheet: one picture of many, time across and presets down, to judge presets beside each other and beside real
+// frames.
 #include <opencv2/imgproc.hpp>
 
 #include "commands/command.h"

@@ -3,8 +3,8 @@
 //     clipboard.set(curve_text(scene.curves.emission));                                        // "0\t1\n2.5\t0.4\n"
 //     scene.curves.emission = parse_curve_text(clipboard.get(), *curve_table("emission"));     // throws Error
 //
-// A point a line: its time in s and its value, told apart by tabs, spaces, a comma or a semicolon. Lines without any figure are
-// passed over. Any thread.
+// A point a line: its time in s and its value, told apart by tabs, spaces, a comma or a semicolon. Lines without any
+// figure are passed over. Any thread.
 #pragma once
 
 #include <span>

@@ -34,7 +34,8 @@ fs::path normal_folder(const fs::path& folder, const fs::path& file) {
     return folder.empty() && !file.empty() ? folder_of(file) : normal(folder);
 }
 
-/// Also a sequence, whose name with its % no file has. A whole path may lie behind a symbolic link and hold any character.
+/// Also a sequence, whose name with its % no file has. A whole path may lie behind a symbolic link and hold any
+/// character.
 bool is_there(const fs::path& whole) {
     if (!whole.has_filename() || whole.native().find('\0') != std::string::npos) return false;
     try {

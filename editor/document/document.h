@@ -1,12 +1,13 @@
 // What is edited: a scene and a preset, with everything that was done to them. No UI, no OpenGL.
 //
 //     document.change("Speed", [](Content& c) { c.preset.bleeding.speed = 6; });  // one undo step
-//     document.take(edit, "Speed", [&](Content& c) { c.preset.bleeding.speed = speed; });  // a widget's gesture: one step
-//     document.undo();
+//     document.take(edit, "Speed", [&](Content& c) { c.preset.bleeding.speed = speed; });  // a widget's gesture: one
+//     step document.undo();
 //
-// A step is the whole content before and after, which makes undo as simple as it can be; steps share what they have in common. Files are named from
-// the folder that the scene or the preset has, and both are one value: nothing but writing a file names them anew. Values may break a
-// rule between them while they are edited (faults()); they are kept, and told. UI thread.
+// A step is the whole content before and after, which makes undo as simple as it can be; steps share what they have in
+// common. Files are named from the folder that the scene or the preset has, and both are one value: nothing but writing
+// a file names them anew. Values may break a rule between them while they are edited (faults()); they are kept, and
+// told. UI thread.
 #pragma once
 
 #include <cstdint>
@@ -32,8 +33,9 @@ struct Content {
 bool same(const Content& a, const Content& b);
 bool same(const Preset& a, const Preset& b);
 
-/// `wanted` without what breaks a rule: such values, or where that is not enough all of their group, are as in `good`, which breaks
-/// none; so is a clip that `good` has in the same place, and others are left out. For showing all that can be shown.
+/// `wanted` without what breaks a rule: such values, or where that is not enough all of their group, are as in `good`,
+/// which breaks none; so is a clip that `good` has in the same place, and others are left out. For showing all that can
+/// be shown.
 Preset mended(Preset wanted, const Preset& good);
 
 /// What lies on the disk under a document's name, to tell when another program has written there.
@@ -48,14 +50,15 @@ struct OnDisk {
 
 /// The document `file` is written to lies in this folder.
 std::filesystem::path folder_of(const std::filesystem::path& file);
-/// How a document in `to` has to name what one in `from` calls `file`. Names without a folder are looked up on the search path and
-/// stay what they are unless the file lies beside the old document.
+/// How a document in `to` has to name what one in `from` calls `file`. Names without a folder are looked up on the
+/// search path and stay what they are unless the file lies beside the old document.
 std::string moved_path(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to);
-/// The file of a clip that a preset in this folder names, symbolic links followed; its name where no such file lies there. Looks at
-/// the disk.
+/// The file of a clip that a preset in this folder names, symbolic links followed; its name where no such file lies
+/// there. Looks at the disk.
 std::filesystem::path real_clip(const std::string& file, const std::filesystem::path& folder);
-/// Names all clips, some of which may be whole paths, from one folder that holds them, symbolic links followed: `home` if it
-/// does, else the preset's own, else the deepest. Those in `shipped`, the folders of the search path, get bare names.
+/// Names all clips, some of which may be whole paths, from one folder that holds them, symbolic links followed: `home`
+/// if it does, else the preset's own, else the deepest. Those in `shipped`, the folders of the search path, get bare
+/// names.
 void gather_clips(Preset& preset, const std::filesystem::path& home, const std::vector<std::filesystem::path>& shipped);
 
 /// A content that is kept: scene and preset may be those of other steps.
@@ -85,12 +88,13 @@ class Document {
     /// Grows with every change, also undone ones; for those who follow.
     std::uint64_t version() const { return version_; }
 
-    /// Another content from these files (empty: none yet), whose folders become absolute; what was done before is forgotten.
+    /// Another content from these files (empty: none yet), whose folders become absolute; what was done before is
+    /// forgotten.
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
     /// Another preset on the same scene; whether that one is saved stays what it is.
     void open_preset(Preset preset, std::filesystem::path preset_file = {});
-    /// What was kept of an editor that ended before all was saved: what was not still is not. It is one undo step after what lies in
-    /// the files, as far as that is known, so that it is seen what would be lost.
+    /// What was kept of an editor that ended before all was saved: what was not still is not. It is one undo step after
+    /// what lies in the files, as far as that is known, so that it is seen what would be lost.
     struct Recovered {
         Content content;
         std::optional<Scene> scene_in_file;  ///< none: there is no file, or it cannot be read, or it was changed since
@@ -151,8 +155,8 @@ class Document {
     void set_clip_folders(std::vector<std::filesystem::path> folders) { clip_folders_ = std::move(folders); }
     /// The same preset for another folder: its clips are found from there.
     void move(Preset& preset, const std::filesystem::path& folder) const;
-    /// The same, from where the preset's file lies if that folder holds them. What lies outside of it is asked about when the
-    /// preset is saved.
+    /// The same, from where the preset's file lies if that folder holds them. What lies outside of it is asked about
+    /// when the preset is saved.
     void gather_clips(Preset& preset) const;
     const std::filesystem::path& scene_file() const { return scene_file_; }
     const std::filesystem::path& preset_file() const { return preset_file_; }
@@ -164,8 +168,9 @@ class Document {
     const std::string& saved_preset_text() const { return saved_preset_; }
     const std::filesystem::path& saved_scene_folder() const { return saved_scene_folder_; }
     const std::filesystem::path& saved_preset_folder() const { return saved_preset_folder_; }
-    /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is committed.
-    /// Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens with.
+    /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is
+    /// committed. Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens
+    /// with.
     void save_preset(const std::filesystem::path& file);
     void save_scene(const std::filesystem::path& file);
     /// Clips that a preset in this folder could not name, because they lie outside of it.

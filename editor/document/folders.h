@@ -11,11 +11,12 @@ struct Folders {
     std::filesystem::path state;   ///< autosave, recent files
     std::filesystem::path cache;   ///< thumbnails
 
-    /// Of the user's own work, where saving begins; exists when of_user() gives it. Not made, and nothing is kept there unasked.
+    /// Of the user's own work, where saving begins; exists when of_user() gives it. Not made, and nothing is kept there
+    /// unasked.
     std::filesystem::path documents{};
 
-    /// "lapfx" in XDG_CONFIG_HOME, XDG_STATE_HOME and XDG_CACHE_HOME, or where these are by default below HOME; documents are where
-    /// user-dirs.dirs says, in "Documents", or in HOME itself. Without any, all are empty.
+    /// "lapfx" in XDG_CONFIG_HOME, XDG_STATE_HOME and XDG_CACHE_HOME, or where these are by default below HOME;
+    /// documents are where user-dirs.dirs says, in "Documents", or in HOME itself. Without any, all are empty.
     static Folders of_user();
 };
 

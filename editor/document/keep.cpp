@@ -80,7 +80,8 @@ Json parsed(std::string text) {
     return Json::parse(text, nullptr, false);
 }
 
-/// A file that saving would write to: what an editor has kept is a whole path of a document, and nothing else is taken for one.
+/// A file that saving would write to: what an editor has kept is a whole path of a document, and nothing else is taken
+/// for one.
 fs::path file_at(const Json& json, const std::string& what, std::vector<std::string>& told) {
     const fs::path file = fs::path(text_at(json, "file")).lexically_normal();
     if (file.empty() || (file.is_absolute() && file.extension() == ".json")) return file;
@@ -135,8 +136,8 @@ std::vector<Session> sessions(const fs::path& all) {
     return found;
 }
 
-/// Up to `most` files of an ended editor, the oldest first, but `kept` of them; then its folder, too. One that cannot be locked is
-/// left alone: it is not ours, or somebody is at it.
+/// Up to `most` files of an ended editor, the oldest first, but `kept` of them; then its folder, too. One that cannot
+/// be locked is left alone: it is not ours, or somebody is at it.
 void drop_oldest(Session& session, std::size_t most, std::size_t kept) {
     std::error_code error;
     try {

@@ -1,5 +1,6 @@
-// What an editor keeps of unsaved work, so that it outlives a crash: files in a folder of its own, under a lock that the kernel
-// releases when the process ends. A folder with files and without a holder is what a crashed editor left behind.
+// What an editor keeps of unsaved work, so that it outlives a crash: files in a folder of its own, under a lock that
+// the kernel releases when the process ends. A folder with files and without a holder is what a crashed editor left
+// behind.
 //
 //     KeepFolder keep(folders.state / "autosave");
 //     keep.write(kept);                       // any thread, one at a time
@@ -36,8 +37,8 @@ struct Kept {
 };
 
 std::string write_kept(const Kept& kept);
-/// Values that contradict each other are kept as they are: a document may be out of order while it is edited. What could not be used
-/// is told. Throws Error (bad_input) when nothing can.
+/// Values that contradict each other are kept as they are: a document may be out of order while it is edited. What
+/// could not be used is told. Throws Error (bad_input) when nothing can.
 Kept read_kept(const std::filesystem::path& file, std::vector<std::string>& told);
 
 class KeepFolder {

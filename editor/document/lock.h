@@ -12,8 +12,8 @@ namespace lapfx::document {
 
 class Lock {
   public:
-    /// Makes the file and its folder where they are missing. Nothing: someone else holds it. Throws Error (runtime) when it can be
-    /// neither made nor opened.
+    /// Makes the file and its folder where they are missing. Nothing: someone else holds it. Throws Error (runtime)
+    /// when it can be neither made nor opened.
     static std::optional<Lock> take(const std::filesystem::path& file);
 
     Lock(Lock&& other) noexcept;

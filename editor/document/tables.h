@@ -1,5 +1,6 @@
-// Generic work on the structs behind a parameter table: comparing, copying, finding, reading what the strict reader refuses.
-// Values are taken as they are, also those that no row allows: a document may be out of order while it is edited.
+// Generic work on the structs behind a parameter table: comparing, copying, finding, reading what the strict reader
+// refuses. Values are taken as they are, also those that no row allows: a document may be out of order while it is
+// edited.
 #pragma once
 
 #include <string>
@@ -39,8 +40,8 @@ std::string text_of(const Parameter& row, const void* owner);
 /// To the last digit.
 std::string exact_text_of(const Parameter& row, const void* owner);
 
-/// Fills `document`, a struct with its defaults, with what can be used of this JSON: unknown keys, wrong types and values out of
-/// range are left out and told, rules between values are not looked at. Never throws but for memory.
+/// Fills `document`, a struct with its defaults, with what can be used of this JSON: unknown keys, wrong types and
+/// values out of range are left out and told, rules between values are not looked at. Never throws but for memory.
 std::vector<std::string> read_what_can_be(const Table& root, void* document, std::string_view json);
 
 }  // namespace lapfx::document

@@ -37,8 +37,8 @@ std::string called(const Table& list, const void* item, std::size_t index) {
     return what.empty() ? name : name + " (" + what + ')';
 }
 
-/// Pairs (of before, of after) in order; one of a pair is `none` for what has no partner. Elements that are equal are partners;
-/// between those, what remains is paired in order: it has been edited.
+/// Pairs (of before, of after) in order; one of a pair is `none` for what has no partner. Elements that are equal are
+/// partners; between those, what remains is paired in order: it has been edited.
 class Matcher {
   public:
     Matcher(const Table& list, const void* before, const void* after)

@@ -2,10 +2,11 @@
 //
 //     for (const Difference& d : differences(before.preset, after.preset))
 //         std::cout << d.name << ": " << change_text(d) << '\n';   // "Bleeding: Speed: 4 to 8.3 mm/s"
-//     history.push_back(title_of(step));                           // "Speed: 4 to 8.3 mm/s", "Randomise: 12 parameters"
+//     history.push_back(title_of(step));                           // "Speed: 4 to 8.3 mm/s", "Randomise: 12
+//     parameters"
 //
-// Elements of lists are matched by what they hold: one that was taken out of the middle is one difference, not a change of all
-// that follow.
+// Elements of lists are matched by what they hold: one that was taken out of the middle is one difference, not a change
+// of all that follow.
 #pragma once
 
 #include <string>
@@ -41,12 +42,14 @@ std::vector<Difference> differences(const Content& before, const Content& after)
 /// "4 to 8.3 mm/s", "added", "removed".
 std::string change_text(const Difference& difference);
 
-/// What a step did beside its name: "4 to 8.3 mm/s", "Time 0.8 to 1.2 s", "3 parameters"; empty when nothing can be seen of it.
+/// What a step did beside its name: "4 to 8.3 mm/s", "Time 0.8 to 1.2 s", "3 parameters"; empty when nothing can be
+/// seen of it.
 std::string change_of(const Step& step);
 /// "Speed: 4 to 8.3 mm/s", "Move event: cauterise, Time 0.8 to 1.2 s".
 std::string title_of(const Step& step);
 
-/// Makes `after` as `before` is, in this difference between them alone. Gives whether both are still as they were when it was found.
+/// Makes `after` as `before` is, in this difference between them alone. Gives whether both are still as they were when
+/// it was found.
 bool take_back(Preset& after, const Preset& before, const Difference& difference);
 
 }  // namespace lapfx::document

@@ -1,4 +1,5 @@
-// Every widget in every state, to look at and to test against: `lapfx gallery`. Knows nothing of windows and of the effects core.
+// Every widget in every state, to look at and to test against: `lapfx gallery`. Knows nothing of windows and of the
+// effects core.
 //
 //     ui::ImageStore images;
 //     gallery::State state(images);

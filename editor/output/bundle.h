@@ -1,15 +1,16 @@
-// A preset on its way to others: alone, or as a folder with all that it needs. Never half of one: what is written has been loaded
-// back before it gets its name. No OpenGL; any thread.
+// A preset on its way to others: alone, or as a folder with all that it needs. Never half of one: what is written has
+// been loaded back before it gets its name. No OpenGL; any thread.
 //
 //     output::export_preset(preset, "/mnt/share/ooze.json", clip_folders);
 //
-//     output::write_bundle({.preset = preset, .scene = scene, .folder = "/mnt/share/ooze", .clip_folders = clip_folders,
+//     output::write_bundle({.preset = preset, .scene = scene, .folder = "/mnt/share/ooze", .clip_folders =
+//     clip_folders,
 //                           .thumbnail = image});
 //     // ooze/ooze.json  ooze/thumbnail.png  ooze/clips/plume.mp4
 //     // ooze/ooze.scene.json  ooze/organ/liver.glb  ooze/tool/hook.glb
 //
-// All names in a bundle are made here: none comes from a file, and nothing is written outside of the bundle. Only what was read as
-// the clip, mesh or picture that it is said to be comes along.
+// All names in a bundle are made here: none comes from a file, and nothing is written outside of the bundle. Only what
+// was read as the clip, mesh or picture that it is said to be comes along.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +25,8 @@
 
 namespace lapfx::output {
 
-/// Where a preset's clip lies: one file, or the images of a numbered sequence; none when it cannot be found, or is out of reach.
+/// Where a preset's clip lies: one file, or the images of a numbered sequence; none when it cannot be found, or is out
+/// of reach.
 struct ClipFiles {
     std::vector<std::filesystem::path> files;
     std::string name;      ///< of the file, or the pattern of the sequence
@@ -35,8 +37,8 @@ struct ClipFiles {
 ClipFiles clip_files(const std::string& clip, const std::filesystem::path& preset_folder,
                      const std::vector<std::filesystem::path>& clip_folders);
 
-/// The preset as a file in `folder` has to name its clips. A clip that is missing, or lies outside of the folder, is a fault whose
-/// place is its "/smoke/clips/N/file".
+/// The preset as a file in `folder` has to name its clips. A clip that is missing, or lies outside of the folder, is a
+/// fault whose place is its "/smoke/clips/N/file".
 Preset preset_in(const std::filesystem::path& folder, const Preset& preset,
                  const std::vector<std::filesystem::path>& clip_folders, std::vector<Fault>& faults);
 
@@ -52,7 +54,8 @@ struct Bundle {
     Image thumbnail;
 };
 
-/// Why a bundle cannot be made in the folder `named` so; empty: it can. A folder that is there is replaced only if it is empty or a bundle.
+/// Why a bundle cannot be made in the folder `named` so; empty: it can. A folder that is there is replaced only if it
+/// is empty or a bundle.
 std::string check_bundle_folder(const std::filesystem::path& named);
 
 /// What a bundle holds.
@@ -60,8 +63,8 @@ struct BundleContent {
     std::size_t files = 0, bytes = 0, clips = 0;
 };
 
-/// `goes_on`, with a share 0..1, now and then: false stops it, nothing is left, and Error (runtime) is thrown, as for all that goes
-/// wrong.
+/// `goes_on`, with a share 0..1, now and then: false stops it, nothing is left, and Error (runtime) is thrown, as for
+/// all that goes wrong.
 BundleContent write_bundle(const Bundle& bundle, const std::function<bool(double)>& goes_on = {});
 
 }  // namespace lapfx::output

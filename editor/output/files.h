@@ -30,8 +30,8 @@ class VideoFile {
     VideoFile& operator=(const VideoFile&) = delete;
 
     void add(const Image& image);
-    /// After the last frame: reads one back. False: all have been, and they are as many and as large as those that were added.
-    /// Throws Error (runtime).
+    /// After the last frame: reads one back. False: all have been, and they are as many and as large as those that were
+    /// added. Throws Error (runtime).
     bool check();
     /// Gives the file its name, once it has been checked. Throws Error (runtime).
     void publish();
@@ -56,8 +56,8 @@ void to_bgr(const Image& image, cv::Mat& bgr);
 
 /// For a file that cannot be written (runtime).
 Error cannot_write(const std::filesystem::path& path, const std::string& reason);
-/// Whether a file of this name may be written: there is none, or a plain one that is not write-protected, and its folder is there.
-/// Throws Error (runtime).
+/// Whether a file of this name may be written: there is none, or a plain one that is not write-protected, and its
+/// folder is there. Throws Error (runtime).
 void require_replaceable(const std::filesystem::path& path);
 /// Gives `beside` the name `path` and, if a file of that name goes for it, its permissions. Throws Error (runtime).
 void give_name(const std::filesystem::path& beside, const std::filesystem::path& path);

@@ -1,5 +1,5 @@
-// Where the frames of a render go: one PNG, a numbered sequence of them, or a video. All of it appears when all of it is there and
-// has been read back; dropped before, nothing is left and what was there is as it was.
+// Where the frames of a render go: one PNG, a numbered sequence of them, or a video. All of it appears when all of it
+// is there and has been read back; dropped before, nothing is left and what was there is as it was.
 //
 //     auto files = output::make_frame_files("out_%04d.png", 25, {1280, 1024}, 240);
 //     for (...) files->add(image);

@@ -1,10 +1,11 @@
-// A scene as a picture, a numbered sequence or a video, a frame at a time: what `lapfx render` and the editor's exports run.
+// A scene as a picture, a numbered sequence or a video, a frame at a time: what `lapfx render` and the editor's exports
+// run.
 //
 //     output::RenderJob job(scene, preset, {.size = {1280, 1024}, .fps = 25, .output = "out.mp4"});
 //     while (!job.done()) job.step();
 //
-// It has a preview of its own, exact and seen through the scene's camera. Everything appears under its name in the last step, when
-// it has been read back; dropped before, nothing is left. Render thread, context current.
+// It has a preview of its own, exact and seen through the scene's camera. Everything appears under its name in the last
+// step, when it has been read back; dropped before, nothing is left. Render thread, context current.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +33,8 @@ struct RenderOptions {
     std::vector<std::filesystem::path> clip_folders{};
 };
 
-/// What is wrong with them, of a scene that is `duration` s long. Places are the options of `lapfx render`: "--size", "-o".
+/// What is wrong with them, of a scene that is `duration` s long. Places are the options of `lapfx render`: "--size",
+/// "-o".
 std::vector<Fault> check(const RenderOptions& options, double duration);
 /// Times of the frames, s. Of options without a fault.
 std::vector<double> frame_times(const RenderOptions& options, double duration);
@@ -45,14 +47,15 @@ struct Loaded {
 
 class RenderJob {
   public:
-    /// Loads the scene. Throws Error: what check() finds (bad_input), what cannot be loaded, where it cannot be written (runtime).
+    /// Loads the scene. Throws Error: what check() finds (bad_input), what cannot be loaded, where it cannot be written
+    /// (runtime).
     RenderJob(const Scene& scene, const Preset& preset, RenderOptions options, const Loaded& loaded = {});
     ~RenderJob();
     RenderJob(const RenderJob&) = delete;
     RenderJob& operator=(const RenderJob&) = delete;
 
-    /// Draws and writes one frame, reads one back, or gives all of them their names. Throws Error; then it is over, and nothing is
-    /// left.
+    /// Draws and writes one frame, reads one back, or gives all of them their names. Throws Error; then it is over, and
+    /// nothing is left.
     void step();
     bool done() const { return done_; }
     int frames() const { return static_cast<int>(times_.size()); }

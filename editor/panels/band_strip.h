@@ -1,5 +1,5 @@
-// What makes the vessel and the fat overlay, to be tuned while looking at it: how often each contrast or hue occurs on the organ, the
-// band over it, and the numbers beside it.
+// What makes the vessel and the fat overlay, to be tuned while looking at it: how often each contrast or hue occurs on
+// the organ, the band over it, and the numbers beside it.
 //
 //     if (editor.looking.overlay == Overlay::vessels) panels::band_strip(ui, editor);
 #pragma once

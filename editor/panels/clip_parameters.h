@@ -1,7 +1,8 @@
 // What the panels of clips share: the tables that their rows come from, and the question for a file.
 //
 //     for (const Parameter& row : keying_table().rows) table_row(ui, editor, row, keying, {.standard = &standard,
-//                                                                                       .saved = &saved_keying(editor, n)});
+//                                                                                       .saved = &saved_keying(editor,
+//                                                                                       n)});
 #pragma once
 
 #include "app/editor.h"

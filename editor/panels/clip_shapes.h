@@ -1,5 +1,5 @@
-// Places of the selected clip's frame: where its smoke starts, what is cropped, and its masks; as handles on the source picture of
-// the keying bench, and as rows.
+// Places of the selected clip's frame: where its smoke starts, what is cropped, and its masks; as handles on the source
+// picture of the keying bench, and as rows.
 #pragma once
 
 #include "app/editor.h"
@@ -7,8 +7,8 @@
 
 namespace lapfx::panels {
 
-/// For ImageViewOptions::over. Arrows move a handle by a pixel of the clip, Shift by ten; Delete, Backspace and a double click put
-/// the source or an edge back to what was saved, and take a mask out.
+/// For ImageViewOptions::over. Arrows move a handle by a pixel of the clip, Shift by ten; Delete, Backspace and a
+/// double click put the source or an edge back to what was saved, and take a mask out.
 struct ClipShapes {
     app::Editor& editor;
     /// `with`: a ClipShapes.

@@ -1,4 +1,5 @@
-// The preset's smoke clips: a list with pictures, and below it how the selected one is used. Videos dropped here are added.
+// The preset's smoke clips: a list with pictures, and below it how the selected one is used. Videos dropped here are
+// added.
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -46,7 +47,8 @@ std::string playing_text(const ClipStatus& status) {
     return text;
 }
 
-// --- changing the list -----------------------------------------------------------------------------------------------------
+// --- changing the list
+// -----------------------------------------------------------------------------------------------------
 
 void remove_clip(app::Editor& editor) {
     const std::size_t number = editor.clip;
@@ -84,7 +86,8 @@ void ask_for_another(app::Editor& editor) {
         [&editor](const std::vector<std::string>& files) { editor.keying().shelf.add(files, editor.clip); });
 }
 
-// --- the list --------------------------------------------------------------------------------------------------------------
+// --- the list
+// --------------------------------------------------------------------------------------------------------------
 
 constexpr float weight_width = 7.5F;  // em
 
@@ -195,7 +198,8 @@ void clip_list(ui::Ui& ui, app::Editor& editor) {
     if (removes) editor.commands.run("clip.remove");
 }
 
-// --- what is wrong ---------------------------------------------------------------------------------------------------------
+// --- what is wrong
+// ---------------------------------------------------------------------------------------------------------
 
 void fault_line(ui::Ui& ui, std::string_view text, ui::Tone tone) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
@@ -249,7 +253,8 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
     if (lost && ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) shelf.look_again();
 }
 
-// --- the selected clip -----------------------------------------------------------------------------------------------------
+// --- the selected clip
+// -----------------------------------------------------------------------------------------------------
 
 /// Both ends of what is played, in one row; an end of 0 is the clip's.
 void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double duration, std::size_t number) {

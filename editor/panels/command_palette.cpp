@@ -1,4 +1,5 @@
-// Ctrl+P: commands, and the parameters of preset and scene, from their tables; the same words find them as in the Preset panel.
+// Ctrl+P: commands, and the parameters of preset and scene, from their tables; the same words find them as in the
+// Preset panel.
 #include "app/layouts.h"
 #include "app/parameters.h"
 #include "app/tuning.h"

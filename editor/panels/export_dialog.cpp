@@ -1,5 +1,5 @@
-// What is exported, where to, and whether that will do: one dialog for all kinds. While an export runs it shows how far it is; so
-// does the status bar, for the dialog need not stay open.
+// What is exported, where to, and whether that will do: one dialog for all kinds. While an export runs it shows how far
+// it is; so does the status bar, for the dialog need not stay open.
 #include "app/exports.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"

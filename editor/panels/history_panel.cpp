@@ -1,4 +1,5 @@
-// All that was done since the document was opened, in words. A click, or Enter, goes back or forth to the state after that step.
+// All that was done since the document was opened, in words. A click, or Enter, goes back or forth to the state after
+// that step.
 #include <unordered_map>
 
 #include "app/layouts.h"

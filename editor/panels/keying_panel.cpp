@@ -1,5 +1,5 @@
-// The keying bench: a frame of the selected clip on its way to smoke, and the thresholds where one sees what they do: as handles on
-// a histogram and a vectorscope, as numbers, by eyedropper, by suggestion.
+// The keying bench: a frame of the selected clip on its way to smoke, and the thresholds where one sees what they do:
+// as handles on a histogram and a vectorscope, as numbers, by eyedropper, by suggestion.
 #include "app/keying_bench.h"
 
 #include <algorithm>
@@ -51,7 +51,8 @@ app::KeyingBench& bench_of(app::Editor& editor) {
     return editor.keying();
 }
 
-// --- above the pictures ----------------------------------------------------------------------------------------------------
+// --- above the pictures
+// ----------------------------------------------------------------------------------------------------
 
 void clip_choice(ui::Ui& ui, app::Editor& editor, ui::Size width) {
     const auto& clips = editor.document.preset().smoke.clips;
@@ -111,7 +112,8 @@ void tools(ui::Ui& ui, app::Editor& editor, float room) {
     });
 }
 
-// --- the pictures ----------------------------------------------------------------------------------------------------------
+// --- the pictures
+// ----------------------------------------------------------------------------------------------------------
 
 void take_color(app::Editor& editor, const glm::vec4& value) {
     const std::size_t number = editor.clip;
@@ -230,7 +232,8 @@ void scrub(ui::Ui& ui, app::Editor& editor, float room) {
     });
 }
 
-// --- the thresholds --------------------------------------------------------------------------------------------------------
+// --- the thresholds
+// --------------------------------------------------------------------------------------------------------
 
 /// `height`: em.
 void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
@@ -433,7 +436,8 @@ void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
     rows(ui, editor, narrow);
 }
 
-// --- without a picture -----------------------------------------------------------------------------------------------------
+// --- without a picture
+// -----------------------------------------------------------------------------------------------------
 
 void nothing_to_show(ui::Ui& ui, app::Editor& editor) {
     KeyingBench& bench = bench_of(editor);

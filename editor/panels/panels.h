@@ -1,5 +1,5 @@
-// The editor's window, put together from panels. Each panel is a function in a file of its own; what panels share is the
-// app::Editor.
+// The editor's window, put together from panels. Each panel is a function in a file of its own; what panels share is
+// the app::Editor.
 //
 //     panels::add_commands(editor);  // once
 //     ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); });
@@ -16,7 +16,8 @@ void add_commands(app::Editor& editor);
 /// The whole window: menus, panels as the user arranged them, status bar, dialogs, notices.
 void workspace(ui::Ui& ui, app::Editor& editor);
 
-// --- panels, by the names of app::panel_names -------------------------------------------------------------------------
+// --- panels, by the names of app::panel_names
+// -------------------------------------------------------------------------
 void view_panel(ui::Ui& ui, app::Editor& editor);
 void preset_panel(ui::Ui& ui, app::Editor& editor);
 void clips_panel(ui::Ui& ui, app::Editor& editor);
@@ -30,7 +31,8 @@ void snapshots_panel(ui::Ui& ui, app::Editor& editor);
 void history_panel(ui::Ui& ui, app::Editor& editor);
 void scene_panel(ui::Ui& ui, app::Editor& editor);
 
-// --- dialogs: nothing while they are closed -----------------------------------------------------------------------------
+// --- dialogs: nothing while they are closed
+// -----------------------------------------------------------------------------
 void organ_dialog(ui::Ui& ui, app::Editor& editor);
 void export_dialog(ui::Ui& ui, app::Editor& editor);
 void export_status(ui::Ui& ui, app::Editor& editor);  ///< in the status bar, while one runs
@@ -38,7 +40,8 @@ void closing_dialog(ui::Ui& ui, app::Editor& editor);
 void recovery_dialog(ui::Ui& ui, app::Editor& editor);
 void settings_dialog(ui::Ui& ui, app::Editor& editor);
 
-// --- commands ------------------------------------------------------------------------------------------------------------
+// --- commands
+// ------------------------------------------------------------------------------------------------------------
 void add_file_commands(app::Editor& editor);
 /// In the File menu: the files opened last.
 void recent_files_menu(ui::Ui& ui, app::Editor& editor);

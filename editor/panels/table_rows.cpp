@@ -150,7 +150,8 @@ ui::Edit color_field(const RowBuild& b) {
         return static_cast<std::uint8_t>(std::lround(std::clamp(value[i], 0.0, 1.0) * 255));
     };
     ui::Color color{code(0), code(1), code(2), 255};
-    // The background of a clip is picked in the keying panel: what other pictures show is not what the key is compared with.
+    // The background of a clip is picked in the keying panel: what other pictures show is not what the key is compared
+    // with.
     ui::Eyedropper* const dropper = b.row.key == "key_color" ? nullptr : &b.editor.eyedropper;
     const ui::Edit edit = ui::color_field(b.ui, "Colour", color, {.tip = b.tip(), .eyedropper = dropper});
     return b.take(edit, glm::dvec3(color.r, color.g, color.b) / 255.0);

@@ -4,9 +4,10 @@
 //     panels::table_rows(ui, editor, *scene_table().find("light"), light);
 //     panels::table_row(ui, editor, *scene_table().find_row("seed"), scene, {.name = "Seed"});
 //
-// A row is called as the parameter is; its tooltip has the help and what is allowed. Where it starts a step of the history, that is
-// called after it, too, or "Camera: Eye" with a prefix. It has a dot while it differs from what was saved; Backspace or a double
-// click on the name goes back to that, Shift+Backspace or the menu to the default. All panels make their rows here: those of the preset panel have locks and menus added (preset_rows.h).
+// A row is called as the parameter is; its tooltip has the help and what is allowed. Where it starts a step of the
+// history, that is called after it, too, or "Camera: Eye" with a prefix. It has a dot while it differs from what was
+// saved; Backspace or a double click on the name goes back to that, Shift+Backspace or the menu to the default. All
+// panels make their rows here: those of the preset panel have locks and menus added (preset_rows.h).
 #pragma once
 
 #include <functional>
@@ -48,8 +49,8 @@ std::string_view tip_of(const Parameter& row);
 /// The parameter whose row is to come into sight and have the keyboard, by the next build of its panel; null: none.
 const Parameter*& wanted_row(ui::Ui& ui);
 
-/// What has been built since node `before` (counted from ui.parent()) comes into sight, and the `nth` of it that takes the keyboard
-/// has it.
+/// What has been built since node `before` (counted from ui.parent()) comes into sight, and the `nth` of it that takes
+/// the keyboard has it.
 void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth = 0);
 
 /// What a number of the UI has from its parameter: limits, step, unit, scale, tooltip.

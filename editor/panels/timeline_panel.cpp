@@ -217,7 +217,8 @@ class TimelinePanel {
     }
 
     void build() {
-        // The form keeps its place below the tracks, which scroll above it; where there is no room for both all of it scrolls.
+        // The form keeps its place below the tracks, which scroll above it; where there is no room for both all of it
+        // scrolls.
         const float height = ui_.rect_before(ui_.parent().id).h;
         ui_.follow_size(ui_.parent());
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});

@@ -100,7 +100,8 @@ std::string panel_under_pointer(const ui::Ui& ui) {
     return {};
 }
 
-/// What one looks at: the picture under the pointer, else the organ, else, where the view is not seen, the picture that is.
+/// What one looks at: the picture under the pointer, else the organ, else, where the view is not seen, the picture that
+/// is.
 void show_whole(app::Editor& editor) {
     const std::string panel = panel_under_pointer(editor.ui());
     const app::Layouts& layouts = editor.layouts();

@@ -1,11 +1,12 @@
-// The window of a UI: GLFW's callbacks become events, frames are built when there is a reason and drawn when the picture differs.
+// The window of a UI: GLFW's callbacks become events, frames are built when there is a reason and drawn when the
+// picture differs.
 //
 //     window::UiWindow window({.title = "lapfx", .theme = &ui::light_theme()});
 //     window.run([&](ui::Ui& u) { ui::label(u, "Hello"); });
 //
-// Between frames the process sleeps: until an event, until the time a widget asked for, or until Ui::wake() from any thread.
-// Ctrl+=, Ctrl+- and Ctrl+0 change the scale. What input methods compose comes as text once it is committed; GLFW 3.3 does not tell
-// of it before.
+// Between frames the process sleeps: until an event, until the time a widget asked for, or until Ui::wake() from any
+// thread. Ctrl+=, Ctrl+- and Ctrl+0 change the scale. What input methods compose comes as text once it is committed;
+// GLFW 3.3 does not tell of it before.
 #pragma once
 
 #include <atomic>
@@ -24,11 +25,13 @@
 
 namespace lapfx::window {
 
-// --- without a window --------------------------------------------------------------------------------------------------
+// --- without a window
+// --------------------------------------------------------------------------------------------------
 
-/// What the key says on it: `name` is glfwGetKeyName's answer, null for keys without one. Letters and punctuation follow the
-/// layout, so that Ctrl+Z is where Z stands; a key of another script, and the row of digits, is what a US keyboard has there. The
-/// number block gives digits or, without NumLock, what else is on it. `none` for keys the UI has no name for.
+/// What the key says on it: `name` is glfwGetKeyName's answer, null for keys without one. Letters and punctuation
+/// follow the layout, so that Ctrl+Z is where Z stands; a key of another script, and the row of digits, is what a US
+/// keyboard has there. The number block gives digits or, without NumLock, what else is on it. `none` for keys the UI
+/// has no name for.
 ui::Key key_from(int glfw_key, const char* name, bool num_lock);
 /// GLFW_MOD_ bits as they are after the key `glfw_key` went down or up: X11 tells them from before.
 ui::Mods mods_from(int glfw_mods, int glfw_key = GLFW_KEY_UNKNOWN, bool down = false);
@@ -39,14 +42,15 @@ float next_scale(float scale, int way);
 /// The user's if it is above 0, else LAPFX_SCALE's if `environment` is a number above 0, else the screen's; clamped.
 float choose_scale(float user, const char* environment, float screen);
 
-/// What a key does to the scale: 1 up, -1 down, 0 back to the standard; nothing when it is no such key. `name` as for key_from():
-/// where + has a key of its own (German) that one is meant as well.
+/// What a key does to the scale: 1 up, -1 down, 0 back to the standard; nothing when it is no such key. `name` as for
+/// key_from(): where + has a key of its own (German) that one is meant as well.
 std::optional<int> scale_step(ui::Key key, const char* name, ui::Mods mods);
 
-/// A pointer that goes on without bounds while the real one stays in the window: that one is put back to the middle when it comes
-/// near an edge, and only then, so that devices that tell places instead of movements (tablets, VNC, xdotool), which cannot be put
-/// anywhere, are followed as they are and merely end where the window does. GLFW's own disabled pointer puts it back after every
-/// movement: with such devices each one counts from the middle, and values run away.
+/// A pointer that goes on without bounds while the real one stays in the window: that one is put back to the middle
+/// when it comes near an edge, and only then, so that devices that tell places instead of movements (tablets, VNC,
+/// xdotool), which cannot be put anywhere, are followed as they are and merely end where the window does. GLFW's own
+/// disabled pointer puts it back after every movement: with such devices each one counts from the middle, and values
+/// run away.
 class EndlessPointer {
   public:
     void start(glm::dvec2 real);
@@ -60,7 +64,8 @@ class EndlessPointer {
     glm::dvec2 shift_{0}, shift_before_{0}, at_{0};
 };
 
-// --- the window --------------------------------------------------------------------------------------------------------
+// --- the window
+// --------------------------------------------------------------------------------------------------------
 
 struct UiWindowOptions {
     std::string title = "lapfx";
@@ -113,7 +118,8 @@ class UiWindow {
     /// What the user has chosen by Ctrl+= and its likes or set_scale(), for the settings; 0: nothing.
     float chosen_scale() const { return chosen_scale_; }
     void set_title(const std::string& title);
-    /// Where it is; while it is maximised or not shown, where it was before. Where it was put by put(), as far as monitors allow.
+    /// Where it is; while it is maximised or not shown, where it was before. Where it was put by put(), as far as
+    /// monitors allow.
     app::WindowPlace place();
     void put(const app::WindowPlace& place);
     /// s: when the pointer, a key or a wheel did something last; negative: never yet.

@@ -135,15 +135,15 @@ double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexce
     return std::min(flowed, parameters_.max_extent) * (1.0 - clot_shrink * static_cast<double>(bleeder.clot));
 }
 
-/// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the extent
-/// has long been reached.
+/// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the
+/// extent has long been reached.
 bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     if (b.cleared == never_cleared || flowed == b.flowed) return false;
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
-/// Whether nothing that comes changes what the bleeder is, but for another clearing: it has clotted, or bled all over its extent with
-/// nothing to end it.
+/// Whether nothing that comes changes what the bleeder is, but for another clearing: it has clotted, or bled all over
+/// its extent with nothing to end it.
 bool BleedField::is_settled(const Bleeder& b, double time) const noexcept {
     if (b.clot == 1.0f && time > b.wound.start) return true;
     return b.wound.stop == std::numeric_limits<double>::infinity() && b.cleared == never_cleared &&
@@ -270,8 +270,8 @@ void BleedField::write(Bleeder& b) noexcept {
     }
 }
 
-/// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not. Notes
-/// when blood of the wound was taken away.
+/// Value of one wound where something may have been cleared. What was there is capped; what has flowed since is not.
+/// Notes when blood of the wound was taken away.
 float BleedField::shown(Bleeder& b, const Reached& at) const noexcept {
     const auto since = [&](double time) {
         const double source = source_of(b, b.flowed - flow(b.wound, parameters_, time, strength_));

@@ -1,13 +1,13 @@
 // Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry (the paper's animation
-// variable). b is carried on below 0, as far as noise can move the edge and a triangle more: cut off at the vertices, the
-// edge would move outwards, the farther the coarser the mesh, and noise could only ever take blood away. Beside it goes how
-// far the blood there has clotted.
+// variable). b is carried on below 0, as far as noise can move the edge and a triangle more: cut off at the vertices,
+// the edge would move outwards, the farther the coarser the mesh, and noise could only ever take blood away. Beside it
+// goes how far the blood there has clotted.
 //
-// Where suction or irrigation has cleared a place, what was there is capped (clearing.h), and what has flowed since comes
-// on top: the wound fills the place again from the wound outwards.
+// Where suction or irrigation has cleared a place, what was there is capped (clearing.h), and what has flowed since
+// comes on top: the wound fills the place again from the wound outwards.
 //
-// Work follows what changes: while blood only grows, the wounds that grow are written and nothing else; when nothing changes,
-// nothing is done. One thread at a time.
+// Work follows what changes: while blood only grows, the wounds that grow are written and nothing else; when nothing
+// changes, nothing is done. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -39,21 +39,21 @@ class BleedField {
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     BleedField(const Surface& surface, glm::dvec3 down);
 
-    /// Values depend on what is set and on the time, to the last bit, not on what was set before. Fronts of wounds that stay
-    /// at their place are kept; a new gravity_bias, crease_bias or bridge_gap lets all run anew.
+    /// Values depend on what is set and on the time, to the last bit, not on what was set before. Fronts of wounds that
+    /// stay at their place are kept; a new gravity_bias, crease_bias or bridge_gap lets all run anew.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
     /// Suction and irrigation of the tool, always of the same log.
     void set_clearing(const tool::Log& log, const BleedingParameters& parameters);
     /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
     void set_strength(const FactorCurve& strength);
-    /// Blood that is there from `time` on, whatever the wounds say, until it is cleared: per surface vertex, bleed value and
-    /// clot. It clots on when the wounds have that were open by then.
+    /// Blood that is there from `time` on, whatever the wounds say, until it is cleared: per surface vertex, bleed
+    /// value and clot. It clots on when the wounds have that were open by then.
     void keep(std::vector<glm::vec2> values, double time);
 
     void update(double time) noexcept;
 
-    /// Value where no blood can come, mm: lower than where noise can show any, and not so low that its slope, carried on beyond
-    /// a triangle by multisampling, could come above 0. Changes with noise_strength.
+    /// Value where no blood can come, mm: lower than where noise can show any, and not so low that its slope, carried
+    /// on beyond a triangle by multisampling, could come above 0. Changes with noise_strength.
     float dry() const { return dry_; }
     std::span<const glm::vec2> values() const { return values_; }                  ///< per organ vertex: mm; clot 0..1
     std::span<const glm::vec2> surface_values() const { return surface_values_; }  ///< the same per surface vertex

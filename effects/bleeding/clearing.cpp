@@ -65,7 +65,8 @@ bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
     return changed;
 }
 
-/// From when on nothing changes a sweep. The last one may be growing: then it ends about now, and its next piece takes its place.
+/// From when on nothing changes a sweep. The last one may be growing: then it ends about now, and its next piece takes
+/// its place.
 double Clearing::over_at(const Sweep& sweep) const noexcept {
     return sweep.contact.end() + (&sweep == &sweeps_.back() ? held_on : 0.0);
 }

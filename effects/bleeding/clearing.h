@@ -1,6 +1,7 @@
 // Suction and irrigation: what they leave of the blood at each place, in closed form from the tool contacts. A clearing
-// lays a cap on the bleed value: below 0 inside its reach, rising outside it, so that the edge of what is left is as smooth
-// as any other edge of blood; and it starts the flow anew, for what flows afterwards is not held by it. One thread at a time.
+// lays a cap on the bleed value: below 0 inside its reach, rising outside it, so that the edge of what is left is as
+// smooth as any other edge of blood; and it starts the flow anew, for what flows afterwards is not held by it. One
+// thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +21,8 @@ class Clearing {
     static constexpr double cap_slope = 3.0;  // mm of cap per mm outside the reach
     static constexpr double rim = 6.0;        // mm outside the reach up to which there is a cap
 
-    /// A clearing at one place. Of several at a place the earlier come first, and each later one has a higher cap: what a
-    /// later and lower one has overruled is left out.
+    /// A clearing at one place. Of several at a place the earlier come first, and each later one has a higher cap: what
+    /// a later and lower one has overruled is left out.
     struct Cap {
         double time;        ///< s, until when it held
         float cap;          ///< mm, the highest bleed value of what was there by then
@@ -31,8 +32,8 @@ class Clearing {
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
     Clearing(const Surface& surface, glm::dvec3 down);
 
-    /// Suction and irrigation of the log, always the same one: what was written since the call before. True when what has been
-    /// cleared may have changed.
+    /// Suction and irrigation of the log, always the same one: what was written since the call before. True when what
+    /// has been cleared may have changed.
     bool set(const tool::Log& log, const BleedingParameters& parameters);
 
     /// The caps as of `time`. True when any has changed.
@@ -79,7 +80,8 @@ class Clearing {
     double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
     std::uint64_t known_ = 0;  // revision of the log
     std::vector<Sweep> sweeps_;
-    // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that were.
+    // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that
+    // were.
     Layer over_, running_;
     double updated_ = 0.0;
     bool stale_ = false, all_stale_ = false;

@@ -1,12 +1,12 @@
-// Where a texture shows vessels and fat: a band pass on the converted image, then a Gaussian (paper: figure 9). Formulas and
-// the choice of channel: vessel_parameters.cpp.
+// Where a texture shows vessels and fat: a band pass on the converted image, then a Gaussian (paper: figure 9).
+// Formulas and the choice of channel: vessel_parameters.cpp.
 //
 //     DensityMap map(organ, organ.materials[0].base_color_image);
 //     map.set(preset.vessels);
 //     const glm::vec2 here = map.sample(uv);   // vessels, fat
 //
-// One thread at a time for set(); sample() from any thread in between. Copies share what no parameter changes, and the map as long
-// as they are set to the same; each may be on a thread of its own.
+// One thread at a time for set(); sample() from any thread in between. Copies share what no parameter changes, and the
+// map as long as they are set to the same; each may be on a thread of its own.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ class Mat;
 
 namespace lapfx::bleeding {
 
-/// Share of the surface of a texture, or of what has vertex colours, below which it shows no vessels: a liver's capsule, a
-/// photograph without any. Every cut bleeds alike there. Of the sample organ's textures with vessels, 2 to 4 % are vessel;
-/// of its liver and cavity wall, less than 0.01 %.
+/// Share of the surface of a texture, or of what has vertex colours, below which it shows no vessels: a liver's
+/// capsule, a photograph without any. Every cut bleeds alike there. Of the sample organ's textures with vessels, 2 to 4
+/// % are vessel; of its liver and cavity wall, less than 0.01 %.
 inline constexpr double least_vessels = 0.001;
 
 /// Vessel and fat density, 0..255 for 0..1.
@@ -42,8 +42,8 @@ bool same_maps(const VesselParameters& a, const VesselParameters& b);
 
 class DensityMap {
   public:
-    /// All that does not depend on parameters. What the image multiplies (base_color of the first material that shows it) is part
-    /// of the colour.
+    /// All that does not depend on parameters. What the image multiplies (base_color of the first material that shows
+    /// it) is part of the colour.
     DensityMap(const Organ& organ, int image, std::shared_ptr<const organ::Pixels> pixels);
     /// Keeps a copy of the image.
     DensityMap(const Organ& organ, int image);
@@ -66,10 +66,12 @@ class DensityMap {
         return made_ ? std::span<const Density>(made_->values) : std::span<const Density>();
     }
     const TextureLayout& layout() const { return source_->layout; }
-    /// Bytes that copies share, the map that was made last among them; and those of a map that is another one. Pixels are neither's.
+    /// Bytes that copies share, the map that was made last among them; and those of a map that is another one. Pixels
+    /// are neither's.
     std::size_t shared_memory() const;
     std::size_t own_memory() const;
-    /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN: 0.
+    /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN:
+    /// 0.
     glm::vec2 sample(glm::vec2 uv) const noexcept;
 
   private:

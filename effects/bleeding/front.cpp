@@ -78,9 +78,10 @@ void Front::load(FrontRoom& room) {
     for (const Known& known : pending_) room.cells_[known.vertex] = {known.length, room.stamp_, false};
 }
 
-/// Marching that also corrects: near a point source, and with obtuse triangles, a vertex can be met before both ends of the
-/// edge that its straight line crosses are known for good. unfold() never shrinks when a distance that goes in grows, so
-/// offers made from preliminary distances are too long at worst, and are replaced when the better ones arrive.
+/// Marching that also corrects: near a point source, and with obtuse triangles, a vertex can be met before both ends of
+/// the edge that its straight line crosses are known for good. unfold() never shrinks when a distance that goes in
+/// grows, so offers made from preliminary distances are too long at worst, and are replaced when the better ones
+/// arrive.
 void Front::march_ring(FrontRoom& room) {
     load(room);
     const double limit = static_cast<double>(rings_.size() + 1) * ring_width;

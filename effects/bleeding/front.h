@@ -1,14 +1,15 @@
-// The front of the blood of one wound: travel distance over the surface by fast marching (R. Kimmel, J. Sethian, "Computing
-// geodesic paths on manifolds", PNAS 1998), with the update that is exact for a point source on a plane: the source is
-// unfolded into the triangle's plane (M. Novotni, R. Klein, "Computing geodesic distances on triangular meshes", WSCG 2002).
-// Distances follow the surface, not the edges, so they hardly depend on how finely it is cut into triangles.
+// The front of the blood of one wound: travel distance over the surface by fast marching (R. Kimmel, J. Sethian,
+// "Computing geodesic paths on manifolds", PNAS 1998), with the update that is exact for a point source on a plane: the
+// source is unfolded into the triangle's plane (M. Novotni, R. Klein, "Computing geodesic distances on triangular
+// meshes", WSCG 2002). Distances follow the surface, not the edges, so they hardly depend on how finely it is cut into
+// triangles.
 //
-// The front goes on only as far as it is asked to, in rings of fixed width: what a ring holds depends on the rings before
-// it and on nothing else, so that any order of requests gives the same to the last bit.
+// The front goes on only as far as it is asked to, in rings of fixed width: what a ring holds depends on the rings
+// before it and on nothing else, so that any order of requests gives the same to the last bit.
 //
-// Distance means cost in mm: a mm in a crease costs less, a mm across a ridge more (Terrain::slowness), and gravity shortens
-// downhill and lengthens uphill travel. A constant drift added to a metric changes every path between two points by the
-// same amount, so distance = length - gravity_bias * drop from the wound is exact (a Randers metric).
+// Distance means cost in mm: a mm in a crease costs less, a mm across a ridge more (Terrain::slowness), and gravity
+// shortens downhill and lengthens uphill travel. A constant drift added to a metric changes every path between two
+// points by the same amount, so distance = length - gravity_bias * drop from the wound is exact (a Randers metric).
 #pragma once
 
 #include <cstdint>
@@ -62,8 +63,8 @@ class Front {
   public:
     static constexpr double ring_width = 0.5;  // mm; a frame marches a ring or two
 
-    /// The contact is moved to the closest point of the surface, inside a triangle, not to a vertex. A contact that is no
-    /// place (NaN), or an empty surface, reaches nothing.
+    /// The contact is moved to the closest point of the surface, inside a triangle, not to a vertex. A contact that is
+    /// no place (NaN), or an empty surface, reaches nothing.
     Front(FrontRoom& room, const Metric& metric, const glm::dvec3& contact);
 
     /// Vertices with ring * ring_width < distance <= (ring + 1) * ring_width, by vertex; the first ring also holds what

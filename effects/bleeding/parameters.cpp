@@ -6,28 +6,35 @@
 //   b(x, t) = max over wounds of s - d: the paper's animation variable, carried on below 0 as far as noise reaches   mm
 //   blood where b > threshold + noise_strength * noise(x / noise_scale), noise in -1..1 with mean 0
 //   depth   = b - threshold - noise; colour runs from color_thin to color_deep, which is reached at deep_at   mm
-//   noise is pressed together along gravity by 0.6 rivulets (first octave) to 0.8 rivulets (the others), which draws lobes
-//   out downhill on walls and does nothing on level tissue; on steep tissue it is up to 1 + rivulets times as strong
-//   hidden  = opacity * (1 - 2^(-a (depth / deep_at + 0.06))), a = 2.6, 8, 7.5 for red, green, blue: Beer and Lambert
+//   noise is pressed together along gravity by 0.6 rivulets (first octave) to 0.8 rivulets (the others), which draws
+//   lobes out downhill on walls and does nothing on level tissue; on steep tissue it is up to 1 + rivulets times as
+//   strong hidden  = opacity * (1 - 2^(-a (depth / deep_at + 0.06))), a = 2.6, 8, 7.5 for red, green, blue: Beer and
+//   Lambert
 //
 // Lengths are mm so that a preset means the same on a coarse and a fine mesh and on organs of any scale.
 //
 // Why these defaults:
-// - speed 4 mm/s and max_extent 16 mm: an oozing cut reaches the size of a thumbnail in four seconds. The paper's subjects
+// - speed 4 mm/s and max_extent 16 mm: an oozing cut reaches the size of a thumbnail in four seconds. The paper's
+// subjects
 //   found its bleeding "far greater" than in the videos (question 7), so the default is modest.
 // - threshold 0.3 mm: less is not seen on wet tissue.
-// - noise 4.5 mm per lobe, 3 mm strong, two octaves: runs and lobes of real strips are 3 to 8 mm wide; two thirds of the
+// - noise 4.5 mm per lobe, 3 mm strong, two octaves: runs and lobes of real strips are 3 to 8 mm wide; two thirds of
+// the
 //   lobe as strength hide the polygons of figure 7b without tearing the pool apart, and fluid has no finer edge.
 // - rivulets 0.7: on a wall runs three times as long as wide, as in Cholec80's video01_193 to 204; at 1 five times.
 // - gravity_bias 0.35: blood runs visibly downhill, but a pool on a flat organ stays round.
-// - crease_bias 0.5: in real strips blood leaves a pool along the folds. bridge_gap 1 mm: organs of a scene touch without
+// - crease_bias 0.5: in real strips blood leaves a pool along the folds. bridge_gap 1 mm: organs of a scene touch
+// without
 //   sharing vertices, and no gap that is seen is as narrow.
-// - suction 8 mm: a 5 mm cannula clears a little more than its own width; irrigation 15 mm: its jet spreads and runs off.
+// - suction 8 mm: a 5 mm cannula clears a little more than its own width; irrigation 15 mm: its jet spreads and runs
+// off.
 // - pulse 0: venous. An artery is 1 to 1.5 Hz with a strength near 0.6.
 // - coagulation_time 1.5 s: "coagulated within a short period of time".
-// - colours: dark saturated red. Measured in surgery videos (8-bit sRGB): thin running strip 145, 7, 10; pool 93, 15, 17.
-//   color_thin and color_deep are darker: the lamp near the tissue and the exposure bring them to that. Median of the dark
-//   red pixels in the sample scene at 8.6 s, without smoke: 69, 19, 15; in the bloodiest clips 67 to 87, 15 to 18, 18 to 22.
+// - colours: dark saturated red. Measured in surgery videos (8-bit sRGB): thin running strip 145, 7, 10; pool 93,
+// 15, 17.
+//   color_thin and color_deep are darker: the lamp near the tissue and the exposure bring them to that. Median of the
+//   dark red pixels in the sample scene at 8.6 s, without smoke: 69, 19, 15; in the bloodiest clips 67 to 87, 15 to 18,
+//   18 to 22.
 // - deep_at 5 mm, opacity 0.9, thickness 0.6 mm, gloss 0.85: a pool hides the texture below, a film does not; its
 //   highlights are small, sharp and white.
 // - clot_darkening 0.85: old clots beside fresh blood are brown-black, and dull whatever this is.

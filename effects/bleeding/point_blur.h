@@ -18,7 +18,8 @@ class PointBlur {
     /// deviations) coordinate are left out.
     PointBlur(std::span<const glm::vec3> points, std::span<const float> weights, double deviation);
 
-    /// Means of `values`, one per point, at all points. A point that was left out, or has no weight near it, keeps its own.
+    /// Means of `values`, one per point, at all points. A point that was left out, or has no weight near it, keeps its
+    /// own.
     std::vector<float> operator()(std::span<const float> values) const;
 
   private:

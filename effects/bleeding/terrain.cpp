@@ -40,8 +40,8 @@ Terrain::Terrain(const Surface& surface, glm::dvec3 down)
       crease_(surface.positions.size(), std::numeric_limits<float>::quiet_NaN()),
       bridges_(surface.connected ? 0 : surface.positions.size(), unknown) {}
 
-/// Walks along the normal section of the surface, the curve in which the plane of `normal` and `direction` cuts it, and gives
-/// its heights over the tangent plane at near_radius and far_radius of its length. False where it ends before.
+/// Walks along the normal section of the surface, the curve in which the plane of `normal` and `direction` cuts it, and
+/// gives its heights over the tangent plane at near_radius and far_radius of its length. False where it ends before.
 bool Terrain::section_heights(std::uint32_t point, const glm::dvec3& normal, const glm::dvec3& direction, double& near,
                               double& far) const {
     const glm::dvec3 origin = surface_.positions[point], across = glm::cross(normal, direction);

@@ -1,6 +1,6 @@
-// What the shape of an organ does to blood that runs over it: how far below each point lies, where creases are that guide
-// it, and where another part lies so close that it runs across. Each is found when blood first comes near, and kept, so the
-// cost follows the blood and not the organ. One thread at a time.
+// What the shape of an organ does to blood that runs over it: how far below each point lies, where creases are that
+// guide it, and where another part lies so close that it runs across. Each is found when blood first comes near, and
+// kept, so the cost follows the blood and not the organ. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -20,13 +20,13 @@ class Terrain {
     /// mm that a point lies below the origin.
     double drop(std::uint32_t point) const { return glm::dot(surface_.positions[point], down_); }
 
-    /// How much a point lies in a crease, mm: above 0 where the surface around it rises more than a smooth fold would, below 0
-    /// on a ridge; 0 on a plane, a cylinder and a sphere. The mean height of the surface 2.5 mm around the point over its
-    /// tangent plane, less what the curvature 5 mm around it explains.
+    /// How much a point lies in a crease, mm: above 0 where the surface around it rises more than a smooth fold would,
+    /// below 0 on a ridge; 0 on a plane, a cylinder and a sphere. The mean height of the surface 2.5 mm around the
+    /// point over its tangent plane, less what the curvature 5 mm around it explains.
     double crease(std::uint32_t point);
 
-    /// Cost of a mm at a point for blood that is drawn into creases by `crease_bias` (0..1): 1 on smooth tissue, down to
-    /// 0.35 in a crease and where two parts meet, up to 1.33 across a ridge.
+    /// Cost of a mm at a point for blood that is drawn into creases by `crease_bias` (0..1): 1 on smooth tissue, down
+    /// to 0.35 in a crease and where two parts meet, up to 1.33 across a ridge.
     double slowness(std::uint32_t point, double crease_bias);
 
     /// The nearest place on another component within `bridge_longest` mm of a point; null when there is none.

@@ -9,11 +9,12 @@ namespace lapfx::bleeding {
 /// Means of values where weights say that there are some.
 class TextureBlur {
   public:
-    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels is taken as that. Beyond the edges lies
-    /// nothing, or with `repeats` the other side of the texture.
+    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels is taken as that. Beyond the edges
+    /// lies nothing, or with `repeats` the other side of the texture.
     TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, bool repeats);
 
-    /// `weighted`: values times their weights, CV_32F, finite, the size of the weights. Far from all weight the result is near 0.
+    /// `weighted`: values times their weights, CV_32F, finite, the size of the weights. Far from all weight the result
+    /// is near 0.
     cv::Mat operator()(const cv::Mat& weighted) const;
 
   private:

@@ -37,8 +37,8 @@ inline double bloodiness(double a, double b) {
     return ramp(-60.0, -40.0, hue) * (1.0 - ramp(65.0, 80.0, hue)) * ramp(4.0, 10.0, std::hypot(a, b));
 }
 
-/// How fatty a colour is, 0..1, from CIELAB a* and b*: the hue angle in degrees (0 red, 90 yellow) against the band, none
-/// beyond yellow, and only as far as there is a colour.
+/// How fatty a colour is, 0..1, from CIELAB a* and b*: the hue angle in degrees (0 red, 90 yellow) against the band,
+/// none beyond yellow, and only as far as there is a colour.
 inline double fattiness(double a, double b, double low, double high) {
     const double hue = hue_of(a, b);
     return ramp(low, high, hue) * (1.0 - ramp(100.0, 115.0, hue)) * ramp(least_chroma, 14.0, std::hypot(a, b));
@@ -49,8 +49,8 @@ glm::dvec3 lab_of(const glm::dvec3& linear);
 /// The same of an sRGB colour, 0..1.
 glm::dvec3 lab_of_srgb(const glm::dvec3& srgb);
 
-/// How far a colour is that of a vessel, 0..1, from its difference to `wanted`: 1 up to half of `tolerance`, 0 from it on; a
-/// tolerance of 0 takes no colour. Lightness counts half, as in CMC(2:1), for shade changes it most.
+/// How far a colour is that of a vessel, 0..1, from its difference to `wanted`: 1 up to half of `tolerance`, 0 from it
+/// on; a tolerance of 0 takes no colour. Lightness counts half, as in CMC(2:1), for shade changes it most.
 class ColorBand {
   public:
     ColorBand(const glm::dvec3& wanted_srgb, double tolerance)

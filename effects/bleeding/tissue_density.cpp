@@ -40,7 +40,8 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The colour of a vertex that no texture covers, linear. `image`: what multiplies it, of one colour, or it would not come to this; or null.
+/// The colour of a vertex that no texture covers, linear. `image`: what multiplies it, of one colour, or it would not
+/// come to this; or null.
 glm::dvec3 color_of(const Organ& organ, const Material& material, const Image* image, std::uint32_t vertex) {
     glm::dvec3 color = glm::dvec3(organ.colors[vertex]) * glm::dvec3(material.base_color);
     if (image != nullptr && image->pixels.size() >= 4) {

@@ -3,8 +3,9 @@
 //     TissueDensity tissue(organ, surface, preset.vessels);
 //     if (tissue.wound_strength(tip) > 0.0) ...                  // a cut here bleeds
 //
-// A copy refers to the same surface, shares what no parameter changes, and is set on its own. Where neither tells anything (one colour all over) vessels are taken as even: density 1, fat 0, strength 1. set() and the
-// constructor on one thread; the rest is const and may run on any.
+// A copy refers to the same surface, shares what no parameter changes, and is set on its own. Where neither tells
+// anything (one colour all over) vessels are taken as even: density 1, fat 0, strength 1. set() and the constructor on
+// one thread; the rest is const and may run on any.
 #pragma once
 
 #include <memory>
@@ -19,13 +20,13 @@ namespace lapfx::bleeding {
 
 class TissueDensity {
   public:
-    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ. `pixels`: of the organ's
-    /// images, where they have none themselves; empty: copies of theirs.
+    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ. `pixels`: of
+    /// the organ's images, where they have none themselves; empty: copies of theirs.
     TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {},
                   const work::Stages& stages = {}, organ::PixelList pixels = {});
 
-    /// Live: maps are made again only when a parameter that they depend on has changed. Throws where there is no memory, and changes
-    /// nothing.
+    /// Live: maps are made again only when a parameter that they depend on has changed. Throws where there is no
+    /// memory, and changes nothing.
     void set(const VesselParameters& parameters);
     /// Keeps no maps for itself: copies have them once they are set, and this one has none.
     void rest();
@@ -35,8 +36,8 @@ class TissueDensity {
     double vessels(const glm::dvec3& position) const noexcept { return sample(position).vessels; }
     double fat(const glm::dvec3& position) const noexcept { return sample(position).fat; }
     /// How strongly a cut here bleeds, times the preset's speed: 0 when the density of vessels is below
-    /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4. 1 where nothing tells of
-    /// vessels: no colour, or a texture that shows none.
+    /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4. 1 where nothing
+    /// tells of vessels: no colour, or a texture that shows none.
     double wound_strength(const glm::dvec3& position) const noexcept;
     TissueReport report() const;
     TissueHistogram histogram(const VesselParameters& parameters) const;  ///< whatever was set
@@ -44,8 +45,8 @@ class TissueDensity {
     /// For the overlay: the map of an image, null where the image tells nothing.
     const DensityMap* map(int image) const;
     std::size_t images() const { return maps_.size(); }
-    /// For the overlay, per organ vertex: densities where they come from vertex colours; 1 and 0 where nothing is known;
-    /// 1 and 1 where there is a map, which they multiply.
+    /// For the overlay, per organ vertex: densities where they come from vertex colours; 1 and 0 where nothing is
+    /// known; 1 and 1 where there is a map, which they multiply.
     const std::vector<glm::vec2>& vertex_values() const { return vertex_values_; }
     /// Rises whenever the densities have changed.
     int version() const { return version_; }

@@ -1,28 +1,30 @@
 // The parameters of vessel and fat density (paper: figure 9).
 //
 //   r        = 0.75 log(R + 0.01) - log(G + 0.01), R and G in linear light: how much blood the light has crossed
-//   contrast = r * Gaussian(0.1 vessel_width) - r * Gaussian(2 vessel_width)     what is redder than the tissue around it
-//   difference = |(L / 2, a, b) - (L / 2, a, b) of vessel_color|, CIELAB
-//   c        = 1 - ramp(difference, vessel_tolerance / 2, vessel_tolerance)      0..1; 0 at a tolerance of 0
-//   vessels  = max(ramp(contrast, vessel_low, vessel_high),
+//   contrast = r * Gaussian(0.1 vessel_width) - r * Gaussian(2 vessel_width)     what is redder than the tissue around
+//   it difference = |(L / 2, a, b) - (L / 2, a, b) of vessel_color|, CIELAB c        = 1 - ramp(difference,
+//   vessel_tolerance / 2, vessel_tolerance)      0..1; 0 at a tolerance of 0 vessels  = max(ramp(contrast, vessel_low,
+//   vessel_high),
 //                  ramp(c - c * Gaussian(2 vessel_width), 0.25, 0.75)) * Gaussian(smoothing)
 //                                                                                0..1, same size as the texture
 //   fat      = ramp(CIELAB hue, fat_low, fat_high) * Gaussian(smoothing)         grey and beyond yellow: 0
 //   density  = mean over a disc of radius `region` on the surface, around the tool tip
 //   strength of a wound = 0 where density < vessel_threshold,
 //                         else 1 + vessel_strength * (density / vessel_reference - 1), at most 4
-//                       1 where nothing tells of vessels: no colour, or a texture (or the vertex colours) of which less than
+//                       1 where nothing tells of vessels: no colour, or a texture (or the vertex colours) of which less
+//                       than
 //                         0.1 % is vessel. A liver's capsule bleeds where it is cut all the same
 //
-// Gaussians are given by their standard deviation in mm; texels per mm follow from how the texture lies on the organ, along
-// u and v apart. What is not on the surface (gutters between UV islands) has no weight. Vertex colours instead of a texture:
-// the same, over the vertices.
+// Gaussians are given by their standard deviation in mm; texels per mm follow from how the texture lies on the organ,
+// along u and v apart. What is not on the surface (gutters between UV islands) has no weight. Vertex colours instead of
+// a texture: the same, over the vertices.
 //
-// How the channel was chosen: on the five textures of samples/lagb.glb whose vessels are redder than the tissue, against the
-// artery and vein cover that its generator (samples/organs/canvas.cpp) drew before painting; 60000 texels of each, vessel
-// where the cover is above 0.4, left out between 0.08 and 0.4. Area under the ROC curve / best F1 of one threshold for all
-// five. "Global": the channel itself. "Local": its contrast, as above, vessel_width 1.25. "Shaded": the same after the linear
-// light was multiplied by exp of noise (1 and 5 mm, 0.25 each), as baked shadows do.
+// How the channel was chosen: on the five textures of samples/lagb.glb whose vessels are redder than the tissue,
+// against the artery and vein cover that its generator (samples/organs/canvas.cpp) drew before painting; 60000 texels
+// of each, vessel where the cover is above 0.4, left out between 0.08 and 0.4. Area under the ROC curve / best F1 of
+// one threshold for all five. "Global": the channel itself. "Local": its contrast, as above, vessel_width 1.25.
+// "Shaded": the same after the linear light was multiplied by exp of noise (1 and 5 mm, 0.25 each), as baked shadows
+// do.
 //
 //   channel               global          local           local, shaded
 //   CIELAB a*             0.871 / 0.639   0.956 / 0.741   0.920 / 0.654
@@ -35,28 +37,33 @@
 //   log R - log G         0.852 / 0.548   0.972 / 0.831   0.964 / 0.815
 //   0.75 log R - log G    0.843 / 0.448   0.979 / 0.845   0.975 / 0.827
 //
-// So a global range fails on tissue that varies, and the last channel keeps nearly all of -log G without its weakness for
-// shade. With the defaults, texels of density above 0.3 are within two texels of a painted vessel in 99, 99, 94 and 99 % of
-// cases (stomach, lesser and greater omentum, cardia fat) and are 88, 82, 87 and 80 % of the vessels.
+// So a global range fails on tissue that varies, and the last channel keeps nearly all of -log G without its weakness
+// for shade. With the defaults, texels of density above 0.3 are within two texels of a painted vessel in 99, 99, 94 and
+// 99 % of cases (stomach, lesser and greater omentum, cardia fat) and are 88, 82, 87 and 80 % of the vessels.
 //
 // Why these defaults:
-// - vessel_low 0.2, high 0.4: half a vessel at the threshold of the best F1, 0.28. Lower values take the reddish creases
+// - vessel_low 0.2, high 0.4: half a vessel at the threshold of the best F1, 0.28. Lower values take the reddish
+// creases
 //   between lobules of fat for vessels: from 0.1 on, more than half of what is found on the greater omentum.
-// - vessel_width 1.25 mm: best of 0.75, 1.25 and 2 when shaded; arteries with their veins on a stomach are 0.3 to 3 mm wide.
-// - fat 56 to 66 degrees: measured on textures, from the 5th to the 95th percentile, liver is at 24 to 36, a stomach's muscle
+// - vessel_width 1.25 mm: best of 0.75, 1.25 and 2 when shaded; arteries with their veins on a stomach are 0.3 to 3 mm
+// wide.
+// - fat 56 to 66 degrees: measured on textures, from the 5th to the 95th percentile, liver is at 24 to 36, a stomach's
+// muscle
 //   and serosa at 34 to 53, a gallbladder at 29 to 36, painted fat of two sources at 57 to 75 and 65 to 69.
 // - smoothing 0.4 mm, region 2 mm: a hook is about 1 mm thick.
 // - reference 0.1: a vessel of 0.3 mm across a region of 2 mm.
-// - threshold 0.01: a tenth of that, so about any vessel that is seen. On the stomach, omenta and cardia fat of samples/lagb.glb
-//   19 to 27 % of the surface bleeds then (0.02: 16 to 24, 0.05: 12 to 19 %): a stroke across it bleeds where it meets vessels,
-//   as in the paper's figure 9.
+// - threshold 0.01: a tenth of that, so about any vessel that is seen. On the stomach, omenta and cardia fat of
+// samples/lagb.glb
+//   19 to 27 % of the surface bleeds then (0.02: 16 to 24, 0.05: 12 to 19 %): a stroke across it bleeds where it meets
+//   vessels, as in the paper's figure 9.
 // - strength 0.7: a cut at the threshold bleeds at 0.37 of the speed, one on an artery (density 0.4) at 3.1.
-// - tolerance 0: contrast alone. It finds what is redder than its surroundings on any tissue, without being told a colour; a
-//   colour has to be picked for the organ, since what is bluer or paler than its surroundings may as well be a highlight or a
-//   fibre. 12 to 20 takes a vein of a texture that was painted or photographed in even light. On a simulator's photographed
-//   fat contrast finds two vessels at the defaults (0.13 % of it), a tolerance of 16 around the red-brown of its capillaries
-//   three times as much; around the grey-brown of its veins even 10 takes patches of the fat itself for vessels, so c counts
-//   only where it stands out of what is around it, like contrast.
+// - tolerance 0: contrast alone. It finds what is redder than its surroundings on any tissue, without being told a
+// colour; a
+//   colour has to be picked for the organ, since what is bluer or paler than its surroundings may as well be a
+//   highlight or a fibre. 12 to 20 takes a vein of a texture that was painted or photographed in even light. On a
+//   simulator's photographed fat contrast finds two vessels at the defaults (0.13 % of it), a tolerance of 16 around
+//   the red-brown of its capillaries three times as much; around the grey-brown of its veins even 10 takes patches of
+//   the fat itself for vessels, so c counts only where it stands out of what is around it, like contrast.
 // - color 92, 107, 153: a vein seen through serosa.
 #include "preset/tables.h"
 

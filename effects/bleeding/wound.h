@@ -14,7 +14,8 @@ namespace lapfx::bleeding {
 /// Clotted blood draws together by this share of its extent.
 inline constexpr double clot_shrink = 0.05;
 
-/// The factor on bleeding over time (lapfx/curves.h), made ready for the pulse of a preset: a wound's clock runs on its integral.
+/// The factor on bleeding over time (lapfx/curves.h), made ready for the pulse of a preset: a wound's clock runs on its
+/// integral.
 class Strength {
   public:
     /// 1 all the time.
@@ -24,7 +25,8 @@ class Strength {
     bool even() const { return curve_.even(); }
     const FactorCurve& curve() const { return curve_; }
     double at(double time) const noexcept { return curve_.at(time); }
-    /// Integral of factor * (1 + pulse_strength * sin(2 pi pulse_rate (s - start))) from `start` to `end`. Never below 0.
+    /// Integral of factor * (1 + pulse_strength * sin(2 pi pulse_rate (s - start))) from `start` to `end`. Never below
+    /// 0.
     double flowing(double start, double end) const noexcept;
     /// Integral of factor * (1 - (s - stop) / duration) from `stop` for `elapsed`, at most `duration`.
     double dying(double stop, double elapsed, double duration) const noexcept;
@@ -41,9 +43,10 @@ class Strength {
     std::vector<Waves> waves_;          // at each point, less the antiderivative of the piece that begins there
 };
 
-/// mm that blood would have travelled by `time` if nothing bounded it: grows with speed * strength from the wound's start,
-/// pulsing if arterial, times the scene's `strength`, which must be of this `bleeding`; once coagulation begins the growth dies down linearly within coagulation_time. Never shrinks with
-/// time. 0 for a wound that never bleeds (one that is closed before it opens), and for one whose numbers are not finite.
+/// mm that blood would have travelled by `time` if nothing bounded it: grows with speed * strength from the wound's
+/// start, pulsing if arterial, times the scene's `strength`, which must be of this `bleeding`; once coagulation begins
+/// the growth dies down linearly within coagulation_time. Never shrinks with time. 0 for a wound that never bleeds (one
+/// that is closed before it opens), and for one whose numbers are not finite.
 double flow(const Wound& wound, const BleedingParameters& bleeding, double time,
             const Strength& strength = {}) noexcept;
 
@@ -51,16 +54,17 @@ double flow(const Wound& wound, const BleedingParameters& bleeding, double time,
 double source_value(const Wound& wound, const BleedingParameters& bleeding, double time,
                     const Strength& strength = {}) noexcept;
 
-/// How far the blood of a wound has clotted, 0 fresh .. 1: rises from the moment that coagulation begins, and goes on for
-/// 3 s after the flow has ended.
+/// How far the blood of a wound has clotted, 0 fresh .. 1: rises from the moment that coagulation begins, and goes on
+/// for 3 s after the flow has ended.
 double clot_of(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept;
 
 inline constexpr double never_cleared = -std::numeric_limits<double>::infinity();
 
-/// Whether the wound bleeds at `time`: blood flows from it and comes to where there was none. `cleared`: s, the latest time at
-/// which blood of this wound was taken away (suction, irrigation); it flows anew to there, up to max_extent again. A wound whose
-/// blood has come to max_extent everywhere does not bleed: the paper's upper threshold stands for the end of the bleeding. One
-/// that clots bleeds until its flow has ended. The one answer: states, amounts, and when values change follow from it.
+/// Whether the wound bleeds at `time`: blood flows from it and comes to where there was none. `cleared`: s, the latest
+/// time at which blood of this wound was taken away (suction, irrigation); it flows anew to there, up to max_extent
+/// again. A wound whose blood has come to max_extent everywhere does not bleed: the paper's upper threshold stands for
+/// the end of the bleeding. One that clots bleeds until its flow has ended. The one answer: states, amounts, and when
+/// values change follow from it.
 bool bleeds(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength = {},
             double cleared = never_cleared) noexcept;
 

@@ -1,6 +1,6 @@
-// Heat under the tool by Pennes' bio-heat equation, in steps at the multiples of `step` s. The state at a step is a function
-// of the contacts before it and of nothing else; going back in time starts from the nearest snapshot. Work follows the heated
-// region, not the organ. Formulas: effects/cautery/parameters.cpp. One thread at a time.
+// Heat under the tool by Pennes' bio-heat equation, in steps at the multiples of `step` s. The state at a step is a
+// function of the contacts before it and of nothing else; going back in time starts from the nearest snapshot. Work
+// follows the heated region, not the organ. Formulas: effects/cautery/parameters.cpp. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -94,8 +94,8 @@ class Bioheat {
 
     std::vector<Snapshot> snapshots_;  // by step
     std::int64_t interval_ = 64;       // steps between snapshots
-    // The last steps, for live use, where the contact that has just begun still changes: how it was before each of them.
-    // Their marks are only those that the step has changed.
+    // The last steps, for live use, where the contact that has just begun still changes: how it was before each of
+    // them. Their marks are only those that the step has changed.
     std::vector<Snapshot> recent_;  // a ring, by step
     std::int64_t can_undo_ = 0;     // so many steps
 

@@ -1,8 +1,8 @@
 // What the tool does to the organ: heat, the wounds that it opens and closes, and the marks that it leaves. CPU only. A
 // function of the log and the time: any order of times and of set() gives the same. One thread at a time.
 //
-// Every part of a tip's path that is farther than 5 mm from the surface is left out: there the tip touches nothing. An empty surface
-// has no wounds and no marks. Suction and irrigation do nothing here.
+// Every part of a tip's path that is farther than 5 mm from the surface is left out: there the tip touches nothing. An
+// empty surface has no wounds and no marks. Suction and irrigation do nothing here.
 #pragma once
 
 #include <cstdint>
@@ -24,8 +24,8 @@ class Cautery {
     Cautery(const Cautery&) = delete;
     Cautery& operator=(const Cautery&) = delete;
 
-    /// What the tool has done and will. Costs what was written to the log since the call before; a change before its last piece does
-    /// the marks anew, one of the parameters all. Always the same log.
+    /// What the tool has done and will. Costs what was written to the log since the call before; a change before its
+    /// last piece does the marks anew, one of the parameters all. Always the same log.
     void set(const tool::Log& log, const CauteryParameters& parameters);
     /// strength_at would answer otherwise than before: the next set() does all anew.
     void strengths_changed() { chosen_ = false; }

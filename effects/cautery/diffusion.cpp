@@ -8,12 +8,12 @@ namespace lapfx::cautery {
 
 namespace {
 
-/// A triangle thinner than this, as area over the square of its longest side, is taken for one that is just so thin: its
-/// element stays positive semidefinite and finite.
+/// A triangle thinner than this, as area over the square of its longest side, is taken for one that is just so thin:
+/// its element stays positive semidefinite and finite.
 constexpr double thinnest = 1e-4;
 
-/// How much of the mass is consistent; the rest is lumped. Lumped masses spread heat too slowly on even meshes, consistent
-/// ones too fast on uneven ones; a quarter keeps both small.
+/// How much of the mass is consistent; the rest is lumped. Lumped masses spread heat too slowly on even meshes,
+/// consistent ones too fast on uneven ones; a quarter keeps both small.
 constexpr double consistent = 0.25;
 
 struct Shape {
@@ -216,7 +216,8 @@ double Diffusion::level_of(std::uint32_t point, const std::vector<double>& rises
 }
 
 /// Slope of the levels on the surface at a point: of the paraboloid through the point that fits its neighbours best
-/// (least squares, in the tangent plane). The bend is held down a little, so that few or collinear neighbours do no harm.
+/// (least squares, in the tangent plane). The bend is held down a little, so that few or collinear neighbours do no
+/// harm.
 glm::dvec3 Diffusion::slope_at(std::uint32_t point, const std::vector<double>& rises) const {
     const glm::dvec3& centre = surface_.positions[point];
     glm::dvec3 normal(0.0);

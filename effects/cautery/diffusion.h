@@ -1,8 +1,8 @@
 // Heat that spreads over a surface: du/dt = diffusivity * Laplacian(u) - perfusion * u + source, on the points where
 // something happens and nowhere else. Linear finite elements on the welded triangles (cotangent stiffness; mass three
 // quarters lumped and one quarter consistent), TR-BDF2 in time (R. E. Bank et al., IEEE
-// Trans CAD 4(4), 1985: second order and damped, stable for any step), conjugate gradients with a Jacobi preconditioner.
-// The result depends on the sequence of calls alone. One thread at a time.
+// Trans CAD 4(4), 1985: second order and damped, stable for any step), conjugate gradients with a Jacobi
+// preconditioner. The result depends on the sequence of calls alone. One thread at a time.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Things in space, found by place: a hash of cubic cells. Things are numbers that only grow; the newest can be taken out
-// again. One thread at a time.
+// Things in space, found by place: a hash of cubic cells. Things are numbers that only grow; the newest can be taken
+// out again. One thread at a time.
 #pragma once
 
 #include <algorithm>

@@ -20,8 +20,8 @@ inline constexpr double farthest_touch = 5.0;  ///< mm from the surface beyond w
 inline constexpr double torn_strength =
     0.6;  ///< blunt dissection crushes the vessels that it opens, so they bleed less
 
-/// How strongly tissue bleeds where the tool divides it: factor on the wound's strength; 0 = not at all (too few vessels).
-/// Empty = 1 everywhere.
+/// How strongly tissue bleeds where the tool divides it: factor on the wound's strength; 0 = not at all (too few
+/// vessels). Empty = 1 everywhere.
 using StrengthAt = std::function<double(const glm::dvec3& position)>;
 
 inline bool cold(ToolAction action) noexcept {
@@ -41,8 +41,8 @@ inline double highest_rise(const CauteryParameters& c) noexcept {
     return c.maximum_temperature > body_temperature ? c.maximum_temperature - body_temperature : 0.0;
 }
 
-/// Highest rise that a contact makes. Coagulation is gentle: it goes half way from the coagulation to the char temperature,
-/// so that tissue blanches and does not char.
+/// Highest rise that a contact makes. Coagulation is gentle: it goes half way from the coagulation to the char
+/// temperature, so that tissue blanches and does not char.
 inline double highest_rise(const ToolContact& contact, const CauteryParameters& c) noexcept {
     if (contact.action != ToolAction::coagulate) return highest_rise(c);
     return std::min(highest_rise(c), 0.5 * (c.coagulation_temperature + c.char_temperature) - body_temperature);

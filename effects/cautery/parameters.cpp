@@ -7,11 +7,12 @@
 //
 //   T(r, t) = 37 + U exp(-(r / R)^2),   R = tip_radius + heat_spread * sqrt(H)
 //   tip within tip_radius of the place:  dU/dt = heat_rate * power up to maximum_temperature - 37,  dH/dt = 1
-//   else:                                dU/dt = -U / cooling_time,                                dH/dt = -H / cooling_time
+//   else:                                dU/dt = -U / cooling_time,                                dH/dt = -H /
+//   cooling_time
 //
-// H is the duration of contact at a place of the tip's path, r the distance from it; of several places the hottest counts.
-// "The amount of heat and its effects on the nearby tissue is proportional to the duration of the application"; "the region
-// affected by the heat is expanded radially". The paper gives no numbers.
+// H is the duration of contact at a place of the tip's path, r the distance from it; of several places the hottest
+// counts. "The amount of heat and its effects on the nearby tissue is proportional to the duration of the application";
+// "the region affected by the heat is expanded radially". The paper gives no numbers.
 //
 // model "bioheat" (H. H. Pennes, J Appl Physiol 1(2), 1948), on the surface; u is the rise above 37 degrees:
 //
@@ -22,13 +23,15 @@
 // Why these defaults:
 // - heat_rate 220 degrees per second: at full power a hook divides fat after about 0.7 s, as in the videos.
 // - tip_radius 1.5 mm: half the width of the heel of a 5 mm hook, the part that lies on the tissue.
-// - coagulation 60: proteins denature and vessels shrink shut. Char 150: water is gone and the surface blackens. Cut 180:
+// - coagulation 60: proteins denature and vessels shrink shut. Char 150: water is gone and the surface blackens. Cut
+// 180:
 //   tissue parts. Maximum 400: what a monopolar hook reaches; keeps long contacts from running away.
-// - heat_spread 0.2 mm in the first second: heat diffuses, so the radius grows with the square root of time. So much that
-//   both models burn alike, and it is the bio-heat equation that is to be trusted: its constants are measured. With a tip of
-//   1.5 mm and no perfusion a Gaussian's radius is sqrt(tip_radius^2 + 4 diffusivity t), 1.66 mm after a second and 1.95 mm
-//   after three; heat that came later has spread less. The radius that is charred (150) and cooked (60), mm, and the start of
-//   the cut, for burns at full power in one place:
+// - heat_spread 0.2 mm in the first second: heat diffuses, so the radius grows with the square root of time. So much
+// that
+//   both models burn alike, and it is the bio-heat equation that is to be trusted: its constants are measured. With a
+//   tip of 1.5 mm and no perfusion a Gaussian's radius is sqrt(tip_radius^2 + 4 diffusivity t), 1.66 mm after a second
+//   and 1.95 mm after three; heat that came later has spread less. The radius that is charred (150) and cooked (60),
+//   mm, and the start of the cut, for burns at full power in one place:
 //
 //     s of burn           1             2             3             4             5           cut at
 //     bioheat         1.17, 2.31    1.76, 2.74    2.07, 3.02    2.29, 3.25    2.47, 3.45      0.71 s
@@ -38,7 +41,8 @@
 // - cooling_time 4 s: a Gaussian of the tip's radius w loses half its height by diffusion within w^2 / (4 diffusivity).
 // - diffusivity 0.13 mm2/s: conductivity over density and specific heat of soft tissue, 0.5 W/m/K / (1060 kg/m3 *
 //   3600 J/kg/K); F. A. Duck, Physical Properties of Tissue, 1990, lists 0.11 to 0.15.
-// - perfusion 0.02 per second: of the order of a well perfused liver (about 1 ml blood per ml of tissue and minute); it also
+// - perfusion 0.02 per second: of the order of a well perfused liver (about 1 ml blood per ml of tissue and minute); it
+// also
 //   stands for the heat that goes into the depth, which the surface does not have.
 #include "preset/tables.h"
 

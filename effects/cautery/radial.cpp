@@ -212,8 +212,8 @@ void Radial::open_hot(const Track& track, std::uint32_t number) {
     std::stable_sort(opened_.begin(), opened_.end(), [](const Wound& a, const Wound& b) { return a.start < b.start; });
 }
 
-/// What contact `number` brings, in the order of time: where a place is closed and divided at once, it is closed before.
-/// `heater` is the contact that closes.
+/// What contact `number` brings, in the order of time: where a place is closed and divided at once, it is closed
+/// before. `heater` is the contact that closes.
 void Radial::record(const Track& track, std::uint32_t number, std::uint32_t heater) {
     std::stable_sort(closings_.begin(), closings_.end(),
                      [](const Closing& a, const Closing& b) { return a.time < b.time; });
@@ -232,8 +232,8 @@ void Radial::record(const Track& track, std::uint32_t number, std::uint32_t heat
     close_until(never);
 }
 
-/// When a heating closes a wound so far away: when the tip's place is warm enough and the heated region has come near. Where
-/// it has by the time that another tool cuts, that cut is closed at once.
+/// When a heating closes a wound so far away: when the tip's place is warm enough and the heated region has come near.
+/// Where it has by the time that another tool cuts, that cut is closed at once.
 double Radial::closing_time(const Heating& h, const Wound& wound, double distance) const {
     const double warm =
         time_to(parameters_.coagulation_temperature - body_temperature, h.rise, h.rate, std::max(h.top, h.rise));

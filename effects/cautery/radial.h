@@ -1,7 +1,7 @@
-// Heat under the tool, the paper's radial model ("the amount of heat and its effects on the nearby tissue is proportional to
-// the duration of the application of the cautery ... the region affected by the heat is expanded radially"), in closed form:
-// any time can be asked for. Formulas: effects/cautery/parameters.cpp. Contacts are added and taken away at the end, at a
-// cost that follows what they touch. One thread at a time.
+// Heat under the tool, the paper's radial model ("the amount of heat and its effects on the nearby tissue is
+// proportional to the duration of the application of the cautery ... the region affected by the heat is expanded
+// radially"), in closed form: any time can be asked for. Formulas: effects/cautery/parameters.cpp. Contacts are added
+// and taken away at the end, at a cost that follows what they touch. One thread at a time.
 #pragma once
 
 #include <cmath>

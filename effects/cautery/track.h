@@ -1,5 +1,5 @@
-// The pieces of the tool's log, with places along them: what both heat models work on. The places of a stroke are at even distances
-// along its path, however it was cut into pieces. One thread at a time.
+// The pieces of the tool's log, with places along them: what both heat models work on. The places of a stroke are at
+// even distances along its path, however it was cut into pieces. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ class Track {
     /// Keeps a reference.
     explicit Track(const Surface& surface) : surface_(surface) {}
 
-    /// A stay for each piece. Takes what has been written since the call before; gives the number of the first that is new. When the
-    /// parameters differ in what a track depends on, all is.
+    /// A stay for each piece. Takes what has been written since the call before; gives the number of the first that is
+    /// new. When the parameters differ in what a track depends on, all is.
     std::size_t set(const tool::Log& log, const CauteryParameters& parameters);
 
     std::span<const Stay> stays() const { return stays_; }

@@ -1,9 +1,9 @@
 // Wounds as they open and close, with a way back: every event carries a key (the number of a contact, or of a time
 // step), keys only grow, and what happened from a key on can be undone. One thread at a time.
 //
-// What a division leaves does not depend on what was there before: a wound that is open, and at least as strong, stands for a
-// new one at its place, and then bleeds as long as the new one would have. For that, what happens at a place is told in the
-// order of time: a wound that heat has closed stands for nothing that comes later.
+// What a division leaves does not depend on what was there before: a wound that is open, and at least as strong, stands
+// for a new one at its place, and then bleeds as long as the new one would have. For that, what happens at a place is
+// told in the order of time: a wound that heat has closed stands for nothing that comes later.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ class WoundList {
     /// Changes whenever the wounds do.
     std::uint64_t version() const { return version_; }
 
-    /// False when there is no new wound: no strength; closer than `closest` to one that is open at its start and at least
-    /// as strong, which stands for it: if heat has divided, that one is now the heat's own; or too many.
+    /// False when there is no new wound: no strength; closer than `closest` to one that is open at its start and at
+    /// least as strong, which stands for it: if heat has divided, that one is now the heat's own; or too many.
     bool add(const Division& division, std::int64_t key);
     /// Closes a wound at `stop`. False if it closes earlier, or is the heater's own.
     bool close(std::uint32_t wound, double stop, const Heater& heater, std::int64_t key);

@@ -28,7 +28,8 @@ inline glm::vec3 noise_gradient(glm::ivec3 cell, std::uint32_t seed) {
     return (h & 1u) == 0u ? glm::vec3(v, 1.0f, 0.0f) : glm::vec3(0.0f, -1.0f, v);
 }
 
-/// Improved Perlin noise: about -1..1, mean 0, one lobe per unit of p. `from`: whole lobes added to p; they wrap around.
+/// Improved Perlin noise: about -1..1, mean 0, one lobe per unit of p. `from`: whole lobes added to p; they wrap
+/// around.
 inline float perlin_from(glm::uvec3 from, glm::vec3 p, std::uint32_t seed) {
     const glm::vec3 base = glm::floor(p);
     const glm::ivec3 cell(from + glm::uvec3(glm::ivec3(base)));

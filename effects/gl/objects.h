@@ -76,7 +76,8 @@ class Texture {
     Texture() = default;
     explicit Texture(const TextureDescription& description);
 
-    /// Level 0 (of a layer of an array), bytes, rows from the top, tightly packed. Leaves the host's unpacking state as it was.
+    /// Level 0 (of a layer of an array), bytes, rows from the top, tightly packed. Leaves the host's unpacking state as
+    /// it was.
     void upload(GLenum format, const void* pixels, int layer = 0) const;
     void generate_mipmaps() const;
     GLuint name() const { return name_.get(); }

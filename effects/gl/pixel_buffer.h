@@ -1,5 +1,6 @@
-// Pixels on their way to textures: any thread writes them into memory of the driver's, and the GPU reads them when it comes to it.
-// Sending them so copies nothing on the CPU, beyond what the driver does, and waits for no drawing. The context must be current.
+// Pixels on their way to textures: any thread writes them into memory of the driver's, and the GPU reads them when it
+// comes to it. Sending them so copies nothing on the CPU, beyond what the driver does, and waits for no drawing. The
+// context must be current.
 #pragma once
 
 #include "gl/objects.h"
@@ -11,8 +12,8 @@ class PixelBuffer {
     PixelBuffer() = default;
     explicit PixelBuffer(std::size_t bytes);
 
-    /// Memory to write to, of the bytes that it was made with, until unmap(); of whatever content, and slow to read. What the GPU
-    /// has still to read of what was there, it keeps. Empty when the driver has none.
+    /// Memory to write to, of the bytes that it was made with, until unmap(); of whatever content, and slow to read.
+    /// What the GPU has still to read of what was there, it keeps. Empty when the driver has none.
     std::span<std::uint8_t> map() const noexcept;
     /// What was written is there to be sent. False when the driver has lost it.
     bool unmap() const noexcept;

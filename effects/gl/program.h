@@ -4,8 +4,8 @@
 //     const Program post("fullscreen.vert", "post.frag");
 //     post.set("u_exposure", 1.5f);
 //
-// A uniform that is declared but that the compiler has found no use for is set in vain, without a fault: variants of one shader
-// use some and not others.
+// A uniform that is declared but that the compiler has found no use for is set in vain, without a fault: variants of
+// one shader use some and not others.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -31,9 +31,9 @@ class Program {
     Program rebuilt() const;
 
     void use() const { glUseProgram(name_.get()); }
-    /// Throws Error (runtime), which ends a caller that is noexcept, for a name that neither text declares, and for a value of
-    /// another type than declared: a fault of the caller. Where a text comes from disk such a value is ignored: while a shader
-    /// is edited, its uniforms come and go.
+    /// Throws Error (runtime), which ends a caller that is noexcept, for a name that neither text declares, and for a
+    /// value of another type than declared: a fault of the caller. Where a text comes from disk such a value is
+    /// ignored: while a shader is edited, its uniforms come and go.
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, glm::vec2 value) const;

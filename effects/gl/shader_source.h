@@ -23,8 +23,9 @@ struct ShaderSource {
 /// there.
 ShaderSource shader_source(const std::string& name);
 
-/// While it lives, and after it if kept, the files of a folder come before the embedded ones: as they are now, so that one that
-/// breaks later breaks nothing. Shaders of the effects that are not in the folder are the embedded ones. Any thread.
+/// While it lives, and after it if kept, the files of a folder come before the embedded ones: as they are now, so that
+/// one that breaks later breaks nothing. Shaders of the effects that are not in the folder are the embedded ones. Any
+/// thread.
 class ShaderTrial {
   public:
     explicit ShaderTrial(const std::filesystem::path& folder);

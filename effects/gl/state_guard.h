@@ -1,7 +1,8 @@
-// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's. Samplers that the host has
-// bound are put aside meanwhile: they would win over how the core's own textures are filtered. What GL
-// keeps for each draw buffer (blending) or viewport (scissor test) is taken from the first and put back for all: effects.h says that
-// hosts have it the same for all, for asking each of them in every frame would cost every host more than it helps a rare one.
+// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's. Samplers that
+// the host has bound are put aside meanwhile: they would win over how the core's own textures are filtered. What GL
+// keeps for each draw buffer (blending) or viewport (scissor test) is taken from the first and put back for all:
+// effects.h says that hosts have it the same for all, for asking each of them in every frame would cost every host more
+// than it helps a rare one.
 #pragma once
 
 #include <array>
@@ -10,8 +11,8 @@
 
 namespace lapfx::gl {
 
-/// glPolygonOffsetClamp, without which a clamp of the host's is gone once an offset is set: OpenGL 4.6's, or an extension's, so gl.h
-/// lacks it. Null where the driver has none.
+/// glPolygonOffsetClamp, without which a clamp of the host's is gone once an offset is set: OpenGL 4.6's, or an
+/// extension's, so gl.h lacks it. Null where the driver has none.
 using PolygonOffsetClamp = void(GLAD_API_PTR*)(GLfloat factor, GLfloat units, GLfloat clamp);
 PolygonOffsetClamp polygon_offset_clamp() noexcept;
 constexpr GLenum polygon_offset_clamp_query = 0x8E1B;  // GL_POLYGON_OFFSET_CLAMP

@@ -21,7 +21,8 @@ Timer::Timer(bool on) {
 void Timer::begin() noexcept {
     if (!on_) return;
     collect();
-    // All of them still under way, or the host times something itself, and GL allows one at a time: this span is left out.
+    // All of them still under way, or the host times something itself, and GL allows one at a time: this span is left
+    // out.
     GLint current = 0;
     glGetQueryiv(GL_TIME_ELAPSED, GL_CURRENT_QUERY, &current);
     if (current != 0 || begun_ - collected_ == queries) return;

@@ -1,5 +1,5 @@
-// Time that the GPU spends between begin() and end(), summed up. Results are taken frames later, never waited for. Render
-// thread, context current.
+// Time that the GPU spends between begin() and end(), summed up. Results are taken frames later, never waited for.
+// Render thread, context current.
 #pragma once
 
 #include <array>

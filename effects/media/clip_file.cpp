@@ -28,8 +28,8 @@ void require_plain_file(const fs::path& path) {
     if (fs::file_size(path, error) == 0) throw bad_clip(path, "is empty");
 }
 
-/// Playlists make FFmpeg open whatever they name; a clip is one file. All playlists are text and no video is, so that text
-/// is never handed on: FFmpeg knows some of them behind comments, too.
+/// Playlists make FFmpeg open whatever they name; a clip is one file. All playlists are text and no video is, so that
+/// text is never handed on: FFmpeg knows some of them behind comments, too.
 void refuse_playlist(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::array<char, 512> head{};
@@ -103,8 +103,8 @@ std::vector<fs::path> sequence_images(const fs::path& pattern) {
 
 namespace {
 
-/// Where a preset's own folder would have it. A name from its file stays inside; a whole path is never one, but what a host
-/// or a person has chosen.
+/// Where a preset's own folder would have it. A name from its file stays inside; a whole path is never one, but what a
+/// host or a person has chosen.
 fs::path own_path(const std::string& file, const fs::path& preset_folder) {
     return fs::path(file).is_absolute() ? fs::path(file) : named_path(preset_folder, file, Reach::inside, file);
 }

@@ -1,4 +1,5 @@
-// Finding a smoke clip's file, and telling what is none: a clip is one plain local file, or a sequence of numbered images.
+// Finding a smoke clip's file, and telling what is none: a clip is one plain local file, or a sequence of numbered
+// images.
 #pragma once
 
 #include <filesystem>
@@ -12,10 +13,11 @@
 
 namespace lapfx::media {
 
-/// The clip `file` of a preset: inside the preset's folder, or a bare name on the search path. The name of an image sequence
+/// The clip `file` of a preset: inside the preset's folder, or a bare name on the search path. The name of an image
+/// sequence
 /// ("plume_%04d.png") is found where its first image is.
-/// Throws Error (bad_input) that names `file`: where it was looked for, or that a directory or no plain file has its name in the
-/// preset's folder.
+/// Throws Error (bad_input) that names `file`: where it was looked for, or that a directory or no plain file has its
+/// name in the preset's folder.
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> search_path);
 
@@ -33,8 +35,8 @@ struct ImageSequence {
     std::filesystem::path file(int index) const;
 };
 
-/// What a name with one "%d" or "%04d" stands for: the files from the lowest number in 0..999 on, at most `maximum`. None when
-/// there is a file of just that name, when it is no such pattern, or when no image is there.
+/// What a name with one "%d" or "%04d" stands for: the files from the lowest number in 0..999 on, at most `maximum`.
+/// None when there is a file of just that name, when it is no such pattern, or when no image is there.
 std::optional<ImageSequence> find_sequence(const std::filesystem::path& pattern, int maximum);
 
 /// The images of such a name, in their order; none when it is none.

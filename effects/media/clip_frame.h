@@ -6,8 +6,8 @@
 
 namespace lapfx::media {
 
-/// Names of array textures (GL_TEXTURE_2D_ARRAY, linear, clamped to the edge, no mipmaps) and the layer in them; row 0 is the
-/// top. Owned by the ClipSet, valid until its next call. Without `color` there is nothing to show yet.
+/// Names of array textures (GL_TEXTURE_2D_ARRAY, linear, clamped to the edge, no mipmaps) and the layer in them; row 0
+/// is the top. Owned by the ClipSet, valid until its next call. Without `color` there is nothing to show yet.
 struct ClipFrame {
     PictureFormat format;                 ///< says which of the textures there are
     GLuint color = 0;                     ///< R8 luma (Layout::planar) or RGB8 (Layout::rgb)

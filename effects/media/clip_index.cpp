@@ -57,7 +57,8 @@ bool has_idr(const AVCodecParameters& codec, const AVPacket& packet) {
     return false;
 }
 
-/// The clip's opacity is a stream of its own, with key frames of its own (Matroska: BlockAdditional 1, after its number).
+/// The clip's opacity is a stream of its own, with key frames of its own (Matroska: BlockAdditional 1, after its
+/// number).
 bool opacity_can_start(AVCodecID codec, const AVPacket& packet) {
     std::size_t size = 0;
     const std::uint8_t* data = av_packet_get_side_data(&packet, AV_PKT_DATA_MATROSKA_BLOCKADDITIONAL, &size);
@@ -132,8 +133,8 @@ Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::si
     return packets;
 }
 
-/// Whether the packets tell when each frame is shown. AVI does not: what FFmpeg gives is the order of decoding, unless that is
-/// the same. Streams that were strung together start anew.
+/// Whether the packets tell when each frame is shown. AVI does not: what FFmpeg gives is the order of decoding, unless
+/// that is the same. Streams that were strung together start anew.
 bool has_stamps(const MediaFile& file, const std::vector<Entry>& entries) {
     if (is_avi(file) && file.video().codecpar->video_delay > 0) return false;
     std::int64_t last = AV_NOPTS_VALUE;
@@ -193,7 +194,8 @@ void set_points(ClipIndex& index, const std::vector<Entry>& entries) {
     index.points.erase(std::unique(index.points.begin(), index.points.end(), same), index.points.end());
 }
 
-/// Files that end early, where the container counts its packets. AVI's count alone proves nothing: it includes empty ones.
+/// Files that end early, where the container counts its packets. AVI's count alone proves nothing: it includes empty
+/// ones.
 std::string missing(const MediaFile& file, const Packets& packets) {
     const std::int64_t claimed = file.video().nb_frames, found = static_cast<std::int64_t>(packets.count);
     const bool early = is_avi(file) ? packets.cut : file.ran_out();

@@ -28,8 +28,8 @@ struct SeekPoint {
 
 /// What else Decoder knows about a clip that it has looked through. Never changes once it is made.
 struct ClipIndex {
-    /// The frames' times as the file tells them, ascending, in its own unit. Empty when it does not tell them all: its frames
-    /// are then counted from the start.
+    /// The frames' times as the file tells them, ascending, in its own unit. Empty when it does not tell them all: its
+    /// frames are then counted from the start.
     std::vector<std::int64_t> stamps;
     std::vector<SeekPoint> points;  ///< ascending; none without `stamps`
     std::vector<double> times;      ///< s, from 0, as ClipInfo

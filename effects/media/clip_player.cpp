@@ -117,14 +117,16 @@ void ClipPlayer::Head::ask(int index, Policy how) {
     now = true;
 }
 
-/// Frames from this cycle's to the next one's, as far as that can be known: one, unless it has gone by more for some time.
+/// Frames from this cycle's to the next one's, as far as that can be known: one, unless it has gone by more for some
+/// time.
 int ClipPlayer::Head::step() const {
     return moves[0] > 1 && moves[0] == moves[1] && moves[0] == moves[2] ? moves[0] : 1;
 }
 
 ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& times) noexcept {
     Head& place = heads_[static_cast<std::size_t>(head)];
-    // A clip that is to stay on the GPU needs all of its frames, and pipeline sends none ahead that could be shown for two cycles.
+    // A clip that is to stay on the GPU needs all of its frames, and pipeline sends none ahead that could be shown for
+    // two cycles.
     if (policy == Policy::skip && !buffers_frames(scheme_)) policy = Policy::latest;
     place.ask(index, policy);
     return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
@@ -181,8 +183,8 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
     return head.sent.frame(file_->info.color);
 }
 
-/// Of buffering the driver's own memory, which the frame was decoded to, is read by the GPU, and fresh memory takes its place: the frame
-/// is on the GPU then and need not be decoded again before it has made room for another one.
+/// Of buffering the driver's own memory, which the frame was decoded to, is read by the GPU, and fresh memory takes its
+/// place: the frame is on the GPU then and need not be decoded again before it has made room for another one.
 void ClipPlayer::send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
                       StreamingTimes& times) noexcept {
     if (decoded.bytes.empty() || head.sent.holds(decoded.index)) return;
@@ -200,10 +202,11 @@ void ClipPlayer::send(Head& head, const ClipStream::Shown& decoded, std::span<co
     if (from != nullptr) head.stream->take(decoded.slot, map(*from));
 }
 
-/// Table 1's FrameCoalescing: two frames go in one cycle and none in the next, after the drawing and without waiting for them.
-/// `turn`: this is the cycle in which they go. That makes cycles shorter, not their mean: as the paper has it, buffering alone "does
-/// not reduce the time spent in CPU-GPU data transfer". What halves it in table 2 (1.55 to 0.78 ms with one clip, 32.4 to 16.2
-/// with 15, while retrieving and shading take as long as before) is that "consecutive video frames are skipped": skip_one().
+/// Table 1's FrameCoalescing: two frames go in one cycle and none in the next, after the drawing and without waiting
+/// for them. `turn`: this is the cycle in which they go. That makes cycles shorter, not their mean: as the paper has
+/// it, buffering alone "does not reduce the time spent in CPU-GPU data transfer". What halves it in table 2 (1.55 to
+/// 0.78 ms with one clip, 32.4 to 16.2 with 15, while retrieving and shading take as long as before) is that
+/// "consecutive video frames are skipped": skip_one().
 void ClipPlayer::coalesce(Head& head, bool turn, StreamingTimes& times) noexcept {
     const int step = head.step();
     Ahead ahead;
@@ -250,8 +253,8 @@ void ClipPlayer::end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept 
         ++cycle;
         if (!head.stream || head.rests) continue;
         if (scheme_ == Scheme::resident) {
-            // What has been decoded ahead goes to the GPU before it is due: a clip that plays fast or is jumped about in
-            // becomes whole too. One frame a cycle, so that no frame takes long.
+            // What has been decoded ahead goes to the GPU before it is due: a clip that plays fast or is jumped about
+            // in becomes whole too. One frame a cycle, so that no frame takes long.
             if (const ClipStream::Shown decoded = head.stream->peek_any(); !decoded.bytes.empty()) keep(decoded, times);
             head.rests = head.stream->rest();
         } else if (head.now) {

@@ -13,8 +13,8 @@
 
 namespace lapfx::media {
 
-/// A file that clips play: what is known of it, and those of its frames that are on the GPU to stay, shared by all clips of a
-/// preset that name it.
+/// A file that clips play: what is known of it, and those of its frames that are on the GPU to stay, shared by all
+/// clips of a preset that name it.
 struct ClipFile {
     /// `seen`: before the decoder opened it.
     ClipFile(const std::filesystem::path& where, const FileStamp& seen, const Decoder& decoder);
@@ -45,8 +45,8 @@ class ClipPlayer {
 
     /// As ClipSet's.
     ClipFrame frame(int head, int index, Policy policy, StreamingTimes& times) noexcept;
-    /// `cycle`: a number that grows by one in each. Buffering sends the frames of even heads in even cycles, those of odd ones in odd
-    /// cycles; ClipSet starts each player's count where that spreads the heads of all clips evenly.
+    /// `cycle`: a number that grows by one in each. Buffering sends the frames of even heads in even cycles, those of
+    /// odd ones in odd cycles; ClipSet starts each player's count where that spreads the heads of all clips evenly.
     void end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept;
     std::size_t heads() const { return heads_[1].stream != nullptr ? 2u : 1u; }
 

@@ -22,8 +22,8 @@ class ClipSet {
     explicit ClipSet(const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
     ~ClipSet();
 
-    /// Opens clips that are new and lets go of those that are gone. Throws Error (bad_input) for a clip that cannot be used, and
-    /// keeps what it had.
+    /// Opens clips that are new and lets go of those that are gone. Throws Error (bad_input) for a clip that cannot be
+    /// used, and keeps what it had.
     void set(std::span<const SmokeClip> clips, const std::filesystem::path& preset_folder,
              std::span<const std::filesystem::path> search_path);
 
@@ -34,8 +34,8 @@ class ClipSet {
     std::size_t size() const;
     const ClipInfo& info(std::size_t clip) const;
 
-    /// Frame `index` of a clip. `head`: 0, or 1 for the second place that a cross-fade plays at. Under Policy::latest the last
-    /// one that this head showed when it is late (black at first). Called once per clip and head in a cycle.
+    /// Frame `index` of a clip. `head`: 0, or 1 for the second place that a cross-fade plays at. Under Policy::latest
+    /// the last one that this head showed when it is late (black at first). Called once per clip and head in a cycle.
     ClipFrame frame(std::size_t clip, int head, int index, Policy policy) noexcept;
     /// At the end of each cycle, when all is drawn: the paper's FrameCoalescing, and the signal to decode on.
     void end_cycle() noexcept;

@@ -40,7 +40,8 @@ bool ClipStream::is_kept(int index) const {
     return kept_ != nullptr && (*kept_)[static_cast<std::size_t>(index)] != 0;
 }
 
-/// The nearest frames at or after the current one, step by step round the loop, that are not kept. Frames outside the loop come once.
+/// The nearest frames at or after the current one, step by step round the loop, that are not kept. Frames outside the
+/// loop come once.
 void ClipStream::find_window() {
     window_.clear();
     if (resting_) return;
@@ -62,8 +63,8 @@ ClipStream::Slot* ClipStream::find(int index) {
     return found == slots_.end() ? nullptr : &*found;
 }
 
-/// One that nobody needs: neither the render thread nor the next frames, and not the newest, which is shown while decoding is
-/// behind. Rather one that has memory than one that has none.
+/// One that nobody needs: neither the render thread nor the next frames, and not the newest, which is shown while
+/// decoding is behind. Rather one that has memory than one that has none.
 ClipStream::Slot* ClipStream::free_slot() {
     Slot* best = nullptr;
     for (Slot& slot : slots_) {

@@ -1,6 +1,6 @@
-// Frames of one clip, decoded ahead into a fixed ring of buffers (paper: "buffering scheme", table 1: MAX_TEXTURES / streams
-// buffers each; with one buffer it is the "pipeline scheme"). The render thread asks for frames by number and never decodes.
-// All but the constructor and destructor: render thread, noexcept, and nothing is allocated.
+// Frames of one clip, decoded ahead into a fixed ring of buffers (paper: "buffering scheme", table 1: MAX_TEXTURES /
+// streams buffers each; with one buffer it is the "pipeline scheme"). The render thread asks for frames by number and
+// never decodes. All but the constructor and destructor: render thread, noexcept, and nothing is allocated.
 #pragma once
 
 #include <atomic>
@@ -25,8 +25,9 @@ class ClipStream : private DecodePool::Job {
     };
 
     /// `buffers`: at least 1. `kept`, unless null: a byte for each frame of the clip, not 0 for those that need not be
-    /// decoded; it is changed under the pool's mutex only. `memory`: where the frames are decoded to, buffers + spare_slots of them,
-    /// each of the format's bytes or empty; what has none takes its own. `pool`, `kept` and the memory outlive the stream.
+    /// decoded; it is changed under the pool's mutex only. `memory`: where the frames are decoded to, buffers +
+    /// spare_slots of them, each of the format's bytes or empty; what has none takes its own. `pool`, `kept` and the
+    /// memory outlive the stream.
     ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers,
                const std::vector<std::uint8_t>* kept = nullptr, std::span<const std::span<std::uint8_t>> memory = {});
     /// Waits for the frame that is being decoded; a long way to a frame is cut short.
@@ -38,33 +39,37 @@ class ClipStream : private DecodePool::Job {
         int index = -1;                       ///< its number
         int slot = -1;                        ///< of the memory that it is in
     };
-    /// Frame `index`. Under Policy::latest, when it is late: the newest one that there is of a clip that plays on (one that takes
-    /// longer to decode than to play is shown in slow motion), none after a jump. Under Policy::skip, when it is late: the newest one,
-    /// and decoding goes on from `index`. Of a newest one that was taken there is but the number. `waited` grows by the s of waiting.
+    /// Frame `index`. Under Policy::latest, when it is late: the newest one that there is of a clip that plays on (one
+    /// that takes longer to decode than to play is shown in slow motion), none after a jump. Under Policy::skip, when
+    /// it is late: the newest one, and decoding goes on from `index`. Of a newest one that was taken there is but the
+    /// number. `waited` grows by the s of waiting.
     Shown frame(int index, Policy policy, double& waited) noexcept;
     /// A frame among the next ones that is decoded already, or none; it does not move the stream.
     Shown peek(int index) noexcept;
     /// Any decoded frame that is not kept yet.
     Shown peek_any() noexcept;
-    /// The frame that was given last is not needed any more, and `memory` takes the place of its own; empty: nothing does.
+    /// The frame that was given last is not needed any more, and `memory` takes the place of its own; empty: nothing
+    /// does.
     void take(int slot, std::span<std::uint8_t> memory) noexcept;
     /// A slot that has no memory and that nobody reads or writes decodes to this from now on; -1: there is none.
     int give(std::span<std::uint8_t> memory) noexcept;
-    /// The slot of memory that is given to the stream, that nobody reads or writes and that it has too much of; it takes no frame any
-    /// more. -1: none.
+    /// The slot of memory that is given to the stream, that nobody reads or writes and that it has too much of; it
+    /// takes no frame any more. -1: none.
     int give_back() noexcept;
     /// Decode from `index` on, each `step`-th frame.
     void aim(int index, int step = 1) noexcept;
     void set_loop(Loop loop) noexcept;
     /// From now on `buffers` of those it was made with, at least 1.
     void set_buffers(int buffers) noexcept;
-    /// Gives its buffers' memory back if all frames of its loop are kept: true, and a worker closes the file. Until then: false.
+    /// Gives its buffers' memory back if all frames of its loop are kept: true, and a worker closes the file. Until
+    /// then: false.
     bool rest() noexcept;
 
     Work work() const noexcept;
     bool closed() const noexcept;  ///< its file is, since it rests
     std::size_t memory() const noexcept;
-    /// One that the render thread reads, or the newest: besides the buffers, so that decoding ahead never waits for them.
+    /// One that the render thread reads, or the newest: besides the buffers, so that decoding ahead never waits for
+    /// them.
     static constexpr int spare_slots = 1;
 
   private:

@@ -9,8 +9,8 @@ namespace lapfx::media {
 
 namespace {
 
-/// Decoding ahead can wait, a haptic thread cannot: where they share a core, the scheduler is to let the others go first. Linux
-/// keeps the priority of each thread by itself. Where it refuses, nothing is lost but that.
+/// Decoding ahead can wait, a haptic thread cannot: where they share a core, the scheduler is to let the others go
+/// first. Linux keeps the priority of each thread by itself. Where it refuses, nothing is lost but that.
 void let_others_go_first() {
     constexpr int niceness = 10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);

@@ -1,5 +1,5 @@
-// The threads that decode, shared by all clips: each takes the most urgent job there is, so that many clips keep few cores busy
-// and the frame that is needed first comes first.
+// The threads that decode, shared by all clips: each takes the most urgent job there is, so that many clips keep few
+// cores busy and the frame that is needed first comes first.
 #pragma once
 
 #include <condition_variable>
@@ -39,8 +39,8 @@ class DecodePool {
     void join(Job& job);
     /// Waits until the piece that is being worked at is done.
     void leave(Job& job);
-    /// Something may have become urgent. What urgency() looks at was changed under the mutex, or a thread that has just looked sleeps
-    /// on; this itself may be called without it.
+    /// Something may have become urgent. What urgency() looks at was changed under the mutex, or a thread that has just
+    /// looked sleeps on; this itself may be called without it.
     void wake() { work_.notify_one(); }
     /// Waits until a piece is done. Any thread, under the mutex.
     void wait_for_piece(std::unique_lock<std::mutex>& lock) { done_.wait(lock); }

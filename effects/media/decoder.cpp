@@ -175,8 +175,8 @@ void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
     info.index = index;
 }
 
-/// Whether the clip uses the opacity that its pixel format has: GIFs and PNGs have one whether or not they do. Four frames
-/// tell.
+/// Whether the clip uses the opacity that its pixel format has: GIFs and PNGs have one whether or not they do. Four
+/// frames tell.
 bool Decoder::State::brings_opacity() {
     for (int quarter = 0; quarter < 4; ++quarter) {
         const int at = info.frame_count() * quarter / 4;

@@ -52,8 +52,8 @@ class Decoder {
     static constexpr int most_frames = 100'000;
     Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = most_frames,
             const work::Stages& stages = {});
-    /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error (bad_input)
-    /// when the file is gone or no video any more.
+    /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error
+    /// (bad_input) when the file is gone or no video any more.
     Decoder(const std::filesystem::path& path, Layout layout, const ClipInfo& known);
     Decoder(Decoder&&) noexcept;
     Decoder& operator=(Decoder&&) noexcept;
@@ -66,16 +66,16 @@ class Decoder {
     /// Pictures are of this size from now on, whatever the file's.
     void scale_to(glm::ivec2 size);
 
-    /// Frame `index` (0 .. frame_count - 1) into `into`. Going on to the next frame, or forward by a few, decodes those; any
-    /// other jump seeks. A frame that the file cannot give (corrupt, missing, of another size that cannot be scaled) is the last
-    /// good one before it, or black; then false. `stop`, if given, ends a long way to a frame early: false, and `into` is as
-    /// it was. Throws nothing; never opens another file.
+    /// Frame `index` (0 .. frame_count - 1) into `into`. Going on to the next frame, or forward by a few, decodes
+    /// those; any other jump seeks. A frame that the file cannot give (corrupt, missing, of another size that cannot be
+    /// scaled) is the last good one before it, or black; then false. `stop`, if given, ends a long way to a frame
+    /// early: false, and `into` is as it was. Throws nothing; never opens another file.
     bool read(int index, Picture& into, const std::atomic<bool>* stop = nullptr) noexcept;
     /// The same into memory of format().bytes(), which is written once, in order, and not read.
     bool read(int index, std::span<std::uint8_t> into, const std::atomic<bool>* stop = nullptr) noexcept;
 
-    /// Closes the file and gives back what decoding takes, 10 to 13 frames. The next read() opens it again; another file under its
-    /// name, or none, gives no frames then.
+    /// Closes the file and gives back what decoding takes, 10 to 13 frames. The next read() opens it again; another
+    /// file under its name, or none, gives no frames then.
     void rest() noexcept;
     bool rests() const;
 

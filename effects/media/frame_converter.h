@@ -9,8 +9,8 @@
 
 namespace lapfx::media {
 
-/// The colours of a frame's planes, or of the planes that it is converted to: YCbCr stays in its own colour space and range,
-/// the rest becomes BT.601 of full range.
+/// The colours of a frame's planes, or of the planes that it is converted to: YCbCr stays in its own colour space and
+/// range, the rest becomes BT.601 of full range.
 ClipColor color_of(const AVFrame& frame);
 ColorMatrix matrix_of(const ClipColor& color);
 
@@ -25,8 +25,8 @@ class FrameConverter {
     const PictureFormat& format() const { return format_; }
     const ClipColor& color() const { return color_; }
 
-    /// `into`, of the format's bytes, holds the frame, scaled to the format's size; it is written once, in order, and not read.
-    /// Throws std::bad_alloc, or Error for what cannot be converted.
+    /// `into`, of the format's bytes, holds the frame, scaled to the format's size; it is written once, in order, and
+    /// not read. Throws std::bad_alloc, or Error for what cannot be converted.
     void convert(const AVFrame& frame, std::span<std::uint8_t> into);
     /// Nothing to be seen.
     void make_black(std::span<std::uint8_t> into) const;

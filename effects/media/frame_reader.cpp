@@ -15,8 +15,8 @@ namespace {
 
 constexpr int silent = 100;  // above every level of FFmpeg's messages
 
-/// FFmpeg's own VP8 and VP9 decoders leave the opacity out; the ones of the libvpx project, if FFmpeg was built with them, do
-/// not.
+/// FFmpeg's own VP8 and VP9 decoders leave the opacity out; the ones of the libvpx project, if FFmpeg was built with
+/// them, do not.
 const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
     const AVCodecID id = video.codecpar->codec_id;
     const AVDictionaryEntry* alpha = av_dict_get(video.metadata, "alpha_mode", nullptr, 0);
@@ -115,8 +115,8 @@ bool FrameReader::seek(const SeekPoint& point) noexcept {
     return held_;
 }
 
-/// Whether the decoder is emptied before packet_. The repairs of FFmpeg's H.264 decoder borrow from whatever came before,
-/// across IDR pictures; a damaged clip shall show the same bytes, wherever decoding has started.
+/// Whether the decoder is emptied before packet_. The repairs of FFmpeg's H.264 decoder borrow from whatever came
+/// before, across IDR pictures; a damaged clip shall show the same bytes, wherever decoding has started.
 bool FrameReader::starts_anew(const ClipIndex& index) const noexcept {
     if (fresh_ || codec_->codec_id != AV_CODEC_ID_H264) return false;
     const auto point = std::lower_bound(index.points.begin(), index.points.end(), packet_->pts,

@@ -25,7 +25,8 @@ class FrameReader {
     /// To the frame of a seek point; false when it cannot be found so, and then restart() is needed.
     bool seek(const SeekPoint& point) noexcept;
 
-    /// The next frame that decodes without a fault, and its number by `index`. `stop`, if given, is asked between packets.
+    /// The next frame that decodes without a fault, and its number by `index`. `stop`, if given, is asked between
+    /// packets.
     Step next(const ClipIndex& index, AVFrame& frame, int& number, const std::atomic<bool>* stop) noexcept;
 
   private:

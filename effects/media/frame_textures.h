@@ -15,8 +15,8 @@ class FrameTextures {
     FrameTextures() = default;
     FrameTextures(const PictureFormat& format, int layers);
 
-    /// A picture of other bytes than the format's is not sent. `from`: unless null, `bytes` are its memory, and it is unmapped. Gives
-    /// the bytes sent.
+    /// A picture of other bytes than the format's is not sent. `from`: unless null, `bytes` are its memory, and it is
+    /// unmapped. Gives the bytes sent.
     std::size_t upload(int layer, std::span<const std::uint8_t> bytes,
                        const gl::PixelBuffer* from = nullptr) const noexcept;
     ClipFrame frame(int layer, const ColorMatrix& matrix) const noexcept;
@@ -43,8 +43,8 @@ class FrameStore {
     std::size_t memory() const;
     /// What it would take for the frames first..last.
     static std::size_t memory_for(const PictureFormat& format, int frame_count, int first, int last);
-    /// One byte a frame, not 0 where it is there. A worker reads it: mark(), clear() and trim() are called under the lock that the
-    /// worker holds then.
+    /// One byte a frame, not 0 where it is there. A worker reads it: mark(), clear() and trim() are called under the
+    /// lock that the worker holds then.
     const std::vector<std::uint8_t>& present() const { return present_; }
     void clear();
     /// Gives back the memory of what lies outside frames first..last.

@@ -26,9 +26,9 @@ constexpr const char* formats =
     "yuv4mpegpipe,m4v,h263,h264,hevc,mjpeg,gif,apng,png_pipe,jpeg_pipe,jpegls_pipe,jpegxl_pipe,j2k_pipe,webp_pipe,"
     "bmp_pipe,tiff_pipe,qoi_pipe,sgi_pipe,psd_pipe,dpx_pipe,exr_pipe";
 
-/// FFmpeg prints a line for each fault of a file. A library keeps out of its host's stderr, but the level is one for the whole
-/// process: a host that has set one of its own, or a callback (which is not asked for the level), keeps it. INFO is FFmpeg's
-/// default, ERROR the one that OpenCV sets.
+/// FFmpeg prints a line for each fault of a file. A library keeps out of its host's stderr, but the level is one for
+/// the whole process: a host that has set one of its own, or a callback (which is not asked for the level), keeps it.
+/// INFO is FFmpeg's default, ERROR the one that OpenCV sets.
 void quieten() {
     const int level = av_log_get_level();
     if (level == AV_LOG_INFO || level == AV_LOG_ERROR) av_log_set_level(AV_LOG_QUIET);

@@ -13,14 +13,15 @@ constexpr std::int64_t maximum_pixels = std::int64_t{8192} * 8192;
 
 class MediaFile {
   public:
-    /// Throws Error (bad_input): not a plain local file, a playlist, of no known format, without pictures or with too large ones.
+    /// Throws Error (bad_input): not a plain local file, a playlist, of no known format, without pictures or with too
+    /// large ones.
     explicit MediaFile(const std::filesystem::path& path);
     ~MediaFile();
     MediaFile(const MediaFile&) = delete;
     MediaFile& operator=(const MediaFile&) = delete;
 
-    /// To the first packet. The file is the one that was opened, even when its name is gone. Throws as the constructor; then
-    /// there are no more packets.
+    /// To the first packet. The file is the one that was opened, even when its name is gone. Throws as the constructor;
+    /// then there are no more packets.
     void restart();
 
     /// The next packet that holds something of the video; false at the end.

@@ -4,7 +4,8 @@ namespace lapfx::media {
 
 ColorMatrix color_matrix(float red, float blue, bool full_range) {
     const float green = 1.0f - red - blue;
-    // ITU-R BT.601 and BT.709: luma uses 219 of the 255 steps from 16 on and chroma 224 around 128, unless the range is full.
+    // ITU-R BT.601 and BT.709: luma uses 219 of the 255 steps from 16 on and chroma 224 around 128, unless the range is
+    // full.
     const float luma = full_range ? 1.0f : 255.0f / 219.0f, chroma = full_range ? 1.0f : 255.0f / 224.0f;
     const float cb = chroma * 2.0f * (1.0f - blue), cr = chroma * 2.0f * (1.0f - red);
     ColorMatrix color;

@@ -10,8 +10,8 @@ namespace {
 /// Frames come this much early, s, so that rounding of k / fps does not show one of them twice.
 constexpr double early = 1e-6;
 
-/// What is played of a clip, s: from `in`, and every `period` over again; the last `fade` before in + period + fade is laid
-/// over the beginning.
+/// What is played of a clip, s: from `in`, and every `period` over again; the last `fade` before in + period + fade is
+/// laid over the beginning.
 struct Span {
     double in, period, fade;
 };

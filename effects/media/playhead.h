@@ -1,5 +1,5 @@
-// Which frames of a clip are shown at a time: in and out points, speed, loop by cross-fade, seeded start. Pure functions, any
-// thread.
+// Which frames of a clip are shown at a time: in and out points, speed, loop by cross-fade, seeded start. Pure
+// functions, any thread.
 #pragma once
 
 #include "lapfx/preset.h"

@@ -1,4 +1,5 @@
-// The few frames of one place in a clip that are on the GPU while the paper's schemes stream them. Render thread, context current.
+// The few frames of one place in a clip that are on the GPU while the paper's schemes stream them. Render thread,
+// context current.
 #pragma once
 
 #include <span>
@@ -9,8 +10,9 @@
 
 namespace lapfx::media {
 
-/// Pipeline has one texture, buffering four: the frame that is shown, the two after it, and one that the GPU may still be drawing.
-/// Each is a texture of its own, for drivers make whoever writes to a texture wait until the last drawing with it is done.
+/// Pipeline has one texture, buffering four: the frame that is shown, the two after it, and one that the GPU may still
+/// be drawing. Each is a texture of its own, for drivers make whoever writes to a texture wait until the last drawing
+/// with it is done.
 class SentFrames {
   public:
     SentFrames() = default;

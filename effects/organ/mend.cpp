@@ -103,8 +103,8 @@ bool has_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     return area > 1e-7 * std::max({square(b - a), square(c - b), square(a - c)});
 }
 
-/// Leaves out triangles that cannot be drawn, and those that are there already, in whichever part. Each part keeps the range of
-/// what is left of it.
+/// Leaves out triangles that cannot be drawn, and those that are there already, in whichever part. Each part keeps the
+/// range of what is left of it.
 void drop_triangles(Organ& organ, const Usable& usable, Counts& counts) {
     const Weld weld = weld_positions(organ.positions);
     Seen seen(organ.triangle_count());

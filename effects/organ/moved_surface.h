@@ -1,5 +1,5 @@
-// The surface of an organ that the host has moved since it was loaded: where a place on the moved shape lies at rest, and
-// what a ray hits now. Same connectivity, so distances at rest stay. One thread at a time.
+// The surface of an organ that the host has moved since it was loaded: where a place on the moved shape lies at rest,
+// and what a ray hits now. Same connectivity, so distances at rest stay. One thread at a time.
 #pragma once
 
 #include <span>

@@ -63,8 +63,8 @@ std::string map_file(std::istringstream& line, float& bump) {
     return map_name(line);
 }
 
-/// Relative to the OBJ. Of a path that leads elsewhere, which was right on the machine that wrote it, the last name is looked
-/// for beside the OBJ. Throws Error.
+/// Relative to the OBJ. Of a path that leads elsewhere, which was right on the machine that wrote it, the last name is
+/// looked for beside the OBJ. Throws Error.
 fs::path texture_path(const fs::path& folder, std::string name) {
     std::replace(name.begin(), name.end(), '\\', '/');
     try {

@@ -10,9 +10,9 @@
 
 namespace lapfx::organ {
 
-/// Appends the materials of the libraries, and their textures, to `organ`; each file is read once, however often and under
-/// whichever names it is asked for. A library or texture that is missing or broken is a warning: an OBJ is often passed on
-/// without them.
+/// Appends the materials of the libraries, and their textures, to `organ`; each file is read once, however often and
+/// under whichever names it is asked for. A library or texture that is missing or broken is a warning: an OBJ is often
+/// passed on without them.
 void read_mtl(const std::vector<std::string>& libraries, const std::filesystem::path& folder, RawOrgan& organ);
 
 }  // namespace lapfx::organ

@@ -1,8 +1,9 @@
 // OBJ text as polygons.
 //
-// Not through OpenMesh 9.0: its OBJ reader takes repeated corners out of a polygon, so that a ring cut open around a hole loses
-// its hole and two triangles, forgets a vertex whose coordinates are no numbers and so shifts all indices after it, reads past an
-// empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its texture.
+// Not through OpenMesh 9.0: its OBJ reader takes repeated corners out of a polygon, so that a ring cut open around a
+// hole loses its hole and two triangles, forgets a vertex whose coordinates are no numbers and so shifts all indices
+// after it, reads past an empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its
+// texture.
 #pragma once
 
 #include <string>
@@ -26,8 +27,8 @@ struct ObjText {
     std::vector<std::string> libraries;  ///< mtllib
 };
 
-/// v (with colours), vt, vn, vc, f and what groups them; all else is skipped. A line that makes no sense never shifts the numbers
-/// of others: such a vertex lies at infinity, such a face is counted as unreadable.
+/// v (with colours), vt, vn, vc, f and what groups them; all else is skipped. A line that makes no sense never shifts
+/// the numbers of others: such a vertex lies at infinity, such a face is counted as unreadable.
 ObjText read_obj_text(std::string_view source);
 
 /// What a whole line names if it is the statement mtllib, as read_obj_text() takes it; empty: it names none.

@@ -66,8 +66,9 @@ void set_corners(std::string& stl, std::size_t facet, const std::array<glm::vec3
     std::memcpy(stl.data() + stl_header + facet * stl_triangle + sizeof(glm::vec3), corners.data(), sizeof corners);
 }
 
-/// OpenMesh joins corners with an ordered map, which a NaN would spoil, and keeps those facets from us two of whose corners are
-/// one. What is not finite becomes so large that mend() leaves the facet out for that, and another number at each corner.
+/// OpenMesh joins corners with an ordered map, which a NaN would spoil, and keeps those facets from us two of whose
+/// corners are one. What is not finite becomes so large that mend() leaves the facet out for that, and another number
+/// at each corner.
 void replace_not_finite(std::string& stl, std::size_t facets) {
     constexpr float huge = 1e30f;
     for (std::size_t facet = 0; facet < facets; ++facet) {
@@ -124,8 +125,9 @@ float number_of(std::string_view word) {
                                                                              : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// A text STL as a binary one. OpenMesh's reader of the text is not asked: it takes the three lines behind any "outer" for corners,
-/// also behind one in the name of the solid, and what is no number for 0. A corner that is missing, or no number, is NaN here.
+/// A text STL as a binary one. OpenMesh's reader of the text is not asked: it takes the three lines behind any "outer"
+/// for corners, also behind one in the name of the solid, and what is no number for 0. A corner that is missing, or no
+/// number, is NaN here.
 class BinaryOf {
   public:
     explicit BinaryOf(std::string_view text) {

@@ -27,8 +27,8 @@ class Packing {
     void leave_out(PackedKind kind, const std::filesystem::path& file) { known_.try_emplace({kind, file}); }
     /// The name of a picture in the pack; empty: it is none that can be decoded.
     std::string add_picture(const std::filesystem::path& file);
-    /// The name of a buffer in the pack, of which at least `length` bytes come along. Throws Error (bad_input), which names `what`
-    /// at `place` in `mesh`: it cannot be read, or is shorter.
+    /// The name of a buffer in the pack, of which at least `length` bytes come along. Throws Error (bad_input), which
+    /// names `what` at `place` in `mesh`: it cannot be read, or is shorter.
     std::string add_buffer(const std::filesystem::path& file, std::size_t length, const std::string& mesh,
                            const std::string& place, const std::string& what);
     /// A name that no file has.

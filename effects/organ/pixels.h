@@ -1,5 +1,5 @@
-// The pixels of an organ's images. Decoded they are the most of a textured organ: they are kept while somebody needs them, and
-// decoded once more when somebody does again. Any thread.
+// The pixels of an organ's images. Decoded they are the most of a textured organ: they are kept while somebody needs
+// them, and decoded once more when somebody does again. Any thread.
 //
 //     Pixels pixels(std::move(image), encoded);
 //     pixels.let_go();                           // they have been sent to the GPU
@@ -58,8 +58,8 @@ using PixelList = std::vector<std::shared_ptr<const Pixels>>;
 PixelList take_pixels(Organ& organ, const std::vector<Encoded>& encoded);
 /// Copies of the base-colour images of an organ that somebody else may free.
 PixelList copied_pixels(const Organ& organ);
-/// The same of an organ that has taken another one's place: an image with a size and no pixels has those of `former` if index, name
-/// and size are the same.
+/// The same of an organ that has taken another one's place: an image with a size and no pixels has those of `former` if
+/// index, name and size are the same.
 PixelList copied_pixels(const Organ& organ, const PixelList& former);
 /// The same of an organ that outlives them.
 PixelList borrowed_pixels(const Organ& organ);

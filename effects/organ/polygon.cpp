@@ -1,6 +1,6 @@
-// Ears are cut here and not by a library: GLU's tessellator, the one that Debian has for C++ under a licence of ours, brings
-// libOpenGL into a core that links no OpenGL, and makes one vertex of corners at the same place, whose texture coordinates
-// differ.
+// Ears are cut here and not by a library: GLU's tessellator, the one that Debian has for C++ under a licence of ours,
+// brings libOpenGL into a core that links no OpenGL, and makes one vertex of corners at the same place, whose texture
+// coordinates differ.
 #include "organ/polygon.h"
 
 namespace lapfx::organ {
@@ -9,8 +9,8 @@ namespace {
 
 /// Cutting ears takes time with the square of the corners; no sane polygon has more.
 constexpr std::size_t most_corners_for_ears = 1024;
-/// For each corner of a ring so many corners are tried as ears: a ring that does not cross itself does with two, and what goes on
-/// without end is none.
+/// For each corner of a ring so many corners are tried as ears: a ring that does not cross itself does with two, and
+/// what goes on without end is none.
 constexpr std::size_t most_tries = 8;
 
 using Ring = std::vector<glm::dvec2>;
@@ -103,8 +103,8 @@ class Ears {
         return none;
     }
 
-    /// A corner that was no ear is tried again when the one beside it has been cut off, and once more when none is found: where
-    /// corners lie at the same place, others may have been in the way, too.
+    /// A corner that was no ear is tried again when the one beside it has been cut off, and once more when none is
+    /// found: where corners lie at the same place, others may have been in the way, too.
     std::size_t first_ear(std::size_t start) {
         const auto try_it = [&](std::size_t i) {
             char& no_ear = no_ear_[left_[i]];

@@ -1,6 +1,6 @@
-// refine(): triangles that are too large for blood are split at the middles of their long edges, again and again. Whether an
-// edge is split follows from its two ends alone, so the triangles on both sides agree and no crack opens, also where a texture
-// seam parts them: the copies of a point count as one place.
+// refine(): triangles that are too large for blood are split at the middles of their long edges, again and again.
+// Whether an edge is split follows from its two ends alone, so the triangles on both sides agree and no crack opens,
+// also where a texture seam parts them: the copies of a point count as one place.
 #include "organ/refine.h"
 
 #include <algorithm>
@@ -26,7 +26,8 @@ double squared(const glm::vec3& a, const glm::vec3& b) {
     return glm::dot(edge, edge);
 }
 
-/// Which corners an uncut triangle is divided into: 0 to 2 are its own, 3 to 5 the middles of the edges that start there.
+/// Which corners an uncut triangle is divided into: 0 to 2 are its own, 3 to 5 the middles of the edges that start
+/// there.
 struct Pattern {
     int count = 0;
     std::array<std::array<int, 3>, 4> triangles{};
@@ -175,8 +176,8 @@ class Refiner {
         known_;  // the vertices that a midpoint lies between, the smaller first
 };
 
-/// How many triangles there are at least once no edge is longer than a length: none of them is larger than the one whose three
-/// edges are as long as that, and each piece of a triangle's longest edge belongs to another one.
+/// How many triangles there are at least once no edge is longer than a length: none of them is larger than the one
+/// whose three edges are as long as that, and each piece of a triangle's longest edge belongs to another one.
 class AtLeast {
   public:
     void add(const Corners& p) {
@@ -226,9 +227,9 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
     int step = 0;
     std::size_t made = made_by(step);
     if (made > most) {
-        // The first step that will do: most often that of the estimate; of long and thin triangles, which it says little of,
-        // found by doubling strides, then by halves. Not for step 0: what lies too far out for floats between its ends is
-        // less than the estimate.
+        // The first step that will do: most often that of the estimate; of long and thin triangles, which it says
+        // little of, found by doubling strides, then by halves. Not for step 0: what lies too far out for floats
+        // between its ends is less than the estimate.
         int too_fine = 0;
         for (step = 1; at_least.triangles(length_of(step)) > static_cast<double>(most); ++step) too_fine = step;
         for (int stride = 1; (made = made_by(step)) > most; stride *= 2) {

@@ -8,10 +8,11 @@
 
 namespace lapfx::organ {
 
-/// Edges longer than this are split, mm: a lobe of the noise at the edge of the blood, by default. A pool of 6 mm is then within
-/// 2 % of its area on a mesh of any fineness.
+/// Edges longer than this are split, mm: a lobe of the noise at the edge of the blood, by default. A pool of 6 mm is
+/// then within 2 % of its area on a mesh of any fineness.
 constexpr double longest_wanted = 4.5;
-/// So many triangles at most come on top of those that are there. An organ does with less; a room or a wrong unit does not.
+/// So many triangles at most come on top of those that are there. An organ does with less; a room or a wrong unit does
+/// not.
 constexpr std::size_t most_added = 400'000;
 
 struct RefinePlan {

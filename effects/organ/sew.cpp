@@ -9,11 +9,11 @@ namespace lapfx::organ {
 
 namespace {
 
-/// How far apart two ends may lie to be one, of the shortest edge at them. Seams that were written with few digits, or whose
-/// two sides were quantized on their own, are torn by a few thousandths.
+/// How far apart two ends may lie to be one, of the shortest edge at them. Seams that were written with few digits, or
+/// whose two sides were quantized on their own, are torn by a few thousandths.
 constexpr double of_shortest_edge = 0.01;
-/// Where the mesh is so fine that rounding itself is more than that: units in the last place, and no more of the shortest edge
-/// than this.
+/// Where the mesh is so fine that rounding itself is more than that: units in the last place, and no more of the
+/// shortest edge than this.
 constexpr double roundings = 4.0, most_of_shortest_edge = 0.05;
 /// Two triangles that make a smaller angle at their edge (10 degrees) lie on one another: a sheet beside a sheet.
 constexpr double folded = 0.985;

@@ -35,9 +35,9 @@ struct Soup {
 /// 0..1 as files and screens have it, to linear.
 glm::vec4 linear_color(const glm::vec4& srgb);
 
-/// Triangulates the faces, splits the vertices where texture coordinates differ, and adds the parts to `organ` with what there
-/// is to say of the faces. `parts` have the names and materials. Vertices that no face uses stay in the first part, so that they
-/// are counted later.
+/// Triangulates the faces, splits the vertices where texture coordinates differ, and adds the parts to `organ` with
+/// what there is to say of the faces. `parts` have the names and materials. Vertices that no face uses stay in the
+/// first part, so that they are counted later.
 void add_parts(const Soup& soup, std::vector<RawPart> parts, RawOrgan& organ);
 
 }  // namespace lapfx::organ

@@ -1,7 +1,8 @@
 // The surface of an organ as one sheet, for distances along it and for pointing at it.
 //
 // Vertices of the organ at the same position are one point here, and so are those of seams that rounding has torn
-// (organ/weld.h), so that a texture seam or a flat-shaded edge does not cut the surface. Built once for an organ; all queries are const and may run on any thread.
+// (organ/weld.h), so that a texture seam or a flat-shaded edge does not cut the surface. Built once for an organ; all
+// queries are const and may run on any thread.
 #pragma once
 
 #include <array>
@@ -48,9 +49,9 @@ class Surface {
     bool closest_on_other_component(const glm::dvec3& point, std::uint32_t component_of_point, double within,
                                     SurfacePoint& place) const;
 
-    /// All points within `radius` mm of `centre`, of whatever part of the surface, replacing what `out` held; each once, in
-    /// an order that depends on the surface alone. Points without a triangle are never found. Allocates only to
-    /// grow `out`.
+    /// All points within `radius` mm of `centre`, of whatever part of the surface, replacing what `out` held; each
+    /// once, in an order that depends on the surface alone. Points without a triangle are never found. Allocates only
+    /// to grow `out`.
     void points_within(const glm::dvec3& centre, double radius, std::vector<std::uint32_t>& out) const;
 
     /// The first place that the ray hits, from either side; false when it misses. `direction` need not be
@@ -60,8 +61,8 @@ class Surface {
     /// Every point within `radius` mm of the straight path from `a` to `b`, ascending, whichever component it is of.
     std::vector<std::uint32_t> points_near(const glm::dvec3& a, const glm::dvec3& b, double radius) const;
 
-    /// The triangle on the other side of the edge (p, q) of `triangle`; false at a boundary. Of several (a non-manifold edge)
-    /// the lowest.
+    /// The triangle on the other side of the edge (p, q) of `triangle`; false at a boundary. Of several (a non-manifold
+    /// edge) the lowest.
     bool across(std::uint32_t triangle, std::uint32_t p, std::uint32_t q, std::uint32_t& other) const;
 
     double area(std::uint32_t triangle) const;  ///< mm2, at rest

@@ -1,6 +1,6 @@
-// A tree of boxes over triangles: the nearest place, the first hit of a ray, what lies near a path. It keeps no triangles of
-// its own: every call is given the same ones that it was built for, in the same or (after refit) a moved shape.
-// Queries are const, allocate nothing but their result, and may run on any thread.
+// A tree of boxes over triangles: the nearest place, the first hit of a ray, what lies near a path. It keeps no
+// triangles of its own: every call is given the same ones that it was built for, in the same or (after refit) a moved
+// shape. Queries are const, allocate nothing but their result, and may run on any thread.
 #pragma once
 
 #include <array>
@@ -35,20 +35,21 @@ struct ComponentFilter {
 class TriangleTree {
   public:
     void build(TriangleMesh mesh);
-    /// The boxes after the points have moved; the tree itself stays, so queries slow down as the shape leaves the one it was
-    /// built for.
+    /// The boxes after the points have moved; the tree itself stays, so queries slow down as the shape leaves the one
+    /// it was built for.
     void refit(TriangleMesh mesh) noexcept;
     bool empty() const { return nodes_.empty(); }
 
-    /// The place nearest to `point`, if there is one nearer than `within`; of equally near ones, that of the lowest triangle.
+    /// The place nearest to `point`, if there is one nearer than `within`; of equally near ones, that of the lowest
+    /// triangle.
     bool nearest(TriangleMesh mesh, const glm::dvec3& point, SurfacePoint& place,
                  double within = std::numeric_limits<double>::infinity(), ComponentFilter filter = {}) const;
 
     /// The first place that the ray hits, from either side. `direction` need not be of unit length.
     bool first_hit(TriangleMesh mesh, const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 
-    /// Calls visit(triangle) for every triangle that comes within `radius` of the straight path from `a` to `b`, and for some
-    /// that lie a little farther off.
+    /// Calls visit(triangle) for every triangle that comes within `radius` of the straight path from `a` to `b`, and
+    /// for some that lie a little farther off.
     template <class Visit>
     void near_path(const glm::dvec3& a, const glm::dvec3& b, double radius, Visit visit) const {
         if (nodes_.empty()) return;

@@ -18,10 +18,11 @@ struct Weld {
 /// Joins vertices whose coordinates are equal; -0 equals 0. Vertices with a NaN stay single.
 Weld weld_positions(std::span<const glm::vec3> positions);
 
-/// weld_positions(), and seams that rounding has torn are sewn: two open edges are joined when both their ends lie within a
-/// hundredth of the shortest edge there, or within the rounding of a float, and the surface goes on across them. Sheets that lie
-/// on one another, closed bodies that touch, and open edges that come near in any other way stay apart; no edge loses its length.
-/// `indices`: three of each triangle, all in range. Time grows with the number of triangles.
+/// weld_positions(), and seams that rounding has torn are sewn: two open edges are joined when both their ends lie
+/// within a hundredth of the shortest edge there, or within the rounding of a float, and the surface goes on across
+/// them. Sheets that lie on one another, closed bodies that touch, and open edges that come near in any other way stay
+/// apart; no edge loses its length. `indices`: three of each triangle, all in range. Time grows with the number of
+/// triangles.
 Weld weld_surface(std::span<const glm::vec3> positions, std::span<const std::uint32_t> indices);
 
 /// The first vertex of each point.

@@ -1,5 +1,5 @@
-// What is written beside its place. A lock tells an ended process's from a running one's: pids are used again, mean other
-// processes in another container and nothing on another machine.
+// What is written beside its place. A lock tells an ended process's from a running one's: pids are used again, mean
+// other processes in another container and nothing on another machine.
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -46,7 +46,8 @@ bool is_ours(std::string_view name) {
     return end - dash - 1 == random_digits;
 }
 
-/// Locked, with nobody else at it. What cannot be locked (file systems without locks) cannot be found to be left behind either.
+/// Locked, with nobody else at it. What cannot be locked (file systems without locks) cannot be found to be left behind
+/// either.
 bool take(int descriptor) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
     struct stat found {};

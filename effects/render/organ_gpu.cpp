@@ -171,9 +171,9 @@ void OrganGpu::draw(const glm::mat4& model, const TouchedTriangles* touched) con
     glDisable(GL_BLEND);
     glDisable(GL_POLYGON_OFFSET_FILL);
     glBindVertexArray(vertex_array_.name());
-    // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program draws the
-    // triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth, or lies
-    // behind it (draw_plain), and is not shaded again.
+    // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program
+    // draws the triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth,
+    // or lies behind it (draw_plain), and is not shaded again.
     if (wounded_.name() != 0) draw_wounded(model, touched);
     draw_plain(model);
 }
@@ -191,9 +191,9 @@ void OrganGpu::draw_wounded(const glm::mat4& model, const TouchedTriangles* touc
     }
 }
 
-/// Splitting has changed neither the shape nor what is linear in a triangle, so tissue that nothing has happened to is drawn as
-/// it was given: fewer triangles. Rounding sets their depth off, so they step back by more than that behind the wounded ones.
-/// Drawing them all leaves no crack where they meet. What the overlays show is known at every vertex.
+/// Splitting has changed neither the shape nor what is linear in a triangle, so tissue that nothing has happened to is
+/// drawn as it was given: fewer triangles. Rounding sets their depth off, so they step back by more than that behind
+/// the wounded ones. Drawing them all leaves no crack where they meet. What the overlays show is known at every vertex.
 void OrganGpu::draw_plain(const glm::mat4& model) const noexcept {
     const bool unsplit = !unsplit_parts_.empty() && midway_ && overlay_ == Overlay::none;
     if (unsplit) {
@@ -218,7 +218,8 @@ void OrganGpu::use(const gl::Program& program, const glm::mat4& model) const noe
 
 void OrganGpu::use(const gl::Program& program, const Part& part) const noexcept {
     const Material& material = materials_[static_cast<std::size_t>(part.material)];
-    // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never culled.
+    // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never
+    // culled.
     const bool cull = !tissue_ && !material.double_sided;
     cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);
     glBindTextureUnit(0, material.base_color);

@@ -22,17 +22,17 @@ struct DensityPicture {
 
 class OrganGpu {
   public:
-    /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument, which neither
-    /// bleeds nor chars. `pixels`: of the images that have none themselves. `unsplit`: what the organ was split from. Throws Error
-    /// (runtime) when the shader does not compile.
+    /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument,
+    /// which neither bleeds nor chars. `pixels`: of the images that have none themselves. `unsplit`: what the organ was
+    /// split from. Throws Error (runtime) when the shader does not compile.
     OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {},
              const organ::Unsplit& unsplit = {});
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
     /// bytes sent.
     std::size_t send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
-    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue. `midway`: those that splitting has
-    /// made still lie midway between their two.
+    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue. `midway`: those that
+    /// splitting has made still lie midway between their two.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, bool midway);
     /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
     void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
@@ -43,7 +43,8 @@ class OrganGpu {
     std::size_t texture_memory() const;   ///< bytes on the GPU
     /// Every program of it, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
-    /// `model`: organ space to scene space, rigid. `touched`: all triangles with blood or marks; null: any may have some.
+    /// `model`: organ space to scene space, rigid. `touched`: all triangles with blood or marks; null: any may have
+    /// some.
     void draw(const glm::mat4& model, const TouchedTriangles* touched = nullptr) const noexcept;
 
   private:

@@ -1,5 +1,6 @@
-// Which triangles anything has happened to: the few that the costly program has to look at. Kept by runs of neighbouring
-// triangles, so that they are drawn in a few calls; some more count than need. Allocates nothing after construction.
+// Which triangles anything has happened to: the few that the costly program has to look at. Kept by runs of
+// neighbouring triangles, so that they are drawn in a few calls; some more count than need. Allocates nothing after
+// construction.
 #pragma once
 
 #include <algorithm>

@@ -1,8 +1,8 @@
 // Bars that were put around a clip's picture. Pure; any thread.
 //
-// The outermost lines of a side are a bar where they are of one colour in all pictures and the picture begins all at once behind
-// them: along the whole line, or, before a background of the bar's own colour, where smoke comes and goes. Smoke that ends by
-// itself fades, and not along one line; a logo stands still.
+// The outermost lines of a side are a bar where they are of one colour in all pictures and the picture begins all at
+// once behind them: along the whole line, or, before a background of the bar's own colour, where smoke comes and goes.
+// Smoke that ends by itself fades, and not along one line; a logo stands still.
 #pragma once
 
 #include <array>

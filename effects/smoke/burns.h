@@ -1,6 +1,6 @@
-// What makes smoke of all that the tool does: hot pieces of its log while the tip touches tissue, and suction, which clears it. Heat
-// in the air burns nothing; where a path leaves the tissue its piece is divided. Parts of one stroke that follow without a gap are
-// one burn: what one plume of source smoke comes from.
+// What makes smoke of all that the tool does: hot pieces of its log while the tip touches tissue, and suction, which
+// clears it. Heat in the air burns nothing; where a path leaves the tissue its piece is divided. Parts of one stroke
+// that follow without a gap are one burn: what one plume of source smoke comes from.
 //
 // A function of the log and the tissue. One thread at a time.
 #pragma once

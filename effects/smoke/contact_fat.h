@@ -1,9 +1,9 @@
 // How fat the tissue under a hot contact is: what its smoke and its specks depend on. One thread at a time.
 //
-// The mean over places along the path, both ends included, `spacing` apart: closer than the tip's region of influence is wide,
-// so nothing lies between them unseen, and at most `most_places`. Asking the tissue costs about 0.1 ms, and a contact that is
-// going on changes in every frame: places are rounded to a grid finer than the region, and what was asked there is kept. The
-// result is still a function of the contact alone, whenever and in how many steps it came.
+// The mean over places along the path, both ends included, `spacing` apart: closer than the tip's region of influence
+// is wide, so nothing lies between them unseen, and at most `most_places`. Asking the tissue costs about 0.1 ms, and a
+// contact that is going on changes in every frame: places are rounded to a grid finer than the region, and what was
+// asked there is kept. The result is still a function of the contact alone, whenever and in how many steps it came.
 #pragma once
 
 #include <functional>

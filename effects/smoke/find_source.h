@@ -1,9 +1,10 @@
 // Where the smoke of a clip starts, out of its opacity over time. Pure; any thread.
 //
 // 1. A clip that begins without smoke shows it: where the first smoke is.
-// 2. Else smoke stays at its source and moves away from it. The places that nearly always have smoke are taken, and of them those
-//    that lie farthest against the way that it moves: the root of the plume. The way is the shift under which pictures that
-//    follow each other are most alike; smoke that hardly moves as a whole is taken to rise.
+// 2. Else smoke stays at its source and moves away from it. The places that nearly always have smoke are taken, and of
+// them those
+//    that lie farthest against the way that it moves: the root of the plume. The way is the shift under which pictures
+//    that follow each other are most alike; smoke that hardly moves as a whole is taken to rise.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -27,8 +28,8 @@ struct FoundSource {
     glm::dvec2 way{0.0, -1.0};    ///< unit, where it moves to
 };
 
-/// `pictures`: over the whole clip. `later`: a moment after each, for the way; parallel. `first`: of the clip's beginning, close to
-/// each other; may be empty.
+/// `pictures`: over the whole clip. `later`: a moment after each, for the way; parallel. `first`: of the clip's
+/// beginning, close to each other; may be empty.
 FoundSource find_source(std::span<const OpacityGrid> pictures, std::span<const OpacityGrid> later,
                         std::span<const OpacityGrid> first);
 

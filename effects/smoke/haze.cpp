@@ -15,8 +15,8 @@ bool counts(const Span& span) {
     return std::isfinite(span.start) && std::isfinite(span.end) && span.end > span.start;
 }
 
-/// The earliest time at which two lists of spans differ; `never` when they do not. Where only an end has moved, it is the
-/// earlier of both ends: what started before goes on as before.
+/// The earliest time at which two lists of spans differ; `never` when they do not. Where only an end has moved, it is
+/// the earlier of both ends: what started before goes on as before.
 template <class Span>
 double first_difference(std::span<const Span> before, std::span<const Span> now) {
     double first = never;
@@ -106,7 +106,8 @@ void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction
 double HazeCurve::at(const Piece& piece, double time) const noexcept {
     const double passed = time - piece.start;
     const double loss = ventilation_ + (piece.suctions > 0 ? suction_ : 0.0);
-    // The integral of exp(-loss * s) over what has passed; expm1 keeps it exact as the loss goes to 0, where it is that time.
+    // The integral of exp(-loss * s) over what has passed; expm1 keeps it exact as the loss goes to 0, where it is that
+    // time.
     const double integral = loss > 1e-9 ? -std::expm1(-loss * passed) / loss : passed;
     double made = piece.factor * integral;
     if (piece.slope != 0.0) made += piece.slope * rising_integral(loss, passed);

@@ -1,11 +1,12 @@
-// Density of the environmental smoke over time, in closed form, so that any time can be asked for in any order. Any thread, one
-// at a time for set().
+// Density of the environmental smoke over time, in closed form, so that any time can be asked for in any order. Any
+// thread, one at a time for set().
 //
-//   dE/dt = accumulation * factor(t) * emission(t) - (ventilation + suction while any runs) * E,   E = 0 before the first emission
+//   dE/dt = accumulation * factor(t) * emission(t) - (ventilation + suction while any runs) * E,   E = 0 before the
+//   first emission
 //
-// The factor is the scene's (lapfx/curves.h), linear between two of its points. Between two moments at which something starts or
-// ends, or at which the factor has a point, the emission is linear and the loss constant, and the solution is an exponential and
-// a line; set() works out the value at each of these moments, density() goes on from the last one.
+// The factor is the scene's (lapfx/curves.h), linear between two of its points. Between two moments at which something
+// starts or ends, or at which the factor has a point, the emission is linear and the loss constant, and the solution is
+// an exponential and a line; set() works out the value at each of these moments, density() goes on from the last one.
 #pragma once
 
 #include <span>
@@ -35,8 +36,9 @@ struct Suction {
 
 class HazeCurve {
   public:
-    /// In any order. Spans that end before they start, or are not finite, count as nothing. Works out anew only what lies behind
-    /// the first change since the call before: of both lists, the first so many are as they were then, and cost nothing.
+    /// In any order. Spans that end before they start, or are not finite, count as nothing. Works out anew only what
+    /// lies behind the first change since the call before: of both lists, the first so many are as they were then, and
+    /// cost nothing.
     void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
              const FactorCurve& factor = {}, std::size_t same_emissions = 0, std::size_t same_suctions = 0);
 

@@ -1,7 +1,8 @@
 // Pictures of keying on the CPU.
 //
-// Choke and feather look at places off the pixels' middles. All pixels look equally far off, so that the four weights of a place
-// between pixels are the same all over: whole planes are moved, a row at a time, rather than single places looked up.
+// Choke and feather look at places off the pixels' middles. All pixels look equally far off, so that the four weights
+// of a place between pixels are the same all over: whole planes are moved, a row at a time, rather than single places
+// looked up.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -37,7 +38,8 @@ std::uint8_t srgb_byte(float linear) {
     return byte(255.0f * glm::convertLinearToSRGB(glm::vec3(glm::clamp(linear, 0.0f, 1.0f))).x);
 }
 
-/// The sRGB bytes of linear light 0..1 in steps fine enough for a quarter of a code value; pow() for each pixel is slow.
+/// The sRGB bytes of linear light 0..1 in steps fine enough for a quarter of a code value; pow() for each pixel is
+/// slow.
 const std::vector<std::uint8_t>& srgb_table() {
     static const std::vector<std::uint8_t> table = [] {
         std::vector<std::uint8_t> bytes(16385);
@@ -161,7 +163,8 @@ class RowKeyer {
             out[x] *= std::min(std::max(value, 0.0f), 1.0f);
         }
     }
-    /// Haze is drawn within its part alone, where looking beyond its edges gives what is at them; outside it is nothing here.
+    /// Haze is drawn within its part alone, where looking beyond its edges gives what is at them; outside it is nothing
+    /// here.
     void look_through_window(int y, glm::vec2 offset, float* __restrict out) {
         for (int x = 0; x < frame_.size.x; ++x) {
             const glm::vec2 here = glm::vec2(x, y) + 0.5f;

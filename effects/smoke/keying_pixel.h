@@ -1,5 +1,5 @@
-// The CPU reference of shaders/keying.glsl, window.glsl and edges.glsl, line for line. tests/parity/keying_test.cpp holds them
-// together. Pure functions, any thread. Code values 0..255.
+// The CPU reference of shaders/keying.glsl, window.glsl and edges.glsl, line for line. tests/parity/keying_test.cpp
+// holds them together. Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <algorithm>
@@ -80,8 +80,8 @@ inline constexpr glm::vec2 edge_directions[8] = {
     {1.0f, 0.0f},  {0.70710678f, 0.70710678f},   {0.0f, 1.0f},  {-0.70710678f, 0.70710678f},
     {-1.0f, 0.0f}, {-0.70710678f, -0.70710678f}, {0.0f, -1.0f}, {0.70710678f, -0.70710678f}};
 
-/// The least opacity here and `choke` pixels away in eight directions: edges move inwards. `opacity_at`: float(glm::vec2), the
-/// keyed opacity at a place of the clip, pixels.
+/// The least opacity here and `choke` pixels away in eight directions: edges move inwards. `opacity_at`:
+/// float(glm::vec2), the keyed opacity at a place of the clip, pixels.
 template <typename OpacityAt>
 float choked(const OpacityAt& opacity_at, glm::vec2 position, float choke) {
     float least = opacity_at(position);

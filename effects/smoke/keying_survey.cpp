@@ -195,8 +195,8 @@ class Suggester {
         smoke_.hard_edges = share(hard, pairs);
     }
 
-    /// Luma beyond the background at which smoke is whole. Smoke of one opacity piles up at one luma; of thin smoke there is the
-    /// less the brighter it is. `most`: what no smoke is beyond.
+    /// Luma beyond the background at which smoke is whole. Smoke of one opacity piles up at one luma; of thin smoke
+    /// there is the less the brighter it is. `most`: what no smoke is beyond.
     double whole(double assumed, double most, KeyingSuggestion& found) const {
         const double brightest = smoke_.amount.quantile(0.995);
         const double top = smoke_.amount.within(0.85 * brightest, 1.02 * brightest);
@@ -207,7 +207,8 @@ class Suggester {
         const double level = smoke_.amount.peak(0.8 * brightest, brightest + 4.0, 5.0);
         found.least_opacity = std::min(level / most, 1.0);
         if (dark_) return level;  // soot is rare: what is grey all over before something bright hides it
-        // As bright as white it has the least opacity; whole, the least brightness. In the middle the error is least at worst.
+        // As bright as white it has the least opacity; whole, the least brightness. In the middle the error is least at
+        // worst.
         return level / (0.5 * (1.0 + found.least_opacity));
     }
 

@@ -28,8 +28,8 @@ struct Layer {
     std::uint32_t seed = 0;
 };
 
-/// One element of the uniform block LapfxSmokeLayers of shaders/smoke_layer.glsl, std140; as large as what the start of a bound
-/// range may have to be aligned to.
+/// One element of the uniform block LapfxSmokeLayers of shaders/smoke_layer.glsl, std140; as large as what the start of
+/// a bound range may have to be aligned to.
 struct alignas(256) LayerBlock {
     glm::vec4 code_rows[3];
     glm::vec4 luma_chroma, key, vary, amount, turn, tile, chroma_scale;

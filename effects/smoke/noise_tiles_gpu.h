@@ -1,6 +1,6 @@
-// The noise on each layer's opacity, drawn into a tile of one small texture before the layers read it: evaluating it at every
-// pixel of every layer would cost more than all the rest of the smoke. A tile covers its clip once and is filtered linearly,
-// so there is neither seam nor repeat. Render thread, context current.
+// The noise on each layer's opacity, drawn into a tile of one small texture before the layers read it: evaluating it at
+// every pixel of every layer would cost more than all the rest of the smoke. A tile covers its clip once and is
+// filtered linearly, so there is neither seam nor repeat. Render thread, context current.
 #pragma once
 
 #include <cstdint>

@@ -1,33 +1,35 @@
 // The parameters of smoke (paper: "Smoke generation", figures 1 and 2).
 //
-// Keying makes transparent smoke out of a clip that was filmed before a plain background, per pixel, in 8-bit code values
-// (shaders/keying.glsl, smoke/keying_pixel.h):
+// Keying makes transparent smoke out of a clip that was filmed before a plain background, per pixel, in 8-bit code
+// values (shaders/keying.glsl, smoke/keying_pixel.h):
 //
 //   l     = ramp(Y, luma_low, luma_high); polarity dark: of 255 - Y
 //   c     = ramp(distance of (Cb, Cr) from key_color's, chroma_low, chroma_high); 1 when both bounds are 0
 //   alpha = l * c * (1 + noise_strength * noise(position / noise_scale, drifting by noise_drift)), within 0..1
 //
-// The ramps are linear: mixing smoke of one colour over a flat background is. A plume is a quad at the tool tip; when the
-// tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical thickness E:
+// The ramps are linear: mixing smoke of one colour over a flat background is. A plume is a quad at the tool tip; when
+// the tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical thickness E:
 //
 //   emission = power * (1 + fat_gain * fat density under the tool), for the plume too
 //   dE/dt = accumulation * emission - (ventilation + suction while one runs) * E
 //   transmission per channel = (1 - alpha) ^ extinction;  picture = picture * transmission + color * (1 - transmission)
 //
 // Why these defaults:
-// - luma 16 to 200: black of a video signal to the brightest smoke of clips lit from the side; chroma off, since clips on
+// - luma 16 to 200: black of a video signal to the brightest smoke of clips lit from the side; chroma off, since clips
+// on
 //   black carry no colour; spill 0 for the same reason.
 // - noise: lobes of a quarter of the clip, a third of alpha, drifting 0.15 clip heights a second: a looping clip never
 //   looks the same, but no pattern of its own is seen.
-// - plume 110 mm, density 0.35, a cool grey: cautery smoke in real frames (DeSmoke-LAP, Cholec80 video01_091) is a wide veil of
-//   a third to a half of the view that shows the tissue through it; small and dense it looks like cotton. Lean 0.7: smoke that
-//   rises along tissue is turned away from it, into the room where the camera is. Softness 6 mm: as thick as a wisp. Fades 0.3
-//   and 1.2 s: smoke starts at once and lingers. Rise 6 mm/s: warm smoke under gas at rest.
+// - plume 110 mm, density 0.35, a cool grey: cautery smoke in real frames (DeSmoke-LAP, Cholec80 video01_091) is a wide
+// veil of
+//   a third to a half of the view that shows the tissue through it; small and dense it looks like cotton. Lean 0.7:
+//   smoke that rises along tissue is turned away from it, into the room where the camera is. Softness 6 mm: as thick as
+//   a wisp. Fades 0.3 and 1.2 s: smoke starts at once and lingers. Rise 6 mm/s: warm smoke under gas at rest.
 // - fat gain 0.5: fat smokes visibly more than muscle; nobody has measured how much.
 // - haze 0.12 per second against 0.05 per second: ten seconds of cautery veil the view, and it clears in half a minute.
 // - colours and extinction: haze over a dark cavity measures 96, 83, 99 (8-bit sRGB) against 43, 1, 3 without: it adds
-//   about 55, 82, 96, bluish grey before a red cavity. The smoke itself is lit by lamp and tissue, a warm grey of 96, 83, 99
-//   where nothing shows through. Red passes more than blue, so extinction rises from red to blue.
+//   about 55, 82, 96, bluish grey before a red cavity. The smoke itself is lit by lamp and tissue, a warm grey of 96,
+//   83, 99 where nothing shows through. Red passes more than blue, so extinction rises from red to blue.
 #include "preset/tables.h"
 #include "preset/text.h"
 

@@ -1,5 +1,5 @@
-// Draws specks of fat (particles_cpu.h gives where they are): quads that face the camera, made into specks by the fragment
-// shader, hidden by what is in front of them. Render thread, context current.
+// Draws specks of fat (particles_cpu.h gives where they are): quads that face the camera, made into specks by the
+// fragment shader, hidden by what is in front of them. Render thread, context current.
 #pragma once
 
 #include <array>
@@ -31,9 +31,9 @@ class ParticlesGpu {
     /// To be filled before draw(); memory of this object.
     SpeckBlock& specks() { return specks_; }
 
-    /// Over the bound framebuffer, the first `count` of specks(). `color`: sRGB. `scene_depth`: depth texture of the frame, the
-    /// size of the viewport. The view block is bound at 0. Leaves blending on and set for itself, its block at 2, the depth
-    /// texture at unit 1.
+    /// Over the bound framebuffer, the first `count` of specks(). `color`: sRGB. `scene_depth`: depth texture of the
+    /// frame, the size of the viewport. The view block is bound at 0. Leaves blending on and set for itself, its block
+    /// at 2, the depth texture at unit 1.
     void draw(std::size_t count, glm::vec3 color, GLuint scene_depth) const noexcept;
 
   private:

@@ -23,10 +23,10 @@ inline double emission(const ToolContact& contact, double fat, const PlumeParame
     return contact.power * (1.0 + plume.fat_gain * fat);
 }
 
-/// `parts`: of all burns. The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up` (unit), grows and fades. A touch
-/// that is shorter than `fade_in` leaves no more than it has faded in by its end. Power and fat count as their mean over the last
-/// `fade_in`: smoke takes that long to follow them, so it does not flicker where one contact goes on as another.
-/// `factor`: on the smoke over time.
+/// `parts`: of all burns. The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up`
+/// (unit), grows and fades. A touch that is shorter than `fade_in` leaves no more than it has faded in by its end.
+/// Power and fat count as their mean over the last `fade_in`: smoke takes that long to follow them, so it does not
+/// flicker where one contact goes on as another. `factor`: on the smoke over time.
 PlumeState plume_state(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume, glm::dvec3 up,
                        double time, const FactorCurve& factor = {}) noexcept;
 
@@ -50,8 +50,9 @@ struct PlumeQuad {
 /// Camera space: top left, top right, bottom left, bottom right of the clip as drawn.
 std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept;
 
-/// What of the view (0..1, origin bottom left) a quad covers: lower left, upper right corner. The whole view when some of it
-/// lies beside or behind the camera; nothing (upper right below lower left) when all of it does or it is out of sight.
+/// What of the view (0..1, origin bottom left) a quad covers: lower left, upper right corner. The whole view when some
+/// of it lies beside or behind the camera; nothing (upper right below lower left) when all of it does or it is out of
+/// sight.
 glm::vec4 view_bounds(const std::array<glm::vec3, 4>& corners, const glm::mat4& projection) noexcept;
 
 }  // namespace lapfx::smoke

@@ -43,8 +43,8 @@ bool there(const media::ClipFrame& frame) {
     return frame.color != 0;
 }
 
-/// A clip that fades from one of its frames to another is two layers, for thickness adds up. Where only one of them is there, it
-/// is all.
+/// A clip that fades from one of its frames to another is two layers, for thickness adds up. Where only one of them is
+/// there, it is all.
 template <typename Add>
 void add_shown(auto shown, Layer layer, double density, const Add& add) {
     if (shown.fading && !there(*shown.fading)) shown.fading.reset(), shown.fade = 0.0;

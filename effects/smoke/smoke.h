@@ -1,5 +1,5 @@
-// Draws the smoke of a preset over a frame: its clips, where burns and haze of the simulation say. Render thread, context current.
-// Draw calls are noexcept and allocate nothing once a preset's clips are loaded.
+// Draws the smoke of a preset over a frame: its clips, where burns and haze of the simulation say. Render thread,
+// context current. Draw calls are noexcept and allocate nothing once a preset's clips are loaded.
 #pragma once
 
 #include <array>
@@ -34,11 +34,12 @@ class Smoke {
     Smoke(std::uint32_t seed, const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
 
     /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
-    /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had. Shaders come first,
-    /// with and without opacity of the clip's own, for which of the two it needs is known only when it has been opened.
+    /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had. Shaders
+    /// come first, with and without opacity of the clip's own, for which of the two it needs is known only when it has
+    /// been opened.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
-    /// All but the clips: those that play go on, with what the parameters say of the same files apart from in and out points and
-    /// cross-fades. Throws Error (runtime) for a shader, and keeps what it had.
+    /// All but the clips: those that play go on, with what the parameters say of the same files apart from in and out
+    /// points and cross-fades. Throws Error (runtime) for a shader, and keeps what it had.
     void set_parameters(const SmokeParameters& wanted);
     void set_seed(std::uint32_t seed) { seed_ = seed; }
     /// Into the bound framebuffer and viewport.

@@ -171,8 +171,8 @@ void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
     add(ClipRole::haze, layer, block);
 }
 
-/// Layers of haze are summed up in the shader, which saves reading and writing the target in between. Plumes lie at places of
-/// their own, and straight over the frame goes one after the other.
+/// Layers of haze are summed up in the shader, which saves reading and writing the target in between. Plumes lie at
+/// places of their own, and straight over the frame goes one after the other.
 bool SmokeGpu::draws_together(ClipRole which) const noexcept {
     return which == ClipRole::haze && resolution_ != SmokeResolution::screen;
 }

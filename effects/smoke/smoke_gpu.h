@@ -1,5 +1,5 @@
-// Draws plume and haze over a frame. Layers are collected, then drawn at once. Render thread, context current, the view block
-// bound at 0.
+// Draws plume and haze over a frame. Layers are collected, then drawn at once. Render thread, context current, the view
+// block bound at 0.
 //
 //     gpu.begin(projection, plume_look, haze_look);
 //     gpu.plume(layer, corners, bounds);   // any number, drawn in this order
@@ -26,8 +26,8 @@ class SmokeGpu {
     /// Compiles shaders: throws Error (runtime). `timings`: measure draw() with timer queries.
     SmokeGpu(SmokeResolution resolution, bool timings);
 
-    /// Compiles what up to `count` layers of this kind need, so that drawing the first ones does not have to. Throws Error
-    /// (runtime).
+    /// Compiles what up to `count` layers of this kind need, so that drawing the first ones does not have to. Throws
+    /// Error (runtime).
     void prepare(const SmokeClip& clip, media::Layout layout, bool alpha, const KeyingParameters& keying, int count);
     /// Pixels of the largest clip of each role: how many an off-screen target has.
     void set_clip_pixels(int plume, int haze) noexcept;
@@ -40,7 +40,8 @@ class SmokeGpu {
     /// Without a clip: the same thickness, at the focus distance, everywhere.
     void even_haze(double thickness) noexcept { even_ = static_cast<float>(thickness); }
 
-    /// Into the bound framebuffer and viewport, which it leaves bound. `scene_depth`: the depth texture of what has been drawn.
+    /// Into the bound framebuffer and viewport, which it leaves bound. `scene_depth`: the depth texture of what has
+    /// been drawn.
     void draw(GLuint scene_depth) noexcept;
 
     /// Every program of it, for gl::rebuild().

@@ -14,8 +14,8 @@ constexpr int candidates = 5;         // colours that are looked at as backgroun
 constexpr float still = 3.0f;         // code values within which a block's mean does not change
 constexpr std::size_t enough_pictures = 6;  // to tell what stands still
 
-/// The colour in whose neighbourhood most blocks lie: a coarse histogram, then the mean of ever closer ones. Those within `around`
-/// of a colour in `but` do not count.
+/// The colour in whose neighbourhood most blocks lie: a coarse histogram, then the mean of ever closer ones. Those
+/// within `around` of a colour in `but` do not count.
 glm::vec3 crowded_colour(std::span<const Block> blocks, std::span<const glm::vec3> but) {
     const auto counts = [&](const Block& block) {
         return std::none_of(but.begin(), but.end(),
@@ -78,9 +78,9 @@ double steadiness(const Study& s) {
     return static_cast<double>(always) / static_cast<double>(std::max<std::size_t>(all, 1));
 }
 
-/// How likely the colour that mark_background() has looked for is what the smoke was filmed before: it is plain, in many places,
-/// rather at the border than elsewhere, always at the same ones, and coloured or at an end of all lumas, since smoke is a
-/// mixture of it and grey. 0: it is not plain.
+/// How likely the colour that mark_background() has looked for is what the smoke was filmed before: it is plain, in
+/// many places, rather at the border than elsewhere, always at the same ones, and coloured or at an end of all lumas,
+/// since smoke is a mixture of it and grey. 0: it is not plain.
 double likelihood(const Study& s) {
     if (s.concentration < 0.5 || s.share < least_share) return 0.0;
     double weight = 0.0, all = 0.0, lighter = 0.0, darker = 0.0;

@@ -1,4 +1,5 @@
-// What pictures of a clip are made of: background, what changes, and what stands still. Of small blocks. Pure; any thread.
+// What pictures of a clip are made of: background, what changes, and what stands still. Of small blocks. Pure; any
+// thread.
 #pragma once
 
 #include <algorithm>
@@ -49,8 +50,8 @@ struct Study {
     const Block& at(std::size_t picture, std::size_t block) const { return all[picture * blocks + block]; }
 };
 
-/// Which blocks are background, and its colour. Not the most frequent colour, but the likeliest of the frequent ones: smoke may
-/// fill nearly all of a clip. Without a plain one black is taken.
+/// Which blocks are background, and its colour. Not the most frequent colour, but the likeliest of the frequent ones:
+/// smoke may fill nearly all of a clip. Without a plain one black is taken.
 void find_background(Study& study);
 /// What each block shows over time.
 void find_kinds(Study& study);

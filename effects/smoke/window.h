@@ -1,5 +1,5 @@
-// What of a clip's frame keys to smoke at all: the crop, the fade at its edges, and the masks. The constants that the shader
-// (shaders/window.glsl) and its CPU reference (smoke/keying_pixel.h) both work with. Pure functions, any thread.
+// What of a clip's frame keys to smoke at all: the crop, the fade at its edges, and the masks. The constants that the
+// shader (shaders/window.glsl) and its CPU reference (smoke/keying_pixel.h) both work with. Pure functions, any thread.
 #pragma once
 
 #include <algorithm>

@@ -80,8 +80,8 @@ void Log::join(std::uint32_t number) {
     }
 }
 
-/// Steps of the curve with which all pieces have room; gives the first entry that they change. Where `anew`, the finest that do:
-/// what they are follows from the contacts, not from what was there before.
+/// Steps of the curve with which all pieces have room; gives the first entry that they change. Where `anew`, the finest
+/// that do: what they are follows from the contacts, not from what was there before.
 std::size_t Log::choose_steps(std::size_t first, bool anew) {
     const auto set = [&](int coarser) {
         if (coarser == power_.coarser()) return;

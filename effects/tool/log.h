@@ -1,16 +1,18 @@
-// What the tool has done: one log of strokes, in the order of their times, that heat, wounds, blood and smoke are worked out from.
+// What the tool has done: one log of strokes, in the order of their times, that heat, wounds, blood and smoke are
+// worked out from.
 //
 //     log.update(contacts, same);                        // the first `same` of them are as they were
 //     ...
 //     for (std::size_t i = log.first_after(known_); i < log.pieces().size(); ++i) take(log.pieces()[i]);
 //     known_ = log.revision();
 //
-// A stroke is what one tool does from press to release: contacts that go on from each other (goes_on, lapfx/tool.h). It is kept as
-// pieces, each straight, of one power and strength; cautery power over time (lapfx/curves.h) cuts hot ones finer. Contacts that
-// cannot be (usable_contact.h) are left out.
+// A stroke is what one tool does from press to release: contacts that go on from each other (goes_on, lapfx/tool.h). It
+// is kept as pieces, each straight, of one power and strength; cautery power over time (lapfx/curves.h) cuts hot ones
+// finer. Contacts that cannot be (usable_contact.h) are left out.
 //
-// Who reads the log keeps the revision that it knows, and takes what was written after it: a sample of a held stroke costs the end
-// of that stroke, however much happened before. A contact that comes before others in time writes all anew. One thread at a time.
+// Who reads the log keeps the revision that it knows, and takes what was written after it: a sample of a held stroke
+// costs the end of that stroke, however much happened before. A contact that comes before others in time writes all
+// anew. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -40,15 +42,16 @@ class Log {
 
     /// The scene's factor on cautery power over time.
     void set_power(std::span<const CurvePoint> points);
-    /// All contacts, in any order. The first `same` are as they were in the call before: they cost nothing, as long as none
-    /// of the others comes earlier.
+    /// All contacts, in any order. The first `same` are as they were in the call before: they cost nothing, as long as
+    /// none of the others comes earlier.
     void update(std::span<const ToolContact> contacts, std::size_t same = 0);
 
     /// In the order of their times. Valid until the next call that is not const.
     std::span<const Piece> pieces() const { return pieces_; }
     /// Grows when pieces change.
     std::uint64_t revision() const { return revision_; }
-    /// Number of the first piece that is not what it was at that revision, and with it all that follow; 0 is older than any.
+    /// Number of the first piece that is not what it was at that revision, and with it all that follow; 0 is older than
+    /// any.
     std::size_t first_after(std::uint64_t revision) const;
 
   private:

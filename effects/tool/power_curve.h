@@ -1,8 +1,8 @@
-// Cautery power over time (lapfx/curves.h): contacts as they come from the tool, cut into parts with the power of their time. The
-// heat models and the smoke then need know nothing of curves.
+// Cautery power over time (lapfx/curves.h): contacts as they come from the tool, cut into parts with the power of their
+// time. The heat models and the smoke then need know nothing of curves.
 //
-// Between two points the power goes in steps of at most `largest_step` that have the mean of the line, at times that depend on the
-// curve alone: however a stroke is cut into contacts, the same heat comes of it. One thread at a time.
+// Between two points the power goes in steps of at most `largest_step` that have the mean of the line, at times that
+// depend on the curve alone: however a stroke is cut into contacts, the same heat comes of it. One thread at a time.
 #pragma once
 
 #include <span>
@@ -22,8 +22,8 @@ class PowerCurve {
     explicit PowerCurve(std::span<const CurvePoint> points = {});
     const FactorCurve& curve() const { return curve_; }
 
-    /// With steps of so many times the largest, 1 at first; beyond `coarsest` there are none, and each contact is one part, with the
-    /// mean of its time.
+    /// With steps of so many times the largest, 1 at first; beyond `coarsest` there are none, and each contact is one
+    /// part, with the mean of its time.
     void make_steps(int coarser);
     int coarser() const { return coarser_; }
 

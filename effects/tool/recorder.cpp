@@ -8,8 +8,8 @@ namespace lapfx::tool {
 
 namespace {
 
-/// Of the path's samples, so many are compared with the straight way: enough for a moving contact at 1 kHz; of a longer stay, evenly
-/// thinned out ones.
+/// Of the path's samples, so many are compared with the straight way: enough for a moving contact at 1 kHz; of a longer
+/// stay, evenly thinned out ones.
 constexpr std::size_t most_points = 256;
 
 bool usable(const ToolSample& s) {

@@ -4,7 +4,8 @@
 // A contact goes on while samples touch with the same action, power and strength. It ends
 // - when the tip lets go (at the time of the sample that says so), or when action, power or strength change;
 // - when more than `longest_gap` s lie between two samples: at the last sample before the gap;
-// - when the straight way from its start to here would leave the samples' path by more than `tolerance` mm (in space, at
+// - when the straight way from its start to here would leave the samples' path by more than `tolerance` mm (in space,
+// at
 //   the samples' times: so also when the tip stops or turns round), or a moving contact lasts longer than
 //   `longest_move` s: it then goes on as another contact that starts at the time and place where the former ends.
 //

@@ -1,7 +1,8 @@
-// A host simulator, as a stranger writes one: lapfx's public headers, a window and a loop of its own, a thread that reads the tool
-// 1000 times a second, and an organ shader of its own ("own"; "lapfx": the core draws the organ). The hand is a scene's events,
-// in real time; when they are over, so is the program. With SECONDS it draws that frame without a window, as a PPM on standard
-// output: the pixels of `lapfx render`, but for the instrument, which it does not draw. Its OpenGL objects go with the context.
+// A host simulator, as a stranger writes one: lapfx's public headers, a window and a loop of its own, a thread that
+// reads the tool 1000 times a second, and an organ shader of its own ("own"; "lapfx": the core draws the organ). The
+// hand is a scene's events, in real time; when they are over, so is the program. With SECONDS it draws that frame
+// without a window, as a PPM on standard output: the pixels of `lapfx render`, but for the instrument, which it does
+// not draw. Its OpenGL objects go with the context.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>  // the core's; a simulator has a loader of its own

@@ -1,11 +1,12 @@
-// Makes the sample reference: a surgery video as if from another operation than the sample scene's, to be matched. It is rendered
-// with another preset, camera and seed, half a second later, and seen through an endoscope's camera and a frugal encoder.
+// Makes the sample reference: a surgery video as if from another operation than the sample scene's, to be matched. It
+// is rendered with another preset, camera and seed, half a second later, and seen through an endoscope's camera and a
+// frugal encoder.
 //
 //     make_sample_reference --output samples/reference/operation.mp4       about a minute on a software renderer
 //     make_sample_reference --output /tmp/quick.mp4 --size 160x128 --frames 5
 //
-// A host of the core: it needs lapfx/*.h alone, and the `ffmpeg` program with libx264. The bytes depend on the renderer and on the
-// version of x264; the pictures hardly.
+// A host of the core: it needs lapfx/*.h alone, and the `ffmpeg` program with libx264. The bytes depend on the renderer
+// and on the version of x264; the pictures hardly.
 #include <lapfx/authoring/preview.h>
 #include <unistd.h>
 

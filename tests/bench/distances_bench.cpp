@@ -1,13 +1,13 @@
-// How far blood has to travel: our fronts beside the ways that others go, accuracy and time side by side, on surfaces whose
-// distances are known.
+// How far blood has to travel: our fronts beside the ways that others go, accuracy and time side by side, on surfaces
+// whose distances are known.
 //
 //     lapfx_bench_distances [--json FILE]
 //
-// On a plane and a sphere the truth is a closed form; on the sample stomach it is CGAL's exact geodesics (Xin and Wang 2009).
-// The ways: our front; counting edges (Dijkstra: what "mesh connectivity and vertex neighbours" of the paper amounts to, with
-// lengths); CGAL's heat method (Crane, Weischedel, Wardetzky 2013), its factorisation counted apart. The heat method and the
-// exact one give all vertices at once, the front and Dijkstra only those within the reach of the blood.
-// And a frame of growing blood: what changed, beside a sweep over all vertices.
+// On a plane and a sphere the truth is a closed form; on the sample stomach it is CGAL's exact geodesics (Xin and Wang
+// 2009). The ways: our front; counting edges (Dijkstra: what "mesh connectivity and vertex neighbours" of the paper
+// amounts to, with lengths); CGAL's heat method (Crane, Weischedel, Wardetzky 2013), its factorisation counted apart.
+// The heat method and the exact one give all vertices at once, the front and Dijkstra only those within the reach of
+// the blood. And a frame of growing blood: what changed, beside a sweep over all vertices.
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

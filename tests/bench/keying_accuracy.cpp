@@ -1,5 +1,5 @@
-// Opacity out of clips: our keying with suggested thresholds beside the keyers of OBS and FFmpeg, on smoke whose opacity is
-// known.
+// Opacity out of clips: our keying with suggested thresholds beside the keyers of OBS and FFmpeg, on smoke whose
+// opacity is known.
 //
 //     lapfx_keying_accuracy [--json FILE]
 //     lapfx_keying_accuracy --suggested [FOLDER]
@@ -7,14 +7,15 @@
 // The second form shows what is suggested alone, on more takes, and those of FOLDER: clips that bring their own opacity
 // (WebM), whose smoke is laid before the same backgrounds.
 //
-// Solved smoke over black, green, blue and grey, with sensor noise, through x264 and back. Each keyer is told the background's
-// colour. The others run with their defaults, and with the best of a search over their two thresholds that is given the truth:
-// the least error that anybody could set them to. Ours gets neither: it sees the clip alone. (Ours with the best thresholds is
-// shown as well; and keying of RGB frames, as in the paper's schemes, beside that of planes, as in `resident`.) Error: mean
-// absolute difference of opacity over all pixels, and over those with smoke.
+// Solved smoke over black, green, blue and grey, with sensor noise, through x264 and back. Each keyer is told the
+// background's colour. The others run with their defaults, and with the best of a search over their two thresholds that
+// is given the truth: the least error that anybody could set them to. Ours gets neither: it sees the clip alone. (Ours
+// with the best thresholds is shown as well; and keying of RGB frames, as in the paper's schemes, beside that of
+// planes, as in `resident`.) Error: mean absolute difference of opacity over all pixels, and over those with smoke.
 //
-// FFmpeg's lumakey and chromakey are run by the `ffmpeg` program. OBS Studio's two are written after its effect files: luma of
-// BT.709 through smoothstep; distance in the chroma plane of BT.709, over 3 x 3 pixels, to the power of 1.5; code values.
+// FFmpeg's lumakey and chromakey are run by the `ffmpeg` program. OBS Studio's two are written after its effect files:
+// luma of BT.709 through smoothstep; distance in the chroma plane of BT.709, over 3 x 3 pixels, to the power of 1.5;
+// code values.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -129,7 +130,8 @@ glm::vec2 obs_chroma(glm::vec3 code) {
             glm::dot(rgb, glm::vec3(0.439216f, -0.398942f, -0.040274f))};
 }
 
-/// OBS Studio, "Chroma Key": similarity and smoothness, of 1. Four samples between pairs of neighbours and the pixel itself.
+/// OBS Studio, "Chroma Key": similarity and smoothness, of 1. Four samples between pairs of neighbours and the pixel
+/// itself.
 Frames obs_chroma_key(const Clip& clip, std::array<double, 2> at) {
     const glm::vec2 key = obs_chroma(clip.background);
     return for_pixels(clip.rgb, [&](const cv::Mat& frame, int x, int y) {

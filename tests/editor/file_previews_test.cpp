@@ -1,4 +1,5 @@
-// Pictures in the file dialog: what the program itself makes of which file, and what becomes of broken and hanging ones.
+// Pictures in the file dialog: what the program itself makes of which file, and what becomes of broken and hanging
+// ones.
 #include "app/file_previews.h"
 
 #include <chrono>

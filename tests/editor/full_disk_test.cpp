@@ -1,5 +1,5 @@
-// A disk that is full, or read only, when something is saved or exported: what was there stays, what was not saved is still not
-// saved, and it is told with file and reason.
+// A disk that is full, or read only, when something is saved or exported: what was there stays, what was not saved is
+// still not saved, and it is told with file and reason.
 #include <gmock/gmock.h>
 #include <sys/mount.h>
 #include <sys/resource.h>

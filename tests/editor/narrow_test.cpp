@@ -1,4 +1,5 @@
-// Large text and narrow windows: what is beside each other stays beside each other, and nothing is wider than its panel.
+// Large text and narrow windows: what is beside each other stays beside each other, and nothing is wider than its
+// panel.
 #include "app/layouts.h"
 #include "app/snapshots.h"
 #include "editor/support/editor_test.h"

@@ -1,5 +1,5 @@
-// What holds for the whole window: it comes to rest, its commands can be told apart, and nothing of one document is left over in
-// the next.
+// What holds for the whole window: it comes to rest, its commands can be told apart, and nothing of one document is
+// left over in the next.
 #include <sys/stat.h>
 
 #include "app/browser.h"

@@ -1,5 +1,5 @@
-// In every layout, scale and size of the window the main picture keeps a size to work with, all tools of it can be reached, and no
-// text lies over another.
+// In every layout, scale and size of the window the main picture keeps a size to work with, all tools of it can be
+// reached, and no text lies over another.
 #include "app/layouts.h"
 #include "editor/support/shaped_test.h"
 

@@ -1,5 +1,5 @@
-// In every layout, scale and size of the window: no text lies over another, and none is cut so that it cannot be read. A value may
-// end in an ellipsis, the label of a button may not.
+// In every layout, scale and size of the window: no text lies over another, and none is cut so that it cannot be read.
+// A value may end in an ellipsis, the label of a button may not.
 #include "ui/support/texts.h"
 #include <gmock/gmock.h>
 

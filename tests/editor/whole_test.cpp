@@ -1,5 +1,6 @@
-// The whole way of a person through the editor, by the names of what is on the screen: load an organ and a clip, move the four
-// parameters that matter most, see the picture change, undo, export, and have `lapfx render` make the same pixels of the export.
+// The whole way of a person through the editor, by the names of what is on the screen: load an organ and a clip, move
+// the four parameters that matter most, see the picture change, undo, export, and have `lapfx render` make the same
+// pixels of the export.
 #include <gmock/gmock.h>
 
 #include <array>

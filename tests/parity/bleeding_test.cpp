@@ -1,4 +1,5 @@
-// shaders/bleeding.glsl with the uniform block that bleeding/bleed_gpu.h fills: the edge, and the colour along the depth.
+// shaders/bleeding.glsl with the uniform block that bleeding/bleed_gpu.h fills: the edge, and the colour along the
+// depth.
 #include "bleeding/bleed_gpu.h"
 #include "gl/noise.h"
 #include "gl/srgb.h"

@@ -1,4 +1,5 @@
-// shaders/keying.glsl and its CPU reference effects/smoke/keying_pixel.h key alike, to 1e-5 of alpha and 1e-3 of a code value.
+// shaders/keying.glsl and its CPU reference effects/smoke/keying_pixel.h key alike, to 1e-5 of alpha and 1e-3 of a code
+// value.
 #include <cmath>
 #include <limits>
 

@@ -1,5 +1,5 @@
-// drop_files WINDOW X Y FILE...: drops files on a window as a file manager does, by X11's drag and drop protocol (XDND 5), which
-// xdotool does not speak. X, Y: in the window, px. Exit code 0 when the window has taken them.
+// drop_files WINDOW X Y FILE...: drops files on a window as a file manager does, by X11's drag and drop protocol (XDND
+// 5), which xdotool does not speak. X, Y: in the window, px. Exit code 0 when the window has taken them.
 #include <X11/Xatom.h>
 #include <X11/Xlib.h>
 #include <poll.h>

@@ -26,8 +26,8 @@ class GpuFunction {
     gl::Program program_;
 };
 
-/// Compares component `component` of two results. On failure prints the largest difference, where it is, and both values;
-/// NaN never passes.
+/// Compares component `component` of two results. On failure prints the largest difference, where it is, and both
+/// values; NaN never passes.
 void expect_near(std::span<const glm::vec4> inputs, std::span<const glm::vec4> cpu, std::span<const glm::vec4> gpu,
                  int component, double tolerance, const std::string& what);
 

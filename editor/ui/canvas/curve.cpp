@@ -81,8 +81,8 @@ void Curve::update() {
     if (monotone_) keep_monotone();
 }
 
-/// Of each piece both slopes, as parts of the straight way's, are brought into the circle of radius 3. Where a point is smooth it
-/// stays so: the flatter of both sides counts, which is still inside of both circles.
+/// Of each piece both slopes, as parts of the straight way's, are brought into the circle of radius 3. Where a point is
+/// smooth it stays so: the flatter of both sides counts, which is still inside of both circles.
 void Curve::keep_monotone() {
     for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
         double &left = slopes_out_[i], &right = slopes_in_[i + 1];

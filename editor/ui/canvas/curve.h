@@ -1,4 +1,5 @@
-// A function of one input given by points: how strong over how old, how much over how long. Pure; the editor is curve_editor.h.
+// A function of one input given by points: how strong over how old, how much over how long. Pure; the editor is
+// curve_editor.h.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,8 @@ struct CurvePoint {
 
 enum class CurvePreset : std::uint8_t { linear, ease, s, step, pulse };
 
-/// Cubic between each two points (Hermite's form). One value for each input: points have different x, in ascending order.
+/// Cubic between each two points (Hermite's form). One value for each input: points have different x, in ascending
+/// order.
 class Curve {
   public:
     /// From (0, 0) to (1, 1), straight.

@@ -2,13 +2,13 @@
 //
 //     ui::curve_editor(u, "Response", curve, {.x_name = "Age", .x_unit = "s", .standard = &preset, .live = age});
 //
-// Double click on the ground inserts a point and goes on dragging it; drag on it selects with a box (Shift adds). Points: drag
-// moves all that are selected (Shift: a tenth of the way, Ctrl: in steps), Shift+click adds to the selection, double click or a
-// typed digit opens an entry ("0.5" is y, "0.2; 0.5" is x and y; Enter takes, Esc leaves), arrows move by a step (Shift: a tenth,
-// Ctrl: ten), Delete and Backspace erase, I inserts half-way to the next, A F L S: automatic, free, linear, step. Esc and the
-// other button give back what was before a drag. A free point that is selected alone has two handles for its slopes; both turn
-// together, with Alt only the one that is dragged. Up and down turn one by a degree as it is seen (Shift: a tenth, Ctrl: ten);
-// sides that differ turn alone.
+// Double click on the ground inserts a point and goes on dragging it; drag on it selects with a box (Shift adds).
+// Points: drag moves all that are selected (Shift: a tenth of the way, Ctrl: in steps), Shift+click adds to the
+// selection, double click or a typed digit opens an entry ("0.5" is y, "0.2; 0.5" is x and y; Enter takes, Esc leaves),
+// arrows move by a step (Shift: a tenth, Ctrl: ten), Delete and Backspace erase, I inserts half-way to the next, A F L
+// S: automatic, free, linear, step. Esc and the other button give back what was before a drag. A free point that is
+// selected alone has two handles for its slopes; both turn together, with Alt only the one that is dragged. Up and down
+// turn one by a degree as it is seen (Shift: a tenth, Ctrl: ten); sides that differ turn alone.
 //
 // Each point is a node: "Response/Point 3".
 #pragma once

@@ -1,4 +1,5 @@
-// A grip on a canvas (a threshold, a corner, the line of a wipe): a node of its own, so that Tab, tests and screen readers find it.
+// A grip on a canvas (a threshold, a corner, the line of a wipe): a node of its own, so that Tab, tests and screen
+// readers find it.
 #pragma once
 
 #include <optional>
@@ -38,7 +39,8 @@ struct HandleRange {
     double reset = 0;                    ///< the saved value
     std::optional<double> initial = {};  ///< the default; none: `reset`
 };
-/// Makes an edit of one number from it; clamps. `dragged`: the value where moves.to is; `steps`: those of the axes that count.
+/// Makes an edit of one number from it; clamps. `dragged`: the value where moves.to is; `steps`: those of the axes that
+/// count.
 Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, double steps, double dragged,
                     double& value);
 

@@ -13,8 +13,8 @@ struct HistogramData {
     double minimum = 0, maximum = 255;
 };
 
-/// Below `low` nothing, above `high` everything. `gamma` bends what lies between, as in levels dialogs: the value that becomes half lies
-/// at 0.5^gamma of the way.
+/// Below `low` nothing, above `high` everything. `gamma` bends what lies between, as in levels dialogs: the value that
+/// becomes half lies at 0.5^gamma of the way.
 struct Levels {
     double low = 0, high = 255, gamma = 1;
     friend bool operator==(const Levels&, const Levels&) = default;
@@ -43,14 +43,15 @@ struct HistogramResult {
     }
 };
 
-/// Handles "Low", "High" and "Gamma": drag (Shift fine, Ctrl whole steps), arrows (Shift a tenth), page keys ten steps, Home and End.
-/// low stays `step` below high. Under the pointer it reads out a bin. `levels` null: no handles.
+/// Handles "Low", "High" and "Gamma": drag (Shift fine, Ctrl whole steps), arrows (Shift a tenth), page keys ten steps,
+/// Home and End. low stays `step` below high. Under the pointer it reads out a bin. `levels` null: no handles.
 HistogramResult histogram(Ui& ui, std::string_view label, const HistogramData& data, Levels* levels,
                           const HistogramOptions& options = {});
 
 /// 0..1: the height of a bar. `most` is the count that is full height; more is cut.
 float bar_height(std::uint32_t count, std::uint32_t most, bool logarithmic);
-/// The count that is shown at full height: the most frequent but the two ends, which a clipped picture fills without end.
+/// The count that is shown at full height: the most frequent but the two ends, which a clipped picture fills without
+/// end.
 std::uint32_t full_count(std::span<const std::uint32_t> bins);
 
 }  // namespace lapfx::ui

@@ -38,8 +38,8 @@ struct ImageViewResult {
     Edit region;
 };
 
-/// `region`: a rectangle with corners to drag (arrows move them by a pixel, Shift by ten); null: none. It stays inside the picture,
-/// one pixel at least.
+/// `region`: a rectangle with corners to drag (arrows move them by a pixel, Shift by ten); null: none. It stays inside
+/// the picture, one pixel at least.
 ImageViewResult image_view(Ui& ui, std::string_view label, const Picture& picture, ViewState& state,
                            const ImageViewOptions& options = {}, PixelRect* region = nullptr);
 

@@ -29,7 +29,8 @@ struct Pick {
     bool by_keys = false;
     glm::ivec2 at{0};
 };
-/// `views`: the picture's, one or more side by side. Arrows move it by a pixel, with Shift by ten, and `state` so that it is seen.
+/// `views`: the picture's, one or more side by side. Arrows move it by a pixel, with Shift by ten, and `state` so that
+/// it is seen.
 void move_pick(Ui& ui, const Node& node, const Response& response, Pick& pick, std::span<const View> views,
                ViewState& state);
 
@@ -56,8 +57,8 @@ void draw_readout(Painter& painter, const View& view, const Readout& readout);
 /// What is shown of a value as a colour, of code values.
 Color color_of(const glm::vec4& code_value);
 
-/// A picture with what lies behind it, its pixels' grid from grid_zoom on, and the sample box around the pick; clipped to the area.
-/// With `second`: both, compared.
+/// A picture with what lies behind it, its pixels' grid from grid_zoom on, and the sample box around the pick; clipped
+/// to the area. With `second`: both, compared.
 struct PictureLook {
     Picture picture;
     ImageHandle second = 0;

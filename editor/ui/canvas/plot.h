@@ -5,9 +5,10 @@
 //     const ui::PlotSeries series[] = {{"Speed", &speed}};
 //     ui::plot(u, "Bleeding", series, {.x_name = "Time", .x_unit = "s", .y_unit = "mm/s"});
 //
-// Pointer: drag or middle button pans, Shift+drag zooms to a box, Ctrl+drag asks for a range, the wheel zooms at the pointer; on
-// an axis all that is of this axis alone. Double click, F and Home fit. Keys: arrows pan, + and - zoom, L turns log y on and off,
-// Ctrl+C copies what is in sight as CSV, Esc drops the range. Names in the legend show and hide.
+// Pointer: drag or middle button pans, Shift+drag zooms to a box, Ctrl+drag asks for a range, the wheel zooms at the
+// pointer; on an axis all that is of this axis alone. Double click, F and Home fit. Keys: arrows pan, + and - zoom, L
+// turns log y on and off, Ctrl+C copies what is in sight as CSV, Esc drops the range. Names in the legend show and
+// hide.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
-// Samples of a plot with what makes drawing, fitting and asking fast: minima, maxima and areas of blocks of them, made once. A
-// million samples then cost what the pixels of the plot cost.
+// Samples of a plot with what makes drawing, fitting and asking fast: minima, maxima and areas of blocks of them, made
+// once. A million samples then cost what the pixels of the plot cost.
 #pragma once
 
 #include <span>
@@ -48,8 +48,8 @@ struct RangeStatistics {
 
 class PlotData {
   public:
-    /// Samples at start, start + step, ...; step > 0 (assert). What is not finite is a gap. `y` must stay as it is until the
-    /// next set().
+    /// Samples at start, start + step, ...; step > 0 (assert). What is not finite is a gap. `y` must stay as it is
+    /// until the next set().
     void set(Numbers y, double start = 0, double step = 1);
     /// Samples at places of their own: as many, finite, none before the one in front of it (assert).
     void set(Numbers y, Numbers x);
@@ -83,8 +83,8 @@ class PlotData {
 std::vector<double> residual_of(const PlotData& series, const PlotData& reference);
 
 struct PlotSeries;
-/// One line of names, then one for each place that a series has a sample at within low..high, empty where it has none (or a
-/// gap). Names with commas, quotes or line breaks are quoted.
+/// One line of names, then one for each place that a series has a sample at within low..high, empty where it has none
+/// (or a gap). Names with commas, quotes or line breaks are quoted.
 std::string plot_csv(std::span<const PlotSeries> series, std::string_view x_name, double low, double high);
 
 }  // namespace lapfx::ui

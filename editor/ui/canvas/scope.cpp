@@ -168,7 +168,8 @@ std::string_view chroma_text(Ui& ui, glm::vec2 chroma) {
                     format_number(hue, turn < 0 ? turn + 360 : turn, 0), "\xC2\xB0"});
 }
 
-/// A grip on a circle, at an angle of its own so that two of one radius do not cover each other; inside the square where it can be.
+/// A grip on a circle, at an angle of its own so that two of one radius do not cover each other; inside the square
+/// where it can be.
 Edit edit_radius(Ui& ui, const ChromaMap& map, glm::vec2 key, float angle, const HandleOptions& handle,
                  const HandleRange& range, Color color, double& radius) {
     const Rect before = map.square;

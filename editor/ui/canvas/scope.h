@@ -1,5 +1,5 @@
-// Where the colours of a picture lie: a vectorscope of its CbCr and a waveform of its luma. Counting is pure; code values 0..255, full
-// range, as keying sees them.
+// Where the colours of a picture lie: a vectorscope of its CbCr and a waveform of its luma. Counting is pure; code
+// values 0..255, full range, as keying sees them.
 #pragma once
 
 #include <optional>
@@ -22,8 +22,8 @@ struct DensityGrid {
     std::uint32_t at(int x, int y) const { return counts[static_cast<std::size_t>(y * scope_side + x)]; }
 };
 
-/// Pixels of 8 bits; `channels` 3 or 4, red first, rows without gaps. Every `every`-th pixel of every `every`-th row counts. Throws
-/// std::invalid_argument when there are fewer bytes than the size asks for.
+/// Pixels of 8 bits; `channels` 3 or 4, red first, rows without gaps. Every `every`-th pixel of every `every`-th row
+/// counts. Throws std::invalid_argument when there are fewer bytes than the size asks for.
 struct ScopeSource {
     std::span<const std::uint8_t> bytes;
     glm::ivec2 size{0};
@@ -35,7 +35,8 @@ void count_chroma(const ScopeSource& source, Matrix matrix, DensityGrid& grid);
 /// Column by place across the picture, row 255 - round(luma).
 void count_luma(const ScopeSource& source, Matrix matrix, DensityGrid& grid);
 
-/// RGBA of scope_side squared: brighter the more, by the logarithm, so that single pixels show; the vectorscope in the colours meant.
+/// RGBA of scope_side squared: brighter the more, by the logarithm, so that single pixels show; the vectorscope in the
+/// colours meant.
 void shade_chroma(const DensityGrid& grid, Matrix matrix, std::vector<std::uint8_t>& rgba);
 void shade_luma(const DensityGrid& grid, Color color, std::vector<std::uint8_t>& rgba);
 
@@ -78,8 +79,8 @@ struct VectorscopeResult {
     bool over = false;
     glm::vec2 chroma{0};  ///< Cb and Cr under the pointer
 };
-/// Square, in the middle of its node. With `key`: the colour's mark and two circles, "Chroma low" and "Chroma high", to drag; low stays
-/// 1 below high.
+/// Square, in the middle of its node. With `key`: the colour's mark and two circles, "Chroma low" and "Chroma high", to
+/// drag; low stays 1 below high.
 VectorscopeResult vectorscope(Ui& ui, std::string_view label, ImageHandle image, KeyCircles* key,
                               const VectorscopeOptions& options = {});
 

@@ -103,7 +103,8 @@ class Editing {
 
   private:
     double frame() const { return 1 / o_.rate; }
-    /// One edit at a time: a drag that has changed something goes on without them, one that has not is given up for them.
+    /// One edit at a time: a drag that has changed something goes on without them, one that has not is given up for
+    /// them.
     bool takes_keys() {
         const bool edits = m_.drag != Part::none && m_.drag != Part::view;
         if (edits && m_.began) return false;

@@ -4,12 +4,12 @@
 //     if (edit.time.changed) player.seek(state.time);
 //     state.time += state.speed * frame_time;  // time is the program's
 //
-// Pointer: the ruler scrubs, the wheel zooms at the pointer (Shift, or sideways: pans), the middle button pans. Clips: press
-// selects (Shift: one more), drag moves all that are selected, their ends stretch; ends catch frames and, within 8 px, the
-// playhead, the range and other clips, unless Ctrl is held. Esc and the other button give back what was before.
-// Keys: J K L play backwards, stop, play (again: twice as fast, up to 8), space plays and stops, arrows step by a frame (Shift:
-// ten), Home and End, I and O set the range, X drops it, F fits. On a clip arrows move it (Ctrl: its end), Delete erases what is
-// selected.
+// Pointer: the ruler scrubs, the wheel zooms at the pointer (Shift, or sideways: pans), the middle button pans. Clips:
+// press selects (Shift: one more), drag moves all that are selected, their ends stretch; ends catch frames and, within
+// 8 px, the playhead, the range and other clips, unless Ctrl is held. Esc and the other button give back what was
+// before. Keys: J K L play backwards, stop, play (again: twice as fast, up to 8), space plays and stops, arrows step by
+// a frame (Shift: ten), Home and End, I and O set the range, X drops it, F fits. On a clip arrows move it (Ctrl: its
+// end), Delete erases what is selected.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
-// How one looks at a picture: which part, how large. Pure arithmetic, and the hand and keyboard rules that go with it. Views of
-// several pictures that share one ViewState move together.
+// How one looks at a picture: which part, how large. Pure arithmetic, and the hand and keyboard rules that go with it.
+// Views of several pictures that share one ViewState move together.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -37,7 +37,8 @@ View view_of(const ViewState& state, const Rect& area, glm::ivec2 size);
 
 /// The zoom at which all of it is seen.
 double fit_zoom(const Rect& area, glm::ivec2 size);
-/// `about`, px of the screen, stays where it is. From a quarter of 1:1 or of fitted, whichever is smaller, to most_zoom.
+/// `about`, px of the screen, stays where it is. From a quarter of 1:1 or of fitted, whichever is smaller, to
+/// most_zoom.
 void set_zoom(ViewState& state, const Rect& area, glm::ivec2 size, double zoom, glm::vec2 about);
 /// The next power of two up or down.
 void step_zoom(ViewState& state, const Rect& area, glm::ivec2 size, int up, glm::vec2 about);
@@ -57,8 +58,9 @@ struct DragWay {
 /// What a node that shows a picture senses for steer(). Escape is not among it: it leaves the view.
 inline constexpr Sense view_sense = Sense::hover | Sense::press | Sense::middle | Sense::wheel | Sense::focus |
                                     Sense::activate | Sense::digits | Sense::arrows_x | Sense::arrows_y;
-/// Wheel: zoom at the pointer, stopping at 1:1 on the way; drag with middle, or with left while the space bar is down or when
-/// `left_pans`; double click or 0: fit; 1: 1:1; + and -: powers of two. Esc during a drag puts it back. Gives whether it moved.
+/// Wheel: zoom at the pointer, stopping at 1:1 on the way; drag with middle, or with left while the space bar is down
+/// or when `left_pans`; double click or 0: fit; 1: 1:1; + and -: powers of two. Esc during a drag puts it back. Gives
+/// whether it moved.
 bool steer(Ui& ui, const Node& node, ViewState& state, const Rect& area, glm::ivec2 size, bool left_pans);
 
 }  // namespace lapfx::ui

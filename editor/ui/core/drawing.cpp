@@ -1,4 +1,5 @@
-// From laid out nodes to the list of what is drawn. What a node drew in the last frame is copied where it would draw the same.
+// From laid out nodes to the list of what is drawn. What a node drew in the last frame is copied where it would draw
+// the same.
 #include <cstring>
 
 #include "ui/core/ui.h"
@@ -48,7 +49,8 @@ const FrameOutput& Ui::emit() {
     return output_;
 }
 
-/// As long as everything is what it was, in its place, nothing is copied: places are kept free. From here on that is over.
+/// As long as everything is what it was, in its place, nothing is copied: places are kept free. From here on that is
+/// over.
 void Ui::copy_kept_places(std::uint32_t count) {
     if (drawn_anew_) return;
     drawn_anew_ = true;

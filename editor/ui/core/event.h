@@ -1,4 +1,5 @@
-// What a person does, as the UI is told it. The window's glue turns its callbacks into these; tests and scripts make them up.
+// What a person does, as the UI is told it. The window's glue turns its callbacks into these; tests and scripts make
+// them up.
 #pragma once
 
 #include <cstdint>

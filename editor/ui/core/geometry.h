@@ -8,7 +8,8 @@
 
 namespace lapfx::ui {
 
-/// The nearest whole number, halves upwards. Without SSE 4.1 std::round is a call into the library; here it is three instructions.
+/// The nearest whole number, halves upwards. Without SSE 4.1 std::round is a call into the library; here it is three
+/// instructions.
 inline float whole(float v) {
     const float down = static_cast<float>(static_cast<int>(v + 0.5F));
     return down > v + 0.5F ? down - 1 : down;

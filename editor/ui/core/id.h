@@ -11,8 +11,8 @@ using Id = std::uint64_t;  ///< 0: none
 /// 64 bits of `bytes` under `seed`; not for keeping: it may change from version to version.
 std::uint64_t hash_bytes(std::uint64_t seed, std::string_view bytes);
 
-/// A label as it is written in code. "Speed##left" shows Speed and is told from another Speed by the rest; "12 clips###clips"
-/// shows what comes first and is, whatever that says, always the same widget.
+/// A label as it is written in code. "Speed##left" shows Speed and is told from another Speed by the rest; "12
+/// clips###clips" shows what comes first and is, whatever that says, always the same widget.
 struct Label {
     std::string_view shown;  ///< may be empty
     std::string_view key;    ///< what is hashed

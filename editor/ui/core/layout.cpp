@@ -11,7 +11,8 @@ bool flows(const Node& node) {
     return !node.placed && !node.overlay;
 }
 
-/// Backwards, children before parents: what each would like to be. `content` is the sum (or the greatest) of its children.
+/// Backwards, children before parents: what each would like to be. `content` is the sum (or the greatest) of its
+/// children.
 void wish(std::span<Node> nodes, int a) {
     for (std::size_t i = nodes.size(); i-- > 0;) {
         Node& node = nodes[i];
@@ -60,7 +61,8 @@ Shares count_shares(std::span<Node> nodes, const Node& node, int a, float inside
     return all;
 }
 
-/// Those that would fall below their least get that, and the others share what is then left; once more for each that did.
+/// Those that would fall below their least get that, and the others share what is then left; once more for each that
+/// did.
 void share_what_is_left(std::span<Node> nodes, const Node& node, int a, float left, float weights) {
     for (bool again = true; again;) {
         again = false;

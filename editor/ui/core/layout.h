@@ -1,4 +1,5 @@
-// From wishes to rectangles, in one go for the whole tree, before anything is drawn: no widget is ever seen in a wrong place.
+// From wishes to rectangles, in one go for the whole tree, before anything is drawn: no widget is ever seen in a wrong
+// place.
 #pragma once
 
 #include <span>
@@ -7,8 +8,9 @@
 
 namespace lapfx::ui {
 
-/// Fills in at, extent, content and clip of every node, and the state of scroll areas. nodes[0] is the window. Linear in the
-/// number of nodes. All rectangles are on whole px. Gives whether a scroll area had to be moved back to its content.
+/// Fills in at, extent, content and clip of every node, and the state of scroll areas. nodes[0] is the window. Linear
+/// in the number of nodes. All rectangles are on whole px. Gives whether a scroll area had to be moved back to its
+/// content.
 bool lay_out(Ui& ui, std::span<Node> nodes, glm::vec2 window);
 
 }  // namespace lapfx::ui

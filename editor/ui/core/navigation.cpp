@@ -80,14 +80,14 @@ bool takes(Sense sense, Key key, Mods mods) {
                                                                        c == ',' || c == '=' || c == '+'));
 }
 
-/// A button that was clicked has the keyboard, and nobody thinks of it: space is the program's then if it has a use for it. With the
-/// ring around it, it is the button's.
+/// A button that was clicked has the keyboard, and nobody thinks of it: space is the program's then if it has a use for
+/// it. With the ring around it, it is the button's.
 bool only_activates(Sense sense) {
     return has(sense, Sense::activate) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
 
-/// What would open a number's entry. Without a ring one works by pointer, and a digit is a shortcut: nobody thinks of the value that
-/// was dragged last, and it must not change unseen.
+/// What would open a number's entry. Without a ring one works by pointer, and a digit is a shortcut: nobody thinks of
+/// the value that was dragged last, and it must not change unseen.
 bool begins_entry(Sense sense, Key key) {
     return has(sense, Sense::digits) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key) &&
            printable(key);

@@ -1,5 +1,5 @@
-// One box of the UI: where it lies, how it is found, drawn and spoken of. A frame is an array of nodes in the order they were
-// built (parents before children); layout, hit test, keyboard, tests and dumps all read that one array.
+// One box of the UI: where it lies, how it is found, drawn and spoken of. A frame is an array of nodes in the order
+// they were built (parents before children); layout, hit test, keyboard, tests and dumps all read that one array.
 #pragma once
 
 #include <cstdint>
@@ -96,7 +96,8 @@ enum class Sense : std::uint32_t {
     tab_keys = 1 << 22,     ///< Ctrl+PageUp and Ctrl+PageDown from anything inside it that does not take them
     every_key = 1 << 23,    ///< whatever it is: a chord is being recorded
     completes = 1 << 24,    ///< Tab, without Shift: a text is open of which more can be taken over
-    /// From anything inside it that does not take them: letters and arrows with Ctrl or Alt, and F1 to F12. A dialog's own keys.
+    /// From anything inside it that does not take them: letters and arrows with Ctrl or Alt, and F1 to F12. A dialog's
+    /// own keys.
     chords = 1 << 25,
 };
 constexpr Sense operator|(Sense a, Sense b) {
@@ -198,7 +199,8 @@ inline constexpr std::uint32_t no_node = 0xffffffffU;
 /// How a kind of widget draws itself.
 struct Drawer {
     void (*draw)(Painter&, const Node&, const void* look);
-    /// Whether two looks are the same picture, given that their nodes are; null: cannot be told, it is drawn anew each time.
+    /// Whether two looks are the same picture, given that their nodes are; null: cannot be told, it is drawn anew each
+    /// time.
     bool (*same)(const void* look, const void* other);
 };
 

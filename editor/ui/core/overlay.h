@@ -1,5 +1,5 @@
-// What lies over the window: popups, menus, dialogs, tooltips, toasts. One stack; each has a global name, so that it can be opened
-// from anywhere.
+// What lies over the window: popups, menus, dialogs, tooltips, toasts. One stack; each has a global name, so that it
+// can be opened from anywhere.
 #pragma once
 
 #include <cstdint>

@@ -8,8 +8,8 @@
 
 namespace lapfx::ui {
 
-/// Finds where lines end, in one style. It goes by the widths of single characters, so that a long text is never shaped as a
-/// whole, let alone once for every line of it; kerning makes a line differ from that by a pixel or two.
+/// Finds where lines end, in one style. It goes by the widths of single characters, so that a long text is never shaped
+/// as a whole, let alone once for every line of it; kerning makes a line differ from that by a pixel or two.
 class LineBreaker {
   public:
     LineBreaker(Fonts& fonts, const TextStyle& style) : fonts_(fonts), style_(style) { ascii_.fill(-1); }
@@ -28,8 +28,9 @@ class LineBreaker {
     std::array<float, 128> ascii_;
 };
 
-/// Where the lines of `text` begin when none is to be wider than `width` px: at least one, the first at 0. Broken after spaces, which
-/// may hang over the edge, else anywhere between characters. After a line break there always is another line.
+/// Where the lines of `text` begin when none is to be wider than `width` px: at least one, the first at 0. Broken after
+/// spaces, which may hang over the edge, else anywhere between characters. After a line break there always is another
+/// line.
 void break_lines(Fonts& fonts, std::string_view text, const TextStyle& style, float width,
                  std::vector<std::uint32_t>& begins);
 

@@ -1,4 +1,5 @@
-// Events to widgets: who is meant is decided here, against the nodes of the last build, before the program builds the next.
+// Events to widgets: who is meant is decided here, against the nodes of the last build, before the program builds the
+// next.
 #include <algorithm>
 #include <utility>
 
@@ -205,7 +206,8 @@ void Ui::route_release(const Event& event) {
     find_hot(nodes_before());
 }
 
-/// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its end.
+/// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its
+/// end.
 void Ui::route_wheel(const Event& event) {
     const bool scrolling = event.time - scrolled_at_ < scroll_ends;
     const double scrolled_before = std::exchange(scrolled_at_, event.time);
@@ -242,7 +244,8 @@ void Ui::route_text(const Event& event) {
     const Node* node = before(focus_);
     if (node == nullptr) return;
     const char32_t c = event.codepoint;
-    // Of what an expression can begin with. Letters, too, unless they are a shortcut: "sqrt(16)" must not become "(16)".
+    // Of what an expression can begin with. Letters, too, unless they are a shortcut: "sqrt(16)" must not become
+    // "(16)".
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' ||
                         c == '=' || (letter && !key_ran_shortcut_);

@@ -1,4 +1,5 @@
-// Where each id stands in this build and in the one before: open addressing, no allocation while the UI stays as large as it is.
+// Where each id stands in this build and in the one before: open addressing, no allocation while the UI stays as large
+// as it is.
 #pragma once
 
 #include <vector>

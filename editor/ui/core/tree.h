@@ -12,18 +12,19 @@ namespace lapfx::ui {
 /// Labels from the outermost to the node, joined by "/"; arrangements without a name do not count.
 std::string path_of(std::span<const Node> tree, std::uint32_t index);
 
-/// The node with this path. A path may begin with "**/": anywhere. Throws std::invalid_argument when there is none (it names the
-/// nearest) or more than one.
+/// The node with this path. A path may begin with "**/": anywhere. Throws std::invalid_argument when there is none (it
+/// names the nearest) or more than one.
 std::uint32_t find(std::span<const Node> tree, std::string_view path);
 bool exists(std::span<const Node> tree, std::string_view path);
 
 /// One line a named node, indented: role "label" = value [states] (x y w h).
 std::string dump_text(std::span<const Node> tree);
-/// {"role", "label", "path", "text", "value", "minimum", "maximum", "step", "states": [...], "rect": [x, y, w, h], "tip",
-/// "children": [...]}; keys that would be empty are left out.
+/// {"role", "label", "path", "text", "value", "minimum", "maximum", "step", "states": [...], "rect": [x, y, w, h],
+/// "tip", "children": [...]}; keys that would be empty are left out.
 std::string dump_json(std::span<const Node> tree);
 
-/// What is wrong with it for people who do not see it: nodes that take the keyboard and have no name, labels that clash.
+/// What is wrong with it for people who do not see it: nodes that take the keyboard and have no name, labels that
+/// clash.
 std::vector<std::string> faults_of(std::span<const Node> tree);
 
 }  // namespace lapfx::ui

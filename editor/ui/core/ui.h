@@ -1,5 +1,5 @@
-// The heart of the toolkit. A frame is: events -> the program says what there is (calls; each answers at once from where things
-// were before) -> layout of the whole tree -> instances to draw.
+// The heart of the toolkit. A frame is: events -> the program says what there is (calls; each answers at once from
+// where things were before) -> layout of the whole tree -> instances to draw.
 //
 //     ui::Ui ui(fonts, {.theme = &ui::dark_theme()});
 //     ui.push({.kind = ui::EventKind::press, .at = {40, 20}});
@@ -10,10 +10,10 @@
 //     });
 //     if (out.changed) renderer.draw(*out.list);
 //
-// One thread, but wake(). The program is called again within one frame() while events are left (one key or button at a time, so
-// that each meets a UI that knows of the one before), once more after an event (so that what stands above a widget shows what came
-// of it, too), and when layout or hover changed: what it does must follow from its own state and from what widgets answer, each
-// answer used in the build that it is given in.
+// One thread, but wake(). The program is called again within one frame() while events are left (one key or button at a
+// time, so that each meets a UI that knows of the one before), once more after an event (so that what stands above a
+// widget shows what came of it, too), and when layout or hover changed: what it does must follow from its own state and
+// from what widgets answer, each answer used in the build that it is given in.
 #pragma once
 
 #include <array>
@@ -99,10 +99,11 @@ struct Response {
     float wheel = 0;    ///< notches
 };
 
-/// What came of an edit; bits, since all may happen in one frame. A gesture is began, changed any number of times, and then
-/// either committed or cancelled; when cancelled the value is as it was. An undo step lies between began and committed. One
-/// gesture at a time: all three at once, from a widget with one open, belong to that one. A widget that is no longer built in
-/// the middle of a gesture reports nothing more: for a listener that is a commit, as soon as nothing is held and focused.
+/// What came of an edit; bits, since all may happen in one frame. A gesture is began, changed any number of times, and
+/// then either committed or cancelled; when cancelled the value is as it was. An undo step lies between began and
+/// committed. One gesture at a time: all three at once, from a widget with one open, belong to that one. A widget that
+/// is no longer built in the middle of a gesture reports nothing more: for a listener that is a commit, as soon as
+/// nothing is held and focused.
 struct Edit {
     bool began = false, changed = false, committed = false, cancelled = false;
     explicit operator bool() const { return changed; }
@@ -173,8 +174,8 @@ class Ui {
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
 
-    /// Another build follows in this frame when layout gives `node` another size than it had: for what is placed inside it by its
-    /// size of before, and for pictures that are made to its size.
+    /// Another build follows in this frame when layout gives `node` another size than it had: for what is placed inside
+    /// it by its size of before, and for pictures that are made to its size.
     void follow_size(const Node& node) { followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data())); }
 
     /// What happened to it, and its states hovered, held, focused, ringed. Once for each node.
@@ -207,8 +208,8 @@ class Ui {
         return static_cast<Slot<T>*>(slot.get())->value;
     }
 
-    /// `look` is copied. Function draws from it, from the node and from the painter's theme and scale alone: where T has an
-    /// operator== and nothing of these has changed, what it drew in the last frame is used again.
+    /// `look` is copied. Function draws from it, from the node and from the painter's theme and scale alone: where T
+    /// has an operator== and nothing of these has changed, what it drew in the last frame is used again.
     template <auto Function, typename T>
     void draw_with(Node& node, const T& look) {
         node.arg = arena().make(look);
@@ -240,7 +241,8 @@ class Ui {
     void reveal(Id id);
     /// Runs what belongs to the chord unless a dialog is in the way; gives whether there was anything.
     bool press_shortcut(Key key, Mods mods);
-    /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has changed since.
+    /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has
+    /// changed since.
     void build_again() { again_ = true; }
     /// Files dropped where no node wanted them, one a line; empty: none in this build.
     std::string_view dropped() const { return dropped_; }
@@ -254,8 +256,8 @@ class Ui {
     bool overlay_open(std::string_view name) const;
     /// Open, and no other that can have the keyboard lies over it.
     bool overlay_on_top(std::string_view name) const;
-    /// Opens its node when the overlay is open (then close_overlay_node() must follow), else gives null. An overlay that is
-    /// not built in a frame is closed. `label`: what it is called in the tree.
+    /// Opens its node when the overlay is open (then close_overlay_node() must follow), else gives null. An overlay
+    /// that is not built in a frame is closed. `label`: what it is called in the tree.
     Node* open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis);
     void close_overlay_node() { close(); }
     std::size_t overlay_count() const { return overlays_.size(); }

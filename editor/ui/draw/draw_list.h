@@ -1,8 +1,8 @@
-// What one frame of the UI looks like: a flat list of instances that one program draws. No OpenGL here; ui/gl/renderer.h
-// draws it, a test can read it.
+// What one frame of the UI looks like: a flat list of instances that one program draws. No OpenGL here;
+// ui/gl/renderer.h draws it, a test can read it.
 //
-// An instance is 32 bytes: a rectangle (or a line), four 16-bit figures whose meaning depends on the kind, a colour, and the
-// index of its clip rectangle. Order is depth: later covers earlier.
+// An instance is 32 bytes: a rectangle (or a line), four 16-bit figures whose meaning depends on the kind, a colour,
+// and the index of its clip rectangle. Order is depth: later covers earlier.
 #pragma once
 
 #include <cstdint>
@@ -41,8 +41,8 @@ struct Instance {
 };
 static_assert(sizeof(Instance) == 32);
 
-/// A vector of instances that copies many at once as bytes: libstdc++ does so only for types without initialisers, and most of
-/// what a frame costs is copying glyphs.
+/// A vector of instances that copies many at once as bytes: libstdc++ does so only for types without initialisers, and
+/// most of what a frame costs is copying glyphs.
 class Instances {
   public:
     Instances() = default;
@@ -91,8 +91,8 @@ class Instances {
     std::size_t size_ = 0, capacity_ = 0;
 };
 
-/// A texture that the UI shows. Values below `own_images` are names of OpenGL textures of the host (a viewport, a video frame),
-/// already display-encoded; from there on images of an ImageStore. 0 is none.
+/// A texture that the UI shows. Values below `own_images` are names of OpenGL textures of the host (a viewport, a video
+/// frame), already display-encoded; from there on images of an ImageStore. 0 is none.
 using ImageHandle = std::uint64_t;
 inline constexpr ImageHandle own_images = 1ULL << 32;
 
@@ -133,8 +133,8 @@ struct DrawList {
     void reset(glm::ivec2 frame_size);
 };
 
-/// Whether both look the same, so that nothing has to be drawn. What is inside the host's own textures is not known here.
-/// Comparing costs a fraction of a hash, which has to multiply for every word.
+/// Whether both look the same, so that nothing has to be drawn. What is inside the host's own textures is not known
+/// here. Comparing costs a fraction of a hash, which has to multiply for every word.
 bool same_picture(const DrawList& a, const DrawList& b);
 /// All but the instances, which are as many.
 bool same_frame(const DrawList& a, const DrawList& b);

@@ -1,8 +1,8 @@
-// Icons as strokes on a grid of 24 by 24, one string an icon. A part is a letter and digits, each of which (0-9, then a = 10 to
-// o = 24 and on) is one coordinate:
+// Icons as strokes on a grid of 24 by 24, one string an icon. A part is a letter and digits, each of which (0-9, then a
+// = 10 to o = 24 and on) is one coordinate:
 //     L x y x y ...      open polyline          Z x y x y ...      closed one         P x y x y ...      filled polygon
-//     O x y r            circle                 D x y r            disc               A x y r from to    arc, 24ths of a turn
-//     B x0 y0 x1 y1      solid rectangle        F x0 y0 x1 y1      its frame                             clockwise from the right
+//     O x y r            circle                 D x y r            disc               A x y r from to    arc, 24ths of
+//     a turn B x0 y0 x1 y1      solid rectangle        F x0 y0 x1 y1      its frame clockwise from the right
 #include <array>
 
 #include "ui/draw/painter.h"

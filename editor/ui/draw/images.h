@@ -1,5 +1,5 @@
-// Pictures that the UI makes or is handed as bytes (scopes, thumbnails, a colour square). The renderer keeps a texture for each
-// and sends what changed.
+// Pictures that the UI makes or is handed as bytes (scopes, thumbnails, a colour square). The renderer keeps a texture
+// for each and sends what changed.
 #pragma once
 
 #include <span>

@@ -178,8 +178,8 @@ void Painter::fill(const Rect& rect, Color color, float radius) {
     instance.radius = whole_byte(radius);
 }
 
-/// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines through the
-/// smooth outer edge of its frame.
+/// What is filled and framed, as most controls are, is one instance: half the pixels to shade, and no fill shines
+/// through the smooth outer edge of its frame.
 bool Painter::frame_last_fill(const Rect& rect, Color color, std::uint8_t border, std::uint8_t radius) {
     if (list_.batches.empty() || clips_.back().batch != list_.batches.size()) return false;
     if (list_.instances.size() == list_.batches.back().first || list_.instances.size() == node_.instances) return false;

@@ -1,5 +1,5 @@
-// Drawing for widgets: shapes, lines, text and pictures into the DrawList of this frame, clipped to the widget's part of the
-// screen. Text stands on whole pixels.
+// Drawing for widgets: shapes, lines, text and pictures into the DrawList of this frame, clipped to the widget's part
+// of the screen. Text stands on whole pixels.
 #pragma once
 
 #include <string>
@@ -59,9 +59,9 @@ enum class Icon : std::uint8_t {
     sort_down,
 };
 
-/// How two pictures are shown over each other. A compare instance (CompareInstance) holds it so: uv[0] position in 1/65535, uv[1] angle
-/// in 1/65536 turn, uv[2] gain as a half float, uv[3] mix in 1/65535, radius the mode, border bits: 1 nearest, 2 the first picture is
-/// upside down (a host's texture), 4 the second is.
+/// How two pictures are shown over each other. A compare instance (CompareInstance) holds it so: uv[0] position in
+/// 1/65535, uv[1] angle in 1/65536 turn, uv[2] gain as a half float, uv[3] mix in 1/65535, radius the mode, border
+/// bits: 1 nearest, 2 the first picture is upside down (a host's texture), 4 the second is.
 enum class CompareMode : std::uint8_t { wipe, difference, onion, first, second };
 struct CompareLook {
     CompareMode mode = CompareMode::wipe;
@@ -87,10 +87,11 @@ class Painter {
     TextStyle number_style() const;
 
     void fill(const Rect& rect, Color color, float radius = 0);
-    /// The opaque ground of what is drawn next: cleared where nothing is under it, an eighth of the cost of a fill on a software
-    /// renderer. The same node's instances must not lie under it.
+    /// The opaque ground of what is drawn next: cleared where nothing is under it, an eighth of the cost of a fill on a
+    /// software renderer. The same node's instances must not lie under it.
     void ground(const Rect& rect, Color color);
-    /// Inside `rect`; `width` is rounded to whole px, 1 at least. Right after the fill of the same rectangle it costs nothing.
+    /// Inside `rect`; `width` is rounded to whole px, 1 at least. Right after the fill of the same rectangle it costs
+    /// nothing.
     void frame(const Rect& rect, Color color, float width, float radius = 0);
     /// Full inside, gone `softness` px outside.
     void shadow(const Rect& rect, Color color, float softness, float radius = 0);
@@ -98,13 +99,14 @@ class Painter {
     void polyline(std::span<const glm::vec2> points, float width, Color color);
     void gradient(const Rect& rect, Color from, Color to, bool vertical);
     void checker(const Rect& rect, Color light, Color dark, float square);
-    /// The whole picture, straight alpha. Rows of a stored image go down from the top; a host's texture has its first row at the
-    /// bottom, as OpenGL draws it, and is turned over.
+    /// The whole picture, straight alpha. Rows of a stored image go down from the top; a host's texture has its first
+    /// row at the bottom, as OpenGL draws it, and is turned over.
     void image(const Rect& rect, ImageHandle image, bool nearest = false, Color tint = {255, 255, 255, 255});
     void compare(const Rect& rect, ImageHandle first, ImageHandle second, const CompareLook& look);
     /// In the middle of `rect`, as large as its shorter side. Strokes may overlap: give it an opaque colour.
     void icon(const Rect& rect, Icon icon, Color color);
-    /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px; 0 where `rect` is clipped away.
+    /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px; 0 where `rect` is
+    /// clipped away.
     float text(const Rect& rect, std::string_view text, const TextStyle& style, Color color,
                Align align = Align::start);
     /// The same with the run at hand: Ui has looked it up to measure it, and it holds until the end of the frame.
@@ -118,7 +120,8 @@ class Painter {
     void pop_clip();
     const Rect& clip() const { return clips_.back().rect; }
 
-    // Of the core, once a node: what one node draws never becomes one with what another drew, so that it can be used again.
+    // Of the core, once a node: what one node draws never becomes one with what another drew, so that it can be used
+    // again.
     /// `bottom`: nothing that draws instances is under it.
     void begin_node(bool bottom) {
         node_ = {instances(), list_.batches.size(), list_.clears.size(), bottom};

@@ -1,12 +1,14 @@
-// Draws a DrawList with OpenGL 4.5 core: instanced quads, one call a batch as a rule, opaque backgrounds by scissored clears.
+// Draws a DrawList with OpenGL 4.5 core: instanced quads, one call a batch as a rule, opaque backgrounds by scissored
+// clears.
 //
 //     ui::Renderer renderer;                     // with the context current
 //     renderer.draw(list, fonts, &images, 0);    // onto the window
 //
-// The framebuffer holds sRGB-encoded values and must not encode again. All of the state that drawing depends on is set, whatever
-// others left; nothing is put back. Left behind: program, vertex array, framebuffer, viewport, scissor box, textures and samplers of
-// units 0 to 2, uniform buffer 0, premultiplied blending on; depth, stencil and scissor test, culling, logic operation,
-// framebuffer sRGB and rasteriser discard off; all colour channels written; pixel unpacking at 1-byte alignment, else plain.
+// The framebuffer holds sRGB-encoded values and must not encode again. All of the state that drawing depends on is set,
+// whatever others left; nothing is put back. Left behind: program, vertex array, framebuffer, viewport, scissor box,
+// textures and samplers of units 0 to 2, uniform buffer 0, premultiplied blending on; depth, stencil and scissor test,
+// culling, logic operation, framebuffer sRGB and rasteriser discard off; all colour channels written; pixel unpacking
+// at 1-byte alignment, else plain.
 #pragma once
 
 #include <array>
@@ -34,12 +36,13 @@ class Renderer {
     Renderer(const Renderer&) = delete;
     Renderer& operator=(const Renderer&) = delete;
 
-    /// Other shader texts from now on (shaders/ui.vert, shaders/ui.frag as they are on disk). False, and the log in `fault`: they do
-    /// not compile, and what was there stays.
+    /// Other shader texts from now on (shaders/ui.vert, shaders/ui.frag as they are on disk). False, and the log in
+    /// `fault`: they do not compile, and what was there stays.
     bool reload(std::string_view vertex, std::string_view fragment, std::string& fault);
 
-    /// `framebuffer` is at least as large as the list; its lower left corner is drawn. Sends what changed of the atlas and of the
-    /// images in use, so one renderer serves one Fonts and one store; an image that is no more, or null `images`, shows black. Steady frames allocate nothing.
+    /// `framebuffer` is at least as large as the list; its lower left corner is drawn. Sends what changed of the atlas
+    /// and of the images in use, so one renderer serves one Fonts and one store; an image that is no more, or null
+    /// `images`, shows black. Steady frames allocate nothing.
     void draw(const DrawList& list, Fonts& fonts, const ImageStore* images, unsigned framebuffer);
     const RenderStatistics& last() const { return last_; }
 

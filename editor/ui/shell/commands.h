@@ -1,5 +1,5 @@
-// What the program can do, each thing once: menus, buttons, palette, key editor, cheat sheet, shortcuts, scripts and tests all read
-// this one table.
+// What the program can do, each thing once: menus, buttons, palette, key editor, cheat sheet, shortcuts, scripts and
+// tests all read this one table.
 //
 //     ui::CommandTable commands;
 //     commands.add({.id = "file.save", .title = "Save", .group = "File", .chord = {ui::key_of('S'), ui::Mods::command},
@@ -31,8 +31,8 @@ struct Chord {
 std::string text_of(const Chord& chord);
 /// The other way; case and the order of Ctrl, Shift and Alt do not matter. Nothing when it is no chord.
 std::optional<Chord> chord_from(std::string_view text);
-/// Whether a command may have it: not what moves the focus, confirms or cancels everywhere. Space may be had: a button that has the
-/// keyboard takes it before any command.
+/// Whether a command may have it: not what moves the focus, confirms or cancels everywhere. Space may be had: a button
+/// that has the keyboard takes it before any command.
 bool bindable(const Chord& chord);
 
 struct Command {
@@ -50,7 +50,8 @@ struct Command {
 
 class CommandTable : public Shortcuts {
   public:
-    /// Throws std::invalid_argument for a mistake of the program: an id or a standard chord that is taken, no title, nothing to run.
+    /// Throws std::invalid_argument for a mistake of the program: an id or a standard chord that is taken, no title,
+    /// nothing to run.
     void add(Command command);
 
     std::size_t size() const { return entries_.size(); }
@@ -70,8 +71,8 @@ class CommandTable : public Shortcuts {
     const Chord& chord(std::size_t index) const { return entries_[index].chord; }
     const std::string& chord_text(std::size_t index) const { return entries_[index].chord_text; }
     std::optional<std::size_t> bound_to(const Chord& chord) const;
-    /// Binds, or unbinds with no key. When another command has the chord, gives that one: it loses it if `take`, else nothing is
-    /// changed.
+    /// Binds, or unbinds with no key. When another command has the chord, gives that one: it loses it if `take`, else
+    /// nothing is changed.
     std::optional<std::size_t> bind(std::size_t index, const Chord& chord, bool take = false);
     bool rebound(std::size_t index) const { return entries_[index].chord != entries_[index].command.chord; }
     /// To its standard; the same answer as bind().
@@ -82,8 +83,9 @@ class CommandTable : public Shortcuts {
 
     /// What is bound otherwise than by standard: {"file.save": "Ctrl+Alt+S", "view.grid": ""}.
     std::string to_json() const;
-    /// In place of all bindings; what is not named gets its standard. Gives what could not be taken, for the person to read. Commands
-    /// that are unknown are kept for to_json(): they may be of a newer version. No JSON at all: nothing is changed.
+    /// In place of all bindings; what is not named gets its standard. Gives what could not be taken, for the person to
+    /// read. Commands that are unknown are kept for to_json(): they may be of a newer version. No JSON at all: nothing
+    /// is changed.
     std::vector<std::string> from_json(std::string_view text);
 
     /// Indices of what was run from the palette, the newest first, 8 at most.

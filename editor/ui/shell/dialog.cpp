@@ -175,7 +175,8 @@ std::optional<std::size_t> Dialog::buttons(std::span<const DialogButton> all, bo
     DialogState& state = state_of(ui_, name_);
     const Node* focused = ui_.before(ui_.focus());
     if (state.fresh && focused != nullptr && focused->layer == ui_.parent().layer) {
-        // A dialog of buttons alone begins at the standard one, else at the harmless one; what Enter does has to be seen.
+        // A dialog of buttons alone begins at the standard one, else at the harmless one; what Enter does has to be
+        // seen.
         if (focused->id == first) ui_.set_focus(standard != 0 ? standard : cancel != 0 ? cancel : first, true);
         state.fresh = false;
         state.waits = has_standard && standard == 0;

@@ -3,11 +3,13 @@
 //     if (ui::button(u, "New preset")) ui::open_dialog(u, "new preset");
 //     if (ui::Dialog dialog(u, "new preset", "New preset"); dialog) {
 //         ui::text_field(u, "Name", name);
-//         if (dialog.buttons({{.label = "Cancel", .cancel = true}, {.label = "Create", .standard = true}}) == 1) create(name);
+//         if (dialog.buttons({{.label = "Cancel", .cancel = true}, {.label = "Create", .standard = true}}) == 1)
+//         create(name);
 //     }
 //
-// Content that is taller than the window scrolls between the title and the buttons; buttons that are wider than the dialog go on in
-// another row. Tab stays inside. Enter in a text field, or where nothing else takes it, is the standard button; Esc closes.
+// Content that is taller than the window scrolls between the title and the buttons; buttons that are wider than the
+// dialog go on in another row. Tab stays inside. Enter in a text field, or where nothing else takes it, is the standard
+// button; Esc closes.
 #pragma once
 
 #include <optional>
@@ -41,7 +43,8 @@ class Dialog {
     Dialog& operator=(const Dialog&) = delete;
     explicit operator bool() const { return open_; }
 
-    /// The row at the bottom, after the content. The index of the one that was pressed: the dialog is closed then, unless `stays`.
+    /// The row at the bottom, after the content. The index of the one that was pressed: the dialog is closed then,
+    /// unless `stays`.
     std::optional<std::size_t> buttons(std::span<const DialogButton> all, bool stays = false);
     std::optional<std::size_t> buttons(std::initializer_list<DialogButton> all, bool stays = false) {
         return buttons(std::span(all.begin(), all.size()), stays);

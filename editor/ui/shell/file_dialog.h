@@ -6,9 +6,9 @@
 //     if (const auto chosen = files.build(u)) load(chosen->front());
 //
 // A folder is read when it is come to, in one go, and again by the button for it. Typed names and paths are completed
-// (shell/path_completion.h); letters typed on the list go to the next name that begins so. Wherever the keyboard is: Ctrl+Shift+N
-// makes a folder, Alt+Up goes to the one above, Ctrl+L to the name, Ctrl+H shows hidden files, F5 reads again. Down goes from the
-// name to the list where there is nothing to suggest.
+// (shell/path_completion.h); letters typed on the list go to the next name that begins so. Wherever the keyboard is:
+// Ctrl+Shift+N makes a folder, Alt+Up goes to the one above, Ctrl+L to the name, Ctrl+H shows hidden files, F5 reads
+// again. Down goes from the name to the list where there is nothing to suggest.
 #pragma once
 
 #include <optional>
@@ -32,8 +32,8 @@ struct FileRequest {
     std::string title{};
     std::string folder{};  ///< to begin in; empty: where the last one ended
     std::string name{};    ///< save: proposed
-    /// The first is chosen to begin with; "All files" comes last by itself. Save: a name without an extension gets the first one of
-    /// the filter chosen.
+    /// The first is chosen to begin with; "All files" comes last by itself. Save: a name without an extension gets the
+    /// first one of the filter chosen.
     std::vector<FileFilter> filters{};
 };
 

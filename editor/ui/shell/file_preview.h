@@ -1,5 +1,5 @@
-// A picture of the file that is selected, beside the list. The toolkit knows neither videos nor organs: the program hands it the
-// picture.
+// A picture of the file that is selected, beside the list. The toolkit knows neither videos nor organs: the program
+// hands it the picture.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -25,7 +25,8 @@ class FilePictures {
     virtual ~FilePictures() = default;
     /// A dialog begins: what was shown in the one before may have become another.
     virtual void begin() {}
-    /// Of the one file that is looked at, in every build. Never waits: what is not there is made meanwhile, and the UI woken.
+    /// Of the one file that is looked at, in every build. Never waits: what is not there is made meanwhile, and the UI
+    /// woken.
     virtual FilePicture picture(Ui& ui, const std::string& path, const FileEntry& file) = 0;
 };
 
@@ -36,8 +37,8 @@ struct LookedAt {
     std::string about;  ///< size and time, to be read
 };
 
-/// A column of `width` em: the picture, or an icon where there is none; below it name, size and time, and why there is none.
-/// `file`: null when nothing is selected.
+/// A column of `width` em: the picture, or an icon where there is none; below it name, size and time, and why there is
+/// none. `file`: null when nothing is selected.
 void file_preview(Ui& ui, FilePictures& pictures, const LookedAt* file, float width);
 
 }  // namespace lapfx::ui

@@ -35,7 +35,8 @@ class FileSystem {
     virtual std::string make_folder(const std::string& path) = 0;
 };
 
-/// Runs what it is given, at once or on another thread, and does not wait for that. Throws when there is no thread for it.
+/// Runs what it is given, at once or on another thread, and does not wait for that. Throws when there is no thread for
+/// it.
 using RunBeside = std::function<void(std::function<void()>)>;
 
 /// This computer's, for any thread. What a link leads to counts, not the link.

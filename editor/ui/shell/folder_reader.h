@@ -1,4 +1,5 @@
-// Reads folders beside the UI, one at a time: a folder may lie at the other end of a slow network, or of one that is gone.
+// Reads folders beside the UI, one at a time: a folder may lie at the other end of a slow network, or of one that is
+// gone.
 #pragma once
 
 #include <memory>
@@ -16,8 +17,8 @@ class FolderReader {
     FolderReader(const FolderReader&) = delete;
     FolderReader& operator=(const FolderReader&) = delete;
 
-    /// What is in `folder`; null: it is still being read, and the UI is woken when it has been. What cannot be read holds nothing.
-    /// A folder asked for before another one is read anew.
+    /// What is in `folder`; null: it is still being read, and the UI is woken when it has been. What cannot be read
+    /// holds nothing. A folder asked for before another one is read anew.
     const std::vector<FileEntry>* read(Ui& ui, const std::string& folder);
     /// What was read, and what is being read, is not wanted any more. Before the Ui goes.
     void forget();

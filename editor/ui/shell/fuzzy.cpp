@@ -25,7 +25,8 @@ bool starts_word(std::string_view text, std::size_t at) {
     return (wordy(text[at]) && !wordy(text[at - 1])) || hump;
 }
 
-/// Scores of the best way to have matched the letters so far with the last of them at each byte, and where the one before lay.
+/// Scores of the best way to have matched the letters so far with the last of them at each byte, and where the one
+/// before lay.
 struct Table {
     float best[most_letters][fuzzy_text_bytes];
     std::uint8_t from[most_letters][fuzzy_text_bytes];

@@ -18,9 +18,9 @@ struct FuzzyMatch {
     bool at(std::size_t byte) const { return byte < fuzzy_text_bytes && ((places[byte / 64] >> (byte % 64)) & 1) != 0; }
 };
 
-/// Words of `pattern` (parted by spaces) are each found in `text`, their letters in order but with gaps. Beginnings of words and
-/// letters side by side count most, short texts more than long ones. Upper and lower case are one (ASCII). Nothing: no match. An
-/// empty pattern matches everything alike.
+/// Words of `pattern` (parted by spaces) are each found in `text`, their letters in order but with gaps. Beginnings of
+/// words and letters side by side count most, short texts more than long ones. Upper and lower case are one (ASCII).
+/// Nothing: no match. An empty pattern matches everything alike.
 std::optional<FuzzyMatch> fuzzy_match(std::string_view pattern, std::string_view text);
 
 }  // namespace lapfx::ui

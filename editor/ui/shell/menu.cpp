@@ -113,8 +113,8 @@ void take_keys(Ui& ui, Level& level) {
     });
 }
 
-/// Of a menu that the pointer opened no item is marked, and what nobody sees marked must not run: until one is chosen this has
-/// the keyboard.
+/// Of a menu that the pointer opened no item is marked, and what nobody sees marked must not run: until one is chosen
+/// this has the keyboard.
 void put_keys(Ui& ui, Level& level, std::uint8_t layer) {
     const Node* focused = ui.before(ui.focus());
     if (focused != nullptr && focused->role == Role::menu_item && focused->layer == layer) return;

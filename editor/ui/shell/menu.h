@@ -1,7 +1,7 @@
 // Menus: from a bar, from a button, or at the pointer. All are overlays with a global name.
 //
-//     if (r.context) ui::open_menu(u, "param menu", {.side = Placement::Side::pointer, .rect = {r.pointer.x, r.pointer.y, 0, 0}});
-//     if (ui::Menu menu(u, "param menu", "Speed"); menu) {
+//     if (r.context) ui::open_menu(u, "param menu", {.side = Placement::Side::pointer, .rect = {r.pointer.x,
+//     r.pointer.y, 0, 0}}); if (ui::Menu menu(u, "param menu", "Speed"); menu) {
 //         if (ui::menu_item(u, "Reset", {.shortcut = "Backspace"})) value = standard;
 //     }
 #pragma once
@@ -12,8 +12,8 @@ namespace lapfx::ui {
 
 void open_menu(Ui& ui, std::string_view name, const Placement& placement);
 
-/// The open menu `name`, or nothing. Arrows go round, letters go to the next item that begins so, Enter takes, Esc and a press
-/// outside close.
+/// The open menu `name`, or nothing. Arrows go round, letters go to the next item that begins so, Enter takes, Esc and
+/// a press outside close.
 class Menu {
   public:
     /// `label`: what it is called in the tree.

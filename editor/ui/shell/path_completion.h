@@ -1,7 +1,7 @@
 // What a name or path may become while it is typed: the entries of its folder that begin so, in a list at its field.
 //
-// Tab takes the longest part that all of them begin with. Arrows mark one, Enter or a click takes it, Esc closes the list. The
-// keyboard stays in the field. A path may begin with "~", "/" or "..".
+// Tab takes the longest part that all of them begin with. Arrows mark one, Enter or a click takes it, Esc closes the
+// list. The keyboard stays in the field. A path may begin with "~", "/" or "..".
 #pragma once
 
 #include "ui/shell/folder_reader.h"
@@ -9,8 +9,8 @@
 
 namespace lapfx::ui {
 
-/// What has all of `names` as its continuation, as they spell it; at least `typed`, which begins them all but for the case of
-/// letters: where they differ in that, it stays as it was typed.
+/// What has all of `names` as its continuation, as they spell it; at least `typed`, which begins them all but for the
+/// case of letters: where they differ in that, it stays as it was typed.
 std::string longest_common(std::span<const std::string_view> names, std::string_view typed);
 
 class PathCompletion {
@@ -18,7 +18,8 @@ class PathCompletion {
     static constexpr std::size_t most_found = 500;  ///< what comes after in order is left out
     static constexpr std::size_t rows = 8;          ///< seen at once
 
-    /// The folder that is shown, and which of any folder's entries are looked for (`hidden`: also those that begin with a dot).
+    /// The folder that is shown, and which of any folder's entries are looked for (`hidden`: also those that begin with
+    /// a dot).
     struct Shown {
         const std::string& folder;
         const std::vector<FileEntry>& entries;
@@ -35,7 +36,8 @@ class PathCompletion {
     bool open() const { return open_; }
     /// Whether Tab is for it: there is more to take, or a folder is still being read.
     bool completes() const { return waits_ || extends_; }
-    /// A key of the field, which leaves Enter, Esc and arrows to this. Gives whether it was taken; `typed` may have changed.
+    /// A key of the field, which leaves Enter, Esc and arrows to this. Gives whether it was taken; `typed` may have
+    /// changed.
     bool take_key(Ui& ui, Key key, std::string& typed, const Shown& shown);
     /// Once a frame after the field. Gives whether `typed` has changed.
     bool build(Ui& ui, Id field, std::string& typed, const Shown& shown);

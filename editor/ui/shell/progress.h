@@ -12,8 +12,8 @@ struct ProgressOptions {
     Size width = {SizeKind::grow, 1};
 };
 
-/// `fraction`: 0 to 1, clamped; negative or not finite: nobody knows, a part of the bar runs to and fro (with reduced motion it
-/// stands). `label` is shown in front of it. Gives whether it is to be given up.
+/// `fraction`: 0 to 1, clamped; negative or not finite: nobody knows, a part of the bar runs to and fro (with reduced
+/// motion it stands). `label` is shown in front of it. Gives whether it is to be given up.
 bool progress(Ui& ui, std::string_view label, double fraction, const ProgressOptions& options = {});
 
 /// "4 s", "1 min 20 s", "2 h 05 min", in the arena of the frame; rounded up, so that it never says 0 s. Not known: "".

@@ -1,8 +1,9 @@
-// Short news in the lower right corner, for what needs no answer. They go by themselves, errors only by hand; the newest lies at the
-// bottom and is always seen. What has gone, or had no room, stays in a log. They take the keyboard from nobody, but have it when asked:
-// take_focus().
+// Short news in the lower right corner, for what needs no answer. They go by themselves, errors only by hand; the
+// newest lies at the bottom and is always seen. What has gone, or had no room, stays in a log. They take the keyboard
+// from nobody, but have it when asked: take_focus().
 //
-//     toasts.add({.kind = ui::ToastKind::good, .text = "Exported 240 frames", .action = "Show", .act = [&] { show(); }});
+//     toasts.add({.kind = ui::ToastKind::good, .text = "Exported 240 frames", .action = "Show", .act = [&] { show();
+//     }});
 //     ...
 //     toasts.build(u);  // last of all, once a frame
 #pragma once
@@ -40,13 +41,14 @@ class Toasts {
     static constexpr std::size_t most_kept = 4;     ///< that can be on the screen
     static constexpr std::size_t most_notes = 200;  ///< in the log; the oldest go first
 
-    /// The same kind and text again: counts, becomes the newest, and stays as long as a new one. Where there are too many, the oldest
-    /// that would go by itself gives way, else the oldest.
+    /// The same kind and text again: counts, becomes the newest, and stays as long as a new one. Where there are too
+    /// many, the oldest that would go by itself gives way, else the oldest.
     void add(Toast toast);
     /// Esc closes the newest when nothing else has a use for it.
     void build(Ui& ui);
-    /// The newest gets the keyboard, for a command to call: up and down go to the others, Enter is the button (without one the notice
-    /// goes), Delete and Esc close it, and this again gives the keyboard back. Their time stands meanwhile.
+    /// The newest gets the keyboard, for a command to call: up and down go to the others, Enter is the button (without
+    /// one the notice goes), Delete and Esc close it, and this again gives the keyboard back. Their time stands
+    /// meanwhile.
     void take_focus() { wants_focus_ = true; }
     /// A dialog of all there were.
     void open_log(Ui& ui);

@@ -1,5 +1,5 @@
-// Font faces: which file draws which character (fontconfig), its outlines (FreeType) and its tables for shaping (HarfBuzz).
-// Private to text/.
+// Font faces: which file draws which character (fontconfig), its outlines (FreeType) and its tables for shaping
+// (HarfBuzz). Private to text/.
 #pragma once
 
 #include <fontconfig/fontconfig.h>
@@ -61,8 +61,8 @@ class Face {
     LineMetrics metrics(float size) const;
     /// Horizontal positions a glyph is drawn at within a px.
     int phases(float size) const;
-    /// Coverage of a glyph moved right by phase / phases px. Valid until the next call; no outline or nothing in it: width 0.
-    /// `left` and `top` lead from the pen to the upper left corner, y up.
+    /// Coverage of a glyph moved right by phase / phases px. Valid until the next call; no outline or nothing in it:
+    /// width 0. `left` and `top` lead from the pen to the upper left corner, y up.
     struct Bitmap {
         int left = 0, top = 0, width = 0, height = 0;
         std::vector<std::uint8_t> coverage;

@@ -1,4 +1,5 @@
-// Text: faces found by fontconfig, shaped by HarfBuzz, rasterised by FreeType at the size they are shown at, kept in one atlas.
+// Text: faces found by fontconfig, shaped by HarfBuzz, rasterised by FreeType at the size they are shown at, kept in
+// one atlas.
 //
 //     ui::Fonts fonts({.family = "Inter"});
 //     const ui::Run& run = fonts.run("12.5 mm/s", {.size = 14, .tabular = true});
@@ -38,11 +39,12 @@ struct CaretStop {
     float x = 0;             ///< px from the start of the run
 };
 
-/// Of a longer text a run is made of so much only: a pasted megabyte in a text field must not stop the frame. Its last stop is
-/// where it was cut.
+/// Of a longer text a run is made of so much only: a pasted megabyte in a text field must not stop the frame. Its last
+/// stop is where it was cut.
 inline constexpr std::size_t max_run_bytes = 16384;
 
-/// One line of text, shaped, always from left to right. Tabs are drawn as spaces, other control characters and bytes that are no UTF-8 as U+FFFD.
+/// One line of text, shaped, always from left to right. Tabs are drawn as spaces, other control characters and bytes
+/// that are no UTF-8 as U+FFFD.
 struct Run {
     std::vector<Instance>
         glyphs;  ///< kind glyph; x from the start of the run, y from the baseline; colour and clip not set

@@ -9,7 +9,8 @@
 
 namespace lapfx::ui {
 
-/// Places for rectangles in a square, a px apart from each other and from the edge: rows ("shelves") filled from the left.
+/// Places for rectangles in a square, a px apart from each other and from the edge: rows ("shelves") filled from the
+/// left.
 class Shelves {
   public:
     explicit Shelves(int side) : side_(side) {}

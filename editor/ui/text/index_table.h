@@ -1,5 +1,5 @@
-// From 64-bit hashes to indices into something of the owner's: open addressing, linear probing. Grows by doubling, never
-// shrinks; finding and erasing allocate nothing. The low bits of the hashes have to be well mixed.
+// From 64-bit hashes to indices into something of the owner's: open addressing, linear probing. Grows by doubling,
+// never shrinks; finding and erasing allocate nothing. The low bits of the hashes have to be well mixed.
 #pragma once
 
 #include <cstddef>

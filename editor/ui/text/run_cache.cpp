@@ -8,7 +8,8 @@ namespace {
 
 constexpr std::size_t kept_spare = 256;  // entries that keep their memory while nothing is in them
 constexpr std::size_t usual_text = 32;   // bytes
-// Frames without use after which a run goes; sooner when something makes very many, such as scrolling through a long list.
+// Frames without use after which a run goes; sooner when something makes very many, such as scrolling through a long
+// list.
 constexpr std::uint64_t patience = 120, short_patience = 8;
 constexpr std::size_t many = 4096;
 

@@ -22,7 +22,8 @@ constexpr std::string_view kind_names[] = {"a length", "a time",      "a speed",
                                            "an angle", "a frequency", "a power", "a temperature", "a number of pixels",
                                            "a share"};
 
-/// Names of one kind go over into each other: value * factor + offset is in the kind's smallest unit, so that factors are whole.
+/// Names of one kind go over into each other: value * factor + offset is in the kind's smallest unit, so that factors
+/// are whole.
 struct Unit {
     Kind kind;
     std::string_view name;
@@ -144,8 +145,9 @@ bool is_word(char32_t c) {
     return !is_space(c) && operator_of(c) == 0;
 }
 
-/// Recursive descent: sum, product, sign, power, measure, operand. A fault is kept, the first one, and moves on to the end of the
-/// text, so that every loop ends. Recursion goes by brackets and by "^", and so is bounded by the length of the text.
+/// Recursive descent: sum, product, sign, power, measure, operand. A fault is kept, the first one, and moves on to the
+/// end of the text, so that every loop ends. Recursion goes by brackets and by "^", and so is bounded by the length of
+/// the text.
 class Parser {
   public:
     Parser(std::string_view text, const ExpressionContext& context)

@@ -26,8 +26,8 @@ std::string_view written(std::span<char> buffer, std::to_chars_result result) {
     return {buffer.data(), static_cast<std::size_t>(result.ptr - buffer.data())};
 }
 
-/// A line through 0 up to `knee`, of height `foot`, then logarithms; the same mirrored below 0. Every number has its place, so that
-/// a drag can go anywhere.
+/// A line through 0 up to `knee`, of height `foot`, then logarithms; the same mirrored below 0. Every number has its
+/// place, so that a drag can go anywhere.
 struct Bend {
     double knee, foot;
 
@@ -59,8 +59,8 @@ bool is_straight(const ValueRange& range) {
     return range.scale == ValueScale::linear || range.maximum - range.minimum < 0.05 * farthest;
 }
 
-/// Most numbers of a UI are short: an integer with a point in it, several times faster than to_chars of a double. Nothing, where
-/// the multiplication's rounding could decide between two results.
+/// Most numbers of a UI are short: an integer with a point in it, several times faster than to_chars of a double.
+/// Nothing, where the multiplication's rounding could decide between two results.
 std::string_view format_quickly(std::span<char> buffer, double value, int decimals) {
     constexpr double tens[] = {1, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6};
     if (decimals < 0 || decimals > 6 || !(std::abs(value) < 1e8) || buffer.size() < 32) return {};

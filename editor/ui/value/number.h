@@ -10,7 +10,8 @@ namespace lapfx::ui {
 /// Decimals that show one `step`: 0.05 -> 2, 0.25 -> 2, 10 -> 0. At most 9.
 int decimals_of(double step);
 
-/// Writes `value` with so many decimals (std::to_chars, fixed; from 1e15 on, and below 1e-9 where not 0, in exponent form), never
+/// Writes `value` with so many decimals (std::to_chars, fixed; from 1e15 on, and below 1e-9 where not 0, in exponent
+/// form), never
 /// "-0". Gives the part of `buffer` that was written; 32 bytes are always enough.
 std::string_view format_number(std::span<char> buffer, double value, int decimals);
 /// As few digits as read back to the same double: what is copied and what a text entry begins with.
@@ -25,8 +26,8 @@ enum class ValueScale : std::uint8_t {
     decibel,      ///< the value is an amplitude; ways are dB; 0 is the lowest
 };
 
-/// From a value to its place along a slider, 0..1, and back. Monotonic; exact at both ends, and back and forth within 1e-12 of the
-/// range. Outside of minimum..maximum it goes on, so that a drag may leave the soft range.
+/// From a value to its place along a slider, 0..1, and back. Monotonic; exact at both ends, and back and forth within
+/// 1e-12 of the range. Outside of minimum..maximum it goes on, so that a drag may leave the soft range.
 struct ValueRange {
     double minimum = 0, maximum = 1;
     ValueScale scale = ValueScale::linear;

@@ -4,8 +4,8 @@
 //     edit.apply(TextCommand::select_all);
 //     edit.insert("4.5");
 //
-// Text is UTF-8. What comes in with bytes that are no UTF-8 has each shown as U+FFFD but kept as it is. Places are byte offsets
-// that never fall inside a code point, nor between a letter and the combining marks after it.
+// Text is UTF-8. What comes in with bytes that are no UTF-8 has each shown as U+FFFD but kept as it is. Places are byte
+// offsets that never fall inside a code point, nor between a letter and the combining marks after it.
 #pragma once
 
 #include <cstddef>
@@ -72,8 +72,8 @@ class TextEdit {
 
     /// Gives whether anything changed, the caret and the selection among it.
     bool apply(TextCommand command);
-    /// In place of the selection. Control characters but tab and line break are left out. Typing goes on in one undo step until the
-    /// caret is moved, a word ends, or something else happens.
+    /// In place of the selection. Control characters but tab and line break are left out. Typing goes on in one undo
+    /// step until the caret is moved, a word ends, or something else happens.
     bool insert(std::string_view text);
     bool insert(char32_t codepoint);
     void place(std::size_t byte, bool select);  ///< the nearest place that is allowed

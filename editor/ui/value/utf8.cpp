@@ -12,8 +12,8 @@ struct Range {
     char32_t first, last;
 };
 
-// Code points that stand on the one before them: categories Mn, Me and Mc of Unicode 14, the joiners U+200C and U+200D, the skin
-// tones and the tags of flags. Ranges that only unassigned code points part are one.
+// Code points that stand on the one before them: categories Mn, Me and Mc of Unicode 14, the joiners U+200C and U+200D,
+// the skin tones and the tags of flags. Ranges that only unassigned code points part are one.
 constexpr Range combining[] = {
     {0x300, 0x36f},     {0x483, 0x489},     {0x591, 0x5bd},     {0x5bf, 0x5bf},     {0x5c1, 0x5c2},
     {0x5c4, 0x5c5},     {0x5c7, 0x5c7},     {0x610, 0x61a},     {0x64b, 0x65f},     {0x670, 0x670},
@@ -80,7 +80,8 @@ bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
 }
 
-/// Where the code point begins that holds the byte before `byte`. A sequence cannot begin inside another one, so three bytes back settle it.
+/// Where the code point begins that holds the byte before `byte`. A sequence cannot begin inside another one, so three
+/// bytes back settle it.
 std::size_t code_point_before(std::string_view text, std::size_t byte) {
     for (std::size_t back = 2; back <= 4 && back <= byte && is_continuation(text[byte - back + 1]); ++back) {
         if (decode(text.substr(byte - back)).bytes >= back) return byte - back;

@@ -16,12 +16,13 @@ struct Decoded {
     bool valid = false;
 };
 
-/// The code point at the front of `text`, which is not empty. Overlong forms, surrogates and what is beyond U+10FFFF are not valid.
+/// The code point at the front of `text`, which is not empty. Overlong forms, surrogates and what is beyond U+10FFFF
+/// are not valid.
 Decoded decode(std::string_view text);
 void append(std::string& text, char32_t codepoint);  ///< not a scalar value: U+FFFD
 bool valid_utf8(std::string_view text);
-/// Bytes of the character before `byte` and at it: a code point together with the combining marks, joiners and variation selectors
-/// that go with it. 0 at the ends.
+/// Bytes of the character before `byte` and at it: a code point together with the combining marks, joiners and
+/// variation selectors that go with it. 0 at the ends.
 std::size_t previous_character(std::string_view text, std::size_t byte);
 std::size_t next_character(std::string_view text, std::size_t byte);
 bool is_combining(char32_t codepoint);

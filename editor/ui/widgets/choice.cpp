@@ -1,4 +1,5 @@
-// One of a few: side by side in one piece, or each with a round mark. Tab comes to the one that is chosen, arrows go on from it.
+// One of a few: side by side in one piece, or each with a round mark. Tab comes to the one that is chosen, arrows go on
+// from it.
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {
@@ -66,7 +67,8 @@ int step(Key key, int at, int count) {
 }
 
 void lay_segment(Ui& ui, Node& node) {
-    // A share by its text, so that all are cut at once where there is too little room, and none runs into what is beside them.
+    // A share by its text, so that all are cut at once where there is too little room, and none runs into what is
+    // beside them.
     const float wish = std::ceil(ui.text_width(node.shown)) + 2 * ui.em(0.6F);
     node.size[0] = grow(wish);
     node.minimum[0] = ui.em(1.5F);

@@ -146,8 +146,8 @@ struct Session {
     }
 };
 
-/// A square or a bar: a press goes to the pointer, a drag follows it. `moved(place)` with 0..1 from the upper left; arrows by
-/// hundredths, with Shift thousandths, with Ctrl tenths.
+/// A square or a bar: a press goes to the pointer, a drag follows it. `moved(place)` with 0..1 from the upper left;
+/// arrows by hundredths, with Shift thousandths, with Ctrl tenths.
 template <typename Moved>
 void drag_pad(Session& s, std::string_view part, Node& node, glm::vec2 place, Moved&& moved) {
     const Response r = s.ui.respond(node);

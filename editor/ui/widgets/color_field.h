@@ -1,5 +1,5 @@
-// A colour, and the picker that opens from it: a square of saturation and value, bars of hue and alpha, what it was before, and its
-// numbers to type.
+// A colour, and the picker that opens from it: a square of saturation and value, bars of hue and alpha, what it was
+// before, and its numbers to type.
 #pragma once
 
 #include <optional>
@@ -21,9 +21,9 @@ std::optional<Color> parse_hex(std::string_view text);
 /// "#rrggbb", with `alpha` "#rrggbbaa"; `buffer` has 9 bytes at least.
 std::string_view format_hex(std::span<char> buffer, Color color, bool alpha);
 
-/// Between a picker that wants a colour from a picture and the program that can give one. The program looks at `wanted_by` after
-/// the frame; while it is not 0 it shows a cross over its pictures, and puts what is clicked into `picked`, or gives up with
-/// wanted_by = 0.
+/// Between a picker that wants a colour from a picture and the program that can give one. The program looks at
+/// `wanted_by` after the frame; while it is not 0 it shows a cross over its pictures, and puts what is clicked into
+/// `picked`, or gives up with wanted_by = 0.
 struct Eyedropper {
     Id wanted_by = 0;
     std::optional<Color> picked;
@@ -37,11 +37,12 @@ struct ColorOptions {
     Eyedropper* eyedropper = nullptr;  ///< null: nothing to pick from
 };
 
-/// Ctrl+C and Ctrl+V copy and paste it as text. Each drag, typed text, click or paste is an edit of its own; Esc during a drag
-/// takes it back.
+/// Ctrl+C and Ctrl+V copy and paste it as text. Each drag, typed text, click or paste is an edit of its own; Esc during
+/// a drag takes it back.
 Edit color_field(Ui& ui, std::string_view label, Color& color, const ColorOptions& options = {});
 
-/// For widgets that have colours of their own: the picker of `owner` (a node, below which it opens), built while it is open.
+/// For widgets that have colours of their own: the picker of `owner` (a node, below which it opens), built while it is
+/// open.
 void open_color_picker(Ui& ui, Id owner, Color color, glm::vec2 offset = {0, 0});
 Edit color_picker(Ui& ui, Id owner, std::string_view label, Color& color, const ColorOptions& options = {});
 

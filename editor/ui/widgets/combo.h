@@ -1,8 +1,9 @@
 // One of many: shows what is chosen and drops down a list.
 //
-// Closed: up and down choose the one before or after, Ctrl+wheel as well, letters the next that begins so; a press, Enter or space
-// opens. Open: arrows, pages, Home and End move, Enter or a click takes, Esc leaves all as it was. A long list has a field
-// above it: only what contains all typed words is shown. Ten thousand choices cost no more than those that are seen.
+// Closed: up and down choose the one before or after, Ctrl+wheel as well, letters the next that begins so; a press,
+// Enter or space opens. Open: arrows, pages, Home and End move, Enter or a click takes, Esc leaves all as it was. A
+// long list has a field above it: only what contains all typed words is shown. Ten thousand choices cost no more than
+// those that are seen.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -17,8 +18,8 @@ struct ComboOptions {
     std::size_t filter_from = 12;  ///< so many choices have a field to filter them
 };
 
-/// `chosen`: -1 is none; others are clamped. `choices` are told from a new list by their number and place, and must not be changed
-/// where they are while the list is open.
+/// `chosen`: -1 is none; others are clamped. `choices` are told from a new list by their number and place, and must not
+/// be changed where they are while the list is open.
 Edit combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices,
            const ComboOptions& options = {});
 

@@ -1,10 +1,12 @@
-// Panels that a person arranges: tabs are dragged onto another group of tabs or to a side of it, edges between groups are dragged,
-// panels are closed and, from the menu of any tab, shown again. They never overlap. The program owns the arrangement.
+// Panels that a person arranges: tabs are dragged onto another group of tabs or to a side of it, edges between groups
+// are dragged, panels are closed and, from the menu of any tab, shown again. They never overlap. The program owns the
+// arrangement.
 //
 //     constexpr std::string_view panels[] = {"View", "Parameters", "Scopes"};
 //     ui::dock(u, "Workspace", settings.layout, panels, [&](std::size_t panel) { build_panel(u, panel); });
 //
-// In the tree a tab is "Workspace/tabs/Scopes", a panel "Workspace/Scopes", an edge "Workspace/edge 0" (by the number of its node).
+// In the tree a tab is "Workspace/tabs/Scopes", a panel "Workspace/Scopes", an edge "Workspace/edge 0" (by the number
+// of its node).
 #pragma once
 
 #include "ui/widgets/dock_layout.h"
@@ -23,8 +25,8 @@ struct DockEvents {
     Edit resized;           ///< an edge was dragged
 };
 
-/// Fits `layout` to `panels` (names, all different) when it holds others. `build(panel)`: called for those in front, inside a Panel
-/// of that name; ids inside do not depend on where it is.
+/// Fits `layout` to `panels` (names, all different) when it holds others. `build(panel)`: called for those in front,
+/// inside a Panel of that name; ids inside do not depend on where it is.
 DockEvents dock(Ui& ui, std::string_view label, DockLayout& layout, std::span<const std::string_view> panels,
                 const FunctionRef<void(std::size_t)>& build, const DockOptions& options = {});
 

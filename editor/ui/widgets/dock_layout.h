@@ -1,5 +1,5 @@
-// How panels share a window: a tree of splits with tabs in its leaves. Plain values: the program owns it, copies it for undo, and
-// writes it to its settings.
+// How panels share a window: a tree of splits with tabs in its leaves. Plain values: the program owns it, copies it for
+// undo, and writes it to its settings.
 #pragma once
 
 #include <span>
@@ -35,15 +35,15 @@ struct DockLayout {
 
     /// Of the leaf that has this panel; -1: none has.
     int find(std::string_view panel) const;
-    /// Puts a panel, wherever it was, into `leaf`'s tabs at `position` (-1: the end), or beside that leaf. It comes to the front.
-    /// Nothing happens when it is alone in that very leaf. `leaf` must be the index of a leaf (assert).
+    /// Puts a panel, wherever it was, into `leaf`'s tabs at `position` (-1: the end), or beside that leaf. It comes to
+    /// the front. Nothing happens when it is alone in that very leaf. `leaf` must be the index of a leaf (assert).
     void move(std::string_view panel, int leaf, DockSide side, int position = -1);
     /// Takes it off the screen. The last panel stays.
     void close(std::string_view panel);
     /// Brings it to the front; a closed one comes into the first leaf.
     void show(std::string_view panel);
-    /// Makes it hold exactly `panels`: unknown names are dropped, those missing (of a newer version of the program) come into the
-    /// first leaf. Fractions and active tabs out of range are put right.
+    /// Makes it hold exactly `panels`: unknown names are dropped, those missing (of a newer version of the program)
+    /// come into the first leaf. Fractions and active tabs out of range are put right.
     void fit(std::span<const std::string_view> panels);
 
   private:
@@ -60,10 +60,12 @@ struct NamedLayout {
     std::string name;
     DockLayout layout;
 };
-/// As JSON text. {"version": 1, "layouts": [{"name", "root", "closed"}]}; a node is {"split": "x", "fraction", "first", "second"} or
+/// As JSON text. {"version": 1, "layouts": [{"name", "root", "closed"}]}; a node is {"split": "x", "fraction", "first",
+/// "second"} or
 /// {"tabs": [...], "active"}.
 std::string write_layouts(std::span<const NamedLayout> layouts);
-/// Each fitted to `panels` (DockLayout::fit). Throws std::invalid_argument, which says what is wrong, when it is not such a text.
+/// Each fitted to `panels` (DockLayout::fit). Throws std::invalid_argument, which says what is wrong, when it is not
+/// such a text.
 std::vector<NamedLayout> read_layouts(std::string_view json, std::span<const std::string_view> panels);
 
 }  // namespace lapfx::ui

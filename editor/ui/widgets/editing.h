@@ -1,5 +1,5 @@
-// A text while it has the keyboard: keys, typed characters, clipboard, undo and the blinking of the caret, for fields of one line
-// and of many.
+// A text while it has the keyboard: keys, typed characters, clipboard, undo and the blinking of the caret, for fields
+// of one line and of many.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -28,16 +28,17 @@ struct Editing {
     Edit close();
     /// In place of all that is there, as one step that can be undone.
     void replace(Ui& ui, std::string_view with, std::string& text, Edit& result);
-    /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all (of many
-    /// lines: the line).
+    /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all
+    /// (of many lines: the line).
     void press(Ui& ui, const Event& event, std::size_t byte);
-    /// What a right click or the Menu key offers: built last by the field `id`, which keeps its text under edit while it is open.
+    /// What a right click or the Menu key offers: built last by the field `id`, which keeps its text under edit while
+    /// it is open.
     void menu(Ui& ui, Id id, std::string_view label, const Response& response, std::string& text, Edit& result);
     static bool menu_open(Ui& ui, Id id);
     /// Starts the blinking anew: after every input the caret is seen.
     void touch(Ui& ui) { active_ = ui.time(); }
-    /// Whether the caret is to be seen now; asks for the frame in which that changes. After ten seconds it stays, and nothing
-    /// wakes the program any more.
+    /// Whether the caret is to be seen now; asks for the frame in which that changes. After ten seconds it stays, and
+    /// nothing wakes the program any more.
     bool caret_shown(Ui& ui) const;
     bool began() const { return began_; }
 

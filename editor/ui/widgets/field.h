@@ -1,4 +1,5 @@
-// What fields of all kinds have in common: the ground, the caption to its left, the thumb that shows where one has scrolled to.
+// What fields of all kinds have in common: the ground, the caption to its left, the thumb that shows where one has
+// scrolled to.
 #pragma once
 
 #include "ui/core/ui.h"

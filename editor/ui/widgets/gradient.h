@@ -1,7 +1,7 @@
 // Colours along a line: a bar that shows them and handles below it.
 //
-// A double press on the bar, or Enter, adds a stop; handles are dragged between their neighbours (Shift: ten times as fine) or moved
-// with the arrows; Delete takes one away; a double press on a handle, or Enter, opens its colour.
+// A double press on the bar, or Enter, adds a stop; handles are dragged between their neighbours (Shift: ten times as
+// fine) or moved with the arrows; Delete takes one away; a double press on a handle, or Enter, opens its colour.
 #pragma once
 
 #include <vector>
@@ -15,7 +15,8 @@ struct GradientStop {
     Color color;
 };
 
-/// Linear in sRGB between stops in the order of their places; beyond the ends as at the ends. Nothing when there is none.
+/// Linear in sRGB between stops in the order of their places; beyond the ends as at the ends. Nothing when there is
+/// none.
 Color gradient_at(std::span<const GradientStop> stops, float place);
 
 struct GradientOptions {

@@ -1,4 +1,5 @@
-// Text as it is, where label() and button() leave out what follows ##: names and paths of files, and what was read from them.
+// Text as it is, where label() and button() leave out what follows ##: names and paths of files, and what was read from
+// them.
 //
 //     if (!fault.empty()) ui::literal(u, fault, ui::Tone::error);
 #pragma once
@@ -9,7 +10,8 @@ namespace lapfx::ui {
 
 /// As many lines as the width asks for.
 void literal(Ui& ui, std::string_view text, Tone tone = Tone::normal);
-/// One line as wide as there is room, cut with an ellipsis and whole in its tooltip. One to a parent, or each with a seed.
+/// One line as wide as there is room, cut with an ellipsis and whole in its tooltip. One to a parent, or each with a
+/// seed.
 void literal_line(Ui& ui, std::string_view text);
 /// A button that is called `text`.
 bool literal_button(Ui& ui, std::string_view text, const ButtonOptions& options = {});

@@ -1,4 +1,5 @@
-// Typing into a number: a text in a field that is an expression all the while. Shared by all that shows numbers (param.h).
+// Typing into a number: a text in a field that is an expression all the while. Shared by all that shows numbers
+// (param.h).
 #pragma once
 
 #include "ui/value/expression.h"
@@ -22,7 +23,8 @@ class NumberEntry {
 
     /// Begins with `text`, all of it selected.
     void open(Ui& ui, std::string_view text);
-    /// Keys, text and pointer of this build for the node `id`, whose text stands in `field`. What is wrong is not taken.
+    /// Keys, text and pointer of this build for the node `id`, whose text stands in `field`. What is wrong is not
+    /// taken.
     Outcome take(Ui& ui, Id id, const Rect& field, const ExpressionContext& context);
     /// A typed character or a key that is about text.
     void type(Ui& ui, const Event& event);

@@ -1,5 +1,5 @@
-// What a param does to its number, without a UI: limits, steps, drags, how it is written. Pure functions. All numbers are those
-// that are shown (the value times ParamOptions::display).
+// What a param does to its number, without a UI: limits, steps, drags, how it is written. Pure functions. All numbers
+// are those that are shown (the value times ParamOptions::display).
 #pragma once
 
 #include <limits>
@@ -42,8 +42,8 @@ ParamOptions percent(ParamOptions percents = {.minimum = 0, .maximum = 100, .ste
 /// s. Typed in ms or min just as well.
 ParamOptions seconds(ParamOptions options);
 
-/// With ranges that can be counted on, whatever a program has worked out: soft ends that are no numbers are 0 and 1, hard ones none
-/// at all, and those in the wrong order are swapped.
+/// With ranges that can be counted on, whatever a program has worked out: soft ends that are no numbers are 0 and 1,
+/// hard ones none at all, and those in the wrong order are swapped.
 ParamOptions sound(ParamOptions options);
 
 struct ParamLimits {
@@ -57,9 +57,10 @@ double step_of(const ParamOptions& options, double value);
 /// `count` steps on, a tenth of a step each when `fine`.
 double stepped(const ParamOptions& options, double value, double count, bool fine);
 
-/// One move of a drag. `raw` is where the drag stands exactly, and goes on by `pixels` of the `way` px that the soft range is long;
-/// it is kept within `limits`. Given is what to show for it: the roundest number within half a pixel, or with Ctrl (command) the
-/// next step. Shift: a tenth of the way, a tenth of the step. Whatever changes between two moves, the value does not jump.
+/// One move of a drag. `raw` is where the drag stands exactly, and goes on by `pixels` of the `way` px that the soft
+/// range is long; it is kept within `limits`. Given is what to show for it: the roundest number within half a pixel, or
+/// with Ctrl (command) the next step. Shift: a tenth of the way, a tenth of the step. Whatever changes between two
+/// moves, the value does not jump.
 double dragged(const ParamOptions& options, double& raw, double pixels, double way, Mods mods,
                const ParamLimits& limits);
 

@@ -1,9 +1,9 @@
-// What table, tree and thumbnails have in common: lines of items of which those in sight are built, a selection, and the keys and
-// presses that move it. The list has the keyboard, not its items.
+// What table, tree and thumbnails have in common: lines of items of which those in sight are built, a selection, and
+// the keys and presses that move it. The list has the keyboard, not its items.
 //
-// Press selects; with Ctrl one more or one less, with Shift from the last to this one (where several may be selected). Arrows,
-// PageUp, PageDown, Home and End go to another item and select it, with Shift all between; Enter or a double click opens. Letters
-// go to the next item that begins with them, where items have names.
+// Press selects; with Ctrl one more or one less, with Shift from the last to this one (where several may be selected).
+// Arrows, PageUp, PageDown, Home and End go to another item and select it, with Shift all between; Enter or a double
+// click opens. Letters go to the next item that begins with them, where items have names.
 #pragma once
 
 #include "ui/widgets/scroll.h"
@@ -70,8 +70,8 @@ class RowList {
   public:
     using KeyOf = FunctionRef<std::uint64_t(std::size_t)>;
 
-    /// `key_of(item)`: different for each item, not no_key; called for those in sight, and for all when a key moves the selection.
-    /// Must last as long as the list.
+    /// `key_of(item)`: different for each item, not no_key; called for those in sight, and for all when a key moves the
+    /// selection. Must last as long as the list.
     RowList(Ui& ui, std::string_view label, Selection& selection, const KeyOf& key_of, const RowListOptions& options);
 
     std::size_t first() const { return std::min(window_.first() * options_.columns, options_.count); }

@@ -13,8 +13,8 @@ struct BarDrag {
     float from = 0;  // px, the offset at the press
 };
 
-/// Whether the upright bar has room of its own. Content may grow with its width (a picture): then the bar is needed without the room
-/// that it takes and not needed with it. Where giving up the room has brought the need back, it stays.
+/// Whether the upright bar has room of its own. Content may grow with its width (a picture): then the bar is needed
+/// without the room that it takes and not needed with it. Where giving up the room has brought the need back, it stays.
 struct BarRoom {
     bool barred = false;
     glm::vec2 given_up_at{-1};  // px of the area without any bar, when the room was given up for want of need

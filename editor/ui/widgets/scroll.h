@@ -5,9 +5,9 @@
 //
 //     ui::virtual_rows(u, "Frames", 10000, u.row_height(), [&](std::size_t row) { ui::label(u, names[row]); });
 //
-// The wheel scrolls (with Shift sideways), and so do PageUp, PageDown, Home and End when nothing that has the focus takes them.
-// Bars are thin and there only when there is something to scroll; the upright one has room of its own, the other lies over the
-// content.
+// The wheel scrolls (with Shift sideways), and so do PageUp, PageDown, Home and End when nothing that has the focus
+// takes them. Bars are thin and there only when there is something to scroll; the upright one has room of its own, the
+// other lies over the content.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -50,8 +50,9 @@ class ScrollArea {
     float top_;
 };
 
-/// Which lines of equal height within an area are in sight; those above and below are room only. In the very first frame, before
-/// there is a layout, as many as the window can hold. Up to 16 million px (700,000 lines) positions are exact.
+/// Which lines of equal height within an area are in sight; those above and below are room only. In the very first
+/// frame, before there is a layout, as many as the window can hold. Up to 16 million px (700,000 lines) positions are
+/// exact.
 class LineWindow {
   public:
     /// `height`: px of a line, at least 1. The area's gap must be 0.

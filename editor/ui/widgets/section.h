@@ -4,8 +4,8 @@
 //         ui::param(u, "Speed", ...);
 //     }
 //
-// Click, Enter and space fold it, Left closes, Right opens. Whether it is open is remembered as long as the Ui lives. In the tree it
-// is "Bleeding", its title bar "Bleeding/header".
+// Click, Enter and space fold it, Left closes, Right opens. Whether it is open is remembered as long as the Ui lives.
+// In the tree it is "Bleeding", its title bar "Bleeding/header".
 #pragma once
 
 #include "ui/core/ui.h"
@@ -43,8 +43,8 @@ class Section {
     int clicked_ = -1;
 };
 
-/// A filter for all sections and parameters of this Ui: with it on, sections with no changed value are not there, and a row for a
-/// value may ask, and leave itself out.
+/// A filter for all sections and parameters of this Ui: with it on, sections with no changed value are not there, and a
+/// row for a value may ask, and leave itself out.
 bool changed_only(Ui& ui);
 void set_changed_only(Ui& ui, bool on);
 

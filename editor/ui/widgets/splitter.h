@@ -5,8 +5,8 @@
 //     split.next();
 //     ...second pane...
 //
-// The handle is dragged, Esc puts it back; a double click or Backspace brings the standard place back; arrows move it by an em, Home
-// and End as far as it goes. In the tree it is "Views/handle".
+// The handle is dragged, Esc puts it back; a double click or Backspace brings the standard place back; arrows move it
+// by an em, Home and End as far as it goes. In the tree it is "Views/handle".
 #pragma once
 
 #include "ui/core/ui.h"

@@ -1,14 +1,15 @@
 // A table: a header, rows of text of which those in sight are built, a selection, an order.
 //
 //     const ui::TableColumn columns[] = {{"Name", 14}, {"Length", 6, ui::Align::end}};
-//     const auto events = ui::table(u, "Clips", state, columns, clips.size(), [&](std::size_t row, std::size_t column) {
+//     const auto events = ui::table(u, "Clips", state, columns, clips.size(), [&](std::size_t row, std::size_t column)
+//     {
 //         return ui::TableCell{.text = column == 0 ? clips[row].name : clips[row].length};
 //     });
 //     if (events.sorted) sort(clips, state.sort_column, state.descending);
 //
-// A click on a header sorts by it, another one turns the order round. Its right edge is dragged to make the column wider or, by a
-// double click, as wide as what is in sight of it needs. With the keyboard: Tab to a header, arrows to the next, Enter sorts,
-// Shift+Left and Shift+Right resize, Backspace brings the standard width back.
+// A click on a header sorts by it, another one turns the order round. Its right edge is dragged to make the column
+// wider or, by a double click, as wide as what is in sight of it needs. With the keyboard: Tab to a header, arrows to
+// the next, Enter sorts, Shift+Left and Shift+Right resize, Backspace brings the standard width back.
 #pragma once
 
 #include "ui/widgets/basic.h"

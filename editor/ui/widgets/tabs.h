@@ -3,9 +3,9 @@
 //     constexpr std::string_view names[] = {"Matte", "Scopes"};
 //     if (ui::Tabs tabs(u, "Views", active, names); active == 0) ...
 //
-// Press, Left, Right, Home and End choose; Ctrl+PageUp and Ctrl+PageDown from anywhere inside. Where they can be closed: the cross,
-// the middle button, Delete. What does not fit scrolls (Shift and wheel), and a button at the end lists them all. In the tree a tab
-// is "Views/tabs/Matte".
+// Press, Left, Right, Home and End choose; Ctrl+PageUp and Ctrl+PageDown from anywhere inside. Where they can be
+// closed: the cross, the middle button, Delete. What does not fit scrolls (Shift and wheel), and a button at the end
+// lists them all. In the tree a tab is "Views/tabs/Matte".
 #pragma once
 
 #include "ui/core/ui.h"

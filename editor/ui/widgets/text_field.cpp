@@ -8,7 +8,8 @@ namespace lapfx::ui {
 
 namespace {
 
-// Of a very long text only so much around the caret is shaped; where that begins is moved when the caret comes near its ends.
+// Of a very long text only so much around the caret is shaped; where that begins is moved when the caret comes near its
+// ends.
 constexpr std::size_t window_bytes = 6144, window_margin = 1536;
 static_assert(window_bytes < max_run_bytes);
 constexpr std::size_t spoken_bytes = 64 << 10;

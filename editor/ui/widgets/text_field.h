@@ -1,8 +1,8 @@
 // Text of one line that can be edited.
 //
-// A press places the caret, two take the word, three all; dragging selects and scrolls beyond the edges. Tab comes to the field with
-// all selected. Enter commits and stays, leaving commits, Esc goes back to what was committed last and, when nothing has changed,
-// leaves. Ctrl+Z is the field's as long as it has something to undo, then the program's.
+// A press places the caret, two take the word, three all; dragging selects and scrolls beyond the edges. Tab comes to
+// the field with all selected. Enter commits and stays, leaving commits, Esc goes back to what was committed last and,
+// when nothing has changed, leaves. Ctrl+Z is the field's as long as it has something to undo, then the program's.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -18,13 +18,13 @@ struct TextFieldOptions {
     bool read_only = false;       ///< can be selected and copied
     bool invalid = false;         ///< red: what is typed cannot be taken; say why in `tip`
     bool monospace = false;
-    /// For a field above a list: Enter, Esc, up, down and the page keys do nothing here; whoever builds it reads them with
-    /// ui.events_of(id of the field).
+    /// For a field above a list: Enter, Esc, up, down and the page keys do nothing here; whoever builds it reads them
+    /// with ui.events_of(id of the field).
     bool keys_outside = false;
 };
 
-/// `text` changes with every key; committed by Enter or when the keyboard goes elsewhere. Bytes that are no UTF-8 are kept. The
-/// semantic tree has its first 64 KiB.
+/// `text` changes with every key; committed by Enter or when the keyboard goes elsewhere. Bytes that are no UTF-8 are
+/// kept. The semantic tree has its first 64 KiB.
 Edit text_field(Ui& ui, std::string_view label, std::string& text, const TextFieldOptions& options = {});
 
 /// With a glass at the left and a cross at the right that empties it, as does Esc.

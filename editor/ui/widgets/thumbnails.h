@@ -1,7 +1,7 @@
 // Pictures with names in a grid: presets, clips. Lines in sight are built; pictures may come later.
 //
-// Press or arrows select, Enter or a double click opens, space or the star in the corner marks; what the pointer rests on is told,
-// so that a preset can be tried on the fly.
+// Press or arrows select, Enter or a double click opens, space or the star in the corner marks; what the pointer rests
+// on is told, so that a preset can be tried on the fly.
 #pragma once
 
 #include "ui/widgets/rows.h"
@@ -27,7 +27,8 @@ struct ThumbnailOptions {
 /// `marked`: the star of this one is to change.
 using ThumbnailEvents = RowEvents;
 
-/// `item(number)` for those in sight; its texts are copied. `label` names the grid. Pictures fill their cells: make them `aspect`.
+/// `item(number)` for those in sight; its texts are copied. `label` names the grid. Pictures fill their cells: make
+/// them `aspect`.
 ThumbnailEvents thumbnails(Ui& ui, std::string_view label, Selection& selection, std::size_t count,
                            const FunctionRef<Thumbnail(std::size_t)>& item, const ThumbnailOptions& options = {});
 

@@ -11,7 +11,8 @@ namespace {
 
 constexpr std::string_view more = "More...";
 
-/// Whether `item` is in the row, given that all of a rank above `most`, and of that rank those from `last` on, are in the menu.
+/// Whether `item` is in the row, given that all of a rank above `most`, and of that rank those from `last` on, are in
+/// the menu.
 struct Cut {
     int most;
     std::size_t last;
@@ -42,7 +43,8 @@ Cut cut_for(Ui& ui, std::span<const ToolItem> items, float room) {
     return cut;
 }
 
-/// Whether `node`, just built, is a button that was pressed: what is chosen from a menu closes it. What is set there stays open.
+/// Whether `node`, just built, is a button that was pressed: what is chosen from a menu closes it. What is set there
+/// stays open.
 bool chosen(Ui& ui, const Node& node) {
     if (node.role != Role::button) return false;
     bool pressed = false;

@@ -14,8 +14,8 @@ struct ToolItem {
     bool end = false;  ///< from here on they stand at the end of the row
 };
 
-/// `room`: px for the row; 0: not known yet, all are built in it. `build(item)`: each that is there, in the row or, while that is open,
-/// in the menu, one below the other; ids inside differ between the two.
+/// `room`: px for the row; 0: not known yet, all are built in it. `build(item)`: each that is there, in the row or,
+/// while that is open, in the menu, one below the other; ids inside differ between the two.
 void toolbar(Ui& ui, std::string_view label, float room, std::span<const ToolItem> items,
              const FunctionRef<void(std::size_t)>& build);
 

@@ -101,7 +101,8 @@ void Making::row(RowList& list, std::size_t line, std::size_t index) {
     const float mark = item.mark == Icon::none ? 0.0F : ui.row_height();
     const float icon = item.icon == Icon::none ? 0.0F : ui.em(1) + ui.em(0.4F);
     node.size[0] = grow();
-    // Names are cut where the view ends, so that marks stay in sight; deep down a few letters of them are left and it scrolls.
+    // Names are cut where the view ends, so that marks stay in sight; deep down a few letters of them are left and it
+    // scrolls.
     const float name = std::ceil(ui.text_width(node.text)) + 1,
                 before = ui.em(mark > 0 ? 0.3F : 0.6F) + in + ui.em(1.2F) + icon;
     node.minimum[0] = before + std::min(name, ui.em(least_name_em)) + mark;

@@ -1,10 +1,10 @@
 // A tree of named things: parts of a mesh, folders. Rows in sight are built.
 //
-//     const ui::TreeItem items[] = {{"Liver", 0}, {"Left lobe", 1}, {"Right lobe", 1}};  // in order, each below its parent
-//     if (ui::tree_view(u, "Parts", state, items).selected) show(state.selection);
+//     const ui::TreeItem items[] = {{"Liver", 0}, {"Left lobe", 1}, {"Right lobe", 1}};  // in order, each below its
+//     parent if (ui::tree_view(u, "Parts", state, items).selected) show(state.selection);
 //
-// Press selects, the triangle or a double click opens and closes; Right opens or goes to the first below, Left closes or goes to
-// the one above.
+// Press selects, the triangle or a double click opens and closes; Right opens or goes to the first below, Left closes
+// or goes to the one above.
 #pragma once
 
 #include "ui/widgets/rows.h"

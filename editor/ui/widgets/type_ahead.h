@@ -21,8 +21,9 @@ class TypeAhead {
     /// Whether the next letter belongs to those before: a space is one, then, and selects nothing.
     bool open(double now) const { return !typed_.empty() && now - at_ <= together; }
 
-    /// The next item after `from` that begins with what has been typed, `from` itself among them unless it is one letter over and
-    /// over: that goes from one item of this letter to the next. `from` and what is given: `count` for none.
+    /// The next item after `from` that begins with what has been typed, `from` itself among them unless it is one
+    /// letter over and over: that goes from one item of this letter to the next. `from` and what is given: `count` for
+    /// none.
     template <typename NameOf>
     std::size_t find(std::size_t count, std::size_t from, const NameOf& name_of) const {
         if (typed_.empty()) return count;

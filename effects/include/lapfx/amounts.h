@@ -1,6 +1,6 @@
-// How much blood and smoke there is: what simulators score trainees by, and what is matched to a surgery video. Effects gives the
-// amounts of what it draws; AmountsModel works them out without drawing, without OpenGL, on any thread: for plots over a whole
-// scene and for fits.
+// How much blood and smoke there is: what simulators score trainees by, and what is matched to a surgery video. Effects
+// gives the amounts of what it draws; AmountsModel works them out without drawing, without OpenGL, on any thread: for
+// plots over a whole scene and for fits.
 //
 //     lapfx::AmountsModel model(organ, {.gravity = scene.gravity});
 //     model.set(preset, scene.events, scene.curves);
@@ -46,9 +46,9 @@ struct AmountsOptions {
 
 class AmountsModel {
   public:
-    /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Images without pixels, such as
-    /// PreparedOrgan::organ()'s, show no vessels: give the PreparedOrgan itself. Throws Error (bad_input) for a gravity without a
-    /// direction.
+    /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Images without
+    /// pixels, such as PreparedOrgan::organ()'s, show no vessels: give the PreparedOrgan itself. Throws Error
+    /// (bad_input) for a gravity without a direction.
     explicit AmountsModel(const Organ& organ, const AmountsOptions& options = {});
     /// The same with an organ that was made ready (prepared_organ.h): takes no time, and shares what is known of it.
     explicit AmountsModel(const std::shared_ptr<const PreparedOrgan>& organ, const AmountsOptions& options = {});
@@ -56,14 +56,14 @@ class AmountsModel {
     AmountsModel& operator=(AmountsModel&&) noexcept;
     ~AmountsModel();
 
-    /// Takes the place of what was set before; what has not changed costs nothing. Clips need not be there: they give no amounts.
-    /// Throws Error (bad_input) for a preset whose values are not allowed, and keeps what it had.
+    /// Takes the place of what was set before; what has not changed costs nothing. Clips need not be there: they give
+    /// no amounts. Throws Error (bad_input) for a preset whose values are not allowed, and keeps what it had.
     void set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves = {});
 
     /// Any time, in any order; forwards costs least. Those that are not finite count as 0.
     Amounts at(double time) noexcept;
-    /// Every wound of the contacts, with what it was doing at that time; those of contacts that are yet to come are waiting. Valid
-    /// until the next call that is not const.
+    /// Every wound of the contacts, with what it was doing at that time; those of contacts that are yet to come are
+    /// waiting. Valid until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;
 
   private:

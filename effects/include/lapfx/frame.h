@@ -1,16 +1,16 @@
-// The frame that a preset is tuned in, for a host that has none of its own: linear light with four samples a pixel, smoke over
-// the resolved picture, then the camera's response. A host that draws into it shows the pixels of the editor.
+// The frame that a preset is tuned in, for a host that has none of its own: linear light with four samples a pixel,
+// smoke over the resolved picture, then the camera's response. A host that draws into it shows the pixels of the
+// editor.
 //
 //     lapfx::Frame frame;
 //     frame.begin({1280, 1024});                                     // bound and cleared
-//     effects.draw_organ(view);                                      // and whatever else the host draws, in linear light
-//     frame.begin_smoke();
-//     effects.draw_smoke(view, frame.depth());
-//     frame.finish(0, {.exposure = 1.9});                            // into the window
+//     effects.draw_organ(view);                                      // and whatever else the host draws, in linear
+//     light frame.begin_smoke(); effects.draw_smoke(view, frame.depth()); frame.finish(0, {.exposure = 1.9}); // into
+//     the window
 //
-// samples/host/host.cpp is a whole program that does so. One thread: that of the context. Binds its own framebuffers, program,
-// vertex array and texture (unit 0), sets the viewport, and leaves them so; also scissor test, blending, depth test and
-// GL_FRAMEBUFFER_SRGB off, multisampling on.
+// samples/host/host.cpp is a whole program that does so. One thread: that of the context. Binds its own framebuffers,
+// program, vertex array and texture (unit 0), sets the viewport, and leaves them so; also scissor test, blending, depth
+// test and GL_FRAMEBUFFER_SRGB off, multisampling on.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -32,8 +32,8 @@ class Frame {
     Frame& operator=(Frame&&) noexcept;
     ~Frame();
 
-    /// Of `size` pixels; what another size has taken is given back. Throws Error: bad_input beyond the driver's largest size,
-    /// runtime when it cannot make the frame.
+    /// Of `size` pixels; what another size has taken is given back. Throws Error: bad_input beyond the driver's largest
+    /// size, runtime when it cannot make the frame.
     void begin(glm::ivec2 size);
     /// All tissue and instruments have been drawn: their picture is bound, without a depth, which depth() gives.
     void begin_smoke() noexcept;

@@ -3,8 +3,9 @@
 //     const lapfx::MemoryUse use = effects.memory_use();
 //     std::printf("clips: %.0f MB of %.0f MB\n", use.clips / 1e6, use.total() / 1e6);
 //
-// Bytes of what was asked for; a driver rounds up, and without a GPU what lies on it is main memory, too. Not in it: the driver's
-// own (compiled shaders), FFmpeg's while it decodes. What several share (a PreparedOrgan) is in the numbers of each of them.
+// Bytes of what was asked for; a driver rounds up, and without a GPU what lies on it is main memory, too. Not in it:
+// the driver's own (compiled shaders), FFmpeg's while it decodes. What several share (a PreparedOrgan) is in the
+// numbers of each of them.
 #pragma once
 
 #include <cstddef>

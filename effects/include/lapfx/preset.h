@@ -45,8 +45,8 @@ struct BleedingParameters {
     double clot_darkening = 0.85;
 };
 
-/// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are any, the more the denser.
-/// Formulas: effects/bleeding/vessel_parameters.cpp.
+/// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are any, the more the
+/// denser. Formulas: effects/bleeding/vessel_parameters.cpp.
 struct VesselParameters {
     double vessel_low = 0.2;
     double vessel_high = 0.4;
@@ -104,13 +104,15 @@ enum class ClipPolarity { light, dark };
 enum class ClipStart { seeded, beginning };
 enum class ClipMirror { seeded, off, on };
 
-/// What is left out at each side of a clip, fractions of its frame's width and height: bars that were put around the picture.
+/// What is left out at each side of a clip, fractions of its frame's width and height: bars that were put around the
+/// picture.
 struct ClipCrop {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
     friend bool operator==(const ClipCrop&, const ClipCrop&) = default;
 };
 
-/// A rectangle of a clip's frame where nothing is smoke: a garbage mask. Fractions of the frame, from its upper left corner.
+/// A rectangle of a clip's frame where nothing is smoke: a garbage mask. Fractions of the frame, from its upper left
+/// corner.
 struct ClipMask {
     double x = 0.0, y = 0.0, width = 0.1, height = 0.1;
     friend bool operator==(const ClipMask&, const ClipMask&) = default;

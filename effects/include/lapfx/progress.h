@@ -7,7 +7,8 @@
 
 namespace lapfx {
 
-/// Called on the thread that works, with 0 to 1, never less than before. False stops the work as soon as it can be. May be empty.
+/// Called on the thread that works, with 0 to 1, never less than before. False stops the work as soon as it can be. May
+/// be empty.
 using Progress = std::function<bool(double share)>;
 
 }  // namespace lapfx

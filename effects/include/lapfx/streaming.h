@@ -12,21 +12,25 @@
 
 namespace lapfx {
 
-/// How decoded frames reach the GPU. Under Policy::wait all of them show the same picture: the first two the same bytes, the
-/// last two as well, and between them rounding of colour apart (RGB is converted on the CPU, planes in the shader).
+/// How decoded frames reach the GPU. Under Policy::wait all of them show the same picture: the first two the same
+/// bytes, the last two as well, and between them rounding of colour apart (RGB is converted on the CPU, planes in the
+/// shader).
 enum class Scheme {
     pipeline,  ///< the paper's first: one RGB frame is decoded and sent in every cycle
-    buffered,  ///< the paper's second: decoded ahead into buffers; two RGB frames in one cycle, none in the next, after drawing
+    buffered,  ///< the paper's second: decoded ahead into buffers; two RGB frames in one cycle, none in the next, after
+               ///< drawing
     buffered_planar,  ///< the same with luma and chroma planes (4:2:0): half the bytes, no conversion on the CPU
     resident,         ///< planes sent once, then played from GPU memory; what does not fit is buffered_planar
 };
 
 /// What a clip does that is late, where nothing waits for it (EffectsOptions::wait_for_clips).
 enum class LateClips {
-    repeat,  ///< shows its last frame again, then goes on with the one after it: every frame is shown, in slow motion if need be
-    skip,  ///< the paper's: "consecutive video frames are skipped for performance enhancement". Of `buffered` and `buffered_planar`: while
-    ///< frames are not decoded in time, or the clip goes on by more than one frame in each cycle, it sends one frame where
-    ///< it would send two and shows it for two cycles; the one after is skipped, and the clip keeps its time
+    repeat,  ///< shows its last frame again, then goes on with the one after it: every frame is shown, in slow motion
+             ///< if need be
+    skip,    ///< the paper's: "consecutive video frames are skipped for performance enhancement". Of `buffered` and
+             ///< `buffered_planar`: while
+    ///< frames are not decoded in time, or the clip goes on by more than one frame in each cycle, it sends one frame
+    ///< where it would send two and shows it for two cycles; the one after is skipped, and the clip keeps its time
 };
 
 /// Where smoke is shaded.
@@ -41,12 +45,13 @@ struct StreamingOptions {
     Scheme scheme = Scheme::resident;
     SmokeResolution resolution = SmokeResolution::balanced;
     /// Bytes for frames, on the GPU and decoded ahead in main memory together. Clips that are being decoded have their
-    /// buffers first (at least two frames each, whatever the budget). What is left goes to resident clips, whole clips in the
-    /// order of the preset. Not in it: what FFmpeg's decoders keep for themselves while they decode, 10 to 13 frames a clip; once
-    /// all of a clip is resident its decoder is closed.
+    /// buffers first (at least two frames each, whatever the budget). What is left goes to resident clips, whole clips
+    /// in the order of the preset. Not in it: what FFmpeg's decoders keep for themselves while they decode, 10 to 13
+    /// frames a clip; once all of a clip is resident its decoder is closed.
     std::size_t memory = std::size_t{1} << 30;
-    /// Of these bytes, for clips that are no longer in the preset, for a host that goes to and fro between presets: they are evicted
-    /// first, the one drawn longest ago first. 0: they go at once, and are decoded again when they come back.
+    /// Of these bytes, for clips that are no longer in the preset, for a host that goes to and fro between presets:
+    /// they are evicted first, the one drawn longest ago first. 0: they go at once, and are decoded again when they
+    /// come back.
     std::size_t kept_memory = 0;
     LateClips late = LateClips::repeat;
     int threads = 0;           ///< that decode; 0: as many as there are cores

@@ -20,10 +20,11 @@ inline bool divides(ToolAction action) noexcept {
     return action == ToolAction::cauterise || action == ToolAction::cut || action == ToolAction::tear;
 }
 
-/// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. Contacts that go on from
-/// each other (goes_on) are one stroke: what one tool does from press to release, a polyline whose power and strength may change. Where the tip is farther
-/// than 5 mm from the organ's surface it touches nothing. What is not finite, or absurd (a path over 1000 mm, a coordinate
-/// beyond 1e5 mm, a time beyond 1e7 s, less than nothing), does nothing; of one longer than 600 s the beginning counts.
+/// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. Contacts
+/// that go on from each other (goes_on) are one stroke: what one tool does from press to release, a polyline whose
+/// power and strength may change. Where the tip is farther than 5 mm from the organ's surface it touches nothing. What
+/// is not finite, or absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a time beyond 1e7 s, less than nothing),
+/// does nothing; of one longer than 600 s the beginning counts.
 struct ToolContact {
     ToolAction action = ToolAction::cauterise;
     double time = 0.0;
@@ -43,11 +44,12 @@ struct ToolContact {
     bool hot() const { return action == ToolAction::cauterise || action == ToolAction::coagulate; }
 };
 
-/// mm between two contacts of one stroke: where only the power changes, the next one starts where the tip is a sample (1 ms) later,
-/// and a tip at 500 mm/s gets this far. No other tool can be there at that very moment.
+/// mm between two contacts of one stroke: where only the power changes, the next one starts where the tip is a sample
+/// (1 ms) later, and a tip at 500 mm/s gets this far. No other tool can be there at that very moment.
 inline constexpr double stroke_joint = 0.5;
 
-/// Whether `next` goes on where `contact` ends, so that both are of one stroke. Times that went through a file are rounded.
+/// Whether `next` goes on where `contact` ends, so that both are of one stroke. Times that went through a file are
+/// rounded.
 inline bool goes_on(const ToolContact& contact, const ToolContact& next) noexcept {
     return contact.action == next.action && std::abs(contact.end() - next.time) <= 1e-6 &&
            glm::distance(contact.to, next.position) <= stroke_joint;

@@ -5,12 +5,12 @@
 //     queue.push({.time = now, .position = tip, .touching = pedal, .action = lapfx::ToolAction::cauterise});
 //     // render thread: effects.seek(now) takes what has come
 //
-// Samples that touch make a contact, which grows while they go on with the same action, power and strength, at most 0.1 s
-// apart: a slower host sets contacts instead. Dropped, and counted in Amounts::lost_samples, are samples that are not
+// Samples that touch make a contact, which grows while they go on with the same action, power and strength, at most 0.1
+// s apart: a slower host sets contacts instead. Dropped, and counted in Amounts::lost_samples, are samples that are not
 // finite, not later than the one before, or beyond 1e5 mm or 1e7 s; those of hands off the organ cost nothing.
 //
-// One thread pushes, one thread pops; both are wait-free and allocate nothing. Lengths mm in organ space, times s on the
-// clock of Effects::seek().
+// One thread pushes, one thread pops; both are wait-free and allocate nothing. Lengths mm in organ space, times s on
+// the clock of Effects::seek().
 #pragma once
 
 #include <algorithm>

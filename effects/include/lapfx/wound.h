@@ -17,9 +17,9 @@ struct Wound {
 
 /// What a wound is doing at a time.
 enum class WoundState {
-    waiting,  ///< not open yet
-    bleeding,  ///< open, its blood spreads, or fills again what suction or irrigation has cleared; or it stands while the
-               ///< bleeding strength is 0 (curves.h)
+    waiting,   ///< not open yet
+    bleeding,  ///< open, its blood spreads, or fills again what suction or irrigation has cleared; or it stands while
+               ///< the bleeding strength is 0 (curves.h)
     spent,  ///< open, its blood has reached max_extent everywhere: it spreads no more, and does not count as bleeding
     clotting,  ///< coagulated: the flow dies down
     closed,    ///< coagulated, its flow has ended

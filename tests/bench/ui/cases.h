@@ -1,4 +1,5 @@
-// The same screens in our toolkit and in Dear ImGui, for `lapfx bench ui`. CPU only: events in, list of what to draw out.
+// The same screens in our toolkit and in Dear ImGui, for `lapfx bench ui`. CPU only: events in, list of what to draw
+// out.
 #pragma once
 
 #include <cstddef>

@@ -1,4 +1,5 @@
-// Tests of the whole editor: its panels driven by the names of what is on the screen, its preview drawn with OpenGL, no window.
+// Tests of the whole editor: its panels driven by the names of what is on the screen, its preview drawn with OpenGL, no
+// window.
 //
 //     TEST_F(PresetPanel, SpeedIsDragged) {
 //         open_sample();

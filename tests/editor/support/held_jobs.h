@@ -1,5 +1,5 @@
-// Keeps the threads of the editor's jobs busy, so that jobs that are started meanwhile wait, for as long as a test likes. It is not
-// listed among them. Only for an editor that does not wait for jobs itself: start(size, false).
+// Keeps the threads of the editor's jobs busy, so that jobs that are started meanwhile wait, for as long as a test
+// likes. It is not listed among them. Only for an editor that does not wait for jobs itself: start(size, false).
 //
 //     HeldJobs held(editor().jobs);
 //     open_sample();  // its organ is on its way

@@ -270,7 +270,8 @@ TEST_F(ClipSetOnce, AJumpingClipBecomesResidentToo) {
 }
 
 TEST_F(ClipSetOnce, MemoryGoesToWholeClipsInTheirOrder) {
-    // Two buffers for each of three clips, one clip whole, and what the other two have on the GPU or on their way there.
+    // Two buffers for each of three clips, one clip whole, and what the other two have on the GPU or on their way
+    // there.
     const std::size_t room = (3 * 3 + frames + 2 * 6) * frame_bytes();
     ClipSet set({.scheme = Scheme::resident, .memory = room});
     this->set(set, clips({"a.avi", "b.avi", "c.avi"}));

@@ -42,8 +42,8 @@ class EdgeTest : public test::SceneTest {
         return 2.0 * height * std::tan(glm::radians(scene.camera.field_of_view) / 2.0) / large.y;
     }
 
-    /// Which pixels hold blood: those that change when the wound is taken away, and what they enclose, for where the lamp is
-    /// mirrored both pictures are white.
+    /// Which pixels hold blood: those that change when the wound is taken away, and what they enclose, for where the
+    /// lamp is mirrored both pictures are white.
     std::vector<bool> blood_mask(double time) const {
         Preview p = preview();
         const Image bleeding = p.image(time, large);
@@ -123,8 +123,8 @@ class EdgeTest : public test::SceneTest {
         return values;
     }
 
-    /// How far the edge bends inside a triangle: root mean square distance, in pixels, of the edge's pixels from the straight
-    /// line through them, mean over the triangles that hold a good piece of it.
+    /// How far the edge bends inside a triangle: root mean square distance, in pixels, of the edge's pixels from the
+    /// straight line through them, mean over the triangles that hold a good piece of it.
     double bend(const std::vector<bool>& mask) const {
         const Organ organ = refine(load_organ(folder / "sheet.obj")).organ;
         std::vector<std::vector<glm::dvec2>> pieces(organ.triangle_count());

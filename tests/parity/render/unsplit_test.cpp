@@ -1,5 +1,5 @@
-// An organ whose long triangles are split for its blood is drawn by those that it was given with, where nothing has happened to
-// it: the picture is that of the split ones.
+// An organ whose long triangles are split for its blood is drawn by those that it was given with, where nothing has
+// happened to it: the picture is that of the split ones.
 #include <map>
 
 #include "gl/objects.h"

@@ -1,5 +1,5 @@
-// Tissue that is charred, divided or covered with blood, drawn from given vertex values; and the two programs of an organ, one
-// for such tissue and one for the rest, which must not be told apart where nothing has happened.
+// Tissue that is charred, divided or covered with blood, drawn from given vertex values; and the two programs of an
+// organ, one for such tissue and one for the rest, which must not be told apart where nothing has happened.
 #include "bleeding/bleed_gpu.h"
 #include "render/camera.h"
 #include "render/organ_gpu.h"

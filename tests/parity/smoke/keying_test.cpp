@@ -70,8 +70,8 @@ constexpr int number = 40;  // of the frame that is looked at
 
 class KeyingPictureParity : public SmokeGpuTest {
   protected:
-    /// A plume that fills the view at the focus distance, before nothing. Around the middle neither its border fades nor does the
-    /// lamp's light.
+    /// A plume that fills the view at the focus distance, before nothing. Around the middle neither its border fades
+    /// nor does the lamp's light.
     std::vector<glm::vec4> drawn(const Case& tested, const Uploaded& clip) {
         const float tall = 2.0f * focus * std::tan(glm::radians(30.0f));
         const float wide = tall * static_cast<float>(size.x) / static_cast<float>(size.y);

@@ -1,5 +1,5 @@
-// The tiles of noise_tiles_gpu.h hold the noise of gl/noise.h: at their texels to the 8 bits that they are stored in, filtered in
-// between to a few hundredths, and each its own.
+// The tiles of noise_tiles_gpu.h hold the noise of gl/noise.h: at their texels to the 8 bits that they are stored in,
+// filtered in between to a few hundredths, and each its own.
 #include "smoke/noise_tiles_gpu.h"
 
 #include "gl/noise.h"

@@ -1,4 +1,5 @@
-// Smoke as SmokeGpu draws it against the CPU references of keying and of thickness, and off-screen against straight over.
+// Smoke as SmokeGpu draws it against the CPU references of keying and of thickness, and off-screen against straight
+// over.
 #include "smoke/smoke_gpu.h"
 
 #include "gl/srgb.h"
@@ -105,7 +106,8 @@ TEST_P(SmokeLayers, HazeIsThatOfTheReferences) {
             const glm::vec3 error = glm::abs(glm::vec3(pixels[index({x, y})]) - expected);
             worst = std::max(worst, static_cast<double>(std::max({error.r, error.g, error.b})));
         }
-    // Texture filtering has 8 bits, the sum half floats. Chroma is filtered everywhere, and the tint of dark pixels enlarges it.
+    // Texture filtering has 8 bits, the sum half floats. Chroma is filtered everywhere, and the tint of dark pixels
+    // enlarges it.
     const bool filtered = tested.keying.choke > 0.0 || tested.layout == media::Layout::planar;
     EXPECT_LT(worst, filtered ? 7e-3 : 1.5e-3);
 }
@@ -216,8 +218,8 @@ class SmokeGpuPlume : public SmokeGpuTest {
     }
 };
 
-// An instrument, 60 mm away, before tissue at 200 mm; smoke at 100 mm. At a third of the resolution it is still hidden by the
-// instrument and reaches right to its edge.
+// An instrument, 60 mm away, before tissue at 200 mm; smoke at 100 mm. At a third of the resolution it is still hidden
+// by the instrument and reaches right to its edge.
 TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
     set_size({180, 120});
     set_depth([](glm::ivec2 p) { return p.x + p.y / 3 < 100 ? 60.0f : 200.0f; });

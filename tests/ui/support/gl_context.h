@@ -1,5 +1,5 @@
-// Tests of the toolkit that need OpenGL: one context without a window for the whole process, made through EGL; without one they
-// skip and say why. Nothing of the effects core.
+// Tests of the toolkit that need OpenGL: one context without a window for the whole process, made through EGL; without
+// one they skip and say why. Nothing of the effects core.
 #pragma once
 
 #include <gtest/gtest.h>

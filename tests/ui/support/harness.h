@@ -5,8 +5,8 @@
 //     ui.click("Speed", {.clicks = 2}).type("12/2").key(Key::enter);
 //     EXPECT_EQ(ui.value("Speed"), 6);
 //
-// Paths are those of ui/core/tree.h. What is scrolled out of sight is scrolled to; a target that is covered, clipped away or
-// missing throws, with the whole tree in the message.
+// Paths are those of ui/core/tree.h. What is scrolled out of sight is scrolled to; a target that is covered, clipped
+// away or missing throws, with the whole tree in the message.
 #pragma once
 
 #include <functional>

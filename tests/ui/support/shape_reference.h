@@ -6,7 +6,8 @@
 
 namespace lapfx::ui::test {
 
-/// Clears, fills, frames, lines, gradients, checkers and shadows; nothing thinner than a pixel. Blended in 8 bits, one after the other.
+/// Clears, fills, frames, lines, gradients, checkers and shadows; nothing thinner than a pixel. Blended in 8 bits, one
+/// after the other.
 Picture reference_picture(const DrawList& list);
 
 }  // namespace lapfx::ui::test

@@ -29,8 +29,8 @@ std::uint32_t node_of(std::span<const Node> tree, const TextSeen& text);
 
 /// Each a line: the paths of two texts that are drawn over each other, and where.
 std::vector<std::string> texts_over_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em);
-/// Each a line: controls whose label ends in an ellipsis, values of which it leaves at most a letter, and texts of which a clip takes a part of a letter at the side or a part
-/// of their height, other than where one scrolls there.
+/// Each a line: controls whose label ends in an ellipsis, values of which it leaves at most a letter, and texts of
+/// which a clip takes a part of a letter at the side or a part of their height, other than where one scrolls there.
 std::vector<std::string> cut_texts(std::span<const Node> tree, const std::vector<TextSeen>& texts, float em);
 
 }  // namespace lapfx::ui

@@ -1,5 +1,5 @@
-// What TextEdit should do, said again over characters: a vector of them, each with its code points, and a history of whole
-// snapshots. Slow and plain.
+// What TextEdit should do, said again over characters: a vector of them, each with its code points, and a history of
+// whole snapshots. Slow and plain.
 #pragma once
 
 #include <algorithm>

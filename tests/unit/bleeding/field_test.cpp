@@ -298,7 +298,8 @@ TEST(Field, ContactsInOddPlacesGiveClearResults) {
     EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = infinity}), 0.0);
 }
 
-/// What has settled is not looked at again while time goes on: nobody sees the difference, whatever is set and sought in between.
+/// What has settled is not looked at again while time goes on: nobody sees the difference, whatever is set and sought
+/// in between.
 TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     const Surface surface(test::plane(60.0, 60));
     std::mt19937 random(11);

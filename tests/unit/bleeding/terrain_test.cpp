@@ -40,8 +40,8 @@ TEST(Terrain, AValleyIsACreaseAndARidgeItsOpposite) {
     const Surface valley(bent(slope)), ridge(bent(-slope));
     Terrain in_valley(valley, down), on_ridge(ridge, down);
     const std::uint32_t bottom = nearest(valley, {0, 0, 0}), top = nearest(ridge, {0, 0, 0});
-    // Height of the section at length L and angle a from the crease: L slope |sin a| / sqrt(1 + slope^2 sin^2 a); at L and at
-    // 2 L with a quarter of the weight, half of the height at L remains.
+    // Height of the section at length L and angle a from the crease: L slope |sin a| / sqrt(1 + slope^2 sin^2 a); at L
+    // and at 2 L with a quarter of the weight, half of the height at L remains.
     double wanted = 0.0;
     for (int i = 0; i < 3; ++i) {
         const double s = slope * std::abs(std::sin((i + 0.5) * std::acos(-1.0) / 3.0));

@@ -51,7 +51,8 @@ TEST_F(TissueData, SharesOfRealOrgans) {
         const char* file;
         double scale, known, vessels_least, vessels_most, fat_least, fat_most;
     };
-    // The Warp organs (without a folder here) are drawn half a unit large. Their gallbladder shows no vessels; their fat few that are strong.
+    // The Warp organs (without a folder here) are drawn half a unit large. Their gallbladder shows no vessels; their
+    // fat few that are strong.
     constexpr Row rows[] = {{"fat", 200, 1, 0.0003, 0.01, 0.9, 1},
                             {"gallbladder", 150, 1, 0, 0.001, 0, 0.01},
                             {"whynpc9-anatomy/liver.glb", 220, 1, 0.03, 0.15, 0, 0.05},

@@ -1,5 +1,5 @@
-// Small clips with seeded damage: whatever becomes of a file, opening and reading it ends in time, and every fault is one line
-// that names it.
+// Small clips with seeded damage: whatever becomes of a file, opening and reading it ends in time, and every fault is
+// one line that names it.
 #include <algorithm>
 #include <chrono>
 #include <opencv2/imgcodecs.hpp>
@@ -114,7 +114,8 @@ class DecoderFuzz : public DecoderTest {
     }
 };
 
-// The bounds below tell that the damage is neither so light that nothing notices nor so heavy that no decoder is reached.
+// The bounds below tell that the damage is neither so light that nothing notices nor so heavy that no decoder is
+// reached.
 
 TEST_F(DecoderFuzz, DamagedMotionJpegIsReadOrRefused) {
     Tally tally;

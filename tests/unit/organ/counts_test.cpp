@@ -1,4 +1,5 @@
-// Triangles are never lost without a word: what was read is what was kept and what was left out, by reason, in every format.
+// Triangles are never lost without a word: what was read is what was kept and what was left out, by reason, in every
+// format.
 #include <limits>
 #include <sstream>
 

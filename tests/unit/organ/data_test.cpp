@@ -231,7 +231,8 @@ TEST_F(Data, CompressedTwinIsTheSameSurface) {
     const Organ twin = load_organ(folder / "organs/whynpc9-anatomy/liver-hubmap.glb");
     ASSERT_EQ(twin.positions.size(), plain.positions.size());
     EXPECT_EQ(twin.triangle_count(), plain.triangle_count());
-    // Its meshes were quantized one by one, which tears the seams between them: sewn, they hang together nearly as in the other.
+    // Its meshes were quantized one by one, which tears the seams between them: sewn, they hang together nearly as in
+    // the other.
     EXPECT_EQ(report(plain).components, 9u);
     EXPECT_LE(report(twin).components, 11u);
     const Surface surface(plain);

@@ -42,7 +42,8 @@ glm::vec3 on_circle(double radius, double share) {
 }
 
 TEST(Polygon, RingCutOpenAroundAHole) {
-    // As modellers write a ring: once round outside, over the cut, once round inside the other way, and back over the cut.
+    // As modellers write a ring: once round outside, over the cut, once round inside the other way, and back over the
+    // cut.
     for (const int n : {3, 4, 32, 100}) {
         std::vector<glm::vec3> ring;
         for (int i = 0; i <= n; ++i) ring.push_back(on_circle(10.0, static_cast<double>(i % n) / n));

@@ -107,10 +107,11 @@ TEST(PreparedOrgan, EachByteIsCountedOnce) {
     const std::size_t edges = vertices + triangles - 1;  // Euler
     // Positions, normals, tangents, texture coordinates, colours; corners.
     const std::size_t given = vertices * (12 + 12 + 16 + 8 + 16) + triangles * 12;
-    // Each vertex is a point: where, of which vertex, in which piece, where its triangles and neighbours begin; corners, and the
-    // triangles and neighbours of each point.
+    // Each vertex is a point: where, of which vertex, in which piece, where its triangles and neighbours begin;
+    // corners, and the triangles and neighbours of each point.
     const std::size_t joined = vertices * (24 + 4 * 4) + 2 * 4 + triangles * (12 + 12) + edges * 2 * 4;
-    // What has its colours from where; texture coordinates, area, redness, colour and what the overlay shows at a vertex.
+    // What has its colours from where; texture coordinates, area, redness, colour and what the overlay shows at a
+    // vertex.
     const std::size_t mesh = triangles * (4 + 12) + vertices * (8 + 4 + 4 + 12 + 8);
     // Two bytes of densities and a bit for whether it is on the surface.
     const std::size_t densities = 2 * texels + texels / 8;

@@ -111,8 +111,9 @@ TEST(Refine, BurnsAreThoseOfAFineMesh) {
         }
         return sum;
     };
-    // A char of 2 mm is narrower than the edges that carry it, up to 4.5 mm: what the vertices have is exact (the next test), and
-    // what lies between them no value there can tell. Edges of at most 2 mm would bring it to 0.03, and take five times as many.
+    // A char of 2 mm is narrower than the edges that carry it, up to 4.5 mm: what the vertices have is exact (the next
+    // test), and what lies between them no value there can tell. Edges of at most 2 mm would bring it to 0.03, and take
+    // five times as many.
     constexpr double within = 0.12;
     for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
         const double fine = charred(test::plane(120.0, 240), model);
@@ -251,7 +252,8 @@ TEST(Refine, WhatHasNoMiddleIsLeft) {
 
 TEST(Refine, ALengthThatWillDoIsFoundAtOnceInAnyUnit) {
     const organ::RefinePlan room = organ::plan_refine(box(5000.0));
-    // Twelve halves of squares, halved 14 times, and those halves once more; edges of 39 mm remain, the next step would be 1.25 x.
+    // Twelve halves of squares, halved 14 times, and those halves once more; edges of 39 mm remain, the next step would
+    // be 1.25 x.
     EXPECT_EQ(room.triangles, 12U << 15);
     EXPECT_NEAR(room.length, longest * std::pow(1.25, 10), 1e-9);
     for (const double side : {5e3, 5e4, 5e6, 5e8}) {

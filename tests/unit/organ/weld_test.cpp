@@ -19,8 +19,8 @@ void add(Organ& to, const Organ& from, const glm::vec3& by = glm::vec3(0.0f)) {
     for (const std::uint32_t i : from.indices) to.indices.push_back(base + i);
 }
 
-/// plane(side, n) in two halves that share no vertex: the right one's vertices on the seam x = 0 lie `gap` mm to either side of
-/// it. Both ends of the seam are whole, so that it is one component, and nothing is bridged.
+/// plane(side, n) in two halves that share no vertex: the right one's vertices on the seam x = 0 lie `gap` mm to either
+/// side of it. Both ends of the seam are whole, so that it is one component, and nothing is bridged.
 Organ torn_plane(double side, std::uint32_t n, double gap) {
     const Organ whole = plane(side, n);
     Organ torn;

@@ -175,7 +175,8 @@ TEST_F(BundleTest, ABundleIsReplacedAndAnythingElseIsNot) {
     EXPECT_THAT(check_bundle_folder(to_ / "file"), HasSubstr("not a folder"));
 }
 
-/// A file system of 256 KiB, where this user may make one; else a limit on the size of files, which fails writes as well.
+/// A file system of 256 KiB, where this user may make one; else a limit on the size of files, which fails writes as
+/// well.
 TEST_F(BundleTest, AFullDiskIsToldAndNothingIsLeft) {
     const fs::path small = to_ / "small";
     fs::create_directory(small);

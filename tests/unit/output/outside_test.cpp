@@ -1,5 +1,5 @@
-// Every place where a path comes from outside: a file that somebody was given reaches nothing beyond its folder, and a bundle
-// of it is written nowhere but into the bundle.
+// Every place where a path comes from outside: a file that somebody was given reaches nothing beyond its folder, and a
+// bundle of it is written nowhere but into the bundle.
 #include <gmock/gmock.h>
 
 #include <opencv2/imgcodecs.hpp>

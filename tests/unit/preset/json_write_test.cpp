@@ -133,7 +133,8 @@ TEST(WritePreset, RoundTripsEveryRowAtItsExtremes) {
                                            EXPECT_EQ(place.row->get(place.owner), value);
                                        });
     // vessel_low 3 and 1.5, vessel_high 0, fat_low 110, fat_high 0 and 55,
-    // luma_low 255, luma_high 0, chroma_low above 0 twice, of the preset and of two clips, cut 37, coagulation above cut twice, char 37
+    // luma_low 255, luma_high 0, chroma_low above 0 twice, of the preset and of two clips, cut 37, coagulation above
+    // cut twice, char 37
     EXPECT_EQ(skipped, 22);
 }
 

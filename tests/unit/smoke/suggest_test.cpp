@@ -73,8 +73,9 @@ class SuggestFromFile : public testing::Test {
 };
 
 TEST_F(SuggestFromFile, EvenlyLitSmokeOnBlackIsKeyedTo3Percent) {
-    // What is dim could as well be thin: whole smoke of brightness 0.7 and white smoke of opacity 0.7 are the same picture, so
-    // nothing in it tells them apart. 0.85 is taken, 0.15 from either; a tighter bound for the one is a looser one for the other.
+    // What is dim could as well be thin: whole smoke of brightness 0.7 and white smoke of opacity 0.7 are the same
+    // picture, so nothing in it tells them apart. 0.85 is taken, 0.15 from either; a tighter bound for the one is a
+    // looser one for the other.
     const Smoke dim = dim_plume(), thick = thick_plume();
     for (const Smoke& smoke : {plume(), thick, wisps(), dim})
         for (const float noise : {0.0f, 3.0f}) {
@@ -149,8 +150,8 @@ float ball(glm::ivec2 at, int picture, float peak) {
     return std::min(peak * std::max(1.0f - r * r, 0.0f), 1.0f);
 }
 
-/// Luma is opacity times brightness: smoke of one luma all over is dim and whole, or bright and thin. What it is taken for lies
-/// between, and is as far from the one as from the other.
+/// Luma is opacity times brightness: smoke of one luma all over is dim and whole, or bright and thin. What it is taken
+/// for lies between, and is as far from the one as from the other.
 TEST(SuggestKeying, SmokeOfOneLumaIsTakenForTheMiddleOfWhatItCanBe) {
     const auto smoke = [](float level, float base) {
         return suggest_for([=](glm::ivec2 at, int n) { return glm::vec3(base + (level - base) * ball(at, n, 3.0f)); });

@@ -29,8 +29,8 @@ struct ClipReport {
     std::string warning;               ///< what is unusual about it, although it plays; one line, or empty
 };
 
-/// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local file, a
-/// playlist, not a video that can be decoded, a side over 8192 pixels.
+/// Looks through the whole file, without decoding more than a few frames. Throws Error (bad_input): not a plain local
+/// file, a playlist, not a video that can be decoded, a side over 8192 pixels.
 ClipReport report_clip(const std::filesystem::path& path);
 
 struct DecodableFrames {
@@ -38,32 +38,34 @@ struct DecodableFrames {
     double end = 0.0;  ///< s, when the last of them is over: as SmokeClip::out it leaves out what cannot be decoded
 };
 
-/// Which of a clip's frames can be decoded. Decodes them all: takes as long as that takes. Throws Error: bad_input as report_clip(),
-/// runtime when `progress` stopped it.
+/// Which of a clip's frames can be decoded. Decodes them all: takes as long as that takes. Throws Error: bad_input as
+/// report_clip(), runtime when `progress` stopped it.
 DecodableFrames count_decodable_frames(const std::filesystem::path& path, const Progress& progress = {});
 
-/// Where the clip `file` of a preset is: in the preset's folder, or, a bare name, in one of `folders`; of numbered images
-/// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file`: where it was looked for, or that it is a
-/// directory or not a plain file.
+/// Where the clip `file` of a preset is: in the preset's folder, or, a bare name, in one of `folders`; of numbered
+/// images
+/// ("plume_%04d.png") the pattern's place. Throws Error (bad_input) that names `file`: where it was looked for, or that
+/// it is a directory or not a plain file.
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> folders);
 
-/// Where the clips of a preset are looked for, in this order, whether or not there is a file: for those who watch them. Of a
-/// numbered sequence its folder.
+/// Where the clips of a preset are looked for, in this order, whether or not there is a file: for those who watch them.
+/// Of a numbered sequence its folder.
 std::vector<std::filesystem::path> clip_places(const Preset& preset, std::span<const std::filesystem::path> folders);
 
-/// The images of numbered ones, as they are played: from the lowest number on, until one is missing. `path`: as find_clip() found
-/// it. Empty: it is not such a pattern, but a single file.
+/// The images of numbered ones, as they are played: from the lowest number on, until one is missing. `path`: as
+/// find_clip() found it. Empty: it is not such a pattern, but a single file.
 std::vector<std::filesystem::path> clip_images(const std::filesystem::path& path);
 
-/// Whether every clip of a preset is there and can be decoded: looked for in its folder, then, bare names, in `folders`.
-/// `name` names the preset in faults. Throws Error (bad_input) with a fault for each clip that cannot be used, whose place is its
+/// Whether every clip of a preset is there and can be decoded: looked for in its folder, then, bare names, in
+/// `folders`. `name` names the preset in faults. Throws Error (bad_input) with a fault for each clip that cannot be
+/// used, whose place is its
 /// "/smoke/clips/N/file".
 void check_clips(const Preset& preset, const std::string& name, std::span<const std::filesystem::path> folders);
 
-/// Frames per second that the threads which decode playing clips reach on this machine: all `clips` side by side, as planes in
-/// main memory, `loops` times the longest of them. `threads`: 0 for as many as there are cores. Takes as long as that takes.
-/// Throws Error (bad_input).
+/// Frames per second that the threads which decode playing clips reach on this machine: all `clips` side by side, as
+/// planes in main memory, `loops` times the longest of them. `threads`: 0 for as many as there are cores. Takes as long
+/// as that takes. Throws Error (bad_input).
 double decoding_rate(std::span<const std::filesystem::path> clips, int loops, int threads = 0);
 
 }  // namespace lapfx

@@ -1,7 +1,7 @@
 // Files: whole plain files in, never half a file out, and the one way from a name in a file to a path.
 //
-//     const fs::path skin = lapfx::named_path(folder_of_the_organ, "maps/skin.png", "liver.obj");  // throws for "../skin.png"
-//     lapfx::write_file("tuned.json", text);
+//     const fs::path skin = lapfx::named_path(folder_of_the_organ, "maps/skin.png", "liver.obj");  // throws for
+//     "../skin.png" lapfx::write_file("tuned.json", text);
 #pragma once
 
 #include <filesystem>
@@ -21,19 +21,20 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 
 /// How far a name in a file may reach.
 enum class Reach {
-    inside,  ///< the folder of that file, or below it, once symbolic links are resolved: organs, presets
-    anywhere,  ///< any place on this machine: a scene's organ, tool, preset and reference, which a person has chosen by hand
+    inside,    ///< the folder of that file, or below it, once symbolic links are resolved: organs, presets
+    anywhere,  ///< any place on this machine: a scene's organ, tool, preset and reference, which a person has chosen by
+               ///< hand
 };
 
-/// Where the file is that a file in `folder` names. Whether it is there, and is what it should be, is for its reader to find
-/// out. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
+/// Where the file is that a file in `folder` names. Whether it is there, and is what it should be, is for its reader to
+/// find out. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name,
                                  Reach reach = Reach::inside, const std::string& file = {},
                                  const std::string& place = {});
 
-/// A file or folder that is made next to `target` and then renamed to it. What is still there when this goes, goes, too; and what
-/// a process has left in that folder that was ended (killed) meanwhile goes when the next one is made there. Those of running
-/// processes stay: each holds a lock (flock) on its own, which the kernel gives back for it.
+/// A file or folder that is made next to `target` and then renamed to it. What is still there when this goes, goes,
+/// too; and what a process has left in that folder that was ended (killed) meanwhile goes when the next one is made
+/// there. Those of running processes stay: each holds a lock (flock) on its own, which the kernel gives back for it.
 class Beside {
   public:
     enum class Kind { file, folder };

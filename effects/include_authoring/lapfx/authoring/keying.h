@@ -1,5 +1,5 @@
-// A frame of a clip on its way to smoke, on the CPU: what the editor's keying bench shows. The same formulas as the shader's
-// (smoke/keying_pixel.h, tests/parity/smoke/keying_test.cpp); without noise.
+// A frame of a clip on its way to smoke, on the CPU: what the editor's keying bench shows. The same formulas as the
+// shader's (smoke/keying_pixel.h, tests/parity/smoke/keying_test.cpp); without noise.
 //
 //     lapfx::KeyingReader reader(lapfx::find_clip("plume.mp4", preset.folder, {}));  // throws lapfx::Error: not a clip
 //     lapfx::KeyingFrame frame;
@@ -42,8 +42,8 @@ struct KeyingFrame {
 
 class KeyingReader {
   public:
-    /// Opens and looks through the file. Throws Error (bad_input) as report_clip() does. `stop`, if given, ends that early: Error
-    /// (runtime).
+    /// Opens and looks through the file. Throws Error (bad_input) as report_clip() does. `stop`, if given, ends that
+    /// early: Error (runtime).
     explicit KeyingReader(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
     KeyingReader(KeyingReader&&) noexcept;
     KeyingReader& operator=(KeyingReader&&) noexcept;
@@ -52,9 +52,9 @@ class KeyingReader {
     const ClipReport& report() const;
     int frame_at(double time) const;  ///< shown at `time`, s of the clip; clamped
     double time_of(int frame) const;  ///< s
-    /// 0 .. report().frames - 1, clamped. False when the file cannot give it: then it is the last good one before it, or
-    /// black; without memory for it, a frame of no size. `stop`, if given, ends a long way to a frame early: false, and it is any
-    /// frame or black.
+    /// 0 .. report().frames - 1, clamped. False when the file cannot give it: then it is the last good one before it,
+    /// or black; without memory for it, a frame of no size. `stop`, if given, ends a long way to a frame early: false,
+    /// and it is any frame or black.
     bool read(int frame, KeyingFrame& into, const std::atomic<bool>* stop = nullptr) noexcept;
 
   private:
@@ -71,10 +71,12 @@ struct KeyingLook {
     double density = 1.0;                   ///< 1 is as keyed
 };
 
-/// 0..1 for each pixel, choke and feather done: a clip's own opacity, else keyed; nothing where crop and masks of `clip` are.
+/// 0..1 for each pixel, choke and feather done: a clip's own opacity, else keyed; nothing where crop and masks of
+/// `clip` are.
 void keyed_opacity(const KeyingFrame& frame, const KeyingParameters& keying, const SmokeClip& clip,
                    std::vector<float>& opacity);
-/// Light of the smoke itself in a pixel, linear, 1 where it is grey: the clip's tint, and its shading where it brings its opacity.
+/// Light of the smoke itself in a pixel, linear, 1 where it is grey: the clip's tint, and its shading where it brings
+/// its opacity.
 glm::vec3 smoke_light(const KeyingFrame& frame, const KeyingLook& look, glm::ivec2 pixel);
 
 /// The clip as it is, code values rounded; opaque.
@@ -83,7 +85,8 @@ Image source_picture(const KeyingFrame& frame);
 Image matte_picture(glm::ivec2 size, std::span<const float> opacity);
 /// The smoke alone, straight alpha: its colour, and how much green it holds back.
 Image keyed_picture(const KeyingFrame& frame, const KeyingLook& look, std::span<const float> opacity);
-/// The smoke over `background`, of which the middle is taken that has the clip's shape; sRGB. An empty one counts as black.
+/// The smoke over `background`, of which the middle is taken that has the clip's shape; sRGB. An empty one counts as
+/// black.
 Image composite_picture(const KeyingFrame& frame, const KeyingLook& look, std::span<const float> opacity,
                         const Image& background);
 

@@ -14,8 +14,8 @@
 
 namespace lapfx {
 
-/// Longest sides that one organ can have, mm: from the ovary of a child to the bowel in place. Others are reported as a likely
-/// mistake in the unit.
+/// Longest sides that one organ can have, mm: from the ovary of a child to the bowel in place. Others are reported as a
+/// likely mistake in the unit.
 inline constexpr double shortest_organ = 5.0, longest_organ = 600.0;
 
 /// Edges are counted on the surface after vertices at the same position, and those of

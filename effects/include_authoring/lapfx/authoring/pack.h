@@ -19,8 +19,8 @@ namespace lapfx {
 /// Plain names of a folder, each given once, whatever the case of its letters.
 class OwnNames {
   public:
-    /// After `wanted`, a name or path from outside of which the last name without its extension counts; `extension` with its
-    /// dot. Letters, digits, '.', '_' and '-' stay, others become '_'; never hidden, never empty.
+    /// After `wanted`, a name or path from outside of which the last name without its extension counts; `extension`
+    /// with its dot. Letters, digits, '.', '_' and '-' stay, others become '_'; never hidden, never empty.
     std::string give(const std::filesystem::path& wanted, std::string_view extension);
 
   private:
@@ -33,10 +33,10 @@ struct PackedFile {
     std::vector<std::uint8_t> bytes;
 };
 
-/// The mesh first, then what it names: material libraries, pictures, buffers, in texts that name each other by the new names.
-/// Only what was read successfully as what it should be is packed, as the very bytes that were read; the rest is named no more, or by a
-/// name that no file has. What is embedded in an organ stays there. Throws Error (bad_input) where load_organ() does for want of
-/// a file, or for one that may not be followed.
+/// The mesh first, then what it names: material libraries, pictures, buffers, in texts that name each other by the new
+/// names. Only what was read successfully as what it should be is packed, as the very bytes that were read; the rest is
+/// named no more, or by a name that no file has. What is embedded in an organ stays there. Throws Error (bad_input)
+/// where load_organ() does for want of a file, or for one that may not be followed.
 std::vector<PackedFile> pack_organ(const std::filesystem::path& path);
 
 }  // namespace lapfx

@@ -1,6 +1,7 @@
 // A scene's organ and instrument, loaded and prepared on any thread (prepared_organ.h).
 //
-//     auto coming = std::async(std::launch::async, [=] { return lapfx::prepare_organ(scene, preset.vessels, [&](double share) {
+//     auto coming = std::async(std::launch::async, [=] { return lapfx::prepare_organ(scene, preset.vessels, [&](double
+//     share) {
 //         bar = share;
 //         return !cancelled;
 //     }); });
@@ -19,8 +20,8 @@ namespace lapfx {
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels = {},
                                                    const Progress& progress = {});
 
-/// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are those, as
-/// large and turned the same way.
+/// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are
+/// those, as large and turned the same way.
 bool made_for(const PreparedOrgan& organ, const Scene& scene);
 /// Every file that was read for it or looked for: organ, textures, materials, the instrument.
 std::vector<std::filesystem::path> files_of(const PreparedOrgan& organ);

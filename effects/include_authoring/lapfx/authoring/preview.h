@@ -1,12 +1,12 @@
-// A scene as a picture: what `lapfx render` and the editor's viewport show. For one scene, preset, seed, size and time the
-// pixels are the same, whoever asks; also where a host draws them with Effects (samples/host/host.cpp).
+// A scene as a picture: what `lapfx render` and the editor's viewport show. For one scene, preset, seed, size and time
+// the pixels are the same, whoever asks; also where a host draws them with Effects (samples/host/host.cpp).
 //
 //     auto context = lapfx::Context::create(lapfx::Backend::automatic);
 //     lapfx::Preview preview(scene, preset, {.clip_folders = {"samples/clips"}, .wait_for_clips = true});
 //     lapfx::Image image = preview.image(6.0, {1280, 1024});
 //
-// Render thread only, context current. draw() binds its own framebuffers, programs and textures and leaves them bound: a host
-// that cares uses Effects, which puts everything back.
+// Render thread only, context current. draw() binds its own framebuffers, programs and textures and leaves them bound:
+// a host that cares uses Effects, which puts everything back.
 #pragma once
 
 #include <memory>
@@ -30,8 +30,8 @@ class Preview {
   public:
     /// Loads the scene's organ and tool and the preset's clips. Throws Error.
     Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options = {});
-    /// The same with an organ that prepare_organ(scene, ...) has prepared: it has to be sent to the GPU (as Effects'), and the clips
-    /// opened. Throws Error (bad_input) when it is another scene's.
+    /// The same with an organ that prepare_organ(scene, ...) has prepared: it has to be sent to the GPU (as Effects'),
+    /// and the clips opened. Throws Error (bad_input) when it is another scene's.
     Preview(const Scene& scene, const Preset& preset, std::shared_ptr<const PreparedOrgan> organ,
             const PreviewOptions& options);
     Preview(Preview&&) noexcept;
@@ -45,9 +45,9 @@ class Preview {
 
     void set_preset(const Preset& preset);
     void set_parameters(const Preset& preset);  ///< as Effects::set_parameters
-    /// Live: colour of the organ, camera, light, gravity, seed, events, port of the tool. The next frame is that of a new Preview of
-    /// this scene. Throws Error (bad_input), and changes nothing, when its organ or tool are others: those need a new one; and when
-    /// gravity has no direction.
+    /// Live: colour of the organ, camera, light, gravity, seed, events, port of the tool. The next frame is that of a
+    /// new Preview of this scene. Throws Error (bad_input), and changes nothing, when its organ or tool are others:
+    /// those need a new one; and when gravity has no direction.
     void set_scene(const Scene& scene);
     /// Whether set_scene() takes it: organ and tool are the same.
     bool takes(const Scene& scene) const;

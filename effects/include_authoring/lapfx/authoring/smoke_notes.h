@@ -8,7 +8,8 @@
 
 namespace lapfx {
 
-/// A line each, lower case, without a full stop; empty when every kind of smoke that the parameters ask for has its clip:
+/// A line each, lower case, without a full stop; empty when every kind of smoke that the parameters ask for has its
+/// clip:
 /// - no clips: cautery makes no smoke
 /// - no clip has the role plume (with a weight above 0): no smoke at the tool tip
 /// - no clip has the role haze: the haze is an even veil

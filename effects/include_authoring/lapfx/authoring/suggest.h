@@ -26,8 +26,8 @@ struct KeyingSuggestion {
     double background_share = 0.0;  ///< of the clip's area over time, 0..1
     bool whole_smoke_seen =
         false;  ///< much of the smoke is of one opacity, perhaps whole; otherwise its luma is assumed
-    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keyed by luma, the value that is used
-    /// is in the middle between this and 1. 1 where it is known: keyed by colour.
+    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keyed by luma, the value
+    /// that is used is in the middle between this and 1. 1 where it is known: keyed by colour.
     double least_opacity = 1.0;
     ClipCrop crop{};                ///< bars at the picture's edges, where smoke would end in a straight line
     double edge_fade = 0.0;         ///< more than 0 where smoke reaches the picture's edges
@@ -39,7 +39,8 @@ struct KeyingSuggestion {
     void apply(SmokeClip& clip) const;
 };
 
-/// From about 24 frames over the whole clip. Throws Error: bad_input for what is not a clip, runtime when `stop` ended it early.
+/// From about 24 frames over the whole clip. Throws Error: bad_input for what is not a clip, runtime when `stop` ended
+/// it early.
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 struct SourceSuggestion {
@@ -49,9 +50,9 @@ struct SourceSuggestion {
         false;  ///< the clip begins without smoke and shows where it comes from; otherwise the plume's root is taken
 };
 
-/// Where a clip's smoke starts, the point that is placed at the tool tip: with keying as suggested, from about 56 frames. How:
-/// effects/smoke/find_source.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it early: Error (runtime),
-/// or any place.
+/// Where a clip's smoke starts, the point that is placed at the tool tip: with keying as suggested, from about 56
+/// frames. How: effects/smoke/find_source.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it
+/// early: Error (runtime), or any place.
 SourceSuggestion suggest_source(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace lapfx

@@ -25,8 +25,8 @@ struct TissueReport {
     double texels_per_mm = 0.0;  ///< of the finest texture that was looked at; 0: vertex colours, or none
 };
 
-/// What the band passes of vessels and fat are applied to, as counts over the texels (or coloured vertices) of the surface: for
-/// setting the bands by looking. Outside the range nothing is counted.
+/// What the band passes of vessels and fat are applied to, as counts over the texels (or coloured vertices) of the
+/// surface: for setting the bands by looking. Outside the range nothing is counted.
 struct TissueHistogram {
     static constexpr std::size_t bins = 96;
     static constexpr double least_contrast = 0.0, most_contrast = 0.96;  ///< of vessel_low and vessel_high
