@@ -6,6 +6,9 @@
 //
 // Changes are told when nothing more has happened for 150 ms, at the latest after a second: programs write in pieces,
 // or beside the file and rename. Folders may vanish and come back. What a symbolic link points to is not watched.
+//
+// Not GIO's monitors: they look for a folder that is missing every few seconds, and do not tell when one above a file
+// is moved away or comes back; waiting for writers to be done would stay ours.
 #pragma once
 
 #include <filesystem>

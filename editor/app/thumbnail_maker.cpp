@@ -7,6 +7,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#define XXH_INLINE_ALL
+#include <xxhash.h>
+
 #include <algorithm>
 #include <chrono>
 #include <condition_variable>
@@ -40,13 +43,11 @@ constexpr bool limits_memory = false;  // sanitizers reserve more than there is
 constexpr bool limits_memory = true;
 #endif
 
-/// FNV-1a of 64 bits: the same on every machine and in every version.
+/// The same on every machine and in every version.
 class Hash {
   public:
-    void add(std::string_view text) {
-        for (const char c : text) value_ = (value_ ^ static_cast<unsigned char>(c)) * 0x100000001b3ULL;
-        value_ = (value_ ^ 0xffU) * 0x100000001b3ULL;  // "ab" and "c" are not "a" and "bc"
-    }
+    /// One after the other, so "ab" and "c" are not "a" and "bc".
+    void add(std::string_view text) { value_ = XXH3_64bits_withSeed(text.data(), text.size(), value_); }
     /// Which file it is, without reading it.
     void add_file(const fs::path& file) {
         std::error_code error;
@@ -61,7 +62,7 @@ class Hash {
     }
 
   private:
-    std::uint64_t value_ = 0xcbf29ce484222325ULL;
+    std::uint64_t value_ = 0;
 };
 
 void add_preset(Hash& hash, const fs::path& file, const ThumbnailMaker::Options& options) {

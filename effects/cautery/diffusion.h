@@ -2,7 +2,9 @@
 // something happens and nowhere else. Linear finite elements on the welded triangles (cotangent stiffness; mass three
 // quarters lumped and one quarter consistent), TR-BDF2 in time (R. E. Bank et al., IEEE
 // Trans CAD 4(4), 1985: second order and damped, stable for any step), conjugate gradients with a Jacobi
-// preconditioner. The result depends on the sequence of calls alone. One thread at a time.
+// preconditioner. The result depends on the sequence of calls alone. One thread at a time. Eigen's solver is 1.4 times
+// as fast, but all templates: in a plug-in they would meet those of a host that has Eigen, too, built for another
+// processor.
 #pragma once
 
 #include <cstdint>

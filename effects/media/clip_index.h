@@ -1,4 +1,8 @@
 // Which frames a clip has and when they are shown, from its packets alone.
+//
+// Not FFMS2, which makes such an index too: it opens files by name, and with that playlists and what they name; it does
+// not tell that a file ends early, nor where decoding may start so that the frames are the same to the last bit; and it
+// takes longer.
 #pragma once
 
 #include <atomic>

@@ -1,5 +1,10 @@
 #include "organ/file.h"
 
+extern "C" {
+#include <libavutil/base64.h>
+}
+
+#include <algorithm>
 #include <cctype>
 #include <fstream>
 
@@ -33,15 +38,6 @@ int digit(char c, int base) {
     if (c >= 'a' && c <= 'f') value = c - 'a' + 10;
     if (c >= 'A' && c <= 'F') value = c - 'A' + 10;
     return value < base ? value : -1;
-}
-
-int base64_digit(char c) {
-    if (c >= 'A' && c <= 'Z') return c - 'A';
-    if (c >= 'a' && c <= 'z') return c - 'a' + 26;
-    if (c >= '0' && c <= '9') return c - '0' + 52;
-    if (c == '+' || c == '-') return 62;
-    if (c == '/' || c == '_') return 63;
-    return -1;
 }
 
 }  // namespace
@@ -83,21 +79,15 @@ std::string percent_decoded(std::string_view uri) {
 }
 
 bool decode_base64(std::string_view text, Bytes& out) {
-    out.clear();
-    out.reserve(text.size() / 4 * 3);
     while (!text.empty() && text.back() == '=') text.remove_suffix(1);
-    std::uint32_t bits = 0;
-    int have = 0;
-    for (const char c : text) {
-        const int value = base64_digit(c);
-        if (value < 0) return false;
-        bits = bits << 6 | static_cast<std::uint32_t>(value);
-        have += 6;
-        if (have < 8) continue;
-        have -= 8;
-        out.push_back(static_cast<std::uint8_t>(bits >> have & 0xff));
-    }
-    return true;
+    const bool goes_on = text.find_first_of(std::string_view("=\0", 2)) != std::string_view::npos;
+    std::string letters(text);
+    std::replace(letters.begin(), letters.end(), '-', '+');
+    std::replace(letters.begin(), letters.end(), '_', '/');
+    out.resize(letters.size() / 4 * 3 + 3);
+    const int size = goes_on ? -1 : av_base64_decode(out.data(), letters.c_str(), static_cast<int>(out.size()));
+    out.resize(static_cast<std::size_t>(std::max(size, 0)));
+    return size >= 0;
 }
 
 }  // namespace lapfx::organ

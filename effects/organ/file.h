@@ -18,7 +18,8 @@ Bytes read_file(const std::filesystem::path& path, const std::string& name, cons
 /// "%20" and the like of a URI.
 std::string percent_decoded(std::string_view uri);
 
-/// Standard base64; false when the text is none.
+/// Base64, also with the letters for URLs (RFC 4648, sections 4 and 5); false when the text is none. At most 2 GiB of
+/// it.
 bool decode_base64(std::string_view text, Bytes& out);
 
 }  // namespace lapfx::organ

@@ -7,6 +7,7 @@
 #include "lapfx/authoring/file.h"
 #include "media/image.h"
 #include "organ/file.h"
+#include "organ/obj_text.h"
 #include "organ/pack.h"
 #include "organ/soup.h"
 
@@ -92,8 +93,9 @@ class Library {
     Library(fs::path folder, RawOrgan& organ) : folder_(std::move(folder)), organ_(organ) {}
 
     void read(const std::string& text) {
+        const char end_of_line = line_end(text);
         std::istringstream lines(text);
-        for (std::string line; std::getline(lines, line);) {
+        for (std::string line; std::getline(lines, line, end_of_line);) {
             std::istringstream words(line);
             std::string key;
             if (words >> key && key[0] != '#') statement(lower(key), words);
@@ -235,8 +237,9 @@ std::string pack_mtl(const std::string& text, Packing& packing) {
     static const std::set<std::string> maps{"bump", "norm", "disp", "decal", "refl"};
     std::string out;
     bool any = false;
+    const char end_of_line = line_end(text);
     std::istringstream lines(text);
-    for (std::string line; std::getline(lines, line);) {
+    for (std::string line; std::getline(lines, line, end_of_line);) {
         line = trimmed(line);
         std::istringstream words(line);
         std::string key;

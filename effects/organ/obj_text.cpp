@@ -179,15 +179,20 @@ class Reader {
 
 }  // namespace
 
+char line_end(std::string_view text) {
+    return text.find('\n') == std::string_view::npos ? '\r' : '\n';
+}
+
 std::string_view library_of(std::string_view line) {
     return next_word(line) == "mtllib" ? trimmed(line) : std::string_view();
 }
 
 ObjText read_obj_text(std::string_view source) {
     Reader reader;
+    const char end_of_line = line_end(source);
     std::string joined;  // a line that goes on after a backslash
     while (!source.empty()) {
-        const std::size_t end = std::min(source.find('\n'), source.size());
+        const std::size_t end = std::min(source.find(end_of_line), source.size());
         std::string_view line = source.substr(0, end);
         source.remove_prefix(std::min(end + 1, source.size()));
         while (!line.empty() && line.back() == '\r') line.remove_suffix(1);

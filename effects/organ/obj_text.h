@@ -4,6 +4,9 @@
 // hole loses its hole and two triangles, forgets a vertex whose coordinates are no numbers and so shifts all indices
 // after it, reads past an empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its
 // texture.
+//
+// Not through tinyobjloader 2.0 either: it refuses a whole file for one corner whose normal has the number 0, as Cinema
+// 4D writes them, loses triangles when it cuts concave polygons, and takes 2.5 times as long.
 #pragma once
 
 #include <string>
@@ -30,6 +33,10 @@ struct ObjText {
 /// v (with colours), vt, vn, vc, f and what groups them; all else is skipped. A line that makes no sense never shifts
 /// the numbers of others: such a vertex lies at infinity, such a face is counted as unreadable.
 ObjText read_obj_text(std::string_view source);
+
+/// What ends the lines of an OBJ or MTL: LF, also with CR before it; CR where the text has no LF, as old programs wrote
+/// it.
+char line_end(std::string_view text);
 
 /// What a whole line names if it is the statement mtllib, as read_obj_text() takes it; empty: it names none.
 std::string_view library_of(std::string_view line);

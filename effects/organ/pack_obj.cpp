@@ -27,11 +27,11 @@ std::string pack_library(const std::string& name, Packing& packing) {
 }
 
 /// Up to the end of a line, of all that go on after a backslash; `joined` is what they say together.
-std::string_view next_statement(std::string_view& rest, std::string& joined) {
+std::string_view next_statement(std::string_view& rest, char end_of_line, std::string& joined) {
     joined.clear();
     const std::string_view from = rest;
     while (!rest.empty()) {
-        const std::size_t end = std::min(rest.find('\n'), rest.size());
+        const std::size_t end = std::min(rest.find(end_of_line), rest.size());
         std::string_view line = rest.substr(0, end);
         rest.remove_prefix(std::min(end + 1, rest.size()));
         while (!line.empty() && line.back() == '\r') line.remove_suffix(1);
@@ -47,12 +47,13 @@ std::string_view next_statement(std::string_view& rest, std::string& joined) {
 
 Bytes pack_obj(const Bytes& bytes, Packing& packing) {
     std::string_view rest(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    const char end_of_line = line_end(rest);
     Bytes out;
     out.reserve(bytes.size());
     const auto put = [&](std::string_view text) { out.insert(out.end(), text.begin(), text.end()); };
     std::map<std::string, std::string> names;  ///< of libraries in the pack, by what they were called
     for (std::string joined; !rest.empty();) {
-        const std::string_view statement = next_statement(rest, joined);
+        const std::string_view statement = next_statement(rest, end_of_line, joined);
         const std::string library(library_of(joined));
         if (library.empty()) {
             put(statement);
@@ -60,7 +61,7 @@ Bytes pack_obj(const Bytes& bytes, Packing& packing) {
         }
         const auto [known, is_new] = names.try_emplace(library);
         if (is_new) known->second = pack_library(library, packing);
-        if (!known->second.empty()) put("mtllib " + known->second + '\n');
+        if (!known->second.empty()) put("mtllib " + known->second + end_of_line);
     }
     return out;
 }

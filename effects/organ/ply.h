@@ -2,7 +2,8 @@
 //
 // Not through OpenMesh 9.0: its PLY reader loses its place at list properties that it does not know, takes no
 // coordinates in integers and no lines that end in CR, and reserves memory for any count that the header
-// claims. Of the well-formed PLY files that our tests walk over it reads less than half.
+// claims. Of the well-formed PLY files that our tests walk over it reads less than half. Assimp's hangs on 19 of the
+// 92 files that we test with, where a word in the header is wrong; Draco's reads no big-endian numbers.
 #pragma once
 
 #include "organ/file.h"

@@ -1,7 +1,11 @@
-// Ears are cut here and not by a library: GLU's tessellator, the one that Debian has for C++ under a licence of ours,
-// brings libOpenGL into a core that links no OpenGL, and makes one vertex of corners at the same place, whose texture
-// coordinates differ.
+// Ears and edges are cut and turned here and not by a library: GLU's tessellator makes one vertex of corners at the
+// same place, whose texture coordinates differ, and brings libOpenGL into a core that links none; GEOS returns places
+// instead of corners and takes ten times as long; tinyobjloader loses triangles of concave rings; CGAL's triangulations
+// are under the GPL.
 #include "organ/polygon.h"
+
+#include <algorithm>
+#include <cmath>
 
 namespace lapfx::organ {
 
@@ -156,6 +160,95 @@ class Ears {
     std::size_t looks_ = 0;
 };
 
+/// Turns the edges between triangles until the two angles that look at each are no more than half a turn together
+/// (Lawson): no triangle stays flat that can be had with an area, and their angles are as large as they can be. Ears
+/// alone leave flat ones where corners lie on an edge, and needles where they nearly do.
+class Edges {
+  public:
+    /// `corners`: of triangles that cut up the ring, none of them turned round, and no corner of the ring inside one.
+    Edges(const Ring& ring, std::span<std::uint32_t> corners)
+        : ring_(ring), corners_(corners), beyond_(corners.size(), none), turns_left_(ring.size() * ring.size() / 2) {
+        struct Side {
+            std::uint64_t edge;
+            std::uint32_t side;
+        };
+        std::vector<Side> sides;
+        for (std::uint32_t side = 0; side < corners.size(); ++side) {
+            const std::uint64_t from = corners[side], to = corners[next(side)];
+            sides.push_back({std::min(from, to) << 32 | std::max(from, to), side});
+        }
+        std::sort(sides.begin(), sides.end(), [](const Side& a, const Side& b) { return a.edge < b.edge; });
+        for (std::size_t i = 1; i < sides.size(); ++i)
+            if (sides[i - 1].edge == sides[i].edge) join(sides[i - 1].side, sides[i].side);
+    }
+
+    void turn_all() {
+        std::vector<std::uint32_t> sides;
+        for (std::uint32_t side = 0; side < corners_.size(); ++side)
+            if (beyond_[side] != none && beyond_[side] > side) sides.push_back(side);
+        while (!sides.empty() && turns_left_ > 0) {
+            const std::uint32_t side = sides.back();
+            sides.pop_back();
+            ++looks_;
+            if (beyond_[side] == none || !should_turn(side)) continue;
+            --turns_left_;
+            const std::uint32_t other = beyond_[side];
+            turn_edge(side);
+            sides.insert(sides.end(), {next(side), last(side), next(other), last(other)});
+        }
+    }
+
+    std::size_t looks() const { return looks_; }
+
+  private:
+    static constexpr std::uint32_t none = 0xffffffff;
+
+    /// Side k of the triangles runs from corner k to the next one of its triangle; the one after that looks at it.
+    static std::uint32_t next(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
+    static std::uint32_t last(std::uint32_t side) { return next(next(side)); }
+
+    const glm::dvec2& at(std::uint32_t side) const { return ring_[corners_[side]]; }
+
+    void join(std::uint32_t a, std::uint32_t b) {
+        if (a != none) beyond_[a] = b;
+        if (b != none) beyond_[b] = a;
+    }
+
+    bool should_turn(std::uint32_t side) const {
+        const std::uint32_t other = beyond_[side];
+        const glm::dvec2 &a = at(side), &b = at(other), &c = at(last(side)), &d = at(last(other));
+        if (turn(a, d, c) <= 0 || turn(d, b, c) <= 0) return false;  // by the angles it never is, but for rounding
+        const double sine_c = turn(c, a, b), cosine_c = glm::dot(a - c, b - c);
+        const double sine_d = turn(d, b, a), cosine_d = glm::dot(a - d, b - d);
+        // Of four corners on a circle either edge will do.
+        const double rounding =
+            1e-12 * (std::abs(sine_c) + std::abs(cosine_c)) * (std::abs(sine_d) + std::abs(cosine_d));
+        return sine_c * cosine_d + cosine_c * sine_d < -rounding;
+    }
+
+    /// From the edge a-b of the triangles a b c and b a d to d-c: d c a and c d b.
+    void turn_edge(std::uint32_t side) {
+        const std::uint32_t other = beyond_[side];
+        const std::uint32_t a = corners_[side], b = corners_[other], c = corners_[last(side)],
+                            d = corners_[last(other)];
+        const std::uint32_t bc = beyond_[next(side)], ca = beyond_[last(side)], ad = beyond_[next(other)],
+                            db = beyond_[last(other)];
+        corners_[side] = d, corners_[next(side)] = c, corners_[last(side)] = a;
+        corners_[other] = c, corners_[next(other)] = d, corners_[last(other)] = b;
+        join(next(side), ca);
+        join(last(side), ad);
+        join(next(other), db);
+        join(last(other), bc);
+    }
+
+    const Ring& ring_;
+    std::span<std::uint32_t> corners_;  ///< three for each triangle
+    std::vector<std::uint32_t>
+        beyond_;              ///< of each side, the same edge's side in the triangle beyond; none: the ring's edge
+    std::size_t turns_left_;  ///< an edge that has been turned away never comes back, but for rounding
+    std::size_t looks_ = 0;
+};
+
 }  // namespace
 
 bool triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& out, std::size_t* looks) {
@@ -164,9 +257,12 @@ bool triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& ou
         const Ring flat = flattened(ring, ring_normal(ring));
         // Of four corners that all turn left none lies in another's ear; five may be those of a star.
         if (ring.size() > 4 || !is_convex(flat)) {
+            const std::size_t before = out.size();
             Ears ears(flat, out);
             const bool simple = ears.cut();
-            if (looks != nullptr) *looks += ears.looks();
+            Edges edges(flat, std::span(out).subspan(before));
+            if (simple) edges.turn_all();
+            if (looks != nullptr) *looks += ears.looks() + edges.looks();
             return simple;
         }
     }

@@ -1,6 +1,10 @@
 // A tree of boxes over triangles: the nearest place, the first hit of a ray, what lies near a path. It keeps no
 // triangles of its own: every call is given the same ones that it was built for, in the same or (after refit) a moved
 // shape. Queries are const, allocate nothing but their result, and may run on any thread.
+//
+// Not Embree: it works in floats, does not say which of equally near triangles it takes, and takes twice as long to
+// build, nine times to refit and 1.7 times to find the nearest place (a ray is found seven times as fast, but one a
+// frame is all that is asked for). CGAL's tree cannot refit and is under the GPL.
 #pragma once
 
 #include <array>

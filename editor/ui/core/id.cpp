@@ -1,11 +1,12 @@
 #include "ui/core/id.h"
 
-#include "ui/core/hash.h"
+#define XXH_INLINE_ALL
+#include <xxhash.h>
 
 namespace lapfx::ui {
 
 std::uint64_t hash_bytes(std::uint64_t seed, std::string_view bytes) {
-    const std::uint64_t hash = hash_of(bytes, seed);
+    const std::uint64_t hash = XXH3_64bits_withSeed(bytes.data(), bytes.size(), seed);
     return hash == 0 ? 1 : hash;
 }
 

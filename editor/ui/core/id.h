@@ -8,7 +8,7 @@ namespace lapfx::ui {
 
 using Id = std::uint64_t;  ///< 0: none
 
-/// 64 bits of `bytes` under `seed`; not for keeping: it may change from version to version.
+/// 64 well mixed bits of `bytes` under `seed`, never 0; not for keeping: it may change from version to version.
 std::uint64_t hash_bytes(std::uint64_t seed, std::string_view bytes);
 
 /// A label as it is written in code. "Speed##left" shows Speed and is told from another Speed by the rest; "12

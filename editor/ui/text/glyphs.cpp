@@ -9,6 +9,12 @@ namespace {
 constexpr int first_side = 1024, last_side = 2048;
 constexpr std::uint64_t box_face = 0xffff;
 
+/// One step of mixing (Fibonacci hashing); different values stay different.
+std::uint64_t mixed(std::uint64_t value) {
+    value *= 0x9e3779b97f4a7c15;  // 2^64 over the golden ratio
+    return value ^ (value >> 32);
+}
+
 /// Different for all that looks different.
 std::uint64_t key_of(std::uint64_t face, std::uint32_t glyph, std::uint16_t size_quarters, int phase) {
     const std::uint64_t key =

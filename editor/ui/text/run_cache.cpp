@@ -51,7 +51,7 @@ Run& RunCache::add(std::string_view text, std::uint64_t style) {
     entry.text = text;
     entry.style = style;
     entry.used = frame_;
-    table_.insert(hash_of(text, style), index);
+    table_.insert(hash_bytes(style, text), index);
     return entry.run;
 }
 

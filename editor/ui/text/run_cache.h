@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ui/core/id.h"
 #include "ui/text/fonts.h"
 #include "ui/text/index_table.h"
 
@@ -17,7 +18,7 @@ class RunCache {
 
     /// nullptr: not there. Otherwise counts as used in this frame.
     const Run* find(std::string_view text, std::uint64_t style) {
-        const std::uint64_t hash = hash_of(text, style);
+        const std::uint64_t hash = hash_bytes(style, text);
         const std::uint32_t index = table_.find(
             hash, [&](std::uint32_t i) { return entries_[i]->style == style && entries_[i]->text == text; });
         if (index == IndexTable::none) return nullptr;

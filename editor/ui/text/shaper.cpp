@@ -68,12 +68,11 @@ void Shaper::shape(std::string_view text, StyleKey style, Run& run) {
 
 void Shaper::read(std::string_view text) {
     letters_.clear();
-    char32_t before = 0;
+    CharacterBreaks breaks;
     for (std::size_t at = 0; at < text.size();) {
         const Decoded decoded = decode(text.substr(at));
         letters_.push_back({shown(decoded.codepoint), static_cast<std::uint32_t>(at), nullptr, HB_SCRIPT_COMMON,
-                            at == 0 || parted(before, decoded.codepoint)});
-        before = decoded.codepoint;
+                            breaks.before(decoded.codepoint)});
         at += decoded.bytes;
     }
 }

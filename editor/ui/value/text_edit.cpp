@@ -35,10 +35,23 @@ Class class_before(std::string_view text, std::size_t at) {
     return class_after(text, at - previous_character(text, at));
 }
 
-/// The ends of the run of characters of class `c` around `at`.
+std::size_t begin_of_line(std::string_view text, std::size_t at) {
+    return at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
+}
+std::size_t end_of_line(std::string_view text, std::size_t at) {
+    return std::min(text.find('\n', at), text.size());
+}
+
+/// The ends of the run of characters of class `c` around `at`, which is not of line breaks. Its begin is found from the
+/// front: a step back in a row of flags has to count them all.
 std::size_t run_begin(std::string_view text, std::size_t at, Class c) {
-    while (at > 0 && class_before(text, at) == c) at -= previous_character(text, at);
-    return at;
+    std::size_t begin = begin_of_line(text, at);
+    for (std::size_t i = begin; i < at;) {
+        const bool other = class_after(text, i) != c;
+        i += next_character(text, i);
+        if (other) begin = i;
+    }
+    return begin;
 }
 std::size_t run_end(std::string_view text, std::size_t at, Class c) {
     while (at < text.size() && class_after(text, at) == c) at += next_character(text, at);
@@ -59,13 +72,6 @@ std::size_t word_after(std::string_view text, std::size_t from) {
     const Class c = class_after(text, at);
     if (c == Class::line) return at == from ? at + 1 : at;
     return run_end(text, at, c);
-}
-
-std::size_t begin_of_line(std::string_view text, std::size_t at) {
-    return at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-}
-std::size_t end_of_line(std::string_view text, std::size_t at) {
-    return std::min(text.find('\n', at), text.size());
 }
 
 std::size_t allowed_before(std::string_view text, std::size_t byte) {

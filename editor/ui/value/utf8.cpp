@@ -1,80 +1,16 @@
 #include "ui/value/utf8.h"
 
+#include <utf8proc.h>
+
 #include <algorithm>
 #include <cassert>
-#include <iterator>
+#include <utility>
 
 namespace lapfx::ui {
 
 namespace {
 
-struct Range {
-    char32_t first, last;
-};
-
-// Code points that stand on the one before them: categories Mn, Me and Mc of Unicode 14, the joiners U+200C and U+200D,
-// the skin tones and the tags of flags. Ranges that only unassigned code points part are one.
-constexpr Range combining[] = {
-    {0x300, 0x36f},     {0x483, 0x489},     {0x591, 0x5bd},     {0x5bf, 0x5bf},     {0x5c1, 0x5c2},
-    {0x5c4, 0x5c5},     {0x5c7, 0x5c7},     {0x610, 0x61a},     {0x64b, 0x65f},     {0x670, 0x670},
-    {0x6d6, 0x6dc},     {0x6df, 0x6e4},     {0x6e7, 0x6e8},     {0x6ea, 0x6ed},     {0x711, 0x711},
-    {0x730, 0x74a},     {0x7a6, 0x7b0},     {0x7eb, 0x7f3},     {0x7fd, 0x7fd},     {0x816, 0x819},
-    {0x81b, 0x823},     {0x825, 0x827},     {0x829, 0x82d},     {0x859, 0x85b},     {0x898, 0x89f},
-    {0x8ca, 0x8e1},     {0x8e3, 0x903},     {0x93a, 0x93c},     {0x93e, 0x94f},     {0x951, 0x957},
-    {0x962, 0x963},     {0x981, 0x983},     {0x9bc, 0x9bc},     {0x9be, 0x9cd},     {0x9d7, 0x9d7},
-    {0x9e2, 0x9e3},     {0x9fe, 0xa03},     {0xa3c, 0xa51},     {0xa70, 0xa71},     {0xa75, 0xa75},
-    {0xa81, 0xa83},     {0xabc, 0xabc},     {0xabe, 0xacd},     {0xae2, 0xae3},     {0xafa, 0xb03},
-    {0xb3c, 0xb3c},     {0xb3e, 0xb57},     {0xb62, 0xb63},     {0xb82, 0xb82},     {0xbbe, 0xbcd},
-    {0xbd7, 0xbd7},     {0xc00, 0xc04},     {0xc3c, 0xc3c},     {0xc3e, 0xc56},     {0xc62, 0xc63},
-    {0xc81, 0xc83},     {0xcbc, 0xcbc},     {0xcbe, 0xcd6},     {0xce2, 0xce3},     {0xd00, 0xd03},
-    {0xd3b, 0xd3c},     {0xd3e, 0xd4d},     {0xd57, 0xd57},     {0xd62, 0xd63},     {0xd81, 0xd83},
-    {0xdca, 0xddf},     {0xdf2, 0xdf3},     {0xe31, 0xe31},     {0xe34, 0xe3a},     {0xe47, 0xe4e},
-    {0xeb1, 0xeb1},     {0xeb4, 0xebc},     {0xec8, 0xecd},     {0xf18, 0xf19},     {0xf35, 0xf35},
-    {0xf37, 0xf37},     {0xf39, 0xf39},     {0xf3e, 0xf3f},     {0xf71, 0xf84},     {0xf86, 0xf87},
-    {0xf8d, 0xfbc},     {0xfc6, 0xfc6},     {0x102b, 0x103e},   {0x1056, 0x1059},   {0x105e, 0x1060},
-    {0x1062, 0x1064},   {0x1067, 0x106d},   {0x1071, 0x1074},   {0x1082, 0x108d},   {0x108f, 0x108f},
-    {0x109a, 0x109d},   {0x135d, 0x135f},   {0x1712, 0x1715},   {0x1732, 0x1734},   {0x1752, 0x1753},
-    {0x1772, 0x1773},   {0x17b4, 0x17d3},   {0x17dd, 0x17dd},   {0x180b, 0x180d},   {0x180f, 0x180f},
-    {0x1885, 0x1886},   {0x18a9, 0x18a9},   {0x1920, 0x193b},   {0x1a17, 0x1a1b},   {0x1a55, 0x1a7f},
-    {0x1ab0, 0x1b04},   {0x1b34, 0x1b44},   {0x1b6b, 0x1b73},   {0x1b80, 0x1b82},   {0x1ba1, 0x1bad},
-    {0x1be6, 0x1bf3},   {0x1c24, 0x1c37},   {0x1cd0, 0x1cd2},   {0x1cd4, 0x1ce8},   {0x1ced, 0x1ced},
-    {0x1cf4, 0x1cf4},   {0x1cf7, 0x1cf9},   {0x1dc0, 0x1dff},   {0x200c, 0x200d},   {0x20d0, 0x20f0},
-    {0x2cef, 0x2cf1},   {0x2d7f, 0x2d7f},   {0x2de0, 0x2dff},   {0x302a, 0x302f},   {0x3099, 0x309a},
-    {0xa66f, 0xa672},   {0xa674, 0xa67d},   {0xa69e, 0xa69f},   {0xa6f0, 0xa6f1},   {0xa802, 0xa802},
-    {0xa806, 0xa806},   {0xa80b, 0xa80b},   {0xa823, 0xa827},   {0xa82c, 0xa82c},   {0xa880, 0xa881},
-    {0xa8b4, 0xa8c5},   {0xa8e0, 0xa8f1},   {0xa8ff, 0xa8ff},   {0xa926, 0xa92d},   {0xa947, 0xa953},
-    {0xa980, 0xa983},   {0xa9b3, 0xa9c0},   {0xa9e5, 0xa9e5},   {0xaa29, 0xaa36},   {0xaa43, 0xaa43},
-    {0xaa4c, 0xaa4d},   {0xaa7b, 0xaa7d},   {0xaab0, 0xaab0},   {0xaab2, 0xaab4},   {0xaab7, 0xaab8},
-    {0xaabe, 0xaabf},   {0xaac1, 0xaac1},   {0xaaeb, 0xaaef},   {0xaaf5, 0xaaf6},   {0xabe3, 0xabea},
-    {0xabec, 0xabed},   {0xfb1e, 0xfb1e},   {0xfe00, 0xfe0f},   {0xfe20, 0xfe2f},   {0x101fd, 0x101fd},
-    {0x102e0, 0x102e0}, {0x10376, 0x1037a}, {0x10a01, 0x10a0f}, {0x10a38, 0x10a3f}, {0x10ae5, 0x10ae6},
-    {0x10d24, 0x10d27}, {0x10eab, 0x10eac}, {0x10f46, 0x10f50}, {0x10f82, 0x10f85}, {0x11000, 0x11002},
-    {0x11038, 0x11046}, {0x11070, 0x11070}, {0x11073, 0x11074}, {0x1107f, 0x11082}, {0x110b0, 0x110ba},
-    {0x110c2, 0x110c2}, {0x11100, 0x11102}, {0x11127, 0x11134}, {0x11145, 0x11146}, {0x11173, 0x11173},
-    {0x11180, 0x11182}, {0x111b3, 0x111c0}, {0x111c9, 0x111cc}, {0x111ce, 0x111cf}, {0x1122c, 0x11237},
-    {0x1123e, 0x1123e}, {0x112df, 0x112ea}, {0x11300, 0x11303}, {0x1133b, 0x1133c}, {0x1133e, 0x1134d},
-    {0x11357, 0x11357}, {0x11362, 0x11374}, {0x11435, 0x11446}, {0x1145e, 0x1145e}, {0x114b0, 0x114c3},
-    {0x115af, 0x115c0}, {0x115dc, 0x115dd}, {0x11630, 0x11640}, {0x116ab, 0x116b7}, {0x1171d, 0x1172b},
-    {0x1182c, 0x1183a}, {0x11930, 0x1193e}, {0x11940, 0x11940}, {0x11942, 0x11943}, {0x119d1, 0x119e0},
-    {0x119e4, 0x119e4}, {0x11a01, 0x11a0a}, {0x11a33, 0x11a39}, {0x11a3b, 0x11a3e}, {0x11a47, 0x11a47},
-    {0x11a51, 0x11a5b}, {0x11a8a, 0x11a99}, {0x11c2f, 0x11c3f}, {0x11c92, 0x11cb6}, {0x11d31, 0x11d45},
-    {0x11d47, 0x11d47}, {0x11d8a, 0x11d97}, {0x11ef3, 0x11ef6}, {0x16af0, 0x16af4}, {0x16b30, 0x16b36},
-    {0x16f4f, 0x16f4f}, {0x16f51, 0x16f92}, {0x16fe4, 0x16ff1}, {0x1bc9d, 0x1bc9e}, {0x1cf00, 0x1cf46},
-    {0x1d165, 0x1d169}, {0x1d16d, 0x1d172}, {0x1d17b, 0x1d182}, {0x1d185, 0x1d18b}, {0x1d1aa, 0x1d1ad},
-    {0x1d242, 0x1d244}, {0x1da00, 0x1da36}, {0x1da3b, 0x1da6c}, {0x1da75, 0x1da75}, {0x1da84, 0x1da84},
-    {0x1da9b, 0x1daaf}, {0x1e000, 0x1e02a}, {0x1e130, 0x1e136}, {0x1e2ae, 0x1e2ae}, {0x1e2ec, 0x1e2ef},
-    {0x1e8d0, 0x1e8d6}, {0x1e944, 0x1e94a}, {0x1f3fb, 0x1f3ff}, {0xe0020, 0xe01ef}};
-
 constexpr char32_t zero_width_joiner = 0x200D;
-
-/// Those that a zero width joiner may tie to the picture before; letters after one stay on their own.
-bool is_picture(char32_t c) {
-    return (c >= 0x2190 && c <= 0x2BFF) || (c >= 0x1F000 && c <= 0x1FAFF);
-}
-
-bool is_control(char32_t c) {
-    return c < 0x20 || (c >= 0x7F && c < 0xA0);
-}
 
 bool is_continuation(char c) {
     return (static_cast<unsigned char>(c) & 0xC0) == 0x80;
@@ -89,34 +25,31 @@ std::size_t code_point_before(std::string_view text, std::size_t byte) {
     return byte - 1;
 }
 
+/// Whether a character ends between two code points whatever comes before them. Only a joiner and half a flag need more
+/// to tell; the two halves of a flag are not parted here.
+bool always_parted(char32_t before, char32_t after) {
+    return before != zero_width_joiner &&
+           utf8proc_grapheme_break(static_cast<utf8proc_int32_t>(before), static_cast<utf8proc_int32_t>(after));
+}
+
 }  // namespace
 
 Decoded decode(std::string_view text) {
     assert(!text.empty());
-    const auto lead = static_cast<unsigned char>(text[0]);
-    if (lead < 0x80) return {lead, 1, true};
-    const unsigned bytes = lead >= 0xF0 ? 4 : lead >= 0xE0 ? 3 : 2;
-    if (lead < 0xC2 || lead > 0xF4 || text.size() < bytes) return {};
-    char32_t c = lead & (0x7FU >> bytes);
-    for (unsigned i = 1; i < bytes; ++i) {
-        if (!is_continuation(text[i])) return {};
-        c = c << 6 | (static_cast<unsigned char>(text[i]) & 0x3FU);
-    }
-    constexpr char32_t least[] = {0, 0, 0x80, 0x800, 0x10000};
-    if (c < least[bytes] || c > 0x10FFFF || (c >= 0xD800 && c <= 0xDFFF)) return {};
-    return {c, static_cast<std::uint8_t>(bytes), true};
+    utf8proc_int32_t c = 0;
+    const utf8proc_ssize_t bytes =
+        utf8proc_iterate(reinterpret_cast<const utf8proc_uint8_t*>(text.data()),
+                         static_cast<utf8proc_ssize_t>(std::min<std::size_t>(text.size(), 4)), &c);
+    if (bytes <= 0) return {};
+    return {static_cast<char32_t>(c), static_cast<std::uint8_t>(bytes), true};
 }
 
 void append(std::string& text, char32_t codepoint) {
-    const char32_t c = codepoint > 0x10FFFF || (codepoint >= 0xD800 && codepoint <= 0xDFFF) ? replacement : codepoint;
-    if (c < 0x80) {
-        text += static_cast<char>(c);
-        return;
-    }
-    const int more = c < 0x800 ? 1 : c < 0x10000 ? 2 : 3;
-    constexpr unsigned char leads[] = {0, 0xC0, 0xE0, 0xF0};
-    text += static_cast<char>(leads[more] | c >> (6 * more));
-    for (int i = more - 1; i >= 0; --i) text += static_cast<char>(0x80 | ((c >> (6 * i)) & 0x3F));
+    utf8proc_uint8_t bytes[4];
+    const auto c = static_cast<utf8proc_int32_t>(codepoint);
+    const utf8proc_ssize_t count =
+        utf8proc_encode_char(utf8proc_codepoint_valid(c) ? c : static_cast<utf8proc_int32_t>(replacement), bytes);
+    text.append(reinterpret_cast<const char*>(bytes), static_cast<std::size_t>(count));
 }
 
 bool valid_utf8(std::string_view text) {
@@ -128,41 +61,36 @@ bool valid_utf8(std::string_view text) {
     return true;
 }
 
-bool parted(char32_t before, char32_t after) {
-    if (is_control(before)) return true;  // a mark at the front of a line stands alone
-    return !is_combining(after) && !(before == zero_width_joiner && is_picture(after));
-}
-
-std::size_t previous_character(std::string_view text, std::size_t byte) {
-    std::size_t at = std::min(byte, text.size());
-    const std::size_t end = at;
-    while (at > 0) {
-        at = code_point_before(text, at);
-        if (at == 0) break;
-        const char32_t before = decode(text.substr(code_point_before(text, at))).codepoint;
-        if (parted(before, decode(text.substr(at)).codepoint)) break;
-    }
-    return end - at;
+bool CharacterBreaks::before(char32_t next) {
+    return utf8proc_grapheme_break_stateful(static_cast<utf8proc_int32_t>(std::exchange(last_, next)),
+                                            static_cast<utf8proc_int32_t>(next), &state_);
 }
 
 std::size_t next_character(std::string_view text, std::size_t byte) {
-    if (byte >= text.size()) return 0;
-    Decoded here = decode(text.substr(byte));
-    std::size_t at = byte + here.bytes;
+    CharacterBreaks breaks;
+    std::size_t at = byte;
     while (at < text.size()) {
-        const Decoded after = decode(text.substr(at));
-        if (parted(here.codepoint, after.codepoint)) break;
-        at += after.bytes;
-        here = after;
+        const Decoded here = decode(text.substr(at));
+        if (breaks.before(here.codepoint) && at > byte) break;
+        at += here.bytes;
     }
-    return at - byte;
+    return at - std::min(at, byte);
 }
 
-bool is_combining(char32_t codepoint) {
-    if (codepoint < combining[0].first) return false;
-    const Range* after = std::upper_bound(std::begin(combining), std::end(combining), codepoint,
-                                          [](char32_t c, const Range& range) { return c < range.first; });
-    return codepoint <= std::prev(after)->last;
+std::size_t previous_character(std::string_view text, std::size_t byte) {
+    const std::size_t end = std::min(byte, text.size());
+    if (end == 0) return 0;
+    // Back to where a character begins for certain, and on from there.
+    std::size_t begin = code_point_before(text, end);
+    for (char32_t after = decode(text.substr(begin)).codepoint; begin > 0;) {
+        const std::size_t at = code_point_before(text, begin);
+        const char32_t before = decode(text.substr(at)).codepoint;
+        if (always_parted(before, after)) break;
+        begin = at;
+        after = before;
+    }
+    for (std::size_t next = begin; next < end; next += next_character(text, next)) begin = next;
+    return end - begin;
 }
 
 }  // namespace lapfx::ui

@@ -21,12 +21,21 @@ struct Decoded {
 Decoded decode(std::string_view text);
 void append(std::string& text, char32_t codepoint);  ///< not a scalar value: U+FFFD
 bool valid_utf8(std::string_view text);
-/// Bytes of the character before `byte` and at it: a code point together with the combining marks, joiners and
-/// variation selectors that go with it. 0 at the ends.
+/// Bytes of the character before `byte` and at it, which need not be at the edge of one. A character is what a reader
+/// takes for one: an extended grapheme cluster of Unicode (UAX 29), as utf8proc knows them; a byte that is no UTF-8
+/// counts as U+FFFD. 0 at the ends.
 std::size_t previous_character(std::string_view text, std::size_t byte);
 std::size_t next_character(std::string_view text, std::size_t byte);
-bool is_combining(char32_t codepoint);
-/// Whether a character ends between two neighbouring code points.
-bool parted(char32_t before, char32_t after);
+
+/// Where characters begin, told from code points in the order of the text, from the start of a character on.
+class CharacterBreaks {
+  public:
+    /// Whether `next` begins a character; the first one does.
+    bool before(char32_t next);
+
+  private:
+    char32_t last_ = 0;       // a control character, which ends what is before it
+    std::int32_t state_ = 0;  // utf8proc's: half a flag, a picture that a joiner may follow
+};
 
 }  // namespace lapfx::ui

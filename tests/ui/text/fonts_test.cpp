@@ -444,6 +444,9 @@ TEST_F(Text, TheCaretStopsWhereEditingStepsTo) {
         "a\u200Db\u2713\uFE0E",                                                      // a joiner between letters
         "\U0001F3F4\U000E0067\U000E0062\U000E007Fz",                                 // a flag of tags
         "\u0915\u094D\u0937\u093F",                                                  // vowel signs
+        "x\U0001F1E9\U0001F1EA\U0001F1EB\U0001F1F7\U0001F1EBy",                      // two flags and a half
+        "\u1112\u1161\u11AB\u1100\u1173\u11AF",                                      // Hangul by its sounds
+        "\u0E19\u0E49\u0E33z",                                                       // Thai
         "a\xF0\x9F\x98z\xC0\xAF\u0301"};                                             // no UTF-8
     for (const std::string& text : texts) {
         std::vector<std::uint32_t> steps = {0}, stops;

@@ -146,7 +146,11 @@ class TextEditOracle {
     static bool boundary(const std::u32string& text, std::size_t at) {
         if (at == 0 || at >= text.size() || text[at - 1] == '\n' || text[at - 1] == '\t') return true;
         const char32_t c = text[at];
-        return c != 0x301 && c != 0xFE0F && c != 0x200D && !(text[at - 1] == 0x200D && c == 0x1F469);
+        if (c == 0x301 || c == 0xFE0F || c == 0x200D) return false;
+        if (text[at - 1] != 0x200D || c != 0x1F469) return true;
+        std::size_t tied = at - 1;  // a picture, marks that stand on it, a joiner, a picture: one character
+        while (tied > 0 && (text[tied - 1] == 0x301 || text[tied - 1] == 0xFE0F)) --tied;
+        return tied == 0 || text[tied - 1] != 0x1F469;
     }
     static int kind(char32_t c) {
         if (c == '\n') return 0;

@@ -361,6 +361,24 @@ TEST(TextEdit, UndoGoesBackToTheStartAndRedoToTheEnd) {
     }
 }
 
+// Where a flag begins depends on all the flags before it in the row: a step back counts them, so a word must not take
+// one for each.
+TEST(TextEdit, ARowOfFlagsIsOneWordHoweverLong) {
+    std::string flags;
+    while (flags.size() < (1U << 20)) flags += "\xF0\x9F\x87\xA9\xF0\x9F\x87\xAA";
+    TextEdit edit("a " + flags.substr(0, (1U << 20) - 8), several_lines);
+    edit.apply(word_left);
+    EXPECT_EQ(edit.caret(), 2u);
+    edit.apply(word_right);
+    EXPECT_EQ(edit.caret(), edit.text().size());
+    edit.apply(select_word);
+    EXPECT_EQ(edit.selection_begin(), 2u);
+    edit.apply(left);
+    edit.apply(text_end);
+    edit.apply(erase_left);
+    EXPECT_EQ(edit.text().size(), (1U << 20) - 14);
+}
+
 TEST(TextEdit, AnyBytesAndCommandsLeaveTheCaretOnAnAllowedPlace) {
     std::mt19937 random(9);
     TextEdit edit("", {.bytes = 300, .lines = true});
@@ -370,7 +388,7 @@ TEST(TextEdit, AnyBytesAndCommandsLeaveTheCaretOnAnAllowedPlace) {
         return at == byte;
     };
     const std::string pieces[] = {"\x80",     "\xC3",         "\xA9", "\xE2", "\xF0\x9F", "\xCC\x81",
-                                  "\x91\xA9", "\xE2\x80\x8D", "a",    "\n",   "\xFF"};
+                                  "\x91\xA9", "\xE2\x80\x8D", "a",    "\n",   "\xFF",     "\xF0\x9F\x87\xA9"};
     for (int i = 0; i < 100000; ++i) {
         switch (random() % 4) {
             case 0:

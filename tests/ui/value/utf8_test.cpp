@@ -99,20 +99,75 @@ TEST(Utf8, CharactersEndWhereTheTextDoes) {
     EXPECT_EQ(previous_character("", 0), 0u);
 }
 
-TEST(Utf8, CombiningIsToldAtTheEdgesOfItsRanges) {
-    for (const char32_t c : {0x300, 0x36F, 0x483, 0x5BF, 0x93F, 0x20D0, 0x200D, 0xFE0F, 0x1F3FB, 0xE01EF})
-        EXPECT_TRUE(is_combining(c));
-    for (const char32_t c :
-         {0, 0x61, 0x2FF, 0x370, 0x482, 0x5BE, 0x200B, 0x200E, 0xFE10, 0x1F3FA, 0x1F400, 0xE01F0, 0x10FFFF}) {
-        EXPECT_FALSE(is_combining(c)) << std::hex << static_cast<unsigned>(c);
+/// The characters of a text, each as it is.
+std::vector<std::u32string> characters(std::u32string_view text) {
+    const std::string bytes = encoded(text);
+    std::vector<std::u32string> found;
+    for (std::size_t at = 0; at < bytes.size();) {
+        const std::size_t end = at + next_character(bytes, at);
+        std::u32string& character = found.emplace_back();
+        for (; at < end; at += decode(std::string_view(bytes).substr(at)).bytes)
+            character += decode(std::string_view(bytes).substr(at)).codepoint;
     }
+    EXPECT_EQ(places_forward(bytes), places_backward(bytes)) << bytes;
+    return found;
+}
+
+using Characters = std::vector<std::u32string>;
+
+TEST(Utf8, PicturesTiedByJoinersAreOneCharacter) {
+    EXPECT_EQ(characters(U"👩\u200D👩\u200D👧x"), (Characters{U"👩\u200D👩\u200D👧", U"x"}));
+    EXPECT_EQ(characters(U"👩🏽\u200D🔬👩"), (Characters{U"👩🏽\u200D🔬", U"👩"}));
+    EXPECT_EQ(characters(U"🏳\uFE0F\u200D🌈🏴"), (Characters{U"🏳\uFE0F\u200D🌈", U"🏴"}));
+    EXPECT_EQ(characters(U"a\u200D🔬"), (Characters{U"a\u200D", U"🔬"})) << "a joiner after a letter ties nothing";
+    EXPECT_EQ(characters(U"❤\u200D≤"), (Characters{U"❤\u200D", U"≤"})) << "a sign of calculation is no picture";
+}
+
+TEST(Utf8, FlagsAreTwoLettersEach) {
+    EXPECT_EQ(characters(U"🇩🇪🇫🇷x"), (Characters{U"🇩🇪", U"🇫🇷", U"x"}));
+    EXPECT_EQ(characters(U"x🇩🇪🇫"), (Characters{U"x", U"🇩🇪", U"🇫"})) << "half a flag";
+    EXPECT_EQ(characters(U"🇩\u200D🇪🇫"), (Characters{U"🇩\u200D", U"🇪🇫"}));
+    const std::string half = encoded(U"🇩🇪🇫🇷");
+    EXPECT_EQ(previous_character(half, 12), 4u) << "from inside a flag to where it begins";
+}
+
+TEST(Utf8, SyllablesOfHangulAreOneCharacter) {
+    EXPECT_EQ(characters(U"\u1112\u1161\u11AB\u1100\u1173\u11AF"),
+              (Characters{U"\u1112\u1161\u11AB", U"\u1100\u1173\u11AF"}));
+    EXPECT_EQ(characters(U"가\u11A8나"), (Characters{U"가\u11A8", U"나"})) << "a final consonant";
+    EXPECT_EQ(characters(U"한글"), (Characters{U"한", U"글"}));
+}
+
+TEST(Utf8, SignsOfIndicThaiAndJapaneseGoWithTheirLetter) {
+    EXPECT_EQ(characters(U"नमस्ते"), (Characters{U"न", U"म", U"स्", U"ते"}));
+    EXPECT_EQ(characters(U"கோ"), (Characters{U"கோ"}));
+    EXPECT_EQ(characters(U"น้ำ"), (Characters{U"น้ำ"})) << "SARA AM is a letter by its category";
+    EXPECT_EQ(characters(U"ຂຳ"), (Characters{U"ຂຳ"}));
+    EXPECT_EQ(characters(U"ｶﾞ"), (Characters{U"ｶﾞ"})) << "a voiced sound mark of half width";
+    EXPECT_EQ(characters(U"\u0600\u0661\u0662"), (Characters{U"\u0600\u0661", U"\u0662"})) << "a sign before its digit";
+    EXPECT_EQ(characters(U"\r\n\n"), (Characters{U"\r\n", U"\n"}));
 }
 
 TEST(Utf8, AnyBytesHaveTheSamePlacesForwardsAndBackwards) {
     std::mt19937 random(1);
-    const std::string pieces[] = {"a",    "\n",           " ",        "\x80",         "\xC3",
-                                  "\xE2", "\xF0",         "\xCC\x81", "\xE2\x80\x8D", "\xF0\x9F\x91\xA9",
-                                  "\x9F", "\xE2\x9D\xA4", "\xFF"};
+    const std::string pieces[] = {"a",
+                                  "\n",
+                                  " ",
+                                  "\x80",
+                                  "\xC3",
+                                  "\xE2",
+                                  "\xF0",
+                                  "\xCC\x81",
+                                  "\xE2\x80\x8D",
+                                  "\xF0\x9F\x91\xA9",
+                                  "\x9F",
+                                  "\xE2\x9D\xA4",
+                                  "\xFF",
+                                  "\r",
+                                  "\xF0\x9F\x87\xA9",
+                                  "\xE1\x84\x80",
+                                  "\xE1\x85\xA1",
+                                  "\xD8\x80"};
     for (int round = 0; round < 100000; ++round) {
         std::string text;
         for (auto left = random() % 12; left > 0; --left) text += pieces[random() % std::size(pieces)];

@@ -35,6 +35,14 @@ TEST_F(Mtl, ALibraryIsReadOnceUnderAllItsNames) {
     EXPECT_EQ(organ.materials[0].base_color, glm::vec4(1, 0, 0, 1));
 }
 
+TEST_F(Mtl, LinesMayEndInCrAlone) {
+    folder.write("a.mtl", "newmtl a\rKd 1 0 0\rnewmtl b\rKd 0 1 0\r");
+    const Organ organ = load("mtllib a.mtl\n");
+    ASSERT_EQ(organ.materials.size(), 2U);
+    EXPECT_EQ(organ.materials[0].base_color, glm::vec4(1, 0, 0, 1));
+    EXPECT_EQ(organ.materials[1].base_color, glm::vec4(0, 1, 0, 1));
+}
+
 TEST_F(Mtl, ALibraryThatCannotBeReadIsToldOfOnce) {
     folder.write("empty.mtl", "# nothing\n");
     std::string text;

@@ -42,6 +42,21 @@ TEST(ObjText, ANumberThatEndsWithinItsExponentEndsThere) {
     }
 }
 
+TEST(ObjText, LinesEndInLfCrLfOrCrAlone) {
+    const std::string text = "mtllib a.mtl\nv 0 0 0\nv 9 0 \\\n0\nv 0 9 0\nusemtl a\nf 1 2 3\n";
+    for (const std::string end : {"\n", "\r\n", "\r"}) {
+        std::string changed;
+        for (const char c : text) changed += c == '\n' ? end : std::string(1, c);
+        const ObjText read = read_obj_text(changed);
+        ASSERT_EQ(read.soup.positions.size(), 3U) << testing::PrintToString(end);
+        EXPECT_EQ(read.soup.positions[1], glm::vec3(9, 0, 0));
+        EXPECT_EQ(read.soup.faces(), 1U);
+        ASSERT_EQ(read.runs.size(), 1U);
+        EXPECT_EQ(read.runs[0].material, "a");
+        EXPECT_EQ(read.libraries, std::vector<std::string>{"a.mtl"});
+    }
+}
+
 TEST(ObjText, NumbersBeyondFloatsAreNothingOrInfinite) {
     const ObjText read = read_obj_text("v 1e-60 -2E-60 3\nv 1e60 0 0\nv 0 1E60 0\n");
     ASSERT_EQ(read.soup.positions.size(), 3U);

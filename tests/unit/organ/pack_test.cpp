@@ -82,6 +82,19 @@ TEST_F(Pack, ALibraryIsWhatTheReaderTakesForOne) {
     EXPECT_THAT(text_of("m.obj"), testing::StartsWith("mtllib a.mtl\nmtllib _b.mtl\nmtllib c_d.mtl\nmtllibs a.mtl\nv"));
 }
 
+TEST_F(Pack, LinesThatEndInCrAloneStayLines) {
+    from.write("a#1.mtl", "newmtl a\rKd 1 0 0\rnewmtl b\rKd 0 1 0\r");
+    const fs::path mesh = from.write("m.obj",
+                                     "mtllib a#1.mtl\rv 0 0 0\rv 9 0 0\rv 0 9 0\rv 0 0 9\rusemtl a\rf 1 2 3\r"
+                                     "usemtl b\rf 1 2 4\r");
+    ASSERT_THAT(material_names(load_organ(mesh)), ElementsAre("a", "b"));
+    const Organ copy = load_organ(unpacked(mesh));
+    EXPECT_THAT(material_names(copy), ElementsAre("a", "b"));
+    EXPECT_EQ(copy.materials[1].base_color, glm::vec4(0, 1, 0, 1));
+    EXPECT_EQ(copy.triangle_count(), 2U);
+    EXPECT_THAT(text_of("m.obj"), testing::StartsWith("mtllib a_1.mtl\rv 0 0 0\r"));
+}
+
 /// How often files of a folder are opened.
 class Opened {
   public:

@@ -28,7 +28,8 @@ void expect_covered(const std::vector<glm::vec3>& ring, std::size_t flat = 0) {
         const glm::dvec3 a(ring[corners[i]]), b(ring[corners[i + 1]]), c(ring[corners[i + 2]]);
         const double z = glm::cross(b - a, c - a).z / 2.0;
         EXPECT_GE(z, 0.0) << "turned round";
-        without_area += z == 0.0;
+        const double longest = std::max({glm::distance(a, b), glm::distance(b, c), glm::distance(c, a)});
+        without_area += z <= 0.5e-7 * longest * longest;  // as organ::mend() would leave it out
         sum += z;
     }
     EXPECT_EQ(without_area, flat);
@@ -92,6 +93,97 @@ TEST(Polygon, CornersOnAnEdgeStayCorners) {
     expect_covered(square);
 }
 
+/// Rings of which ears alone leave triangles without area: corners on edges, also beside a hole and its cut.
+const std::vector<std::vector<glm::vec3>> with_corners_on_edges{
+    {{1, 2, 0}, {2, 2, 0}, {3, 2, 0}, {3, 3, 0}, {2, 3, 0}, {2, 4, 0}, {1, 4, 0}},
+    {{1, 1, 0}, {4, 1, 0}, {4, 2, 0}, {3, 2, 0}, {3, 3, 0}, {2, 3, 0}, {2, 4, 0}, {1, 4, 0}},
+    {{1, 1, 0},
+     {5, 1, 0},
+     {5, 4, 0},
+     {4, 4, 0},
+     {4, 3, 0},
+     {4, 2, 0},
+     {3, 2, 0},
+     {3, 3, 0},
+     {4, 3, 0},
+     {4, 4, 0},
+     {3, 4, 0},
+     {3, 5, 0},
+     {1, 5, 0},
+     {1, 3, 0}},
+    {{1, 1, 0},
+     {3, 1, 0},
+     {3, 2, 0},
+     {3, 3, 0},
+     {2, 3, 0},
+     {2, 4, 0},
+     {5, 4, 0},
+     {5, 2, 0},
+     {3, 2, 0},
+     {3, 1, 0},
+     {4, 1, 0},
+     {5, 1, 0},
+     {6, 1, 0},
+     {6, 4, 0},
+     {6, 5, 0},
+     {4, 5, 0},
+     {1, 5, 0}}};
+
+TEST(Polygon, CornersOnEdgesLeaveNoTriangleWithoutArea) {
+    for (std::vector<glm::vec3> ring : with_corners_on_edges) {
+        for (glm::vec3& p : ring) p *= 0.1f;  // in floats, the corners lie only nearly on the edges
+        for (std::size_t turned = 0; turned < ring.size(); ++turned) {
+            expect_covered(ring);
+            std::rotate(ring.begin(), ring.begin() + 1, ring.end());
+        }
+    }
+}
+
+TEST(Polygon, NoNeedleWhereRoundingMovesCornersOffTheirEdge) {
+    // Somewhere in space, in floats, no three of those corners are quite on a line: half a square is the smallest
+    // triangle still.
+    std::mt19937 random(3);
+    std::normal_distribution<double> any;
+    for (int trial = 0; trial < 200; ++trial)
+        for (const std::vector<glm::vec3>& flat : with_corners_on_edges) {
+            const glm::dvec3 x = glm::normalize(glm::dvec3(any(random), any(random), any(random)));
+            const glm::dvec3 y = glm::normalize(glm::cross(x, glm::dvec3(any(random), any(random), any(random))));
+            std::vector<glm::vec3> ring;
+            for (const glm::vec3& p : flat)
+                ring.push_back(glm::vec3(100.0 + x * static_cast<double>(p.x) + y * static_cast<double>(p.y)));
+            std::vector<std::uint32_t> corners;
+            EXPECT_TRUE(triangulate(ring, corners));
+            double sum = 0.0;
+            for (std::size_t i = 0; i < corners.size(); i += 3) {
+                const glm::dvec3 a(ring[corners[i]]), b(ring[corners[i + 1]]), c(ring[corners[i + 2]]);
+                const double area = glm::dot(glm::cross(b - a, c - a), glm::cross(x, y)) / 2.0;
+                EXPECT_GT(area, 0.499) << trial;
+                sum += area;
+            }
+            EXPECT_NEAR(sum, area_of(flat), 1e-3);
+        }
+}
+
+TEST(Polygon, TrianglesAreAsEvenAsTheirCornersAllow) {
+    // A strip of squares, and a wheel: the longest sides that even triangles need.
+    std::vector<glm::vec3> strip, wheel;
+    for (int i = 0; i <= 20; ++i) strip.push_back({i, 0, 0});
+    for (int i = 20; i >= 0; --i) strip.push_back({i, 1, 0});
+    std::vector<std::uint32_t> corners;
+    EXPECT_TRUE(triangulate(strip, corners));
+    ASSERT_EQ(corners.size(), 3 * 40u);
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_LT(glm::distance(strip[corners[i + k]], strip[corners[i + (k + 1) % 3]]), 1.5f);
+    for (int i = 0; i <= 48; ++i) wheel.push_back(on_circle(10.0, i % 48 / 48.0));
+    for (int i = 48; i >= 0; --i) wheel.push_back(on_circle(9.0, i % 48 / 48.0));
+    corners.clear();
+    EXPECT_TRUE(triangulate(wheel, corners));
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        for (std::size_t k = 0; k < 3; ++k)
+            EXPECT_LT(glm::distance(wheel[corners[i + k]], wheel[corners[i + (k + 1) % 3]]), 1.7f);
+}
+
 TEST(Polygon, RepeatedCornersGiveTrianglesWithoutArea) {
     expect_covered({{0, 0, 0}, {0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {0, 9, 0}}, 1);
     expect_covered({{0, 0, 0}, {9, 0, 0}, {9, 9, 0}, {9, 9, 0}, {9, 9, 0}, {0, 9, 0}}, 2);
@@ -149,7 +241,7 @@ TEST(Polygon, NoRingTakesMoreThanTheSquareOfItsCorners) {
     std::vector<std::uint32_t> corners;
     std::size_t looks = 0;
     triangulate(triangle, corners, &looks);  // it crosses itself only at its corners
-    EXPECT_LT(looks, 12 * n * n);
+    EXPECT_LT(looks, 16 * n * n);
     for (std::size_t i = 0; i < n; ++i) star.push_back(on_circle(i % 2 == 0 ? 5.0 : 10.0, static_cast<double>(i) / n));
     EXPECT_LT(looks_at(star, true), 2 * n * n);
 }
