@@ -10,7 +10,7 @@ namespace lapfx::commands {
 ///   sample_cost_10min_over_10s   CPU time of a sample of a held stroke after ten minutes of strokes, over that after
 ///   ten seconds simulation_over_real_time    CPU time of the amounts over 60 s of the sample scene, at 30 a second,
 ///   over 60 s
-/// Context current.
-void measure_simulation(BenchReport& report);
+/// `short_form`: as in BenchOptions. Context current.
+void measure_simulation(BenchReport& report, bool short_form);
 
 }  // namespace lapfx::commands
