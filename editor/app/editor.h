@@ -152,6 +152,8 @@ class Editor {
     /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
     void set_ui(ui::Ui& ui);
     ui::Ui& ui() { return *ui_; }
+    /// The preview takes what has changed in the document. draw() begins with it; again, it does nothing.
+    void follow();
     /// Once after each frame: draws what the panels asked for. Gives whether a picture has changed, so that the window
     /// has to be drawn although its list is the same.
     bool draw();
@@ -174,7 +176,6 @@ class Editor {
 
   private:
     void advance(double seconds);
-    void follow();
     bool draw_pictures();
     bool draw_in_turn();
     double clock() const;

@@ -35,7 +35,8 @@ using Bench = BenchReport (*)(const BenchOptions&);
 void run(Bench bench, const BenchOptions& options) {
     for (const std::string& file : {options.json, options.plot})
         if (!file.empty()) check_folder(file);
-    const BenchReport report = bench(options);
+    BenchReport report = bench(options);
+    report.short_form = options.short_form;
     print(report);
     if (!options.json.empty()) write_json(report, options.json);
 }
@@ -52,11 +53,11 @@ static void run_bench_ui(const BenchOptions& options) {
                                             .place = "",
                                             .reason = "not built: `bench ui` needs it; configure with LAPFX_TESTS=ON"});
     std::cout.flush();
-    if (options.json.empty()) {
-        execl(program.c_str(), program.c_str(), static_cast<char*>(nullptr));
-    } else {
-        execl(program.c_str(), program.c_str(), "--json", options.json.c_str(), static_cast<char*>(nullptr));
-    }
+    std::vector<const char*> arguments{program.c_str()};
+    if (options.short_form) arguments.push_back("--short");
+    if (!options.json.empty()) arguments.insert(arguments.end(), {"--json", options.json.c_str()});
+    arguments.push_back(nullptr);
+    execv(program.c_str(), const_cast<char* const*>(arguments.data()));
     throw Error(Failure::runtime, Fault{.file = program.string(), .place = "", .reason = std::strerror(errno)});
 }
 
@@ -76,6 +77,7 @@ double median(std::vector<double> values) {
 void print(const BenchReport& report) {
     std::cout << report.bench << " on " << processor() << ", " << std::thread::hardware_concurrency() << " cores; "
               << report.renderer << "\n\n";
+    if (report.short_form) std::cout << "short form: these figures show that the bench works, and nothing else\n\n";
     std::cout << report.table;
     for (const BenchRow& row : report.rows) {
         if (!report.table.empty()) break;
@@ -98,6 +100,7 @@ void write_json(const BenchReport& report, const std::filesystem::path& path) {
     }
     const nlohmann::json whole{
         {"bench", report.bench},
+        {"short", report.short_form},
         {"machine",
          {{"processor", processor()}, {"cores", std::thread::hardware_concurrency()}, {"renderer", report.renderer}}},
         {"results", std::move(results)},
@@ -108,10 +111,16 @@ void write_json(const BenchReport& report, const std::filesystem::path& path) {
 void add_bench(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("bench", "Measure speed as ratios within one run");
     verb->require_subcommand(1);
-    const auto add = [verb](const char* name, const char* help, Bench bench) {
+    const auto add_part = [verb](const char* name, const char* help) {
         auto options = std::make_shared<BenchOptions>();
         CLI::App* part = verb->add_subcommand(name, help);
         part->add_option("--json", options->json, "Write the figures to this file too");
+        part->add_flag("--short", options->short_form,
+                       "Do all of it in seconds, to see that it works; figures mean nothing");
+        return std::pair(part, options);
+    };
+    const auto add = [&add_part](const char* name, const char* help, Bench bench) {
+        const auto [part, options] = add_part(name, help);
         part->callback([bench, options] { run(bench, *options); });
         return std::pair(part, options);
     };
@@ -122,10 +131,8 @@ void add_bench(CLI::App& app) {
             "What 15 smoke clips add to a frame, how much they delay a haptic thread, and what blood and wounds cost",
             bench_frame);
     frame->add_flag("--simulation", frame_options->simulation, "Measure only what is not drawn, in a few seconds");
-    auto ui_options = std::make_shared<BenchOptions>();
-    CLI::App* ui = verb->add_subcommand("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
-    ui->add_option("--json", ui_options->json, "Write the figures to this file too");
-    ui->callback([ui_options] { run_bench_ui(*ui_options); });
+    const auto [ui, ui_options] = add_part("ui", "The editor's UI toolkit and Dear ImGui on the same screens");
+    ui->callback([options = ui_options] { run_bench_ui(*options); });
     const auto [streaming, options] =
         add("streaming", "Smoke clips by the paper's schemes and ours, as in its table 2, and FFmpeg for comparison",
             bench_streaming);

@@ -21,7 +21,8 @@ struct BenchReport {
     std::string renderer;  ///< GL_RENDERER
     std::vector<BenchRow> rows;
     std::map<std::string, double> ratios;
-    std::string table;  ///< what is printed in place of the rows, unless empty
+    std::string table;        ///< what is printed in place of the rows, unless empty
+    bool short_form = false;  ///< as in BenchOptions
 };
 
 struct BenchOptions {
@@ -30,6 +31,8 @@ struct BenchOptions {
     std::string only;         ///< ratio that alone is measured, unless empty
     bool simulation = false;  ///< nothing that is drawn is measured
     int rounds = 3;           ///< of each case; the best is kept
+    /// Everything that the bench does, in a few seconds: whether it works, not what it finds. For tests.
+    bool short_form = false;
 };
 
 /// Rows and ratios as text on stdout.

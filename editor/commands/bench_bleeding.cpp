@@ -18,9 +18,15 @@ namespace {
 
 constexpr double spacing = 0.5;                                     // mm between vertices
 constexpr double frame = 1.0 / 60.0, growth = 3.5, settled = 60.0;  // s
-constexpr int runs = 5;
-constexpr int sides[] = {100, 316, 1000};  // vertices along a side
 constexpr int wound_counts[] = {1, 10, 100};
+constexpr std::size_t sizes = 3;
+
+/// Vertices along the side of each sheet, and how often each case is run.
+struct Extent {
+    int sides[sizes];
+    int runs;
+};
+constexpr Extent whole{{100, 316, 1000}, 5}, least{{20, 30, 40}, 1};
 
 /// Tissue with gentle waves, `side` vertices square, centred on the origin.
 Organ sheet(int side) {
@@ -116,20 +122,21 @@ BenchRow row_of(int side, int wounds, const Figures& figures) {
 
 }  // namespace
 
-BenchReport bench_bleeding(const BenchOptions&) {
+BenchReport bench_bleeding(const BenchOptions& options) {
+    const auto& [sides, runs] = options.short_form ? least : whole;
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "bleeding", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
     std::vector<Organ> organs;
     for (const int side : sides) organs.push_back(sheet(side));
-    Progress progress("measuring", runs * static_cast<int>(std::size(wound_counts) * std::size(sides)));
+    Progress progress("measuring", runs * static_cast<int>(std::size(wound_counts) * sizes));
     for (const int wounds : wound_counts) {
-        Figures figures[std::size(sides)];
+        Figures figures[sizes];
         for (int run = 0; run < runs; ++run)
-            for (std::size_t i = 0; i < std::size(sides); ++i) {
+            for (std::size_t i = 0; i < sizes; ++i) {
                 measure(organs[i], wounds, figures[i]);
                 progress.step();
             }
-        for (std::size_t i = 0; i < std::size(sides); ++i) report.rows.push_back(row_of(sides[i], wounds, figures[i]));
+        for (std::size_t i = 0; i < sizes; ++i) report.rows.push_back(row_of(sides[i], wounds, figures[i]));
         const std::string suffix = wounds == 1 ? "" : "_" + std::to_string(wounds) + "_wounds";
         report.ratios["bleeding_1m_over_10k" + suffix] = figures[2].growing_us / figures[0].growing_us;
         report.ratios["bleeding_bytes_1m_over_10k" + suffix] = figures[2].growing_bytes / figures[0].growing_bytes;

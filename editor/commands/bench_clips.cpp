@@ -8,7 +8,6 @@ namespace lapfx::commands {
 
 namespace {
 
-constexpr int distinct = 15;  // beyond these, copies: another file each, but the same pictures
 const cv::Size size(720, 480);
 
 [[noreturn]] void cannot(const std::filesystem::path& path) {
@@ -16,12 +15,11 @@ const cv::Size size(720, 480);
 }
 
 /// Puffs that rise and change: fields of noise, large and small, sliding over each other, brightest in a column; and a
-/// camera's grain, so that the encoder has as much to do as with a real clip.
-cv::Mat smoke(cv::RNG& random, const cv::Mat& coarse, const cv::Mat& fine, const cv::Mat& column, int frame) {
+/// camera's grain, so that the encoder has as much to do as with a real clip. `left`: frames that are still to come.
+cv::Mat smoke(cv::RNG& random, const cv::Mat& coarse, const cv::Mat& fine, const cv::Mat& column, int left) {
     cv::Mat large, small, grain(size, CV_32F), code;
-    const cv::Rect window(0, 2 * (bench_clip_frames - frame), size.width, size.height);
-    coarse(window).copyTo(large);
-    fine(cv::Rect(0, 3 * (bench_clip_frames - frame), size.width, size.height)).copyTo(small);
+    coarse(cv::Rect(0, 2 * left, size.width, size.height)).copyTo(large);
+    fine(cv::Rect(0, 3 * left, size.width, size.height)).copyTo(small);
     random.fill(grain, cv::RNG::NORMAL, 0.0, 2.0);
     const cv::Mat value = column.mul(0.7 * large + 0.3 * small) * 230.0 + 16.0 + grain;
     value.convertTo(code, CV_8U);
@@ -29,16 +27,16 @@ cv::Mat smoke(cv::RNG& random, const cv::Mat& coarse, const cv::Mat& fine, const
     return code;
 }
 
-cv::Mat field(cv::RNG& random, int lobes) {
+cv::Mat field(cv::RNG& random, int lobes, int frames) {
     cv::Mat values(2 * lobes, 2 * lobes, CV_32F), whole;
     random.fill(values, cv::RNG::UNIFORM, 0.0, 1.0);
-    cv::resize(values, whole, {size.width, size.height + 3 * bench_clip_frames}, 0, 0, cv::INTER_CUBIC);
+    cv::resize(values, whole, {size.width, size.height + 3 * frames}, 0, 0, cv::INTER_CUBIC);
     return whole;
 }
 
-void make(const std::filesystem::path& path, int seed) {
+void make(const std::filesystem::path& path, int seed, int frames) {
     cv::RNG random(static_cast<std::uint64_t>(seed) + 1);
-    const cv::Mat coarse = field(random, 4), fine = field(random, 16);
+    const cv::Mat coarse = field(random, 4, frames), fine = field(random, 16, frames);
     cv::Mat column(size, CV_32F);
     for (int y = 0; y < size.height; ++y)
         for (int x = 0; x < size.width; ++x) {
@@ -48,19 +46,19 @@ void make(const std::filesystem::path& path, int seed) {
     cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('D', 'I', 'V', 'X'), bench_clip_fps,
                            size);
     if (!writer.isOpened()) cannot(path);
-    for (int frame = 0; frame < bench_clip_frames; ++frame) writer.write(smoke(random, coarse, fine, column, frame));
+    for (int left = frames; left > 0; --left) writer.write(smoke(random, coarse, fine, column, left));
 }
 
 }  // namespace
 
-BenchClips::BenchClips(int count) {
+BenchClips::BenchClips(int count, int frames, int distinct) : frames_(frames) {
     std::string name = (std::filesystem::temp_directory_path() / "lapfx-bench-XXXXXX").string();
     if (mkdtemp(name.data()) == nullptr) cannot(name);
     folder_ = name;
     try {
         for (int i = 0; i < count; ++i)
             if (i < distinct)
-                make(path(i), i);
+                make(path(i), i, frames);
             else
                 std::filesystem::copy_file(path(i % distinct), path(i));
     } catch (...) {

@@ -2,20 +2,21 @@
 // happening costs without drawing (bench_simulation.cpp).
 //
 // Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in
-// turns, medians. The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once
-// beside the core that plays 15 clips at 30 frames per second in real time, once beside threads that do nothing but
-// take the same share of the processor, as many as the core has at work beside it: the drawing one, and one for each
-// processor that decodes and, with a renderer in software, one that fills pixels. In turns; medians, and half of the
-// distance between the quartiles as spread. Haptic threads run at real-time priority where the system lets them (as
-// root, or by RLIMIT_RTPRIO): then that is the ratio; that of a thread of ordinary priority has a name of its own, and
-// is the only one where the system does not.
+// turns, medians; as its camera sees it, and from so far away that the scene without smoke costs 20 ms, or as little as
+// it can. The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once beside
+// the core that plays 15 clips and draws the sample organ, 640x512, 30 frames per second in real time if it can, while
+// each sample touches: a stroke that cuts, whose blood grows. Once beside threads that do nothing but take the same
+// share of the processor, as many as the core has at work beside it: the drawing one, and one for each processor that
+// decodes and, with a renderer in software, one that fills pixels. In turns; medians, and half of the distance between
+// the quartiles as spread. Haptic threads run at real-time priority where the system lets them (as root, or by
+// RLIMIT_RTPRIO): then that is the ratio; that of a thread of ordinary priority has a name of its own, and is the only
+// one where the system does not.
 #include <pthread.h>
 #include <sys/resource.h>
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
-#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -32,9 +33,16 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::duration;
 
-constexpr int clip_count = 15, frame_runs = 9, haptic_runs = 5;
-constexpr double haptic_seconds = 4.0;
 constexpr double frame_seconds = 1.0 / bench_clip_fps;
+constexpr double light_scene_ms = 20.0;
+constexpr glm::ivec2 haptic_size{640, 512};
+constexpr double samples_from = 20.0;  // s: the scene's own events are over
+
+struct Extent {
+    int clips, frame_runs, haptic_runs;
+    double haptic_seconds;
+};
+constexpr Extent whole{15, 9, 5, 4.0}, least{2, 1, 1, 0.5};
 
 double seconds_since(Clock::time_point start) {
     return duration<double>(Clock::now() - start).count();
@@ -50,19 +58,30 @@ double process_seconds() {
     return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// CPU time of the calling thread, s.
-double thread_seconds() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
+/// The sample scene with the bench's clips over the whole view.
+struct Played {
+    Played(const Extent& of, const BenchClips& clips)
+        : extent(of), scene(load_scene(data_folder() / "samples/lagb.scene.json")) {
+        smoky = load_preset(data_folder() / "presets/gastric_banding.json");
+        smoky.smoke.clips = smoke_of(of.clips, clips).smoke.clips;
+        smoky.folder = clips.folder();
+        clear = smoky;
+        clear.smoke.clips.clear();
+        clear.smoke.haze.accumulation = 0.0;
+        organ = prepare_organ(scene, smoky.vessels);
+    }
+    const Extent& extent;
+    Scene scene;
+    Preset smoky, clear;
+    std::shared_ptr<const PreparedOrgan> organ;
+};
 
-/// A haptic thread: 1 kHz, sends where its tool is.
+/// A haptic thread: 1 kHz, sends where its tool is: on a stroke to and fro that cuts.
 class HapticThread {
   public:
     /// Starts at once. `queue` may be null. `real_time`: at real-time priority, if that is allowed.
-    HapticThread(ToolQueue* queue, bool real_time) {
-        late_.reserve(static_cast<std::size_t>(2000.0 * haptic_seconds));
+    HapticThread(ToolQueue* queue, const ToolContact& stroke, double seconds, bool real_time) : stroke_(stroke) {
+        late_.reserve(static_cast<std::size_t>(2000.0 * seconds));
         thread_ = std::thread([this, queue, real_time] {
             if (real_time) become_real_time();
             work(queue);
@@ -102,11 +121,20 @@ class HapticThread {
             std::this_thread::sleep_until(next);
             const auto now = Clock::now();
             late_.push_back(duration<double>(now - next).count());
-            if (queue) queue->push({.time = duration<double>(now - start).count(), .position = {0.0, 80.0, 0.0}});
+            if (queue) queue->push(sample_at(duration<double>(now - start).count()));
             // Who has slept through a millisecond does not make up for it.
             while (next + std::chrono::milliseconds(1) < now) next += std::chrono::milliseconds(1);
         }
     }
+    ToolSample sample_at(double seconds) const {
+        const double share = 0.5 - 0.5 * std::cos(3.0 * seconds);
+        return {.time = samples_from + seconds,
+                .position = glm::mix(stroke_.position, stroke_.to, share),
+                .touching = true,
+                .action = ToolAction::cut};  // bleeds at once
+    }
+
+    const ToolContact stroke_;
     std::vector<double> late_;
     std::atomic<bool> stop_{false};
     std::thread thread_;
@@ -119,31 +147,34 @@ double spread(std::vector<double> values) {
 }
 
 struct Beside {
-    double late = 0.0;  ///< s, 99.9th percentile
-    double load = 0.0;  ///< processors in use
+    double late = 0.0;   ///< s, 99.9th percentile
+    double load = 0.0;   ///< processors in use
+    double blood = 0.0;  ///< mm2 that the samples have made
 };
 
-Beside beside_the_core(const HostFrame& host, const BenchClips& clips, bool real_time) {
-    Effects effects(triangle(), smoke_of(clip_count, clips), {});
-    effects.set_contacts(burning());
-    HapticThread haptic(&effects.tool_queue(), real_time);
+Beside beside_the_core(const HostFrame& host, const Played& played, bool real_time) {
+    Scene scene = played.scene;
+    scene.events.erase(
+        scene.events.begin());  // its stroke is the haptic thread's; the other's blood and smoke are there
+    Preview preview(scene, played.smoky, played.organ, {});
+    preview.draw(samples_from, haptic_size, host.framebuffer());
+    const double before = preview.amounts().blood_area;
+    HapticThread haptic(&preview.tool_queue(), played.scene.events.front(), played.extent.haptic_seconds, real_time);
     const double cpu = process_seconds();
     const auto start = Clock::now();
     auto next = start;
-    while (seconds_since(start) < haptic_seconds) {
-        effects.seek(20.0 + seconds_since(start));
-        host.bind(1.0);
-        effects.draw_smoke(looking_on(), host.depth());
+    while (seconds_since(start) < played.extent.haptic_seconds) {
+        preview.draw(samples_from + seconds_since(start), haptic_size, host.framebuffer());
         finish_drawing();
         next += std::chrono::duration_cast<Clock::duration>(duration<double>(frame_seconds));
         std::this_thread::sleep_until(next);
     }
     const double load = (process_seconds() - cpu) / seconds_since(start);
-    return {.late = haptic.finish(), .load = load};
+    return {.late = haptic.finish(), .load = load, .blood = preview.amounts().blood_area - before};
 }
 
 /// Threads that spin for a share of each frame and sleep for the rest; `load` is that of all together.
-Beside beside_a_load(double load, bool real_time) {
+Beside beside_a_load(double load, const Played& played, bool real_time) {
     const int threads = 1 + 2 * static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     const double share = std::min(load / threads, 1.0);
     std::atomic<bool> stop{false};
@@ -162,8 +193,9 @@ Beside beside_a_load(double load, bool real_time) {
                 std::this_thread::sleep_until(next);
             }
         });
-    HapticThread haptic(nullptr, real_time);
-    std::this_thread::sleep_for(duration<double>(haptic_seconds));
+    const double seconds = played.extent.haptic_seconds;
+    HapticThread haptic(nullptr, played.scene.events.front(), seconds, real_time);
+    std::this_thread::sleep_for(duration<double>(seconds));
     const double late = haptic.finish();
     stop = true;
     for (std::thread& burner : burners) burner.join();
@@ -171,12 +203,13 @@ Beside beside_a_load(double load, bool real_time) {
 }
 
 /// The ratio of the two latenesses.
-double compare_haptics(const HostFrame& host, const BenchClips& clips, bool real_time, BenchReport& report,
+double compare_haptics(const HostFrame& host, const Played& played, bool real_time, BenchReport& report,
                        Progress& progress) {
-    std::vector<double> with, without, loads, stand_in_loads;
-    for (int run = 0; run < haptic_runs; ++run) {
-        const Beside core = beside_the_core(host, clips, real_time);
-        const Beside load = beside_a_load(core.load, real_time);
+    std::vector<double> with, without, loads, stand_in_loads, blood;
+    for (int run = 0; run < played.extent.haptic_runs; ++run) {
+        const Beside core = beside_the_core(host, played, real_time);
+        const Beside load = beside_a_load(core.load, played, real_time);
+        blood.push_back(core.blood);
         with.push_back(1e6 * core.late);
         without.push_back(1e6 * load.late);
         loads.push_back(core.load);
@@ -189,6 +222,7 @@ double compare_haptics(const HostFrame& host, const BenchClips& clips, bool real
              .measured = {{"late_us_p999", median(late)}, {"spread_us", spread(late)}, {"processors", median(load)}}});
     };
     row("1 kHz thread with the core", with, loads);
+    report.rows.back().measured["blood_grown_mm2"] = median(blood);
     row("1 kHz thread with an equal load", without, stand_in_loads);
     return median(with) / median(without);
 }
@@ -201,20 +235,23 @@ double frame_ms(Preview& preview, int run, unsigned framebuffer) {
     return 1e3 * seconds_since(start);
 }
 
-void compare_frames(const HostFrame& host, const BenchClips& clips, BenchReport& report, Progress& progress) {
-    const std::filesystem::path data = data_folder();
-    const Scene scene = load_scene(data / "samples/lagb.scene.json");
-    Preset with = load_preset(data / "presets/gastric_banding.json");
-    with.smoke.clips = smoke_of(clip_count, clips).smoke.clips;
-    with.folder = clips.folder();
-    Preset none = with;
-    none.smoke.clips.clear();
-    none.smoke.haze.accumulation = 0.0;
-    Preview smoky(scene, with, {.clip_folders = {}, .wait_for_clips = true}), clear(scene, none, {});
-    for (int i = 0; i <= bench_clip_frames; ++i)  // until every clip is resident; small
-        smoky.draw(8.0 + i * frame_seconds, {64, 48}, host.framebuffer());
+/// The scene's camera, farther away until a frame costs no more than light_scene_ms, or the organ is a dot.
+SceneCamera far_away(Preview& preview, const SceneCamera& near, unsigned framebuffer) {
+    SceneCamera camera = near;
+    for (int doubled = 1; doubled <= 6; ++doubled) {
+        camera.eye = near.target + std::exp2(doubled) * (near.eye - near.target);
+        preview.set_camera(camera);
+        frame_ms(preview, doubled, framebuffer);
+        if (frame_ms(preview, doubled, framebuffer) <= light_scene_ms) break;
+    }
+    return camera;
+}
+
+/// `name` of the ratio; what the rows say it was measured on.
+void compare_frames(Preview& smoky, Preview& clear, int runs, const HostFrame& host, const std::string& name,
+                    const std::string& scene, BenchReport& report, Progress& progress) {
     std::vector<double> with_ms, none_ms;
-    for (int run = 0; run <= frame_runs; ++run) {
+    for (int run = 0; run <= runs; ++run) {
         const double clear_ms = frame_ms(clear, run, host.framebuffer()),
                      smoky_ms = frame_ms(smoky, run, host.framebuffer());
         progress.step();
@@ -222,9 +259,23 @@ void compare_frames(const HostFrame& host, const BenchClips& clips, BenchReport&
         none_ms.push_back(clear_ms);
         with_ms.push_back(smoky_ms);
     }
-    report.rows.push_back({.of = {{"what", "frame without smoke"}}, .measured = {{"frame_ms", median(none_ms)}}});
-    report.rows.push_back({.of = {{"what", "frame with 15 clips"}}, .measured = {{"frame_ms", median(with_ms)}}});
-    report.ratios["frame_15_over_0"] = median(with_ms) / median(none_ms);
+    report.rows.push_back(
+        {.of = {{"what", "frame without smoke, " + scene}}, .measured = {{"frame_ms", median(none_ms)}}});
+    report.rows.push_back(
+        {.of = {{"what", "frame with 15 clips, " + scene}}, .measured = {{"frame_ms", median(with_ms)}}});
+    report.ratios[name] = median(with_ms) / median(none_ms);
+}
+
+void compare_frames(const HostFrame& host, const Played& played, BenchReport& report, Progress& progress) {
+    Preview smoky(played.scene, played.smoky, played.organ, {.clip_folders = {}, .wait_for_clips = true}),
+        clear(played.scene, played.clear, played.organ, {});
+    for (int i = 0; i <= bench_clip_frames; ++i)  // until every clip is resident; small
+        smoky.draw(8.0 + i * frame_seconds, {64, 48}, host.framebuffer());
+    const int runs = played.extent.frame_runs;
+    compare_frames(smoky, clear, runs, host, "frame_15_over_0", "as the sample scene is", report, progress);
+    const SceneCamera camera = far_away(clear, played.scene.camera, host.framebuffer());
+    smoky.set_camera(camera);
+    compare_frames(smoky, clear, runs, host, "frame_15_over_0_light_scene", "from far away", report, progress);
 }
 
 }  // namespace
@@ -232,17 +283,19 @@ void compare_frames(const HostFrame& host, const BenchClips& clips, BenchReport&
 BenchReport bench_frame(const BenchOptions& options) {
     const Context context = Context::create(Backend::automatic);
     BenchReport report{.bench = "frame", .renderer = context.renderer(), .rows = {}, .ratios = {}, .table = {}};
-    measure_simulation(report);
+    measure_simulation(report, options.short_form);
     if (options.simulation) return report;
-    const BenchClips clips(clip_count);
+    const Extent& extent = options.short_form ? least : whole;
+    const BenchClips clips(extent.clips);
+    const Played played(extent, clips);
     const HostFrame host;
     const bool real_time = HapticThread::real_time_allowed();
-    Progress progress("measuring", frame_runs + 1 + haptic_runs * (real_time ? 2 : 1));
-    compare_frames(host, clips, report, progress);
-    const double ordinary = compare_haptics(host, clips, false, report, progress);
+    Progress progress("measuring", 2 * (extent.frame_runs + 1) + extent.haptic_runs * (real_time ? 2 : 1));
+    compare_frames(host, played, report, progress);
+    const double ordinary = compare_haptics(host, played, false, report, progress);
     report.ratios["haptic_lateness_with_over_without_ordinary"] = ordinary;
     report.ratios["haptic_lateness_with_over_without"] =
-        real_time ? compare_haptics(host, clips, true, report, progress) : ordinary;
+        real_time ? compare_haptics(host, played, true, report, progress) : ordinary;
     return report;
 }
 

@@ -20,7 +20,6 @@ namespace lapfx::commands {
 
 namespace {
 
-constexpr int runs = 5;
 constexpr double scene_seconds = 60.0, amounts_per_second = 30.0;
 constexpr double rest = 300.0;  // s after the last stroke: its blood stands
 constexpr double aside_mm = 60.0, over_mm = 20.0;
@@ -85,7 +84,8 @@ double scene_cost(const std::shared_ptr<const PreparedOrgan>& organ, const Scene
 
 }  // namespace
 
-void measure_simulation(BenchReport& report) {
+void measure_simulation(BenchReport& report, bool short_form) {
+    const int runs = short_form ? 1 : 5;
     const std::filesystem::path data = data_folder();
     const Scene scene = load_scene(data / "samples/lagb.scene.json");
     const Preset preset = load_preset(data / "presets/gastric_banding.json");
@@ -95,7 +95,7 @@ void measure_simulation(BenchReport& report) {
     EffectsOptions options;
     options.gravity = scene.gravity;
     Effects effects(organ, without_clips, options);
-    constexpr int histories[] = {10, 600};
+    const int histories[] = {10, short_form ? 20 : 600};
     struct Held {
         ToolAction action;
         const char* name;

@@ -11,7 +11,7 @@ namespace lapfx::commands {
 ///                                that after ten seconds; the largest of four tools
 ///   suction_of_old_blood_10min_over_10s   the same for suction where all those strokes' blood is
 ///   simulation_over_real_time    CPU time of the amounts over 60 s of the sample scene, at 30 a second, over 60 s
-/// Context current.
-void measure_simulation(BenchReport& report);
+/// `short_form`: as in BenchOptions. Context current.
+void measure_simulation(BenchReport& report, bool short_form);
 
 }  // namespace lapfx::commands

@@ -46,22 +46,33 @@ constexpr double bench_clip_fps = 30.0;
 class BenchClips {
   public:
     /// Throws Error (runtime) when they cannot be made.
-    explicit BenchClips(int count);
+    /// `frames`: of each. Beyond `distinct` they are copies: another file each, but the same pictures.
+    explicit BenchClips(int count, int frames = bench_clip_frames, int distinct = 15);
     ~BenchClips();
     BenchClips(const BenchClips&) = delete;
     BenchClips& operator=(const BenchClips&) = delete;
 
     std::filesystem::path folder() const { return folder_; }
+    int frames() const { return frames_; }
     std::string name(int index) const { return "clip" + std::to_string(index) + ".avi"; }
     std::filesystem::path path(int index) const { return folder_ / name(index); }
 
   private:
+    int frames_;
     std::filesystem::path folder_;
 };
 
-/// ms that FFmpeg's lumakey and overlay take for a 1280x1024 frame with the first `streams` clips over it, scaled to
-/// cover it or as large as they are; nothing where there is no ffmpeg.
-std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams, bool scaled);
+/// How the ffmpeg program lays clips over a 1280x1024 frame, keyed by luma.
+enum class FfmpegGraph {
+    each_scaled,  ///< every clip is scaled to the frame and laid over it
+    scaled_once,  ///< the clips are laid over each other as large as they are, and what comes of it is scaled: the
+                  ///< cheapest
+    unscaled,     ///< the clips as large as they are: they cover a quarter of the frame
+};
+/// Whether frames are decoded while it is measured, or played in a loop from main memory.
+enum class FfmpegInput { decoded, from_memory };
+/// ms that FFmpeg takes for such a frame with the first `streams` clips; nothing where there is no ffmpeg.
+std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams, FfmpegGraph graph, FfmpegInput input);
 /// Frames per second of `ffmpeg -f null` over the first `streams` clips.
 std::optional<double> ffmpeg_decode_fps(const BenchClips& clips, int streams);
 

@@ -164,7 +164,7 @@ void label(Ui& ui, std::string_view text, const LabelOptions& options) {
     }
     const float width = std::ceil(run->width);
     node.size[0] = options.width.kind == SizeKind::fit ? px(width) : options.width;
-    node.size[1] = px(std::max(ui.em(1.4F * options.size), ui.fonts().metrics(style).height));
+    node.size[1] = px(std::max(ui.em(1.4F * options.size), run->metrics.height));
     node.rigid = false;
     ui.draw_with<draw_label>(node, look);
 }

@@ -1,6 +1,6 @@
-// Dear ImGui (Debian's libimgui-dev), the yardstick. Linked by this bench only, never by the product.
-#include <imgui/backends/imgui_impl_opengl3.h>
-#include <imgui/imgui.h>
+// Dear ImGui 1.86, the yardstick. Linked by this bench only, never by the product.
+#include <imgui.h>
+#include <imgui_impl_opengl3.h>
 
 #include <cmath>
 #include <cstdio>
@@ -47,7 +47,8 @@ class ImGuiToolkit : public Toolkit {
         ImGui::SetNextWindowPos({0, 0});
         ImGui::SetNextWindowSize(ImGui::GetIO().DisplaySize);
         ImGui::Begin("screen", nullptr,
-                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings);
+                     ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoBackground | ImGuiWindowFlags_NoMove |
+                         ImGuiWindowFlags_NoSavedSettings);
         build();
         ImGui::End();
         ImGui::Render();

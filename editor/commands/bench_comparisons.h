@@ -1,0 +1,18 @@
+// Ratios of lapfx bench streaming that need more than the rows of its table, each measured by itself.
+#pragma once
+
+#include "commands/bench_streaming_case.h"
+
+namespace lapfx::commands {
+
+inline constexpr Way pipeline_way{"pipeline", Scheme::pipeline, SmokeResolution::screen};
+inline constexpr Way buffered_way{"buffered", Scheme::buffered, SmokeResolution::screen};
+inline constexpr Way resident_way{"resident", Scheme::resident, SmokeResolution::balanced};
+
+struct Comparison {
+    const char* name;  ///< of its ratio, or of the first of them; for --only
+    void (*measure)(const HostFrame& host, const StreamingExtent& extent, int rounds, BenchReport& report);
+};
+std::span<const Comparison> comparisons();
+
+}  // namespace lapfx::commands

@@ -1,0 +1,32 @@
+// Smoke drawn as the paper says it and no more: for each clip one rectangle over the whole view, whose fragments take
+// the colour from the frame, their opacity from its luma by two thresholds, vary that by a Perlin noise texture, and
+// are blended by alpha. What lapfx draws is measured beside it.
+#pragma once
+
+#include "commands/bench_host.h"
+
+namespace lapfx::commands {
+
+class PlainSmoke {
+  public:
+    /// Sends the first frame of each clip. Context current. Throws Error (runtime).
+    PlainSmoke(const BenchClips& clips, int streams);
+    ~PlainSmoke();
+    PlainSmoke(const PlainSmoke&) = delete;
+    PlainSmoke& operator=(const PlainSmoke&) = delete;
+
+    /// ms for one frame, until all is drawn: every clip straight over the host's frame.
+    double over_frame_ms(const HostFrame& host) const;
+    /// The same with the clips over each other at their own resolution, and what comes of it once over the host's
+    /// frame.
+    double at_clip_resolution_ms(const HostFrame& host) const;
+
+  private:
+    void draw_clips() const;
+
+    unsigned clip_program_ = 0, lay_program_ = 0, vertices_ = 0;
+    unsigned noise_ = 0, smoke_ = 0, smoke_framebuffer_ = 0;
+    std::vector<unsigned> frames_;
+};
+
+}  // namespace lapfx::commands

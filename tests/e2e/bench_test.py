@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+"""bench_test.py LAPFX FOLDER [NAME]: each benchmark in its short form: it ends well, in a minute, and gives each of its ratios as a number. What
+the numbers are is not looked at. 77 where there is no OpenGL."""
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+
+FFMPEG = {"smoke_ours_over_ffmpeg_2", "smoke_ours_over_ffmpeg_decoding_2", "decode_over_ffmpeg"}
+BENCHES = {
+    "bleeding": {"bleeding_1m_over_10k", "bleeding_bytes_1m_over_10k", "bleeding_1m_over_sweep"},
+    "editor": {"editor_ui_over_scene"},
+    "frame": {"frame_15_over_0", "frame_15_over_0_light_scene", "haptic_lateness_with_over_without",
+              "haptic_lateness_with_over_without_ordinary", "sample_cost_10min_over_10s", "simulation_over_real_time"},
+    "streaming": {"smoke_ours_over_paper_15", "smoke_ours_over_paper_same_resolution_15",
+                  "smoke_saved_share_resolution_15", "smoke_saved_share_drawing_15", "smoke_saved_share_sending_15",
+                  "upload_buffered_over_pipeline_15", "upload_resident_over_pipeline_15",
+                  "upload_resident_over_pipeline_15_not_fitting"} | FFMPEG,
+    "ui": {"ui_over_imgui_100", "ui_over_imgui_1000", "ui_all_changed_over_imgui_1000", "ui_draw_over_imgui_1080p"},
+}
+
+
+def run(*command):
+    done = subprocess.run(command, capture_output=True, text=True, timeout=120)
+    if done.returncode == 77:
+        print(done.stderr.strip())
+        sys.exit(77)
+    assert done.returncode == 0, f"{' '.join(command)}: {done.returncode}\n{done.stderr}"
+    return done.stdout
+
+
+def check(ratios, wanted, name):
+    missing = wanted - ratios.keys()
+    assert not missing, f"{name}: without {sorted(missing)}"
+    for ratio, value in ratios.items():
+        assert isinstance(value, (int, float)) and math.isfinite(value), f"{name}: {ratio} is {value}"
+
+
+def main(lapfx, folder, only):
+    with tempfile.TemporaryDirectory() as work:
+        path = os.path.join(work, "figures.json")
+        if only == "distances":
+            run(os.path.join(folder, "lapfx_bench_distances"), "--short", "--json", path)
+            figures = json.load(open(path))
+            check(figures["ratios"], {f"{s}_front_over_heat_{r}" for s in ("plane", "sphere")
+                                      for r in ("time_per_vertex_reached", "time_whole_surface", "set_up", "error")}, only)
+            return
+        if only == "keying":
+            said = run(os.path.join(folder, "lapfx_keying_accuracy"), "--short")
+            check({line.split()[0]: float(line.split()[1]) for line in said.splitlines()
+                   if line.startswith("keying_ours_over_")}, {"keying_ours_over_obs_luma_key_best_black_even"}, only)
+            return
+        said = run(lapfx, "bench", only, "--short", "--json", path)
+        assert "short form" in said, "its figures are not marked"
+        figures = json.load(open(path))
+        assert figures["bench"] == only and figures["short"] and figures["results"], figures
+        check(figures["ratios"], BENCHES[only], only)
+        if only == "frame":
+            grown = [row["blood_grown_mm2"] for row in figures["results"] if "blood_grown_mm2" in row]
+            assert grown and min(grown) > 0, f"the samples that touch make no blood grow: {grown}"
+
+
+main(sys.argv[1], sys.argv[2], sys.argv[3])
