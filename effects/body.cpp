@@ -17,7 +17,7 @@ MemoryUse Body::memory_use(const Simulation& simulation) const {
     return {.surface = foundation_->surface_memory(),
             .pixels = foundation_->pixel_memory(),
             .densities = foundation_->tissue.shared_memory() + simulation.density().own_memory(),
-            .geometry = organ_gpu_.geometry_memory() + bleed_gpu_.values().size(),
+            .geometry = organ_gpu_.geometry_memory() + bleed_gpu_.values().size() + clips_gpu_.memory(),
             .textures = organ_gpu_.texture_memory()};
 }
 
@@ -49,6 +49,7 @@ void Body::set_shape(std::span<const glm::vec3> positions, std::span<const glm::
     }
     if (midway) set_normals_midway();
     organ_gpu_.set_shape(positions, normals.empty() || midway ? normals_ : normals, midway || midpoints().empty());
+    send_clips();
 }
 
 /// Of the vertices that splitting has made: no facet shows that the organ as it was given has not.
@@ -68,7 +69,7 @@ void Body::set_overlay(Overlay overlay, const Simulation& simulation) {
 
 /// Densities are sent only while they are looked at, and once.
 void Body::send_density(const bleeding::TissueDensity& density) {
-    if ((overlay_ != Overlay::vessels && overlay_ != Overlay::fat) || sent_density_ == density.version()) return;
+    if (!row_of(overlay_).densities || sent_density_ == density.version()) return;
     sent_density_ = density.version();
     std::vector<render::DensityPicture> pictures(density.images());
     for (std::size_t i = 0; i < pictures.size(); ++i)
@@ -83,7 +84,18 @@ std::size_t Body::send(Simulation& simulation) noexcept {
     const std::span<const VertexRun> bled = bleed.changed().take(), marked = cautery.changed().take();
     touch(bled, [&](std::uint32_t v) { return bleed.values()[v].x > bleed.dry(); });
     touch(marked, [&](std::uint32_t v) { return cautery.marks()[v] != glm::vec2(0.0f); });
-    return bleed_gpu_.send(bleed.values(), bled) + organ_gpu_.send_marks(cautery.marks(), marked);
+    const auto clips = cautery.clips();
+    const auto there = std::ranges::upper_bound(clips, simulation.time(), {}, &cautery::Clip::time);
+    clips_.assign(clips.begin(), there);
+    clip_length_ = simulation.preset().cautery.clip_length;
+    return bleed_gpu_.send(bleed.values(), bled) + organ_gpu_.send_marks(cautery.marks(), marked) + send_clips();
+}
+
+/// Where the clips are on the organ as it is now.
+std::size_t Body::send_clips() {
+    poses_.clear();
+    for (const cautery::Clip& clip : clips_) poses_.push_back(pose_of(clip, moved_.now()));
+    return clips_gpu_.set(poses_, clip_length_);
 }
 
 /// Once touched, a triangle counts for good: blood and time go to and fro.
@@ -100,6 +112,7 @@ void Body::touch(std::span<const VertexRun> changed, const Touched& is_touched) 
 void Body::draw() const noexcept {
     bleed_gpu_.bind();
     organ_gpu_.draw(glm::mat4(1.0f), &touched_);
+    draw_clips();
 }
 
 }  // namespace lapfx

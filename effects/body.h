@@ -12,6 +12,7 @@
 #include "lapfx/preset.h"
 #include "lapfx/view.h"
 #include "organ/moved_surface.h"
+#include "render/clips_gpu.h"
 #include "render/organ_gpu.h"
 #include "simulation.h"
 
@@ -33,9 +34,13 @@ class Body {
 
     /// Sends what has changed in the simulation since the last call; gives the bytes.
     std::size_t send(Simulation& simulation) noexcept;
-    void draw() const noexcept;
+    void draw() const noexcept;  ///< with the clips on it
+    void draw_clips() const noexcept { clips_gpu_.draw(); }
 
-    void collect(std::vector<gl::Program*>& programs) { organ_gpu_.collect(programs); }  ///< for gl::rebuild()
+    void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
+        organ_gpu_.collect(programs);
+        clips_gpu_.collect(programs);
+    }
     /// Of the GPU, and of what it shares with other bodies of the organ.
     MemoryUse memory_use(const Simulation& simulation) const;
     const MovedSurface& moved() const { return moved_; }
@@ -44,6 +49,7 @@ class Body {
 
   private:
     void send_density(const bleeding::TissueDensity& density);
+    std::size_t send_clips();
     std::span<const glm::vec3> follow(std::span<const glm::vec3> given, std::vector<glm::vec3>& all) const;
     void set_normals_midway();
     template <class Touched>
@@ -59,6 +65,10 @@ class Body {
     std::vector<glm::vec3> positions_, normals_;  // of the moved shape, where the host does not give all
     bleeding::BleedGpu bleed_gpu_;
     render::OrganGpu organ_gpu_;
+    render::ClipsGpu clips_gpu_;
+    std::vector<cautery::Clip> clips_;  // that are there now
+    std::vector<cautery::ClipPose> poses_;
+    double clip_length_ = 0.0;  // mm
     render::TouchedTriangles touched_;
     std::vector<char> is_touched_;  // per vertex
     Overlay overlay_ = Overlay::none;

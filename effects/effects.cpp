@@ -182,6 +182,12 @@ void Effects::draw_organ(const View& view) noexcept {
     state_->body->draw();
 }
 
+void Effects::draw_clips(const View& view) noexcept {
+    const gl::StateGuard guard;
+    state_->view_block.bind(view);
+    state_->body->draw_clips();
+}
+
 void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {
     const gl::StateGuard guard;
     state_->view_block.bind(view);

@@ -1,7 +1,9 @@
 // What is not seen but decides: density of vessels and fat (paper: figure 9) and the bleed value, as false colour over
 // the shaded tissue, which turns grey. Output linear.
 
-uniform int u_overlay;  // lapfx::Overlay: 0 none, 1 vessels, 2 fat, 3 bleed
+#include "overlays.glsl"  // OVERLAY_NONE and so on, made from the table in lapfx/view.h
+
+uniform int u_overlay;
 layout(binding = 2) uniform sampler2D u_density;  // of the texture: vessels, fat; white where vertices have them
 
 // How much of the false colour covers the tissue at density 1.
@@ -14,10 +16,10 @@ vec3 lapfx_false_color(float t) {
 
 // `shaded`: the tissue as it would be drawn. `density`: vessels and fat, 0..1. `bleed`: bleed value, mm, per pixel.
 vec3 lapfx_overlay(vec3 shaded, vec2 density, float bleed) {
-    if (u_overlay == 0) return shaded;
+    if (u_overlay == OVERLAY_NONE) return shaded;
     vec3 grey = vec3(dot(shaded, vec3(0.2126, 0.7152, 0.0722)));
-    if (u_overlay == 1) return mix(grey, vec3(0.0, 0.6, 1.0), lapfx_overlay_cover * density.x);
-    if (u_overlay == 2) return mix(grey, vec3(1.0, 0.7, 0.0), lapfx_overlay_cover * density.y);
+    if (u_overlay == OVERLAY_VESSELS) return mix(grey, vec3(0.0, 0.6, 1.0), lapfx_overlay_cover * density.x);
+    if (u_overlay == OVERLAY_FAT) return mix(grey, vec3(1.0, 0.7, 0.0), lapfx_overlay_cover * density.y);
     // Isolines every 2 mm from 0, one and a half pixels wide; colours run to red at 20 mm.
     // Bounded: beyond the reach of blood the value falls off a cliff.
     float steps = bleed / 2.0, width = clamp(fwidth(steps), 1e-6, 1.0);

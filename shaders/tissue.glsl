@@ -97,5 +97,5 @@ vec3 shade(Tissue tissue, vec3 geometric) {
 }
 
 vec3 overlaid(vec3 shaded) {
-    return u_overlay == 0 ? shaded : lapfx_overlay(shaded, texture(u_density, v_uv).rg * v_density, v_blood.x);
+    return u_overlay == OVERLAY_NONE ? shaded : lapfx_overlay(shaded, texture(u_density, v_uv).rg * v_density, v_blood.x);
 }

@@ -94,7 +94,7 @@ void Editor::open(const std::vector<std::string>& files) {
 void Editor::bring(const std::vector<std::string>& files) {
     std::vector<std::string> documents, organs, videos;
     for (const std::string& file : files) {
-        const bool written = std::filesystem::path(file).extension() == ".json";
+        const bool written = is_document_name(file);
         std::vector<std::string>& kind = written ? documents : is_organ_name(file) ? organs : videos;
         try {
             if (&kind == &videos) kind_of(file);  // throws where it is neither a video nor a picture

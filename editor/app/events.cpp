@@ -31,16 +31,6 @@ bool nearly_straight(std::span<const ToolContact> contacts, double tolerance) {
 
 }  // namespace
 
-std::string_view action_title(ToolAction action) {
-    constexpr std::array<std::string_view, action_count> titles = {"Cauterise", "Cut",     "Coagulate",
-                                                                   "Tear",      "Suction", "Irrigation"};
-    return titles[static_cast<std::size_t>(action)];
-}
-
-bool is_hot(ToolAction action) {
-    return ToolContact{.action = action}.hot();
-}
-
 std::vector<Stroke> strokes_of(std::span<const ToolContact> events) {
     std::vector<std::size_t> order(events.size());
     for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;

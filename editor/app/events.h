@@ -2,13 +2,12 @@
 // moved, stretched and erased together. Pure functions.
 //
 //     for (const app::Stroke& stroke : app::strokes_of(scene.events))
-//         show(app::action_title(stroke.action), stroke.start, stroke.end);
+//         show(row_of(stroke.action).title, stroke.start, stroke.end);
 //     document.change("Move event", [&](Content& c) { app::move_stroke(c.scene.events, stroke, 3.5); });
 #pragma once
 
 #include <cstddef>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "lapfx/tool.h"
@@ -17,11 +16,6 @@ namespace lapfx::app {
 
 inline constexpr std::size_t most_events = 4096;  ///< of a scene
 inline constexpr double last_event_time = 3600;   ///< s, also the longest duration
-inline constexpr int action_count = 6;
-
-/// "Cauterise": a command, a button, an undo step.
-std::string_view action_title(ToolAction action);
-bool is_hot(ToolAction action);
 
 /// From press to release: contacts that go on from each other.
 struct Stroke {

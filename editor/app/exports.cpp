@@ -21,6 +21,16 @@ namespace {
 constexpr double step_budget = 0.03;  // s of a frame of the UI
 constexpr glm::ivec2 thumbnail_size{320, 256};
 
+/// "a picture is a .png", "a video is an .mp4, .mov, .mkv or .avi"
+std::string wanted_name(OutputKind kind) {
+    const output::OutputRow& row = output::row_of(kind);
+    std::string title(row.title);
+    title[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(title[0])));
+    if (kind == OutputKind::sequence) return "a " + title + " is named like " + std::string(row.example);
+    const std::string names = listed(*row.content, " or ", true);
+    return "a " + title + " is a" + (names.starts_with(".m") ? "n " : " ") + names;
+}
+
 Fault fault(std::string place, std::string reason) {
     return {.file = "", .place = std::move(place), .reason = std::move(reason)};
 }
@@ -57,19 +67,6 @@ std::string number(double value) {
     return {text.data(), end.ptr};
 }
 
-const char* name_of(Overlay overlay) {
-    switch (overlay) {
-        case Overlay::vessels:
-            return "vessels";
-        case Overlay::fat:
-            return "fat";
-        case Overlay::bleed:
-            return "bleed";
-        default:
-            return "none";
-    }
-}
-
 }  // namespace
 
 /// One export, from its start to its end.
@@ -101,7 +98,7 @@ glm::ivec2 ExportForm::px() const {
     return named.x > 0 ? named : glm::ivec2(width, height);
 }
 
-void Exports::propose(ExportKind kind) {
+void Exports::propose(OutputKind kind) {
     const document::Document& document = editor_.document;
     form.kind = static_cast<int>(kind);
     form.outside_agreed = false;
@@ -117,18 +114,17 @@ void Exports::propose(ExportKind kind) {
     const std::string proposed_for = file.string() + "\n" + document.preset().name;
     if (proposed_for == proposed_for_) return;
     proposed_for_ = proposed_for;
-    form.files = {proposed(ExportKind::preset, "_tuned.json"), proposed(ExportKind::bundle, "_bundle"),
-                  proposed(ExportKind::picture, ".png"), proposed(ExportKind::sequence, "_%04d.png"),
-                  proposed(ExportKind::video, ".mp4")};
-    form.amounts_file = proposed(ExportKind::video, ".csv");
+    for (const output::OutputRow& row : output::output_rows())
+        form.files[static_cast<std::size_t>(row.kind)] = proposed(row.kind, row.ending);
+    form.amounts_file = proposed(OutputKind::video, ".csv");
 }
 
-std::string Exports::title(ExportKind kind) {
-    if (kind == ExportKind::bundle) return "Folder for the bundle";
-    return "Export " + std::string(export_names[static_cast<std::size_t>(kind)]);
+std::string Exports::title(OutputKind kind) {
+    if (kind == OutputKind::bundle) return "Folder for the bundle";
+    return "Export " + std::string(output::row_of(kind).title);
 }
 
-std::string Exports::proposed(ExportKind kind, std::string_view ending) const {
+std::string Exports::proposed(OutputKind kind, std::string_view ending) const {
     const document::Document& document = editor_.document;
     const fs::path& file = document.preset_file().empty() ? document.scene_file() : document.preset_file();
     std::error_code error;
@@ -145,7 +141,7 @@ output::RenderOptions Exports::render_options() const {
                                   .overlay = f.overlay ? editor_.looking.overlay : Overlay::none,
                                   .output = f.file(),
                                   .clip_folders = editor_.options().clip_folders};
-    if (f.what() == ExportKind::picture) {
+    if (f.what() == OutputKind::picture) {
         options.at = f.at;
     } else {
         options.from = f.from;
@@ -157,7 +153,7 @@ output::RenderOptions Exports::render_options() const {
 
 int Exports::frames() const {
     if (!form.renders()) return 0;
-    if (form.what() == ExportKind::picture) return 1;
+    if (form.what() == OutputKind::picture) return 1;
     const double count = std::ceil((form.to - form.from) * form.fps - 1e-9);
     return count > 0 && count < 1e9 ? static_cast<int>(count) : 0;
 }
@@ -166,7 +162,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
     const document::Document& document = editor_.document;
     for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
     const fs::path file = form.file();
-    if (form.what() == ExportKind::preset) {
+    if (form.what() == OutputKind::preset) {
         if (file.extension() != ".json") return faults.push_back(fault("-o", "a preset is a .json file"));
         std::vector<Fault> clips;
         output::preset_in(fs::absolute(file).parent_path(), document.preset(), editor_.options().clip_folders, clips);
@@ -193,7 +189,7 @@ fs::path Exports::home() const {
 
 void Exports::look_outside() {
     std::vector<output::SourceFile> found;
-    if (form.what() == ExportKind::bundle) {
+    if (form.what() == OutputKind::bundle) {
         const document::Document& document = editor_.document;
         const Scene* scene = form.with_scene ? &document.scene() : nullptr;
         const auto organ = scene != nullptr ? editor_.preview.organ_of(*scene) : nullptr;
@@ -221,12 +217,11 @@ void Exports::look_at_form() {
     const fs::path file = form.file();
     if (file.empty() || file.filename().empty()) {
         faults_.push_back(fault(
-            "-o", form.what() == ExportKind::bundle ? "choose a name for the folder" : "choose a name for the file"));
+            "-o", form.what() == OutputKind::bundle ? "choose a name for the folder" : "choose a name for the file"));
     } else {
-        const fs::path first =
-            form.what() == ExportKind::sequence && output::form_of(file) == output::FileForm::sequence
-                ? output::sequence_name(file, 0)
-                : file;
+        const fs::path first = form.what() == OutputKind::sequence && output::is_sequence_name(file)
+                                   ? output::sequence_name(file, 0)
+                                   : file;
         std::error_code error;
         replaces_ = fs::exists(first, error);
         const fs::path folder = fs::absolute(file, error).parent_path();
@@ -236,12 +231,7 @@ void Exports::look_at_form() {
             faults_.push_back(fault("-o", folder.string() + " cannot be written to"));
     }
     if (!form.renders()) return check_preset_file(faults_);
-    constexpr std::array<output::FileForm, 3> forms = {output::FileForm::picture, output::FileForm::sequence,
-                                                       output::FileForm::video};
-    constexpr std::array<const char*, 3> wanted = {"a picture is a .png", "a sequence is named like out_%04d.png",
-                                                   "a video is an .mp4, .mov, .mkv or .avi"};
-    const auto which = static_cast<std::size_t>(form.kind) - 2;
-    if (output::form_of(file) != forms[which]) faults_.push_back(fault("-o", wanted[which]));
+    if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
     for (Fault& found : check(render_options(), editor_.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
     std::error_code error;
@@ -269,7 +259,7 @@ std::string_view Exports::fault_at(std::string_view place) {
 void Exports::start() {
     checked_version_ = 0;  // files may have come and gone
     if (!faults().empty() || waits()) return;
-    if (form.what() == ExportKind::preset) return export_preset();
+    if (form.what() == OutputKind::preset) return export_preset();
     running_ = std::make_unique<Running>(Running{.form = form,
                                                  .scene = editor_.document.scene(),
                                                  .preset = editor_.document.preset(),
@@ -325,7 +315,7 @@ void Exports::load() {
 /// Outside of the UI's build. Of a bundle its thumbnail first, as the view shows it now, but at the scene's camera.
 void Exports::begin() {
     output::RenderOptions options = running_->options;
-    if (running_->form.what() == ExportKind::bundle)
+    if (running_->form.what() == OutputKind::bundle)
         options = {.size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders};
     running_->began = now_;  // loading told of itself
     running_->render =
@@ -367,7 +357,7 @@ std::string_view Exports::name() const {
 double Exports::progress() const {
     if (!running_) return 0;
     if (const Job* beside = job()) return beside->progress();
-    const bool bundle = running_->form.what() == ExportKind::bundle;
+    const bool bundle = running_->form.what() == OutputKind::bundle;
     return running_->render && !bundle ? running_->render->progress() : 0;
 }
 
@@ -388,7 +378,7 @@ double Exports::seconds_left() const {
 std::string Exports::progress_text() const {
     if (!running_) return {};
     if (!running_->render && !running_->copying) return "loading";
-    if (running_->form.what() == ExportKind::bundle) return running_->copying ? "copying and checking" : "thumbnail";
+    if (running_->form.what() == OutputKind::bundle) return running_->copying ? "copying and checking" : "thumbnail";
     const output::RenderJob& job = *running_->render;
     if (job.drawn() == job.frames()) return "reading back";
     return std::to_string(job.drawn()) + " of " + std::to_string(job.frames()) +
@@ -421,7 +411,7 @@ void Exports::step() {
     output::RenderJob& job = *running_->render;
     job.step();
     if (!job.done()) return;
-    if (running_->form.what() == ExportKind::bundle) return begin_copying();
+    if (running_->form.what() == OutputKind::bundle) return begin_copying();
     end(job.frames() == 1 ? "" : std::to_string(job.frames()) + " frames");
 }
 
@@ -440,7 +430,7 @@ void Exports::tell_made(const ExportForm& made, const std::string& text) {
     const fs::path path = fs::absolute(made.file(), error);
     editor_.settings().note_folder(title(made.what()), path.parent_path().string());
     ui::Toast toast{.kind = ui::ToastKind::good, .text = text + ", checked"};
-    if (made.what() == ExportKind::bundle) {
+    if (made.what() == OutputKind::bundle) {
         toast.action = "Open the bundle";
         const std::string name = path.filename().string() + (made.with_scene ? ".scene.json" : ".json");
         toast.act = [this, file = (path / name).string()] { editor_.open({file}); };
@@ -475,12 +465,12 @@ std::string Exports::command() const {
     std::string line = "lapfx render " + path(document.scene_file());
     if (!document.preset_file().empty()) line += " --preset " + path(document.preset_file());
     line += " --size " + std::to_string(form.px().x) + "x" + std::to_string(form.px().y);
-    if (form.what() == ExportKind::picture)
+    if (form.what() == OutputKind::picture)
         line += " --at " + number(form.at);
     else
         line += " --fps " + number(form.fps) + " --from " + number(form.from) + " --to " + number(form.to);
     if (form.overlay && editor_.looking.overlay != Overlay::none)
-        line += std::string(" --overlay ") + name_of(editor_.looking.overlay);
+        line += " --overlay " + std::string(row_of(editor_.looking.overlay).key);
     if (form.amounts) line += " --amounts " + path(form.amounts_file);
     return line + " -o " + path(form.file());
 }

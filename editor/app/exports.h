@@ -2,7 +2,7 @@
 // the editor lives on. What is exported is a copy made at the start: editing goes on. Nothing appears before it is
 // whole and has been loaded back.
 //
-//     exports.propose(ExportKind::video);
+//     exports.propose(OutputKind::video);
 //     exports.form.fps = 30;
 //     if (exports.faults().empty()) exports.start();
 //     each frame: exports.update(now);   // Editor::update
@@ -27,8 +27,7 @@ namespace lapfx::app {
 class Editor;
 class Job;
 
-enum class ExportKind { preset, bundle, picture, sequence, video };
-inline constexpr std::array<std::string_view, 5> export_names = {"Preset", "Bundle", "Picture", "Sequence", "Video"};
+using output::OutputKind;
 
 struct ExportSize {
     std::string_view name;
@@ -47,23 +46,23 @@ inline constexpr std::array<ExportSize, 7> export_sizes = {{
 
 /// What the dialog asks for.
 struct ExportForm {
-    int kind = 0;                      ///< an ExportKind
-    std::array<std::string, 5> files;  ///< of each kind: file, folder, or pattern of a sequence
-    bool with_scene = true;            ///< of a bundle
-    int size = 0;                      ///< of export_sizes
-    int width = 1280, height = 1024;   ///< px, where the size is free
-    double at = 0, from = 0, to = 0;   ///< s
+    int kind = 0;                                              ///< an OutputKind
+    std::array<std::string, output::output_kind_count> files;  ///< of each kind: file, folder, or pattern of a sequence
+    bool with_scene = true;                                    ///< of a bundle
+    int size = 0;                                              ///< of export_sizes
+    int width = 1280, height = 1024;                           ///< px, where the size is free
+    double at = 0, from = 0, to = 0;                           ///< s
     double fps = 25;
     bool outside_agreed = false;  ///< to copying what Exports::outside() lists
     bool overlay = false;         ///< with what the view shows over the tissue
     bool amounts = false;
     std::string amounts_file;
 
-    ExportKind what() const { return static_cast<ExportKind>(kind); }
+    OutputKind what() const { return static_cast<OutputKind>(kind); }
     std::string& file() { return files[static_cast<std::size_t>(kind)]; }
     const std::string& file() const { return files[static_cast<std::size_t>(kind)]; }
     glm::ivec2 px() const;
-    bool renders() const { return what() >= ExportKind::picture; }
+    bool renders() const { return output::row_of(what()).frames != nullptr; }
     friend bool operator==(const ExportForm&, const ExportForm&) = default;
 };
 
@@ -77,10 +76,10 @@ class Exports {
     ExportForm form;
 
     /// Of the dialog that asks for a file of that kind.
-    static std::string title(ExportKind kind);
+    static std::string title(OutputKind kind);
     /// Fills in what the person has not said yet: names where such files were written last, beside the person's own
     /// preset or among their documents; the time that is shown, the range of play.
-    void propose(ExportKind kind);
+    void propose(OutputKind kind);
     /// What is wrong with the form as it is. Places are the options of `lapfx render`: "-o", "--size".
     const std::vector<Fault>& faults();
     std::string_view fault_at(std::string_view place);  ///< its reason; empty: nothing is wrong there
@@ -97,7 +96,7 @@ class Exports {
     /// written at once, whatever is running; of the rest there is one at a time.
     void start();
     /// The form has to wait for what is running.
-    bool waits() const { return running() && form.what() != ExportKind::preset; }
+    bool waits() const { return running() && form.what() != OutputKind::preset; }
     bool running() const { return static_cast<bool>(running_); }
     void cancel();
     double progress() const;            ///< 0..1, while loading() of that; negative: nobody knows
@@ -123,7 +122,7 @@ class Exports {
     void begin();
     void begin_copying();
     void step();
-    std::string proposed(ExportKind kind, std::string_view ending) const;
+    std::string proposed(OutputKind kind, std::string_view ending) const;
     void export_preset();
     void end(const std::string& what);
     void tell_made(const ExportForm& made, const std::string& text);

@@ -1,10 +1,10 @@
 #include "app/file_previews.h"
 
 #include <algorithm>
-#include <array>
 
 #include "app/editor.h"
 #include "app/open.h"
+#include "lapfx/authoring/formats.h"
 
 namespace lapfx::app {
 
@@ -13,11 +13,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr double thumbnail_at = 0.6;  // of the scene's duration, as in the panel of presets
-
-/// What the core decodes, besides organs.
-constexpr std::array<std::string_view, 21> pictured{".json", ".mp4",  ".mov",  ".m4v", ".mkv", ".webm", ".avi",
-                                                    ".mpg",  ".mpeg", ".wmv",  ".ts",  ".ogv", ".gif",  ".png",
-                                                    ".jpg",  ".jpeg", ".webp", ".bmp", ".tif", ".tiff", ".exr"};
 
 /// What is left of "lapfx: FILE: reason": the name stands above it.
 std::string reason_in(std::string fault, const std::string& path) {
@@ -30,10 +25,7 @@ std::string reason_in(std::string fault, const std::string& path) {
 }  // namespace
 
 bool has_picture(std::string_view path) {
-    std::string extension = fs::path(path).extension().string();
-    for (char& c : extension)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return std::find(pictured.begin(), pictured.end(), extension) != pictured.end() || is_organ_name(path);
+    return format_named(path) != nullptr;
 }
 
 FilePreviews::~FilePreviews() = default;

@@ -5,6 +5,7 @@
 #include "app/autosave.h"
 #include "app/editor.h"
 #include "app/exports.h"
+#include "app/file_filters.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "app/reference.h"
@@ -17,17 +18,6 @@ namespace lapfx::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-const std::vector<ui::FileFilter>& open_filters() {
-    static const std::vector<ui::FileFilter> filters{
-        {"Everything lapfx opens",
-         {".json", ".glb", ".gltf", ".obj", ".ply", ".stl", ".off", ".mp4", ".avi", ".mov", ".mkv", ".webm", ".png",
-          ".jpg", ".jpeg", ".tif", ".tiff", ".bmp"}},
-        {"Presets and scenes", {".json"}},
-        {"Organs", {".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}},
-        {"Smoke videos and images", {".mp4", ".avi", ".mov", ".mkv", ".webm", ".png", ".jpg", ".jpeg", ".tif"}}};
-    return filters;
-}
 
 /// A file name of a preset's name: "Brisk bleed, 2" is brisk_bleed_2.
 std::string file_name_of(const std::string& name, const char* otherwise) {

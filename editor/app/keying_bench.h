@@ -28,8 +28,10 @@ class Editor;
 class BenchWork;
 
 enum class BenchView { source, matte, keyed, composite };
-inline constexpr std::size_t bench_views = 4;
+inline constexpr std::array<std::string_view, 4> view_titles = {"Source", "Matte", "Keyed", "Composite"};
+inline constexpr std::size_t bench_views = view_titles.size();
 enum class Behind { grey, checker, tissue, preview };
+inline constexpr std::array<std::string_view, 4> behind_titles = {"Grey", "Checker", "Tissue", "Preview"};
 
 /// How one looks at it; no part of the document.
 struct BenchLook {

@@ -1,13 +1,12 @@
 #include "app/open.h"
 
 #include <algorithm>
-#include <cctype>
 #include <fstream>
-#include <set>
 
 #include "app/orbit.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/organ_report.h"
 
 namespace lapfx::app {
@@ -15,13 +14,6 @@ namespace lapfx::app {
 namespace fs = std::filesystem;
 
 namespace {
-
-std::string lower_extension(const fs::path& path) {
-    std::string extension = path.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extension;
-}
 
 fs::path preset_file_of(const Scene& scene) {
     return scene.preset.empty() ? fs::path() : named_path(scene.folder, scene.preset, Reach::anywhere, "", "/preset");
@@ -91,14 +83,17 @@ bool is_text(const fs::path& file) {
 
 }  // namespace
 
+bool is_document_name(const fs::path& file) {
+    return is_named_as(Content::document, file);
+}
+
 bool is_organ_name(const fs::path& file) {
-    static const std::set<std::string> extensions{".glb", ".gltf", ".obj", ".ply", ".stl", ".off"};
-    return extensions.contains(lower_extension(file));
+    return is_named_as(Content::mesh, file);
 }
 
 FileKind kind_of(const fs::path& file) {
     if (is_organ_name(file)) return FileKind::organ;
-    if (lower_extension(file) != ".json") {
+    if (!is_document_name(file)) {
         if (is_text(file))
             throw Error(Failure::bad_input, Fault{.file = file.string(),
                                                   .place = "",

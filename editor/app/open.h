@@ -15,6 +15,8 @@ enum class FileKind { scene, preset, organ, video, unknown };
 FileKind kind_of(const std::filesystem::path& file);
 
 bool is_organ_name(const std::filesystem::path& file);
+/// Of a preset or a scene.
+bool is_document_name(const std::filesystem::path& file);
 
 /// What a document becomes when a file is put into it.
 struct Opened {

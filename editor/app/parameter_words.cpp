@@ -61,6 +61,8 @@ constexpr std::pair<std::string_view, std::string_view> all[] = {
     {"cautery.maximum_temperature", "limit cap hottest"},
     {"cautery.diffusivity", "conduction conductivity thermal spread"},
     {"cautery.perfusion", "blood flow cooling"},
+    {"cautery.clip_length", "clip applier titanium metal size"},
+    {"cautery.clip_reach", "clip applier hemostasis haemostasis stop bleeding radius"},
 
     {"smoke.keying",
      "key matte mask cut out chroma key green screen greenscreen blue screen background removal smoke video"},

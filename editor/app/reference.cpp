@@ -10,6 +10,7 @@
 #include "app/paths.h"
 #include "app/pick_color.h"
 #include "app/settings.h"
+#include "lapfx/authoring/formats.h"
 
 namespace lapfx::app {
 
@@ -18,14 +19,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* sample = "samples/reference/operation.mp4";
-
-bool is_image_name(const fs::path& file) {
-    static const std::set<std::string> extensions{".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"};
-    std::string extension = file.extension().string();
-    std::transform(extension.begin(), extension.end(), extension.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    return extensions.contains(extension);
-}
 
 /// As a scene in `folder` names it: relative where it lies below.
 std::string named_in(const fs::path& folder, const fs::path& file) {
@@ -79,7 +72,7 @@ fs::path whole_sequence(const fs::path& file) {
     while (digits < stem.size() && digits < 9 &&
            std::isdigit(static_cast<unsigned char>(stem[stem.size() - 1 - digits])))
         ++digits;
-    if (digits == 0 || !is_image_name(file) || stem.find('%') != std::string::npos) return file;
+    if (digits == 0 || !is_named_as(Content::picture, file) || stem.find('%') != std::string::npos) return file;
     const std::string before = stem.substr(0, stem.size() - digits), extension = file.extension().string();
     const long number = std::stol(stem.substr(before.size()));
     const auto numbered = [&](long n) {

@@ -25,6 +25,8 @@ class Editor;
 class Job;
 
 enum class CompareWay : std::uint8_t { reference, beside, wipe, difference, onion };
+inline constexpr std::array<std::string_view, 5> way_titles = {"Reference", "Side by side", "Wipe", "Difference",
+                                                               "Onion"};
 
 class Reference {
   public:

@@ -20,6 +20,7 @@
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/formats.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -84,7 +85,7 @@ void add_scene(Hash& hash, const fs::path& file, bool preset, const ThumbnailMak
 }
 
 bool is_document(const fs::path& file) {
-    return file.extension() == ".json";
+    return is_named_as(Content::document, file);
 }
 
 /// Whether it is shown on the scene of the request, which is asked for by none but presets. Throws Error.

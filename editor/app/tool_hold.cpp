@@ -13,7 +13,7 @@ void ToolHold::begin(Editor& editor, const glm::dvec3& place) {
     if (on_ || !tool.action || !editor.preview.ready()) return;
     if (editor.timeline.time >= last_event_time) return;
     editor.document.commit();
-    editor.preview.put_tool(*tool.action, is_hot(*tool.action) ? tool.power : 1.0,
+    editor.preview.put_tool(*tool.action, row_of(*tool.action).hot ? tool.power : 1.0,
                             divides(*tool.action) ? tool.strength : 1.0, editor.timeline.time, place);
     on_ = editor.preview.tool_on();
     began_ = editor.timeline.time;
@@ -50,7 +50,7 @@ void ToolHold::end(Editor& editor) {
                            .text = "Not recorded: a scene has at most 4096 events; delete some on the timeline"});
         return;
     }
-    editor.document.change(std::string(action_title(made.front().action)), [&](document::Content& c) {
+    editor.document.change(std::string(row_of(made.front().action).title), [&](document::Content& c) {
         c.scene.events.insert(c.scene.events.end(), made.begin(), made.end());
         const double last = std::min(std::ceil(made.back().end() * 10) / 10, last_event_time);
         c.scene.duration = std::max(c.scene.duration, last);

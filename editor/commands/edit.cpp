@@ -18,6 +18,7 @@
 #include "commands/headless_editor.h"
 #include "commands/options.h"
 #include "commands/session.h"
+#include "lapfx/authoring/formats.h"
 #include "output/files.h"
 #include "panels/panels.h"
 #include "window/ui_window.h"
@@ -212,8 +213,8 @@ void add_edit(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("edit", "Open the editor; on the sample scene if no file is given");
     verb->add_option("FILE", o->files,
-                     "A scene or preset (.json), an organ (.glb, .gltf, .obj, .ply, .stl, .off), a smoke video or "
-                     "image, numbered images (smoke_%04d.png)");
+                     "A scene or preset (.json), an organ (" + listed(Content::mesh, ", ") +
+                         "), a smoke video or image, numbered images (smoke_%04d.png)");
     verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window");
     verb->add_option(
         "--size", o->size,

@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "commands/command.h"
+#include "lapfx/authoring/formats.h"
 #include "lapfx/error.h"
 
 namespace lapfx::commands {
@@ -28,35 +29,31 @@ void require_plain_file(const fs::path& file) {
 
 enum class Kind { organ, image, video, document };
 
-struct Extension {
-    const char* text;
-    Kind kind;
-};
-constexpr Extension extensions[] = {
-    {".glb", Kind::organ},  {".gltf", Kind::organ}, {".obj", Kind::organ}, {".ply", Kind::organ},
-    {".stl", Kind::organ},  {".off", Kind::organ},  {".png", Kind::image}, {".jpg", Kind::image},
-    {".jpeg", Kind::image}, {".webp", Kind::image}, {".bmp", Kind::image}, {".json", Kind::document},
-    {".mp4", Kind::video},  {".mov", Kind::video},  {".m4v", Kind::video}, {".webm", Kind::video},
-    {".mkv", Kind::video},  {".avi", Kind::video},  {".mpg", Kind::video}, {".mpeg", Kind::video}};
+/// A picture that the core does not decode whole is looked at as a clip is.
+Kind kind_of(const FileFormat& format) {
+    switch (format.content) {
+        case Content::mesh:
+            return Kind::organ;
+        case Content::document:
+            return Kind::document;
+        default:
+            return format.texture ? Kind::image : Kind::video;
+    }
+}
 
 /// By what the file starts with; for a name that says nothing.
 Kind kind_by_content(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(16, '\0');
     in.read(head.data(), static_cast<std::streamsize>(head.size()));
-    if (head.starts_with("glTF") || head.starts_with("ply\n") || head.starts_with("ply\r")) return Kind::organ;
-    if (head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff") || head.substr(8, 4) == "WEBP")
-        return Kind::image;
+    if (const FileFormat* const format = format_beginning(head)) return kind_of(*format);
     const std::size_t first = head.find_first_not_of(" \t\r\n");
     if (first != std::string::npos && head[first] == '{') return Kind::document;
     return Kind::video;
 }
 
 Kind kind_of(const fs::path& file) {
-    std::string extension = file.extension().string();
-    for (char& c : extension) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-    for (const Extension& known : extensions)
-        if (extension == known.text) return known.kind;
+    if (const FileFormat* const format = format_named(file)) return kind_of(*format);
     return kind_by_content(file);
 }
 
@@ -105,19 +102,31 @@ void inspect_files(const std::vector<std::string>& files, bool keying) {
     if (!faults.empty()) throw Error(failure, std::move(faults));
 }
 
+/// The table of formats, as help shows it.
+std::string format_lines() {
+    std::string text = "Formats:\n";
+    for (const Content content : {Content::mesh, Content::video, Content::picture, Content::document})
+        for (const FileFormat& format : formats(content)) {
+            std::string names = "  ";
+            for (const std::string_view extension : format.extensions) names += std::string(extension) + ' ';
+            names.resize(std::max<std::size_t>(names.size(), 22), ' ');
+            text += names + std::string(format.name) + ": " + std::string(format.holds) + "\n";
+        }
+    return text;
+}
+
 }  // namespace
 
 void add_inspect(CLI::App& app) {
     CLI::App* verb = app.add_subcommand("inspect", "Show what a mesh, clip, preset, scene or image contains");
     auto files = std::make_shared<std::vector<std::string>>();
-    verb->add_option("FILE", *files,
-                     "Mesh (.glb .gltf .obj .ply .stl .off), video (.mp4 .mov .webm .mkv .avi ...), preset or scene "
-                     "(.json), image (.png .jpg .webp .bmp), numbered images (smoke_%04d.png)")
+    verb->add_option("FILE", *files, "Mesh, video, image, numbered images (smoke_%04d.png), preset or scene")
         ->required();
     auto keying = std::make_shared<bool>(false);
     verb->add_flag(
         "--keying", *keying,
         "Suggest how to separate the smoke of a video from its background, as an entry for a clip in a preset");
+    verb->footer(format_lines());
     verb->callback([files, keying] { inspect_files(*files, *keying); });
 }
 

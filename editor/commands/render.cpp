@@ -17,12 +17,21 @@ struct Options {
     bool has_at = false, has_span = false;
 };
 
+/// "False colour over the tissue: none; vessels: density of vessels, blue; ..."
+std::string overlay_help() {
+    std::string text = "False colour over the tissue";
+    for (const OverlayRow& row : overlays)
+        text += (row.overlay == Overlay::none ? ". " : "; ") + std::string(row.key) + ": " + std::string(row.help);
+    return text;
+}
+
 Overlay parse_overlay(const std::string& text) {
-    constexpr std::pair<const char*, Overlay> names[] = {
-        {"none", Overlay::none}, {"vessels", Overlay::vessels}, {"fat", Overlay::fat}, {"bleed", Overlay::bleed}};
-    for (const auto& [name, overlay] : names)
-        if (text == name) return overlay;
-    throw wrong_option("--overlay", "\"" + text + "\" is not one of vessels, fat, bleed, none");
+    std::string all;
+    for (const OverlayRow& row : overlays) {
+        if (text == row.key) return row.overlay;
+        all += (all.empty() ? "" : ", ") + std::string(row.key);
+    }
+    throw wrong_option("--overlay", "\"" + text + "\" is not one of " + all);
 }
 
 output::RenderOptions render_options(const Options& o) {
@@ -34,7 +43,7 @@ output::RenderOptions render_options(const Options& o) {
                                   .amounts = o.amounts,
                                   .clip_folders = clip_folders()};
     // A single picture without --at is that of the start.
-    if (o.has_at || (!o.has_span && output::form_of(o.output) == output::FileForm::picture)) options.at = o.at;
+    if (o.has_at || (!o.has_span && output::kind_named(o.output) == output::OutputKind::picture)) options.at = o.at;
     if (o.to >= 0.0) options.to = o.to;
     return options;
 }
@@ -90,11 +99,7 @@ void add_render(CLI::App& app) {
         verb->add_option("--at", o->at, "One picture at this time, s")->check(finite)->check(CLI::Range(0.0, 86400.0));
     at->excludes(from)->excludes(to);
     verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
-    verb->add_option(
-            "--overlay", o->overlay,
-            "False colour over the tissue: vessels or fat (their density), bleed (isolines of the bleed value, "
-            "every 2 mm)")
-        ->capture_default_str();
+    verb->add_option("--overlay", o->overlay, overlay_help())->capture_default_str();
     verb->add_option("--amounts", o->amounts,
                      "Write the amounts of each frame (blood mm2 and mm3, wounds, haze) as CSV");
     verb->add_option("-o,--output", o->output, "out.png, out_%04d.png, or a video: out.mp4, .mov, .mkv, .avi")

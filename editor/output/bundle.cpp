@@ -14,6 +14,7 @@
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
+#include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/pack.h"
 #include "output/files.h"
 
@@ -36,13 +37,12 @@ bool is_file(const fs::path& path) {
 
 /// Of a clip; what is no name of a video or picture says nothing.
 std::string clip_extension(const std::string& name) {
-    constexpr std::array<std::string_view, 19> known{".mp4",  ".mov",  ".m4v", ".mkv", ".webm", ".avi", ".mpg",
-                                                     ".mpeg", ".ts",   ".ogv", ".wmv", ".gif",  ".png", ".jpg",
-                                                     ".jpeg", ".webp", ".bmp", ".tif", ".tiff"};
     std::string extension = fs::path(name).extension().string();
     for (char& c : extension)
         if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return std::find(known.begin(), known.end(), extension) != known.end() ? extension : ".clip";
+    const FileFormat* const format = format_named(name);
+    return format != nullptr && (format->content == Content::video || format->content == Content::picture) ? extension
+                                                                                                           : ".clip";
 }
 
 /// An open file, closed at the end of the scope.

@@ -2,11 +2,12 @@
 
 #include <unistd.h>
 
-#include <array>
 #include <cerrno>
 #include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/imgproc.hpp>
+
+#include "lapfx/authoring/formats.h"
 
 namespace lapfx::output {
 
@@ -69,8 +70,8 @@ void write_png(const fs::path& path, const Image& image) {
 }
 
 bool is_video_name(const fs::path& path) {
-    constexpr std::array<const char*, 4> extensions{".mp4", ".mov", ".mkv", ".avi"};
-    return std::find(extensions.begin(), extensions.end(), path.extension().string()) != extensions.end();
+    const FileFormat* const format = format_named(path);
+    return format != nullptr && format->content == Content::video && format->written;
 }
 
 VideoFile::VideoFile(const fs::path& path, double fps, cv::Size size) : path_(fs::absolute(path)), size_(size) {

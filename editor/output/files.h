@@ -23,7 +23,7 @@ void write_png(const std::filesystem::path& path, const Image& image);
 /// A video that appears under its name when it is finished and not before: dropped unfinished, nothing is left of it.
 class VideoFile {
   public:
-    /// The container follows from the extension (.mp4, .mov, .mkv, .avi). Throws Error (runtime).
+    /// The container follows from the extension (is_video_name). Throws Error (runtime).
     VideoFile(const std::filesystem::path& path, double fps, cv::Size size);
     ~VideoFile();
     VideoFile(const VideoFile&) = delete;
@@ -49,6 +49,7 @@ class VideoFile {
     bool closed_ = false, checked_ = false;
 };
 
+/// Whether an export may be of this name: the formats of videos that are written (lapfx/authoring/formats.h).
 bool is_video_name(const std::filesystem::path& path);
 
 /// The colours, as OpenCV has them; alpha is left out.

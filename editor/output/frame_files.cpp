@@ -6,14 +6,13 @@
 #include <vector>
 
 #include "output/files.h"
+#include "output/kinds.h"
 
 namespace lapfx::output {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-constexpr std::size_t longest_name = 255;
 
 std::size_t hash_of(const cv::Mat& bgr) {
     return std::hash<std::string_view>{}({reinterpret_cast<const char*>(bgr.data), bgr.total() * bgr.elemSize()});
@@ -23,7 +22,7 @@ std::size_t hash_of(const cv::Mat& bgr) {
 class PngFiles : public FrameFiles {
   public:
     PngFiles(const fs::path& name, glm::ivec2 size, int count)
-        : name_(fs::absolute(name)), sequence_(form_of(name) == FileForm::sequence), size_(size) {
+        : name_(fs::absolute(name)), sequence_(is_sequence_name(name)), size_(size) {
         for (int i = 0; i < count; ++i) require_replaceable(target(i));
         beside_ = std::make_unique<Beside>(name_, Beside::Kind::folder);
     }
@@ -77,13 +76,13 @@ class VideoFrames : public FrameFiles {
 
 }  // namespace
 
-FileForm form_of(const fs::path& path) {
+bool is_sequence_name(const fs::path& path) {
     static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)");
-    const std::string name = path.filename().string();
-    if (name.size() > longest_name) return FileForm::unknown;  // no file system takes it, and std::regex recurses
-    if (is_video_name(path)) return FileForm::video;
-    if (std::regex_match(name, pattern)) return FileForm::sequence;
-    return path.extension() == ".png" && name.find('%') == std::string::npos ? FileForm::picture : FileForm::unknown;
+    return std::regex_match(path.filename().string(), pattern);
+}
+
+bool is_picture_name(const fs::path& path) {
+    return path.extension() == ".png" && path.filename().native().find('%') == fs::path::string_type::npos;
 }
 
 fs::path sequence_name(const fs::path& pattern, int index) {
@@ -97,9 +96,16 @@ fs::path sequence_name(const fs::path& pattern, int index) {
     return pattern.parent_path() / (match.prefix().str() + digits + match.suffix().str());
 }
 
-std::unique_ptr<FrameFiles> make_frame_files(const fs::path& name, double fps, glm::ivec2 size, int count) {
-    if (form_of(name) == FileForm::video) return std::make_unique<VideoFrames>(name, fps, size);
+std::unique_ptr<FrameFiles> make_png_files(const fs::path& name, double, glm::ivec2 size, int count) {
     return std::make_unique<PngFiles>(name, size, count);
+}
+
+std::unique_ptr<FrameFiles> make_video_frames(const fs::path& name, double fps, glm::ivec2 size, int) {
+    return std::make_unique<VideoFrames>(name, fps, size);
+}
+
+std::unique_ptr<FrameFiles> make_frame_files(const fs::path& name, double fps, glm::ivec2 size, int count) {
+    return row_of(kind_named(name).value()).frames(name, fps, size, count);
 }
 
 }  // namespace lapfx::output

@@ -15,9 +15,10 @@
 
 namespace lapfx::output {
 
-enum class FileForm { picture, sequence, video, unknown };
-/// By the name alone: out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi).
-FileForm form_of(const std::filesystem::path& name);
+/// out.png: one picture, whose extension an export may have.
+bool is_picture_name(const std::filesystem::path& name);
+/// out_%04d.png
+bool is_sequence_name(const std::filesystem::path& name);
 /// Number `index` of a sequence named like out_%04d.png.
 std::filesystem::path sequence_name(const std::filesystem::path& pattern, int index);
 
@@ -31,7 +32,11 @@ class FrameFiles {
     virtual void publish() = 0;
 };
 
-/// `count`: frames that will come. Throws Error (runtime) when they cannot be written there.
+/// Of either; `count`: frames that will come. All throw Error (runtime) when they cannot be written there.
+std::unique_ptr<FrameFiles> make_png_files(const std::filesystem::path& name, double fps, glm::ivec2 size, int count);
+std::unique_ptr<FrameFiles> make_video_frames(const std::filesystem::path& name, double fps, glm::ivec2 size,
+                                              int count);
+/// As the name says (output/kinds.h).
 std::unique_ptr<FrameFiles> make_frame_files(const std::filesystem::path& name, double fps, glm::ivec2 size, int count);
 
 }  // namespace lapfx::output

@@ -40,7 +40,7 @@ void check_size(const RenderOptions& o, Faults& faults) {
     const std::string size = std::to_string(o.size.x) + "x" + std::to_string(o.size.y);
     if (o.size.x < 1 || o.size.y < 1 || o.size.x > longest_side || o.size.y > longest_side)
         faults.add("--size", size + " is outside 1x1 to 16384x16384");
-    else if (form_of(o.output) == FileForm::video && (o.size.x % 2 != 0 || o.size.y % 2 != 0))
+    else if (kind_named(o.output) == OutputKind::video && (o.size.x % 2 != 0 || o.size.y % 2 != 0))
         faults.add("--size", size + ": the sides of a video must be even");
 }
 
@@ -60,19 +60,30 @@ void check_times(const RenderOptions& o, double duration, Faults& faults) {
         faults.add("--to", "more than a million frames");
 }
 
+/// "out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)"
+std::string frame_examples() {
+    std::string text;
+    for (const OutputRow& row : output_rows()) {
+        if (row.example.empty()) continue;
+        text += (text.empty() ? "" : ", ") + std::string(row.example);
+        if (row.kind != OutputKind::video) continue;
+        const std::vector<std::string> all = extensions(*row.content, true);
+        for (std::size_t i = 1; i < all.size(); ++i) text += (i == 1 ? " (" : ", ") + all[i];
+        text += ')';
+    }
+    return text;
+}
+
 void check_output(const RenderOptions& o, Faults& faults) {
     if (o.output.empty()) return;
     const std::string name = "\"" + o.output.string() + "\"";
-    switch (form_of(o.output)) {
-        case FileForm::picture:
-            if (!o.at) faults.add("-o", name + " is one picture; for several choose a video or out_%04d.png");
-            break;
-        case FileForm::unknown:
-            faults.add("-o", name + " is not one of out.png, out_%04d.png, out.mp4 (.mov, .mkv, .avi)");
-            break;
-        default:
-            if (o.at) faults.add("-o", name + " is not a single picture; for a single time choose a .png");
-    }
+    const auto kind = kind_named(o.output);
+    if (!kind)
+        faults.add("-o", name + " is not one of " + frame_examples());
+    else if (*kind == OutputKind::picture && !o.at)
+        faults.add("-o", name + " is one picture; for several choose a video or out_%04d.png");
+    else if (*kind != OutputKind::picture && o.at)
+        faults.add("-o", name + " is not a single picture; for a single time choose a .png");
     if (!o.amounts.empty() && o.amounts == o.output) faults.add("--amounts", "is also the file of the pictures");
 }
 

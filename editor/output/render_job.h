@@ -18,6 +18,7 @@
 #include "lapfx/clip_cache.h"
 #include "lapfx/prepared_organ.h"
 #include "output/frame_files.h"
+#include "output/kinds.h"
 
 namespace lapfx::output {
 
@@ -28,7 +29,7 @@ struct RenderOptions {
     double from = 0;                ///< s: the first frame
     std::optional<double> to = {};  ///< s: the end, without a frame of its own; the scene's if not given
     Overlay overlay = Overlay::none;
-    std::filesystem::path output{};   ///< form_of() says what; empty: nothing is written (RenderJob::image)
+    std::filesystem::path output{};   ///< kind_named() says what; empty: nothing is written (RenderJob::image)
     std::filesystem::path amounts{};  ///< CSV of what a trainee would be scored by, a line for each frame; empty: none
     std::vector<std::filesystem::path> clip_folders{};
 };

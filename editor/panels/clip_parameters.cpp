@@ -1,5 +1,6 @@
 #include "panels/clip_parameters.h"
 
+#include "app/file_filters.h"
 #include "app/tuning.h"
 
 namespace lapfx::panels {
@@ -31,8 +32,7 @@ const KeyingParameters& saved_keying(app::Editor& editor, std::size_t number) {
 ui::FileRequest clip_request(std::string title, bool many) {
     return {.task = many ? ui::FileTask::open_many : ui::FileTask::open,
             .title = std::move(title),
-            .filters = {{"Smoke videos", {".mp4", ".mov", ".webm", ".mkv", ".avi", ".m4v", ".mpg", ".ogv", ".gif"}},
-                        {"Images", {".png", ".jpg", ".jpeg", ".webp", ".bmp", ".tif"}}}};
+            .filters = app::clip_filters("Smoke videos")};
 }
 
 }  // namespace lapfx::panels

@@ -6,6 +6,7 @@
 
 #include "app/tuning.h"
 #include "panels/table_rows.h"
+#include "panels/titles.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
@@ -78,13 +79,8 @@ class EventForm {
 
     void action() {
         int chosen = static_cast<int>(stroke_.action);
-        static const auto titles = [] {
-            std::array<std::string_view, app::action_count> all;
-            for (int i = 0; i < app::action_count; ++i)
-                all[static_cast<std::size_t>(i)] = app::action_title(static_cast<ToolAction>(i));
-            return all;
-        }();
-        const ui::Edit edit = ui::combo(ui_, "Action", chosen, titles, {.tip = row_of("action").help, .caption = true});
+        const ui::Edit edit =
+            ui::combo(ui_, "Action", chosen, action_titles(), {.tip = row_of("action").help, .caption = true});
         take(edit, "Action", [&](std::vector<ToolContact>& events) {
             for (const std::size_t i : stroke_.events) events[i].action = static_cast<ToolAction>(chosen);
         });
@@ -125,7 +121,7 @@ class EventForm {
             for (const std::size_t i : stroke_.events) events[i].*member = value;
         });
     }
-    void power() { number("Power", "power", &ToolContact::power, app::is_hot(stroke_.action)); }
+    void power() { number("Power", "power", &ToolContact::power, row_of(stroke_.action).hot); }
     void strength() { number("Strength", "strength", &ToolContact::strength, divides(stroke_.action)); }
     void pieces() {
         if (stroke_.events.size() < 2) return;

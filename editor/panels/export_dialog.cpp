@@ -1,6 +1,7 @@
 // What is exported, where to, and whether that will do: one dialog for all kinds. While an export runs it shows how far
 // it is; so does the status bar, for the dialog need not stay open.
 #include "app/exports.h"
+#include "app/file_filters.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/progress.h"
@@ -15,13 +16,13 @@ namespace lapfx::panels {
 namespace {
 
 using app::ExportForm;
-using app::ExportKind;
 using app::Exports;
+using output::OutputKind;
 
 constexpr std::string_view dialog_name = "export", replace_name = "export replace";
 constexpr double longest_time = 86'400;  // s
 
-void open(app::Editor& editor, ExportKind kind) {
+void open(app::Editor& editor, OutputKind kind) {
     editor.exports().propose(kind);
     ui::open_dialog(editor.ui(), dialog_name);
 }
@@ -38,19 +39,11 @@ ui::FileRequest request_for(const ExportForm& form) {
                             .title = Exports::title(form.what()),
                             .folder = std::string(ui::parent_of(path)),
                             .name = std::string(ui::name_of_path(path))};
-    switch (form.what()) {
-        case ExportKind::preset:
-            request.filters = {{"Presets", {".json"}}};
-            break;
-        case ExportKind::bundle:
-            request.task = ui::FileTask::folder;
-            break;
-        case ExportKind::video:
-            request.filters = {{"Videos", {".mp4", ".mov", ".mkv", ".avi"}}};
-            break;
-        default:
-            request.filters = {{"Pictures", {".png"}}};
-    }
+    const output::OutputRow& row = output::row_of(form.what());
+    if (row.content)
+        request.filters = {app::written_filter(std::string(row.files), *row.content)};
+    else
+        request.task = ui::FileTask::folder;
     return request;
 }
 
@@ -78,23 +71,16 @@ void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::stri
 }
 
 void file_rows(ui::Ui& ui, app::Editor& editor) {
-    constexpr std::array<std::string_view, 5> tips = {
-        "The preset alone, as a simulator reads it. Its clips must be in the same folder or below; otherwise make a "
-        "bundle",
-        "A new folder with the preset, its clips, a picture and, if wanted, the scene and its organ",
-        "One PNG through the scene's camera",
-        "Numbered PNGs: %04d becomes a number with four digits",
-        "The ending of the name decides the format: .mp4, .mov, .mkv or .avi",
-    };
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
-    const std::string_view label = form.what() == ExportKind::bundle ? "Folder" : "File";
-    path_row(ui, editor, label, form.file(), tips[static_cast<std::size_t>(form.kind)],
-             !exports.fault_at("-o").empty());
+    const std::string_view label = form.what() == OutputKind::bundle ? "Folder" : "File";
+    std::string_view tip = output::row_of(form.what()).help;
+    if (form.what() == OutputKind::video) tip = ui.join({tip, ": ", listed(Content::video, " or ", true)});
+    path_row(ui, editor, label, form.file(), tip, !exports.fault_at("-o").empty());
     fault_line(ui, exports, "-o");
     if (exports.fault_at("-o").empty() && exports.replaces())
         ui::label(ui,
-                  form.what() == ExportKind::bundle ? "This folder contains a bundle, which will be replaced"
+                  form.what() == OutputKind::bundle ? "This folder contains a bundle, which will be replaced"
                                                     : "A file of this name exists and will be replaced",
                   {.tone = ui::Tone::warning});
 }
@@ -131,7 +117,7 @@ void time_param(ui::Ui& ui, std::string_view label, double& value, double durati
 void time_rows(ui::Ui& ui, app::Editor& editor) {
     Exports& exports = editor.exports();
     ExportForm& form = exports.form;
-    if (form.what() == ExportKind::picture) {
+    if (form.what() == OutputKind::picture) {
         time_param(ui, "Time", form.at, editor.duration(), "Time in the scene; the view's time to start with");
         return fault_line(ui, exports, "--at");
     }
@@ -171,13 +157,13 @@ std::string_view summary(ui::Ui& ui, const Exports& exports) {
     char text[128];
     const int frames = exports.frames();
     switch (form.what()) {
-        case ExportKind::preset:
+        case OutputKind::preset:
             return "The preset as it is now, saved or not.";
-        case ExportKind::bundle:
+        case OutputKind::bundle:
             return form.with_scene ? "Opens on any computer: preset, clips, scene, organ and tool. The reference video "
                                      "is not copied."
                                    : "All that a simulator needs: the preset and its clips.";
-        case ExportKind::picture:
+        case OutputKind::picture:
             std::snprintf(text, sizeof text, "%d x %d pixels through the scene's camera.", form.px().x, form.px().y);
             break;
         default:
@@ -207,7 +193,7 @@ void form_rows(ui::Ui& ui, app::Editor& editor) {
     ExportForm& form = exports.form;
     const ui::ScrollArea area(ui, "Form", {.gap = ui.theme().gap});
     file_rows(ui, editor);
-    if (form.what() == ExportKind::bundle)
+    if (form.what() == OutputKind::bundle)
         ui::checkbox(ui, "With scene and organ", form.with_scene,
                      "Includes what is needed to open it in the editor as it is now; a simulator does not need it");
     outside_rows(ui, exports);
@@ -219,9 +205,9 @@ void form_rows(ui::Ui& ui, app::Editor& editor) {
     fault_line(ui, exports, "scene");
     fault_line(ui, exports, "preset");
     fault_line(ui, exports, "clips");
-    if (form.what() == ExportKind::preset && !exports.fault_at("clips").empty() &&
+    if (form.what() == OutputKind::preset && !exports.fault_at("clips").empty() &&
         ui::button(ui, "Make a bundle instead", {.tip = "A folder with the preset and copies of its clips"}))
-        form.kind = static_cast<int>(ExportKind::bundle);
+        form.kind = static_cast<int>(OutputKind::bundle);
     ui::label(ui, summary(ui, exports), {.tone = ui::Tone::dim, .wrap = true});
 }
 
@@ -253,7 +239,7 @@ void ask_replace(ui::Ui& ui, app::Editor& editor) {
     const std::string_view name = ui::name_of_path(exports.form.file());
     const auto answer =
         ui::ask(ui, replace_name, "Replace it?",
-                ui.join({name, exports.form.what() == ExportKind::sequence
+                ui.join({name, exports.form.what() == OutputKind::sequence
                                    ? ": pictures of this name exist. Those with the same numbers will be replaced."
                                    : " exists and will be replaced once the new one is complete."}),
                 {{.label = "Cancel", .cancel = true}, {.label = "Replace"}}, ui::Tone::warning);
@@ -276,7 +262,7 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
     ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 36});
     if (!dialog) return;
     running_rows(ui, exports);
-    ui::segmented(ui, "What", exports.form.kind, app::export_names);
+    ui::segmented(ui, "What", exports.form.kind, output::output_titles());
     form_rows(ui, editor);
     const bool sound = exports.faults().empty() && !exports.waits();
     if (exports.form.renders() &&
@@ -315,14 +301,13 @@ void add_export_commands(app::Editor& editor) {
                          .chord = {key_of('E'), Mods::command},
                          .run = [&editor] { open(editor, editor.exports().form.what()); },
                          .tip = "A preset, a bundle, pictures or a video"});
-    const auto add = [&editor](const char* id, const char* title, ExportKind kind, const char* tip) {
-        editor.commands.add(
-            {.id = id, .title = title, .group = "File", .run = [&editor, kind] { open(editor, kind); }, .tip = tip});
-    };
-    add("export.bundle", "Export preset bundle...", ExportKind::bundle,
-        "A folder with the preset and everything that it needs");
-    add("export.picture", "Export picture...", ExportKind::picture, "The current frame, as PNG");
-    add("export.video", "Export video...", ExportKind::video, "The scene, or the part of it that plays, as a video");
+    for (const output::OutputRow& row : output::output_rows())
+        if (!row.command.empty())
+            editor.commands.add({.id = std::string(row.command),
+                                 .title = std::string(row.command_title),
+                                 .group = "File",
+                                 .run = [&editor, kind = row.kind] { open(editor, kind); },
+                                 .tip = std::string(row.command_tip)});
     editor.commands.add({.id = "export.copy_json",
                          .title = "Copy preset as JSON",
                          .group = "File",

@@ -74,6 +74,7 @@ constexpr Library libraries[] = {
     {"OpenCV", "images", "Apache 2.0"},
     {"tinygltf", "glTF", "MIT"},
     {"meshoptimizer", "packed glTF", "MIT"},
+    {"Draco", "packed glTF", "Apache 2.0"},
     {"OpenMesh", "OBJ, OFF, STL", "BSD 3-clause"},
     {"GLM", "vectors", "MIT"},
     {"nlohmann/json", "JSON", "MIT"},

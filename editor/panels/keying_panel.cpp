@@ -31,7 +31,6 @@ using app::KeyingBench;
 using document::Content;
 using ui::Icon;
 
-constexpr std::array<std::string_view, app::bench_views> view_names = {"Source", "Matte", "Keyed", "Composite"};
 constexpr std::array<std::string_view, app::bench_views> captions = {"Source picture", "Matte: the opacity",
                                                                      "Keyed: the smoke alone", "Composite: laid over"};
 constexpr std::array<std::string_view, app::bench_views> view_tips = {
@@ -74,13 +73,17 @@ ui::Edit choice(ui::Ui& ui, std::string_view name, int& chosen, std::span<const 
 }
 
 void behind_choice(ui::Ui& ui, KeyingBench& bench, float ems, bool list) {
-    constexpr std::array<std::string_view, 4> names = {"Grey", "Checker", "Tissue", "Preview"};
     int behind = static_cast<int>(bench.look.behind);
-    if (choice(ui, "Behind", behind, names, ems, list)) bench.look.behind = static_cast<app::Behind>(behind);
+    if (choice(ui, "Behind", behind, app::behind_titles, ems, list))
+        bench.look.behind = static_cast<app::Behind>(behind);
 }
 
 void view_choice(ui::Ui& ui, KeyingBench& bench, float ems, bool list) {
-    constexpr std::array<std::string_view, 5> names = {"All", "Source", "Matte", "Keyed", "Composite"};
+    constexpr auto names = [] {
+        std::array<std::string_view, 1 + app::bench_views> all{"All"};
+        std::copy(app::view_titles.begin(), app::view_titles.end(), all.begin() + 1);
+        return all;
+    }();
     int shown = bench.look.grid ? 0 : bench.look.view + 1;
     if (!choice(ui, "Views", shown, names, ems, list)) return;
     bench.look.grid = shown == 0;
@@ -153,7 +156,7 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
     ui.push_seed("view");
     ClipShapes shapes{editor};
     const ui::ImageViewResult result =
-        ui::image_view(ui, view_names[index], bench.picture(view), bench.look.state,
+        ui::image_view(ui, app::view_titles[index], bench.picture(view), bench.look.state,
                        {.magnifier = picks,
                         .eyedropper = picks,
                         .sample_box = picks ? bench.look.sample_box : 1,

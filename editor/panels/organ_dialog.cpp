@@ -18,7 +18,13 @@ namespace {
 
 constexpr std::string_view dialog_name = "organ";
 constexpr std::size_t most_warnings = 4;
-constexpr std::array<std::string_view, 5> unit_names = {"mm", "cm", "m", "inch", "Other"};
+/// Behind the lengths another one, which is typed.
+constexpr auto unit_names = [] {
+    std::array<std::string_view, app::length_units.size() + 1> names{};
+    for (std::size_t i = 0; i < app::length_units.size(); ++i) names[i] = app::length_units[i].name;
+    names.back() = "Other";
+    return names;
+}();
 
 template <typename... Values>
 std::string_view text_of(ui::Ui& ui, const char* format, Values... values) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/file_filters.h"
 #include "app/layouts.h"
 #include "app/open.h"
 #include "app/pick_color.h"
@@ -27,7 +28,7 @@ using app::Reference;
 
 constexpr float low_panel = 14, least_pictures = 5;                                                      // em of height
 constexpr float ways_width = 27, list_width = 8, number_width = 9, aspect_width = 7, offset_width = 10;  // em
-constexpr std::array<std::string_view, 5> ways = {"Reference", "Side by side", "Wipe", "Difference", "Onion"};
+constexpr const auto& ways = app::way_titles;
 
 void choose_next_way(Reference& reference) {
     reference.way = static_cast<CompareWay>((static_cast<std::size_t>(reference.way) + 1) % ways.size());
@@ -36,11 +37,7 @@ void choose_next_way(Reference& reference) {
 void ask_for_video(app::Editor& editor) {
     const std::filesystem::path now = editor.reference().file();
     editor.ask_file(
-        {.title = "Open reference video",
-         .folder = now.parent_path().string(),
-         .filters = {{"Videos",
-                      {".mp4", ".mov", ".mkv", ".avi", ".webm", ".m4v", ".mpg", ".mpeg", ".wmv", ".ts", ".ogv"}},
-                     {"Images", {".png", ".jpg", ".jpeg", ".bmp", ".tif", ".tiff", ".webp"}}}},
+        {.title = "Open reference video", .folder = now.parent_path().string(), .filters = app::clip_filters("Videos")},
         [&editor](const std::vector<std::string>& files) { editor.reference().choose(files.front()); });
 }
 
@@ -49,7 +46,7 @@ void take_dropped(app::Editor& editor, std::string_view paths) {
     const std::vector<std::string> files = dropped_files(paths);
     if (files.empty()) return;
     const std::filesystem::path first = files.front();
-    if (app::is_organ_name(first) || first.extension() == ".json") return editor.bring(files);
+    if (app::is_organ_name(first) || app::is_document_name(first)) return editor.bring(files);
     editor.reference().choose(files.front());  // what is no video is told in its place
 }
 

@@ -1,6 +1,7 @@
 // The scene: what the preset is seen on. Rows from the scene's table, and what is wrong between them.
 #include <algorithm>
 
+#include "app/file_filters.h"
 #include "app/orbit.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
@@ -92,8 +93,8 @@ class ScenePanel {
     void tool() {
         const OwnerOf owner = [](Content& c) -> void* { return &c.scene.tool; };
         const Table& t = table("tool");
-        row(t, "file", owner,
-            {.prefix = "Tool", .file_kind = "Meshes", .extensions = {".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}});
+        static const ui::FileFilter meshes = app::mesh_filter();
+        row(t, "file", owner, {.prefix = "Tool", .files = &meshes});
         if (editor_.document.scene().tool.file.empty()) return;
         row(t, "scale", owner, {.prefix = "Tool", .standard = &standard_scene().tool, .maximum = 1000});
         row(t, "port", owner, {.prefix = "Tool", .standard = &standard_scene().tool, .maximum = 300, .minimum = -300});

@@ -2,6 +2,7 @@
 
 #include "app/settings.h"
 #include "panels/panels.h"
+#include "panels/titles.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/key_editor.h"
 #include "ui/widgets/basic.h"
@@ -11,9 +12,13 @@ namespace lapfx::panels {
 
 namespace {
 
-constexpr std::array<std::string_view, 8> scale_names = {"Screen", "75 %",  "100 %", "125 %",
-                                                         "150 %",  "175 %", "200 %", "300 %"};
-constexpr std::array<float, 8> scales = {0, 0.75F, 1, 1.25F, 1.5F, 1.75F, 2, 3};
+struct Size {
+    std::string_view title;
+    float scale;  ///< 0: as the screen says
+};
+constexpr Size sizes[] = {{"Screen", 0},   {"75 %", 0.75F},  {"100 %", 1}, {"125 %", 1.25F},
+                          {"150 %", 1.5F}, {"175 %", 1.75F}, {"200 %", 2}, {"300 %", 3}};
+constexpr auto size_names = titles_of(sizes);
 
 void looks(ui::Ui& ui, app::Settings& settings) {
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.6F});
@@ -22,11 +27,11 @@ void looks(ui::Ui& ui, app::Settings& settings) {
     ui::label(ui, "Theme", {.tone = ui::Tone::dim});
     if (ui::segmented(ui, "Theme##choice", theme, themes).changed) settings.light = theme == 1;
     int chosen = 0;
-    for (std::size_t i = 0; i < scales.size(); ++i)
-        if (scales[i] == settings.scale) chosen = static_cast<int>(i);
+    for (std::size_t i = 0; i < std::size(sizes); ++i)
+        if (sizes[i].scale == settings.scale) chosen = static_cast<int>(i);
     ui::label(ui, "Size of text and controls (Ctrl+= and Ctrl+- change it for this window)", {.tone = ui::Tone::dim});
-    if (ui::segmented(ui, "Size", chosen, scale_names).changed)
-        settings.scale = scales[static_cast<std::size_t>(chosen)];
+    if (ui::segmented(ui, "Size", chosen, size_names).changed)
+        settings.scale = sizes[static_cast<std::size_t>(chosen)].scale;
     ui::checkbox(ui, "Reduced motion", settings.reduced_motion, "Nothing blinks or moves by itself");
 }
 

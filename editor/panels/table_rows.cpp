@@ -171,10 +171,8 @@ ui::Edit text_field(const RowBuild& b) {
 
 /// The owner is asked for again when the answer comes: rows, tables and the editor outlive the dialog.
 void choose_file(const RowBuild& b) {
-    ui::FileFilter filter{.name = std::string(b.options.file_kind), .extensions = {}};
-    for (const char* extension : b.options.extensions) filter.extensions.emplace_back(extension);
     std::vector<ui::FileFilter> filters;
-    if (!filter.extensions.empty()) filters.push_back(std::move(filter));
+    if (b.options.files != nullptr) filters.push_back(*b.options.files);
     b.editor.ask_file({.task = ui::FileTask::open, .title = "Choose a file", .filters = std::move(filters)},
                       [&editor = b.editor, &row = b.row, owner = b.owner,
                        name = std::string(b.step())](const std::vector<std::string>& files) {

@@ -24,19 +24,18 @@ namespace lapfx::panels {
 using OwnerOf = std::function<void*(document::Content&)>;
 
 struct TableRowOptions {
-    std::string_view name = {};           ///< in place of the parameter's own
-    std::string_view prefix = {};         ///< of the undo step's name
-    std::string_view step = {};           ///< the undo step's whole name, in place of prefix and name
-    std::string_view tip = {};            ///< in place of the parameter's own
-    const void* standard = nullptr;       ///< a struct like the owner, with the defaults
-    const void* saved = nullptr;          ///< the same, as saved; null: where the owner lies in what was saved
-    double maximum = 0;                   ///< above `minimum`: a soft maximum nearer than the parameter's
-    double minimum = 0;                   ///< and minimum, when there is a soft maximum
-    bool locked = false;                  ///< shown with a lock
-    bool favourite = false;               ///< for the menu of a number
-    ui::ParamActions* actions = nullptr;  ///< of the menu of a number
-    std::string_view file_kind = {};      ///< of paths: "Meshes", with `extensions`
-    std::initializer_list<const char*> extensions = {};
+    std::string_view name = {};             ///< in place of the parameter's own
+    std::string_view prefix = {};           ///< of the undo step's name
+    std::string_view step = {};             ///< the undo step's whole name, in place of prefix and name
+    std::string_view tip = {};              ///< in place of the parameter's own
+    const void* standard = nullptr;         ///< a struct like the owner, with the defaults
+    const void* saved = nullptr;            ///< the same, as saved; null: where the owner lies in what was saved
+    double maximum = 0;                     ///< above `minimum`: a soft maximum nearer than the parameter's
+    double minimum = 0;                     ///< and minimum, when there is a soft maximum
+    bool locked = false;                    ///< shown with a lock
+    bool favourite = false;                 ///< for the menu of a number
+    ui::ParamActions* actions = nullptr;    ///< of the menu of a number
+    const ui::FileFilter* files = nullptr;  ///< of paths: what the dialog shows first
 };
 
 /// One parameter. Gives what came of it; the document has it already.

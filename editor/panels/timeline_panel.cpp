@@ -8,6 +8,7 @@
 #include "panels/event_form.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
+#include "panels/titles.h"
 #include "ui/canvas/timeline.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
@@ -26,8 +27,12 @@ constexpr double new_event_length = 1;
 constexpr float narrow_below = 52;                                    // em
 constexpr float speed_width = 5, unit_width = 7, duration_width = 9;  // em
 constexpr float room_for_both = 12, room_for_both_narrow = 15;        // em of height: tools, ruler, a track, form
-constexpr std::array<double, 6> speeds = {0.1, 0.25, 0.5, 1, 2, 4};
-constexpr std::array<std::string_view, 6> speed_names = {"0.1x", "0.25x", "0.5x", "1x", "2x", "4x"};
+struct Speed {
+    std::string_view title;
+    double factor;
+};
+constexpr Speed speeds[] = {{"0.1x", 0.1}, {"0.25x", 0.25}, {"0.5x", 0.5}, {"1x", 1}, {"2x", 2}, {"4x", 4}};
+constexpr auto speed_names = titles_of(speeds);
 constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
 
 /// The tracks of the timeline, as the document has them. In the middle of a gesture they are the widget's.
@@ -46,17 +51,17 @@ void make_tracks(TimelineMemory& memory, const app::Editor& editor) {
     memory.strokes = app::strokes_of(editor.document.scene().events);
     memory.tracks.clear();
     memory.shown.clear();
-    for (int action = 0; action < app::action_count; ++action) {
-        ui::TimelineTrack track{.name = std::string(app::action_title(static_cast<ToolAction>(action))), .items = {}};
+    for (const ToolActionRow& row : tool_actions) {
+        ui::TimelineTrack track{.name = std::string(row.title), .items = {}};
         std::vector<std::size_t> shown;
         for (std::size_t i = 0; i < memory.strokes.size(); ++i) {
             const app::Stroke& stroke = memory.strokes[i];
-            if (static_cast<int>(stroke.action) != action) continue;
+            if (stroke.action != row.action) continue;
             shown.push_back(i);
             track.items.push_back({.name = track.name + ' ' + std::to_string(shown.size()),
                                    .start = stroke.start,
                                    .end = stroke.end,
-                                   .color = action,
+                                   .color = row.color,
                                    .selected = is_selected(editor, stroke)});
         }
         if (shown.empty()) continue;
@@ -190,7 +195,7 @@ void add_event(app::Editor& editor) {
                  .duration = new_event_length,
                  .position = place,
                  .to = place,
-                 .power = app::is_hot(action) ? editor.tool.power : 1.0,
+                 .power = row_of(action).hot ? editor.tool.power : 1.0,
                  .strength = divides(action) ? editor.tool.strength : 1.0}});
 }
 
@@ -286,14 +291,14 @@ class TimelinePanel {
 
     void speed() {
         int chosen = 0;
-        for (std::size_t i = 0; i < speeds.size(); ++i)
-            if (std::abs(speeds[i] - editor_.play_speed) <
-                std::abs(speeds[static_cast<std::size_t>(chosen)] - editor_.play_speed))
+        for (std::size_t i = 0; i < std::size(speeds); ++i)
+            if (std::abs(speeds[i].factor - editor_.play_speed) <
+                std::abs(speeds[static_cast<std::size_t>(chosen)].factor - editor_.play_speed))
                 chosen = static_cast<int>(i);
         if (!ui::combo(ui_, "Speed", chosen, speed_names,
                        {.tip = "How fast the scene plays", .width = ui::px(ui_.em(speed_width))}))
             return;
-        editor_.play_speed = speeds[static_cast<std::size_t>(chosen)];
+        editor_.play_speed = speeds[static_cast<std::size_t>(chosen)].factor;
         if (editor_.playing() && !editor_.hold.on()) editor_.timeline.speed = editor_.play_speed;
     }
 

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "app/events.h"
+#include "app/file_filters.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "app/orbit.h"
@@ -16,6 +17,7 @@
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
+#include "panels/titles.h"
 #include "ui/canvas/viewport.h"
 #include "ui/core/tree.h"
 #include "ui/shell/progress.h"
@@ -37,9 +39,12 @@ constexpr double work_by_key = 0.5;  // s
 constexpr double key_turn = 5.0 * std::numbers::pi / 180;
 constexpr double zoom_notch = 1.15;
 
-constexpr std::array<std::string_view, 7> tool_names = {"Look around", "Cauterise", "Cut",       "Coagulate",
-                                                        "Tear",        "Suction",   "Irrigation"};
-constexpr std::array<std::string_view, 4> overlay_names = {"No overlay", "Vessels", "Fat", "Bleed value"};
+/// With what the left button does without a tool.
+constexpr auto tool_names = [] {
+    std::array<std::string_view, 1 + tool_action_count> names{"Look around"};
+    for (const ToolActionRow& row : tool_actions) names[1 + static_cast<std::size_t>(row.action)] = row.title;
+    return names;
+}();
 
 int tool_index(const app::ToolInHand& tool) {
     return tool.action ? 1 + static_cast<int>(*tool.action) : 0;
@@ -51,11 +56,13 @@ void take_tool(app::Editor& editor, int index) {
     if (index > 0) editor.tool.action = static_cast<ToolAction>(index - 1);
 }
 
-/// mm around the tip that the tool works on.
+/// mm around the tip that the tool works on: a parameter of the preset.
 double reach_of(ToolAction action, const Preset& preset) {
-    if (action == ToolAction::suction) return preset.bleeding.suction_radius;
-    if (action == ToolAction::irrigation) return preset.bleeding.irrigation_radius;
-    return app::is_hot(action) ? preset.cautery.tip_radius : preset.vessels.region;
+    const std::string_view key = row_of(action).reach;
+    const std::size_t point = key.find('.');
+    const Table& table = *preset_table().find(key.substr(0, point));
+    const void* const owner = table.member(const_cast<Preset*>(&preset));
+    return std::get<double>(table.find_row(key.substr(point + 1))->get(owner));
 }
 
 /// What lies under the pointer, looked for again only when it can be something else.
@@ -162,7 +169,7 @@ class ViewPanel {
     void bar(float room) {
         const ui::Column padded(ui_, {.width = ui::grow(), .padding = bar_padding});
         room = room > 0 ? std::max(1.0F, room - 2 * ui_.em(bar_padding)) : 0.0F;
-        const bool hot = editor_.tool.action && app::is_hot(*editor_.tool.action);
+        const bool hot = editor_.tool.action && row_of(*editor_.tool.action).hot;
         const bool cutting = editor_.tool.action && divides(*editor_.tool.action);
         const float choice = ui_.em(choice_width);
         std::array<ui::ToolItem, tool_count> items;
@@ -219,7 +226,7 @@ class ViewPanel {
 
     void overlay_choice() {
         int chosen = static_cast<int>(editor_.looking.overlay);
-        if (ui::combo(ui_, "Overlay", chosen, overlay_names,
+        if (ui::combo(ui_, "Overlay", chosen, overlay_titles(),
                       {.tip = "Colours the organ by vessels, fat or bleeding tendency",
                        .width = ui::px(ui_.em(choice_width))}))
             editor_.looking.overlay = static_cast<Overlay>(chosen);
@@ -452,9 +459,7 @@ class ViewPanel {
         const std::string& file = editor_.document.scene().organ.file;
         ui::heading(ui_, file.empty() ? "No organ yet" : "The scene cannot be shown");
         ui::label(ui_,
-                  file.empty()
-                      ? std::string("Load a surface (.glb, .gltf, .obj, .ply, .stl or .off), or drop one here.")
-                      : fault.text(),
+                  file.empty() ? "Load a surface (" + listed(Content::mesh) + "), or drop one here." : fault.text(),
                   {.tone = file.empty() ? ui::Tone::dim : ui::Tone::error, .wrap = true, .width = ui::grow()});
         const ui::Row buttons(ui_);
         if (ui::button(ui_, file.empty() ? "Choose..." : "Choose another...",
@@ -493,25 +498,22 @@ class ViewPanel {
     ViewMemory& memory_;
 };
 
-void add_overlay(app::Editor& editor, std::string id, std::string title, char letter, Overlay overlay,
-                 std::string tip) {
-    editor.commands.add({.id = std::move(id),
-                         .title = std::move(title),
+void add_overlay(app::Editor& editor, const OverlayRow& row) {
+    editor.commands.add({.id = "view." + std::string(row.key),
+                         .title = std::string(row.command),
                          .group = "View",
-                         .chord = {ui::key_of(letter), Mods::none},
+                         .chord = {ui::key_of(row.shortcut), Mods::none},
                          .run =
-                             [&editor, overlay] {
+                             [&editor, overlay = row.overlay] {
                                  const bool on = editor.looking.overlay == overlay;
                                  editor.looking.overlay = on ? Overlay::none : overlay;
                              },
-                         .checked = [&editor, overlay] { return editor.looking.overlay == overlay; },
-                         .tip = std::move(tip)});
+                         .checked = [&editor, overlay = row.overlay] { return editor.looking.overlay == overlay; },
+                         .tip = std::string(row.help)});
 }
 
 void ask_organ(app::Editor& editor) {
-    editor.ask_file({.task = ui::FileTask::open,
-                     .title = "Load an organ",
-                     .filters = {{"Meshes", {".glb", ".gltf", ".obj", ".ply", ".stl", ".off"}}}},
+    editor.ask_file({.task = ui::FileTask::open, .title = "Load an organ", .filters = {app::mesh_filter()}},
                     [&editor](const std::vector<std::string>& files) { editor.open_organ(files.front()); });
 }
 
@@ -569,25 +571,26 @@ void add_view_commands(app::Editor& editor) {
          .run = [&editor] { editor.settings().half_resolution = !editor.settings().half_resolution; },
          .checked = [&editor] { return editor.settings().half_resolution; },
          .tip = "Draws the view with a quarter of the pixels: faster without a GPU. Exports do not change"});
-    add_overlay(editor, "view.vessels", "Vessel overlay", 'V', Overlay::vessels, "Density of vessels, blue");
-    add_overlay(editor, "view.fat", "Fat overlay", 'T', Overlay::fat, "Density of fat, yellow");
-    add_overlay(editor, "view.bleed", "Bleed value overlay", 'G', Overlay::bleed,
-                "The bleed value: lines every 2 mm, from blue at 0 to red at 20 mm");
+    for (const OverlayRow& row : overlays)
+        if (!row.command.empty()) add_overlay(editor, row);
 }
 
 void add_tool_commands(app::Editor& editor) {
-    constexpr std::array<std::string_view, 7> ids = {"tool.look", "tool.cauterise", "tool.cut",       "tool.coagulate",
-                                                     "tool.tear", "tool.suction",   "tool.irrigation"};
-    for (int i = 0; i < static_cast<int>(ids.size()); ++i) {
-        const auto at = static_cast<std::size_t>(i);
-        editor.commands.add({.id = std::string(ids[at]),
-                             .title = std::string(tool_names[at]),
+    const auto add = [&editor](std::string_view key, char shortcut, int index, std::string tip) {
+        editor.commands.add({.id = "tool." + std::string(key),
+                             .title = std::string(tool_names[static_cast<std::size_t>(index)]),
                              .group = "Tool",
-                             .chord = {ui::key_of(static_cast<char>('0' + i)), Mods::none},
-                             .run = [&editor, i] { take_tool(editor, i); },
-                             .checked = [&editor, i] { return tool_index(editor.tool) == i; },
-                             .tip = i == 0 ? "The left button turns the view"
-                                           : "Hold it on the organ to use it there; an event records it"});
+                             .chord = {ui::key_of(shortcut), Mods::none},
+                             .run = [&editor, index] { take_tool(editor, index); },
+                             .checked = [&editor, index] { return tool_index(editor.tool) == index; },
+                             .tip = std::move(tip)});
+    };
+    add("look", '0', 0, "The left button turns the view");
+    for (const ToolActionRow& row : tool_actions) {
+        std::string help(row.help);
+        help[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(help[0])));
+        add(row.key, row.shortcut, 1 + static_cast<int>(row.action),
+            help + ". Hold it on the organ to use it there; an event records it");
     }
 }
 

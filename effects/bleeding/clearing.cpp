@@ -56,8 +56,7 @@ bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
     }
     for (std::size_t i = first; i < log.pieces().size(); ++i) {
         const ToolContact& contact = log.pieces()[i].contact;
-        const bool clears = contact.action == ToolAction::suction || contact.action == ToolAction::irrigation;
-        if (!clears || !(contact.duration > 0.0)) continue;
+        if (!row_of(contact.action).clears || !(contact.duration > 0.0)) continue;
         sweeps_.push_back(sweep_of(contact, i));
         const double before = sweeps_.size() > 1 ? sweeps_[sweeps_.size() - 2].latest_end : contact.end();
         sweeps_.back().latest_end = std::max(before, contact.end());

@@ -50,6 +50,7 @@ bool within_extent(const Wound& wound, const BleedingParameters& bleeding, doubl
                    double cleared) {
     if (!(time > wound.start && time < wound.stop + bleeding.coagulation_time && wound.stop >= wound.start))
         return false;
+    if (time >= wound.sealed) return false;
     if (!(bleeding.speed * wound.strength > 0.0)) return false;
     return flow(wound, bleeding, time, strength) - flow(wound, bleeding, cleared, strength) < bleeding.max_extent;
 }
@@ -112,6 +113,7 @@ double Strength::dying(double stop, double elapsed, double duration) const noexc
 }
 
 double flow(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength) noexcept {
+    time = std::min(time, wound.sealed);
     if (!(time > wound.start) || !(wound.stop >= wound.start) || !std::isfinite(wound.start)) return 0.0;
     const double end = std::min(time, wound.stop), after = std::max(0.0, time - wound.stop);
     const double flowing =
@@ -142,7 +144,8 @@ bool bleeds(const Wound& wound, const BleedingParameters& bleeding, double time,
 WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength,
                     double cleared) noexcept {
     if (!(time > wound.start)) return WoundState::waiting;
-    if (time >= wound.stop + bleeding.coagulation_time || !(wound.stop >= wound.start)) return WoundState::closed;
+    if (time >= wound.stop + bleeding.coagulation_time || time >= wound.sealed || !(wound.stop >= wound.start))
+        return WoundState::closed;
     if (time >= wound.stop) return WoundState::clotting;
     return within_extent(wound, bleeding, time, strength, cleared) ? WoundState::bleeding : WoundState::spent;
 }

@@ -12,6 +12,7 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
       strength_at_(std::move(strength_at)),
       track_(surface),
       radial_(strength_at_),
+      clips_(surface),
       vertex_start_(surface.positions.size() + 1, 0),
       point_vertices_(surface.weld.size()),
       is_dirty_(surface.positions.size(), false),
@@ -30,7 +31,7 @@ void Cautery::choose_model(const CauteryParameters& parameters) {
     radial_.set_parameters(parameters);
     if (bioheat_)
         for (const std::uint32_t point : bioheat_->touched()) touch(point);
-    const std::uint64_t before = wounds_version();
+    const std::uint64_t before = heat_version();
     if (parameters.model != HeatModel::bioheat)
         bioheat_.reset();
     else if (!bioheat_)
@@ -45,6 +46,7 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
     const std::size_t before = track_.stays().size();
     std::size_t first = track_.set(log, parameters);
     const std::size_t count = track_.stays().size();
+    clips_.set(track_, first, parameters);
     if (!(parameters == parameters_) || !chosen_) {
         choose_model(parameters);
         chosen_ = true;
@@ -58,12 +60,19 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
         radial_.truncate(first);
         for (std::size_t i = first; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
     }
+    seal();
     // Only the last contact's marks can be taken back.
     if (first + 1 < before || count < before) all_stale_ = true;
     last_stale_ = true;
     if (all_stale_) return;
     for (std::size_t i = std::min(first, before > 0 ? before - 1 : 0); i + 1 < count; ++i)
         contribute(static_cast<std::uint32_t>(i), updated_, settled_);
+}
+
+void Cautery::seal() {
+    if (clips().empty() || sealed_version_ == wounds_version()) return;
+    clips_.seal(list(), sealed_);
+    sealed_version_ = wounds_version();
 }
 
 void Cautery::update(double time) noexcept {
@@ -73,6 +82,7 @@ void Cautery::update(double time) noexcept {
         bioheat_->seek(track_, time);
         for (const std::uint32_t point : bioheat_->changed()) touch(point);
         bioheat_->take_changed();
+        seal();
     }
     const bool back = time < updated_;
     const double from = back || all_stale_ ? -never : updated_;

@@ -2,7 +2,7 @@
 // function of the log and the time: any order of times and of set() gives the same. One thread at a time.
 //
 // Every part of a tip's path that is farther than 5 mm from the surface is left out: there the tip touches nothing. An
-// empty surface has no wounds and no marks. Suction and irrigation do nothing here.
+// empty surface has no wounds and no marks. Suction and irrigation do nothing here; clips (clips.h) seal wounds.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "cautery/bioheat.h"
+#include "cautery/clips.h"
 #include "cautery/radial.h"
 #include "cautery/track.h"
 #include "organ/changed_vertices.h"
@@ -35,11 +36,14 @@ class Cautery {
     /// All wounds that start at or before the updated time, and perhaps later ones, with their stops as far as they are
     /// known. Of places closer than 1 mm only the first wound counts while it is open and at least as strong. The first
     /// WoundList::most (4096) are kept; later ones are left out. Valid until the next set() or update().
-    std::span<const Wound> wounds() const { return list().wounds(); }
+    std::span<const Wound> wounds() const { return clips().empty() ? list().wounds() : sealed_; }
     /// Changes when the wounds do.
-    std::uint64_t wounds_version() const { return list().version() + versions_; }
+    std::uint64_t wounds_version() const { return heat_version() + clips_.version(); }
     /// Wounds that were left out because there were too many.
     std::size_t left_out() const { return list().left_out(); }
+
+    /// All that are and will be, in the order of their times.
+    std::span<const Clip> clips() const { return clips_.clips(); }
 
     /// Per organ vertex: x char 0..1, y divided 0..1.
     std::span<const glm::vec2> marks() const { return marks_; }
@@ -59,7 +63,9 @@ class Cautery {
     };
 
     const WoundList& list() const { return bioheat_ ? bioheat_->wounds() : radial_.wounds(); }
+    std::uint64_t heat_version() const { return list().version() + versions_; }
     void choose_model(const CauteryParameters& parameters);
+    void seal();
     void clear(Layer& layer);
     void contribute(std::uint32_t contact, double time, Layer& layer);
     void raise(Layer& layer, std::uint32_t point, glm::vec2 mark);
@@ -76,6 +82,9 @@ class Cautery {
     Radial radial_;
     std::unique_ptr<Bioheat> bioheat_;  // while the model is bioheat
     std::uint64_t versions_ = 0;        // of the model that was before
+    ClipList clips_;
+    std::vector<Wound> sealed_;         // while there are clips: the wounds with what these do to them
+    std::uint64_t sealed_version_ = 0;  // of the wounds that it is of
 
     std::vector<std::uint32_t> vertex_start_;  // per point, into point_vertices_; one more at the end
     std::vector<std::uint32_t> point_vertices_;

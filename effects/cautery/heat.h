@@ -24,8 +24,9 @@ inline constexpr double torn_strength =
 /// vessels). Empty = 1 everywhere.
 using StrengthAt = std::function<double(const glm::dvec3& position)>;
 
+/// Divides without heat.
 inline bool cold(ToolAction action) noexcept {
-    return action == ToolAction::cut || action == ToolAction::tear;
+    return divides(action) && !row_of(action).hot;
 }
 
 /// Strength of a wound that a contact opens at `place`.

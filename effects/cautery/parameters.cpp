@@ -41,6 +41,7 @@
 //   3600 J/kg/K); F. A. Duck, Physical Properties of Tissue, 1990, lists 0.11 to 0.15.
 // - perfusion 0.02 per second: of the order of a well perfused liver (about 1 ml blood per ml of tissue and minute); it
 //   also stands for the heat that goes into the depth, which the surface does not have.
+// - clip_length 9 mm, clip_reach 3 mm: a medium-large titanium clip, and the tissue that it gathers between its jaws.
 #include "preset/tables.h"
 
 namespace lapfx::preset {
@@ -85,6 +86,12 @@ constexpr Parameter rows[] = {
     number<&C::perfusion>(
         "perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
         "How fast blood flow carries heat away. Used by the model bioheat only. In the paper: the bio-heat equation."),
+    number<&C::clip_length>("clip_length", "Clip length", {4, 20, 0.5, "mm"},
+                            "How long the metal clips are that a clip applier sets."),
+    number<&C::clip_reach>(
+        "clip_reach", "Clip reach", {0.5, 10, 0.1, "mm"},
+        "How far from its middle line a clip holds the tissue shut: wounds there stop at once, and what "
+        "is cut there later does not bleed."),
 };
 
 constexpr Rule rules[] = {

@@ -6,6 +6,7 @@
 #include <sstream>
 #include <utility>
 
+#include "gl/generated_shaders.h"
 #include "lapfx/error.h"
 
 namespace lapfx::gl {
@@ -83,6 +84,7 @@ void append(ShaderSource& source, const std::string& name, const std::string& fr
     std::optional<std::string> text = text_on_disk(name);
     source.edited |= text.has_value();
     if (!text) text = embedded_text(name);
+    if (!text) text = generated_text(name);
     if (!text)
         throw Error(Failure::runtime, Fault{.file = from.empty() ? name : from,
                                             .place = "",

@@ -1,6 +1,9 @@
 #include "organ/gltf.h"
 
+#include <utility>
+
 #include "organ/gltf_accessor.h"
+#include "organ/gltf_codecs.h"
 #include "organ/gltf_material.h"
 #include "organ/gltf_nodes.h"
 
@@ -56,13 +59,17 @@ std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode,
     return out;
 }
 
+/// Once: where its mesh is shown again, its accessors have their bytes.
+void unpack(GltfDocument& document, tinygltf::Primitive& primitive, const std::string& place) {
+    const tinygltf::ExtensionMap packed = std::exchange(primitive.extensions, {});
+    for (const auto& [name, object] : packed)
+        if (const GltfCodec* const codec = find_codec(name); codec != nullptr && codec->decode_primitive != nullptr)
+            codec->decode_primitive(document, primitive, object, place);
+}
+
 RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive, const std::vector<UvUse>& uses,
                        const std::string& place, std::size_t& unreadable) {
     const int position = attribute(primitive, "POSITION");
-    if (primitive.extensions.contains("KHR_draco_mesh_compression") &&
-        (position < 0 || static_cast<std::size_t>(position) >= document.model.accessors.size() ||
-         document.model.accessors[static_cast<std::size_t>(position)].bufferView < 0))
-        refuse(document.file, place, "needs the extension KHR_draco_mesh_compression, which is not read");
     if (position < 0) refuse(document.file, place + "/attributes", "has no POSITION");
     if (primitive.material >= static_cast<int>(uses.size()) || primitive.material < -1)
         refuse(document.file, place + "/material",
@@ -132,13 +139,14 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
     std::vector<char> shown(document.model.meshes.size(), 0);
     for (const MeshInstance& instance : mesh_instances(document)) {
         shown[static_cast<std::size_t>(instance.mesh)] = 1;
-        const tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(instance.mesh)];
+        tinygltf::Mesh& mesh = document.model.meshes[static_cast<std::size_t>(instance.mesh)];
         for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
             if (!draws_triangles(mesh.primitives[i])) {
                 ++left_out;
                 continue;
             }
             const std::string place = "/meshes/" + std::to_string(instance.mesh) + "/primitives/" + std::to_string(i);
+            unpack(document, mesh.primitives[i], place);
             RawPart part = read_primitive(document, mesh.primitives[i], uses, place, organ.unreadable);
             part.name = !mesh.name.empty() ? mesh.name : instance.node;
             total += part.indices.size() / 3;

@@ -6,6 +6,7 @@
 
 #include "lapfx/authoring/file.h"
 #include "organ/gltf_check.h"
+#include "organ/gltf_codecs.h"
 #include "organ/meshopt.h"
 #include "organ/pack.h"
 #include "organ/raw.h"
@@ -18,9 +19,8 @@ using nlohmann::json;
 
 constexpr int maximum_depth = 64;
 
-/// Read in full, or safe to leave out: the surface is the same without them.
-constexpr const char* known_extensions[] = {"EXT_meshopt_compression",
-                                            "EXT_texture_webp",
+/// Read in full, or safe to leave out: the surface is the same without them. Besides these the codecs (gltf_codecs.h).
+constexpr const char* known_extensions[] = {"EXT_texture_webp",
                                             "KHR_mesh_quantization",
                                             "KHR_texture_transform",
                                             "KHR_materials_pbrSpecularGlossiness",
@@ -119,8 +119,8 @@ void check_head(const json& document, const std::string& file) {
     for (const json& name : required) {
         if (!name.is_string()) refuse(file, "/extensionsRequired", "contains something that is not a string");
         const std::string extension = name;
-        if (std::find(std::begin(known_extensions), std::end(known_extensions), extension) ==
-            std::end(known_extensions))
+        if (find_codec(extension) == nullptr && std::find(std::begin(known_extensions), std::end(known_extensions),
+                                                          extension) == std::end(known_extensions))
             refuse(file, "/extensionsRequired", "needs the extension " + extension + ", which is not read");
     }
 }
@@ -207,6 +207,40 @@ std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
 
+struct PackedIndices {
+    std::size_t mesh, primitive;
+    int accessor;
+};
+
+/// tinygltf wants bytes for all indices: those that a codec unpacks with their primitive are kept from it.
+std::vector<PackedIndices> take_packed_indices(json& document) {
+    std::vector<PackedIndices> taken;
+    if (!document.contains("meshes")) return taken;
+    const json none = json::array();
+    const json& accessors = document.contains("accessors") ? document["accessors"] : none;
+    std::size_t mesh_number = 0;
+    for (json& mesh : document["meshes"]) {
+        const std::size_t m = mesh_number++;
+        if (!mesh.contains("primitives")) continue;
+        for (std::size_t p = 0; p < mesh["primitives"].size(); ++p) {
+            json& primitive = mesh["primitives"][p];
+            if (!primitive.contains("indices") || !primitive.contains("extensions")) continue;
+            const auto accessor = primitive["indices"].get<std::int64_t>();
+            if (accessor < 0 || accessor >= static_cast<std::int64_t>(accessors.size()) ||
+                accessors[static_cast<std::size_t>(accessor)].contains("bufferView"))
+                continue;
+            for (const auto& [name, object] : primitive["extensions"].items()) {
+                const GltfCodec* const codec = find_codec(name);
+                if (codec == nullptr || codec->decode_primitive == nullptr) continue;
+                taken.push_back({m, p, static_cast<int>(accessor)});
+                primitive.erase("indices");
+                break;
+            }
+        }
+    }
+    return taken;
+}
+
 void run_tinygltf(GltfDocument& document, const json& structure) {
     const std::string text = structure.dump();
     if (text.size() > 0x7fffffff) refuse(document.file, "", "its JSON is larger than 2 GiB");
@@ -219,9 +253,6 @@ void run_tinygltf(GltfDocument& document, const json& structure) {
     } catch (const std::exception& fault) {
         error = fault.what();
     }
-    const auto& used = document.model.extensionsUsed;
-    if (!done && std::find(used.begin(), used.end(), "KHR_draco_mesh_compression") != used.end())
-        refuse(document.file, "/extensionsUsed", "needs the extension KHR_draco_mesh_compression, which is not read");
     // It drops a primitive that it cannot read with no more than a message, and goes on.
     if (!done || !error.empty()) refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
 }
@@ -243,7 +274,10 @@ GltfDocument read_gltf_document(const std::filesystem::path& path, const std::st
     document.has_skins = structure.contains("skins");
     for (const char* unused : {"animations", "cameras", "samplers", "skins", "extensions"}) structure.erase(unused);
     mend_materials(structure, document.warnings);
+    const std::vector<PackedIndices> packed = take_packed_indices(structure);
     run_tinygltf(document, structure);
+    for (const PackedIndices& indices : packed)
+        document.model.meshes[indices.mesh].primitives[indices.primitive].indices = indices.accessor;
     read_buffers(document, buffers, chunks.binary);
     read_images(document, images);
     return document;
@@ -255,8 +289,9 @@ std::span<const std::uint8_t> GltfDocument::view(int index, const std::string& p
     if (const auto done = decoded.find(index); done != decoded.end()) return done->second;
     const tinygltf::BufferView& view = model.bufferViews[static_cast<std::size_t>(index)];
     const std::string view_place = "/bufferViews/" + std::to_string(index);
-    if (const auto compressed = view.extensions.find("EXT_meshopt_compression"); compressed != view.extensions.end())
-        return decoded[index] = decode_meshopt(*this, compressed->second, view_place);
+    for (const auto& [name, object] : view.extensions)
+        if (const GltfCodec* const codec = find_codec(name); codec != nullptr && codec->decode_view != nullptr)
+            return decoded[index] = codec->decode_view(*this, object, view_place);
     return bytes_of(*this, view.buffer, view.byteOffset, view.byteLength, view_place);
 }
 

@@ -22,6 +22,9 @@ class MovedSurface {
     glm::dvec3 to_rest(const glm::dvec3& place) const;
     bool intersect_ray(const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 
+    /// Its triangles as they are now, for places that stay on them.
+    TriangleMesh now() const { return moved() ? mesh() : rest_.mesh(); }
+
     /// Smooth normals of the moved shape, by area and over welded vertices, into `normals` (per organ vertex).
     void normals(std::span<glm::vec3> normals);
 

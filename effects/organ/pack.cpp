@@ -1,12 +1,11 @@
 #include "organ/pack.h"
 
 #include <algorithm>
-#include <array>
 
 #include "lapfx/authoring/file.h"
 #include "lapfx/error.h"
 #include "media/image.h"
-#include "organ/load.h"
+#include "organ/formats.h"
 #include "organ/raw.h"
 
 namespace lapfx {
@@ -33,22 +32,9 @@ bool is_plain(char c) {
 
 /// Of a picture, by what it starts with: its own name may say anything.
 std::string_view picture_extension(const organ::Bytes& bytes) {
-    switch (bytes.empty() ? 0 : bytes[0]) {
-        case 0x89:
-            return ".png";
-        case 0xff:
-            return ".jpg";
-        case 'R':
-            return ".webp";
-        default:
-            return ".bmp";
-    }
-}
-
-std::string_view mesh_extension(organ::Format format, const organ::Bytes& bytes) {
-    constexpr std::array<std::string_view, 5> extensions{".gltf", ".obj", ".ply", ".stl", ".off"};
-    const bool binary = format == organ::Format::gltf && !bytes.empty() && bytes[0] == 'g';
-    return binary ? ".glb" : extensions.at(static_cast<std::size_t>(format));
+    const FileFormat* const format = format_beginning({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    return format != nullptr && format->texture ? format->extensions.front()
+                                                : ".bmp";  // that decodes, and begins otherwise
 }
 
 }  // namespace
@@ -108,13 +94,11 @@ std::string organ::Packing::add_buffer(const fs::path& file, std::size_t length,
 std::vector<PackedFile> pack_organ(const fs::path& path) {
     const std::string file = path.string();
     organ::Bytes bytes = organ::read_file(path, file);
-    const organ::Format format = organ::format_of(path, bytes);
-    if (format == organ::Format::unknown) organ::refuse_format(file);
+    const organ::MeshFormat& format = organ::mesh_format(path, file, bytes);
     organ::Packing packing(path.parent_path());
     // First, so that it has the best name; what it names follows from it.
-    const std::string name = packing.add(organ::PackedKind::mesh, path, mesh_extension(format, bytes), {});
-    if (format == organ::Format::obj) bytes = organ::pack_obj(bytes, packing);
-    if (format == organ::Format::gltf) bytes = organ::pack_gltf(bytes, file, packing);
+    const std::string name = packing.add(organ::PackedKind::mesh, path, format.file.extensions.front(), {});
+    if (format.pack != nullptr) bytes = format.pack(bytes, file, packing);
     packing.files.front().bytes = std::move(bytes);
     return std::move(packing.files);
 }

@@ -32,7 +32,8 @@ constexpr std::string_view scale_help =
     "Size of one unit of the file. 0 follows the format: glTF is in metres, others in mm.";
 
 constexpr Parameter organ_rows[] = {
-    required(path<&SceneOrgan::file>("file", "File", "The organ's surface: .glb, .gltf, .obj, .ply, .stl or .off.")),
+    required(path<&SceneOrgan::file>("file", "File",
+                                     "The organ's surface: a mesh; `lapfx inspect --help` lists the formats.")),
     number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help),
     vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
                                   "Turns about the x, then the y, then the z axis."),
@@ -84,13 +85,33 @@ constexpr Parameter light_rows[] = {
     color<&SceneLight::color>("color", "Colour", "Colour of the lamp."),
 };
 
-constexpr std::string_view actions[] = {"cauterise", "cut", "coagulate", "tear", "suction", "irrigation"};
+constexpr auto actions = [] {
+    std::array<std::string_view, tool_action_count> keys{};
+    for (std::size_t i = 0; i < keys.size(); ++i) keys[i] = tool_actions[i].key;
+    return keys;
+}();
+
+/// Calls take(part, at) for each part of "cauterise: heat that ... smokes. cut: ..."; gives its length.
+constexpr std::size_t each_help_part(auto take) {
+    std::size_t length = 0;
+    for (const ToolActionRow& row : tool_actions)
+        for (const std::string_view part : {row.key, std::string_view(": "), row.help, std::string_view(". ")}) {
+            take(part, length);
+            length += part.size();
+        }
+    return length;
+}
+constexpr auto action_help = [] {
+    std::array<char, each_help_part([](std::string_view, std::size_t) {})> text{};
+    each_help_part([&](std::string_view part, std::size_t at) {
+        for (std::size_t i = 0; i < part.size(); ++i) text[at + i] = part[i];
+    });
+    return text;
+}();
 
 using E = ToolContact;
 constexpr Parameter event_rows[] = {
-    choice<&E::action>("action", "Action", actions,
-                       "cauterise: heat, which closes, chars or divides tissue. cut and tear: a wound. coagulate: heat "
-                       "that only closes wounds. suction and irrigation remove blood."),
+    choice<&E::action>("action", "Action", actions, std::string_view(action_help.data(), action_help.size() - 1)),
     number<&E::time>("time", "Time", event_time, "When the tool touches the organ."),
     number<&E::duration>("duration", "Duration", event_time, "How long it touches the organ."),
     required(vector<&E::position>("position", "Position", place, "Where it touches.")),

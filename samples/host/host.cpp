@@ -106,7 +106,12 @@ struct Host {
                                {l.intensity, l.focus_distance, l.beam_angle, lapfx::Lamp{}.ambient, l.color}};
         effects.seek(time);
         frame.begin(size);
-        own ? draw_organ(view) : effects.draw_organ(view);
+        if (own) {
+            draw_organ(view);
+            effects.draw_clips(view);
+        } else {
+            effects.draw_organ(view);
+        }
         frame.begin_smoke();
         effects.draw_smoke(view, frame.depth());
         frame.finish(framebuffer, {.exposure = c.exposure, .vignette = c.vignette});

@@ -70,7 +70,7 @@ extern "C" int triangles(const char* file) {
 """
 
 # All that lapfx's CMake files look for: what the core links, and what builds it.
-NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
+NEEDED = {"Threads", "glm", "nlohmann_json", "OpenMesh", "draco", "PkgConfig", "tinygltf", "egl", "libavformat", "libavcodec",
           "libavutil", "libswscale", "opencv2/core.hpp", "opencv_core", "opencv_imgproc", "opencv_imgcodecs", "glad", "ccache"}
 DRAWING = {"egl", "glad"}
 # What a program that scores is neither made of nor linked to. (Debian's libopencv_core loads libGLX for itself.)

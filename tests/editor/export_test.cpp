@@ -186,7 +186,7 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
         c.preset.smoke.clips = {{.file = "clips/mine.mp4"}};
     });
     editor().commands.run("export.open");
-    form().kind = static_cast<int>(app::ExportKind::preset);
+    form().kind = static_cast<int>(output::OutputKind::preset);
     set_file(path("out/alone.json"));
     EXPECT_THAT(std::string(editor().exports().fault_at("clips")), HasSubstr("is outside"));
     ui().click("New export/Form/Make a bundle instead").frame();
@@ -203,7 +203,7 @@ TEST_F(ExportTest, APresetThatCannotStandAloneBecomesABundle) {
 TEST_F(ExportTest, APresetAlone) {
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9.25; });
     editor().commands.run("export.open");
-    form().kind = static_cast<int>(app::ExportKind::preset);
+    form().kind = static_cast<int>(output::OutputKind::preset);
     set_file(path("p.json"));
     export_it();
     EXPECT_EQ(load_preset(folder() / "p.json").bleeding.speed, 9.25);
@@ -216,7 +216,7 @@ TEST_F(ExportTest, APresetWaitsForNoJob) {
     const HeldJobs held(editor().jobs);
     open_sample();
     open_dialog("export.open");
-    form().kind = static_cast<int>(app::ExportKind::preset);
+    form().kind = static_cast<int>(output::OutputKind::preset);
     set_file(path("p.json"));
     EXPECT_FALSE(editor().exports().replaces());
     ui().click("New export/Export");
@@ -466,7 +466,7 @@ TEST_F(ExportTest, TheDialogKeepsItsSize) {
     const ui::Rect before = ui().rect("New export");
     form().size = static_cast<int>(app::export_sizes.size()) - 1;
     form().amounts = true;
-    for (const std::string_view kind : app::export_names) {
+    for (const std::string_view kind : output::output_titles()) {
         ui().click("New export/What/" + std::string(kind)).frame();
         const ui::Rect now = ui().rect("New export"), buttons = ui().rect("New export/Export");
         EXPECT_EQ(now.h, before.h) << kind;

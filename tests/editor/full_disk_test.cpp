@@ -129,7 +129,7 @@ class FullDisk : public EditorTest {
         EXPECT_EQ(editor().document.preset().bleeding.speed, 7.5);
     }
     /// An old file of that name, while so many bytes are free.
-    void expect_export_leaves(const std::string& name, app::ExportKind kind, std::size_t room,
+    void expect_export_leaves(const std::string& name, output::OutputKind kind, std::size_t room,
                               const testing::Matcher<std::string>& reason) {
         const fs::path file = disk().folder() / name;
         std::ofstream(file) << "old";
@@ -150,7 +150,7 @@ class FullDisk : public EditorTest {
     void press_save(ui::Mods mods) {
         disk().write([&] { ui().key('S', mods).frame(); });
     }
-    void export_to(app::ExportKind kind, const fs::path& file) {
+    void export_to(output::OutputKind kind, const fs::path& file) {
         app::Exports& exports = editor().exports();
         exports.propose(kind);
         exports.form.file() = file.string();
@@ -191,7 +191,7 @@ TEST_F(FullDisk, OneThatIsReadOnlyIsToldAsThat) {
     expect_told("own.scene.json", HasSubstr("Read-only file system"));
     expect_as_before();
     app::Exports& exports = editor().exports();
-    exports.propose(app::ExportKind::picture);
+    exports.propose(output::OutputKind::picture);
     exports.form.file() = (disk().folder() / "out.png").string();
     EXPECT_EQ(exports.fault_at("-o"), disk().folder().string() + " cannot be written to");
 }
@@ -210,20 +210,20 @@ TEST_F(FullDisk, AFolderThatHasBecomeAFileIsTold) {
 }
 
 TEST_F(FullDisk, APresetExportedLeavesTheOldOne) {
-    expect_export_leaves("old.json", app::ExportKind::preset, 0, no_room);
+    expect_export_leaves("old.json", output::OutputKind::preset, 0, no_room);
 }
 
 TEST_F(FullDisk, APictureLeavesTheOldOne) {
-    expect_export_leaves("out.png", app::ExportKind::picture, 16384, no_room);
+    expect_export_leaves("out.png", output::OutputKind::picture, 16384, no_room);
 }
 
 TEST_F(FullDisk, AVideoLeavesTheOldOneAndSaysWhy) {
-    expect_export_leaves("out.mp4", app::ExportKind::video, 8192, HasSubstr("is the disk full?"));
+    expect_export_leaves("out.mp4", output::OutputKind::video, 8192, HasSubstr("is the disk full?"));
 }
 
 TEST_F(FullDisk, AVideoWithNoRoomAtAllSaysWhyToo) {
     disk().fill();
-    export_to(app::ExportKind::video, disk().folder() / "out.mp4");
+    export_to(output::OutputKind::video, disk().folder() / "out.mp4");
     EXPECT_THAT(disk().names(), testing::IsEmpty());
     EXPECT_THAT(ui().dump(), testing::AllOf(HasSubstr("out.mp4: writing failed: "), no_room));
 }

@@ -59,8 +59,8 @@ TEST_F(HelpTest, AboutTellsVersionPaperAndLicences) {
     EXPECT_NE(told.find("lapfx " + version), std::string::npos) << version;
     EXPECT_NE(told.find("doi:10.1002/rcs.353"), std::string::npos);
     EXPECT_NE(told.find("test (software)"), std::string::npos) << "the renderer";
-    for (const char* library : {"FFmpeg", "OpenCV", "OpenMesh", "tinygltf", "meshoptimizer", "GLM", "nlohmann/json",
-                                "CLI11", "GLFW", "glad", "FreeType", "HarfBuzz", "fontconfig"})
+    for (const char* library : {"FFmpeg", "OpenCV", "OpenMesh", "tinygltf", "meshoptimizer", "Draco", "GLM",
+                                "nlohmann/json", "CLI11", "GLFW", "glad", "FreeType", "HarfBuzz", "fontconfig"})
         EXPECT_TRUE(ui().exists("About lapfx/What it is/" + std::string(library))) << library;
     ui().click("About lapfx/Copy").frame();
     EXPECT_EQ(ui().clipboard().text, "lapfx " + version + ", OpenGL: test (software)");

@@ -191,8 +191,9 @@ TEST_F(TimelinePanelTest, ABrokenOrganIsToldInTheDialogAndNothingChanges) {
 /// Of every kind of tool one event.
 void of_every_kind(document::Content& c) {
     c.scene.events.clear();
-    for (int action = 0; action < 6; ++action)
-        c.scene.events.push_back({.action = static_cast<ToolAction>(action), .time = 1.0 + action, .duration = 0.5});
+    for (const ToolActionRow& row : tool_actions)
+        c.scene.events.push_back(
+            {.action = row.action, .time = 1.0 + static_cast<double>(c.scene.events.size()), .duration = 0.5});
 }
 
 TEST_F(TimelinePanelTest, TheFormStaysInSightWhateverTracksThereAre) {

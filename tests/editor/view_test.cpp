@@ -105,6 +105,29 @@ TEST_F(ViewPanelTest, AToolHeldOnTheOrganBecomesAnEvent) {
     EXPECT_EQ(differing(clean, picture(10), 0), 0U) << "undone to the pixel";
 }
 
+TEST_F(ViewPanelTest, AClipIsSetWhereTheToolIsPressedAndUndone) {
+    const Image clean = picture(10);
+    const std::size_t before = events().size();
+    const glm::dvec3 place = place_at({0.6F, 0.45F});
+    ui().key('7');
+    ASSERT_EQ(editor().tool.action, ToolAction::clip);
+    EXPECT_TRUE(ui().exists("View/**/Clip")) << "in the row of tools";
+    EXPECT_FALSE(ui().exists("**/Power")) << "it has none";
+    ui().press(preview, {0.6F, 0.45F});
+    hold(8);
+    ui().release();
+    ASSERT_EQ(events().size(), before + 1);
+    EXPECT_EQ(events().back().action, ToolAction::clip);
+    EXPECT_LT(glm::distance(events().back().position, place), 0.5);
+    EXPECT_EQ(editor().document.steps().back().name, "Clip");
+    ui().frame();
+    EXPECT_TRUE(ui().exists("**/Clip 1")) << "on the timeline";
+    EXPECT_GT(differing(clean, picture(10)), 20U);
+    editor().document.undo();
+    EXPECT_EQ(events().size(), before);
+    EXPECT_EQ(differing(clean, picture(10), 0), 0U) << "undone to the pixel";
+}
+
 TEST_F(ViewPanelTest, ATrailFollowsThePointerAndTheSceneGetsLonger) {
     editor().seek(11.9);
     ui().frame();

@@ -61,7 +61,7 @@ class WholeTest : public EditorTest {
             for (int x = 0; x < bgr.cols; ++x) count += bgr.at<cv::Vec3b>(y, x) != file.at<cv::Vec3b>(y, x) ? 1U : 0U;
         return count;
     }
-    void run_export(app::ExportKind kind, const fs::path& file, double time) {
+    void run_export(output::OutputKind kind, const fs::path& file, double time) {
         app::Exports& exports = editor().exports();
         exports.propose(kind);
         exports.form.file() = file.string();
@@ -107,9 +107,9 @@ TEST_F(WholeTest, LoadTuneUndoExportAndRenderTheSamePixels) {
     // What is exported is what is seen.
     const double time = 6;
     const Image shown = view(time);
-    run_export(app::ExportKind::picture, folder() / "shown.png", time);
+    run_export(output::OutputKind::picture, folder() / "shown.png", time);
     EXPECT_EQ(unlike(shown, cv::imread((folder() / "shown.png").string())), 0U);
-    run_export(app::ExportKind::bundle, folder() / "whole", time);
+    run_export(output::OutputKind::bundle, folder() / "whole", time);
 
     // The bundle alone, rendered headless by the program.
     const fs::path program = fs::path(LAPFX_BINARY_DIR) / "lapfx";

@@ -80,6 +80,8 @@ struct CauteryParameters {
     double maximum_temperature = 400.0;
     double diffusivity = 0.13;
     double perfusion = 0.02;
+    double clip_length = 9.0;
+    double clip_reach = 3.0;
 
     friend bool operator==(const CauteryParameters&, const CauteryParameters&) = default;
 };

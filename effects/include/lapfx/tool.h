@@ -2,22 +2,99 @@
 #pragma once
 
 #include <cmath>
+#include <cstddef>
 #include <glm/glm.hpp>
+#include <iterator>
+#include <string_view>
 
 namespace lapfx {
 
-enum class ToolAction {
-    cauterise,   ///< heats; above the cut temperature the tissue divides and may bleed; smokes
-    cut,         ///< divides cold: bleeds at once, no smoke
-    coagulate,   ///< heats gently, below charring: wounds near it close; smokes
-    tear,        ///< blunt dissection: bleeds at once, 0.6 times as strongly, no heat, no smoke
-    suction,     ///< takes blood away around the tip, which need not touch
-    irrigation,  ///< rinses blood away around the tip, which need not touch, and downhill of it
+enum class ToolAction { cauterise, cut, coagulate, tear, suction, irrigation, clip };
+
+/// All that is known of an action, for what reads and writes scenes and for user interfaces: one row each, in the order
+/// of the enumerators. What an action does is where its flag is asked for, or its enumerator.
+struct ToolActionRow {
+    ToolAction action;
+    std::string_view key;    ///< in JSON: "cauterise"
+    std::string_view title;  ///< "Cauterise"
+    std::string_view help;   ///< what it does, in a few words that go on behind a colon
+    std::string_view
+        reach;  ///< the preset's parameter that says how far around the tip it works, mm: "cautery.tip_radius"
+    bool divides = false;  ///< opens wounds, with the strength of the contact
+    bool hot = false;      ///< heats, with the power of the contact, and smokes
+    bool clears = false;   ///< takes blood away, also where the tip does not touch
+    char shortcut = 0;     ///< in the editor
+    int color = 0;         ///< of its track on a timeline: 0 to 7, of a theme's series
 };
 
+inline constexpr ToolActionRow tool_actions[] = {
+    {.action = ToolAction::cauterise,
+     .key = "cauterise",
+     .title = "Cauterise",
+     .help = "heat that closes wounds, chars, and above the cut temperature divides tissue; smokes",
+     .reach = "cautery.tip_radius",
+     .divides = true,
+     .hot = true,
+     .shortcut = '1',
+     .color = 0},
+    {.action = ToolAction::cut,
+     .key = "cut",
+     .title = "Cut",
+     .help = "divides cold: bleeds at once, no smoke",
+     .reach = "vessels.region",
+     .divides = true,
+     .shortcut = '2',
+     .color = 1},
+    {.action = ToolAction::coagulate,
+     .key = "coagulate",
+     .title = "Coagulate",
+     .help = "gentle heat, below charring, that closes wounds; smokes",
+     .reach = "cautery.tip_radius",
+     .hot = true,
+     .shortcut = '3',
+     .color = 2},
+    {.action = ToolAction::tear,
+     .key = "tear",
+     .title = "Tear",
+     .help = "blunt dissection: bleeds at once, 0.6 times as strongly as a cut, no smoke",
+     .reach = "vessels.region",
+     .divides = true,
+     .shortcut = '4',
+     .color = 3},
+    {.action = ToolAction::suction,
+     .key = "suction",
+     .title = "Suction",
+     .help = "takes blood away around the tip, which need not touch, and haze",
+     .reach = "bleeding.suction_radius",
+     .clears = true,
+     .shortcut = '5',
+     .color = 4},
+    {.action = ToolAction::irrigation,
+     .key = "irrigation",
+     .title = "Irrigation",
+     .help = "rinses blood away around the tip, which need not touch, and downhill of it",
+     .reach = "bleeding.irrigation_radius",
+     .clears = true,
+     .shortcut = '6',
+     .color = 5},
+    {.action = ToolAction::clip,
+     .key = "clip",
+     .title = "Clip",
+     .help = "sets a metal clip where the stroke begins, which stays; what bleeds under it stops at once",
+     .reach = "cautery.clip_reach",
+     .shortcut = '7',
+     .color = 6},
+};
+
+inline constexpr std::size_t tool_action_count = std::size(tool_actions);
+
+constexpr const ToolActionRow& row_of(ToolAction action) noexcept {
+    return tool_actions[static_cast<std::size_t>(action)];
+}
+
 /// Whether it divides tissue, so that a wound may open.
-inline bool divides(ToolAction action) noexcept {
-    return action == ToolAction::cauterise || action == ToolAction::cut || action == ToolAction::tear;
+constexpr bool divides(ToolAction action) noexcept {
+    return row_of(action).divides;
 }
 
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. Contacts
@@ -41,7 +118,7 @@ struct ToolContact {
         const double share = duration > 0.0 ? glm::clamp((t - time) / duration, 0.0, 1.0) : 1.0;
         return glm::mix(position, to, share);
     }
-    bool hot() const { return action == ToolAction::cauterise || action == ToolAction::coagulate; }
+    bool hot() const { return row_of(action).hot; }
 };
 
 /// mm between two contacts of one stroke: where only the power changes, the next one starts where the tip is a sample

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <string_view>
 
 namespace lapfx {
 
@@ -15,12 +16,47 @@ struct Lamp {
 };
 
 /// False colour over the tissue, for tuning: what the effects use but the picture does not show.
-enum class Overlay {
-    none,
-    vessels,  ///< density of vessels, blue
-    fat,      ///< density of fat, yellow
-    bleed,    ///< the bleed value: isolines every 2 mm, from blue at 0 to red at 20 mm
+enum class Overlay { none, vessels, fat, bleed };
+
+/// One row for each overlay, in the order of the enumerators. shaders/overlay.glsl draws them, and calls them
+/// OVERLAY_NONE and so on.
+struct OverlayRow {
+    Overlay overlay;
+    std::string_view key;           ///< of `lapfx render --overlay`: "vessels"
+    std::string_view title;         ///< "Vessels"
+    std::string_view command = {};  ///< of the editor, which turns it on and off: "Vessel overlay"; none: empty
+    std::string_view help;          ///< what its colours mean
+    bool densities = false;         ///< shows the densities of vessels and fat, which are sent for it
+    char shortcut = 0;              ///< in the editor
 };
+
+inline constexpr OverlayRow overlays[] = {
+    {.overlay = Overlay::none, .key = "none", .title = "No overlay", .help = "The tissue as it is"},
+    {.overlay = Overlay::vessels,
+     .key = "vessels",
+     .title = "Vessels",
+     .command = "Vessel overlay",
+     .help = "Density of vessels, blue",
+     .densities = true,
+     .shortcut = 'V'},
+    {.overlay = Overlay::fat,
+     .key = "fat",
+     .title = "Fat",
+     .command = "Fat overlay",
+     .help = "Density of fat, yellow",
+     .densities = true,
+     .shortcut = 'T'},
+    {.overlay = Overlay::bleed,
+     .key = "bleed",
+     .title = "Bleed value",
+     .command = "Bleed value overlay",
+     .help = "The bleed value: lines every 2 mm, from blue at 0 to red at 20 mm",
+     .shortcut = 'G'},
+};
+
+constexpr const OverlayRow& row_of(Overlay overlay) noexcept {
+    return overlays[static_cast<std::size_t>(overlay)];
+}
 
 /// Where the frame is seen from.
 struct View {

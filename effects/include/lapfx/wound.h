@@ -11,6 +11,8 @@ struct Wound {
     double start = 0.0;                                     ///< s
     double strength = 1.0;                                  ///< times the preset's speed
     double stop = std::numeric_limits<double>::infinity();  ///< s, when coagulation begins
+    double sealed =
+        std::numeric_limits<double>::infinity();  ///< s, when a clip ends its flow at once; `stop` is not later
 
     friend bool operator==(const Wound&, const Wound&) = default;
 };

@@ -1,6 +1,8 @@
 // Frames on their way to files: all of them or none.
 #include "output/frame_files.h"
 
+#include "output/kinds.h"
+
 #include <gmock/gmock.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -31,14 +33,14 @@ std::vector<std::string> files_in(const test::Folder& folder) {
 }
 
 TEST(FormOf, ByTheName) {
-    EXPECT_EQ(form_of("a/out.png"), FileForm::picture);
-    EXPECT_EQ(form_of("50%/out.png"), FileForm::picture);
-    EXPECT_EQ(form_of("out_%04d.png"), FileForm::sequence);
-    EXPECT_EQ(form_of("50%/out_%d.png"), FileForm::sequence);
-    EXPECT_EQ(form_of("out.mkv"), FileForm::video);
+    EXPECT_EQ(kind_named("a/out.png"), OutputKind::picture);
+    EXPECT_EQ(kind_named("50%/out.png"), OutputKind::picture);
+    EXPECT_EQ(kind_named("out_%04d.png"), OutputKind::sequence);
+    EXPECT_EQ(kind_named("50%/out_%d.png"), OutputKind::sequence);
+    EXPECT_EQ(kind_named("out.mkv"), OutputKind::video);
     for (const char* name : {"out.jpg", "out", "", "out_%s.png", "%d_%d.png"})
-        EXPECT_EQ(form_of(name), FileForm::unknown) << name;
-    EXPECT_EQ(form_of(std::string(1'000'000, 'a') + "%04d.png"), FileForm::unknown) << "no file is called so";
+        EXPECT_EQ(kind_named(name), std::nullopt) << name;
+    EXPECT_EQ(kind_named(std::string(1'000'000, 'a') + "%04d.png"), std::nullopt) << "no file is called so";
 }
 
 TEST(SequenceName, PadsItsNumber) {

@@ -71,9 +71,7 @@ TEST(Scene, NamesFaults) {
          "/preset: \"http://x/p.json\" is a URL or a protocol; expected the name of a local file"},
         {R"(, "events": [{"position": [0, 0, 0], "action": "cuts"}])",
          "/events/0/action: \"cuts\" is not one of \"cauterise\", \"cut\", \"coagulate\", \"tear\", \"suction\", "
-         "\"irrigation\"; nearest "
-         "is "
-         "\"cut\""},
+         "\"irrigation\", \"clip\"; nearest is \"cut\""},
         {R"(, "bleeding": {})", "/bleeding: unknown key; nearest is \"seed\""},
     };
     for (const Bad& bad : cases)

@@ -1,0 +1,203 @@
+#include "organ/draco.h"
+
+#include <draco/compression/decode.h>
+#include <draco/core/varint_decoding.h>
+#include <draco/metadata/metadata_decoder.h>
+
+#include <algorithm>
+#include <cstring>
+#include <memory>
+#include <new>
+#include <optional>
+#include <stdexcept>
+
+#include "organ/raw.h"
+
+namespace lapfx::organ {
+
+namespace {
+
+/// Draco packs a triangle into half a bit at best. A file that claims more would have room made for it before it is
+/// found out.
+constexpr std::size_t most_per_byte = 2000;
+
+/// What the data begins with says, before anything is made for it.
+struct Claim {
+    std::uint32_t triangles = 0, points = 0;
+};
+
+Claim claim_of(std::span<const std::uint8_t> bytes, const GltfDocument& document, const std::string& place) {
+    constexpr std::size_t header = 11;
+    constexpr std::uint16_t metadata = 0x8000;
+    const auto damaged = [&] { refuse(document.file, place, "its compressed data is damaged"); };
+    if (bytes.size() < header || std::memcmp(bytes.data(), "DRACO", 5) != 0) damaged();
+    const int major = bytes[5], minor = bytes[6], geometry = bytes[7], method = bytes[8];
+    if (major != 2 || minor != 2)
+        refuse(document.file, place,
+               "is of Draco's format " + std::to_string(major) + '.' + std::to_string(minor) + ", only 2.2 is read");
+    if (geometry != draco::TRIANGULAR_MESH) refuse(document.file, place, "contains points only");
+    draco::DecoderBuffer buffer;
+    buffer.Init(reinterpret_cast<const char*>(bytes.data()) + header, bytes.size() - header, 0x0202);
+    if (((bytes[9] | bytes[10] << 8) & metadata) != 0) {
+        draco::GeometryMetadata skipped;
+        if (!draco::MetadataDecoder().DecodeGeometryMetadata(&buffer, &skipped)) damaged();
+    }
+    Claim claim;
+    std::uint8_t traversal = 0;
+    const bool edges = method == draco::MESH_EDGEBREAKER_ENCODING;
+    const bool read =
+        edges ? buffer.Decode(&traversal) && draco::DecodeVarint(&claim.points, &buffer) &&
+                    draco::DecodeVarint(&claim.triangles, &buffer)
+              : draco::DecodeVarint(&claim.triangles, &buffer) && draco::DecodeVarint(&claim.points, &buffer);
+    if (!read) damaged();
+    const std::size_t most = std::min(maximum_triangles, most_per_byte * bytes.size());
+    if (claim.triangles > most || claim.points > 3 * most)
+        refuse(document.file, place,
+               "claims " + std::to_string(claim.triangles) + " triangles and " + std::to_string(claim.points) +
+                   " points in " + std::to_string(bytes.size()) + " bytes");
+    return claim;
+}
+
+int whole_number(const tinygltf::Value& object, const char* key, const std::string& file, const std::string& place) {
+    const tinygltf::Value& value = object.IsObject() ? object.Get(key) : object;
+    if (!object.IsObject() || !object.Has(key) || !value.IsInt() || value.GetNumberAsInt() < 0)
+        refuse(file, place, std::string(key) + " is missing or not a whole number from 0");
+    return value.GetNumberAsInt();
+}
+
+std::unique_ptr<draco::Mesh> decode(std::span<const std::uint8_t> bytes) {
+    draco::DecoderBuffer buffer;
+    buffer.Init(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    try {
+        auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
+        if (mesh.ok()) return std::move(mesh).value();
+    } catch (const std::bad_alloc&) {  // what a damaged file asks for
+    } catch (const std::length_error&) {
+    }
+    return nullptr;
+}
+
+/// The bytes that an accessor would have had: `T` is its componentType. Empty: a value is not of that type.
+template <class T>
+std::optional<Bytes> values_of(const draco::PointAttribute& attribute, std::uint32_t points) {
+    const auto components = static_cast<std::size_t>(attribute.num_components());
+    Bytes bytes(points * components * sizeof(T));
+    std::vector<T> value(components);
+    for (std::uint32_t p = 0; p < points; ++p) {
+        const draco::AttributeValueIndex at = attribute.mapped_index(draco::PointIndex(p));
+        if (at.value() >= attribute.size() || !attribute.ConvertValue<T>(at, value.data())) return std::nullopt;
+        std::memcpy(bytes.data() + p * components * sizeof(T), value.data(), components * sizeof(T));
+    }
+    return bytes;
+}
+
+std::optional<Bytes> values_of(const draco::PointAttribute& attribute, std::uint32_t points, int type) {
+    switch (type) {
+        case TINYGLTF_COMPONENT_TYPE_BYTE:
+            return values_of<std::int8_t>(attribute, points);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+            return values_of<std::uint8_t>(attribute, points);
+        case TINYGLTF_COMPONENT_TYPE_SHORT:
+            return values_of<std::int16_t>(attribute, points);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+            return values_of<std::uint16_t>(attribute, points);
+        case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+            return values_of<std::uint32_t>(attribute, points);
+        case TINYGLTF_COMPONENT_TYPE_FLOAT:
+            return values_of<float>(attribute, points);
+        default:
+            return std::nullopt;
+    }
+}
+
+const tinygltf::Accessor& accessor_at(const GltfDocument& document, int index, const std::string& place) {
+    if (index < 0 || static_cast<std::size_t>(index) >= document.model.accessors.size())
+        refuse(document.file, place, "accessor " + std::to_string(index) + " is not in the file");
+    return document.model.accessors[static_cast<std::size_t>(index)];
+}
+
+void require_count(const GltfDocument& document, std::size_t declared, std::size_t decoded, const std::string& what,
+                   const std::string& place) {
+    if (declared != decoded)
+        refuse(document.file, place,
+               what + " has " + std::to_string(declared) + " elements, the compressed data " + std::to_string(decoded));
+}
+
+/// A new accessor like `accessor`, for bytes of its own.
+int add_accessor(GltfDocument& document, tinygltf::Accessor accessor, Bytes bytes) {
+    accessor.bufferView = static_cast<int>(document.model.bufferViews.size());
+    accessor.byteOffset = 0;
+    document.model.bufferViews.emplace_back();
+    document.decoded[accessor.bufferView] = std::move(bytes);
+    document.model.accessors.push_back(std::move(accessor));
+    return static_cast<int>(document.model.accessors.size()) - 1;
+}
+
+int indices_of(GltfDocument& document, const draco::Mesh& mesh) {
+    Bytes bytes(mesh.num_faces() * sizeof(draco::Mesh::Face));
+    for (std::uint32_t f = 0; f < mesh.num_faces(); ++f) {
+        const draco::Mesh::Face& face = mesh.face(draco::FaceIndex(f));
+        for (std::size_t c = 0; c < 3; ++c) {
+            const std::uint32_t corner = face[c].value();
+            std::memcpy(bytes.data() + (3 * f + c) * sizeof corner, &corner, sizeof corner);
+        }
+    }
+    tinygltf::Accessor accessor;
+    accessor.componentType = TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
+    accessor.type = TINYGLTF_TYPE_SCALAR;
+    accessor.count = 3 * std::size_t{mesh.num_faces()};
+    return add_accessor(document, std::move(accessor), std::move(bytes));
+}
+
+int attribute_of(GltfDocument& document, const draco::Mesh& mesh, int accessor_index, int unique_id,
+                 const std::string& name, const std::string& place) {
+    const tinygltf::Accessor accessor = accessor_at(document, accessor_index, place);
+    const draco::PointAttribute* const attribute = mesh.GetAttributeByUniqueId(static_cast<std::uint32_t>(unique_id));
+    const std::string at = place + "/attributes/" + name;
+    if (attribute == nullptr)
+        refuse(document.file, at, "the compressed data has no attribute " + std::to_string(unique_id));
+    require_count(document, accessor.count, mesh.num_points(), name, place);
+    if (tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type)) != attribute->num_components())
+        refuse(document.file, at,
+               "the compressed data has " + std::to_string(attribute->num_components()) +
+                   " components, which the accessor has not");
+    std::optional<Bytes> bytes = values_of(*attribute, mesh.num_points(), accessor.componentType);
+    if (!bytes) refuse(document.file, at, "the compressed values are not of the accessor's componentType");
+    return add_accessor(document, accessor, std::move(*bytes));
+}
+
+bool has_bytes(const GltfDocument& document, int accessor, const std::string& place) {
+    return accessor_at(document, accessor, place).bufferView >= 0;
+}
+
+}  // namespace
+
+void decode_draco(GltfDocument& document, tinygltf::Primitive& primitive, const tinygltf::Value& object,
+                  const std::string& place) {
+    const std::string at = place + "/extensions/KHR_draco_mesh_compression";
+    const auto position = primitive.attributes.find("POSITION");
+    if (position == primitive.attributes.end()) refuse(document.file, place + "/attributes", "has no POSITION");
+    if (has_bytes(document, position->second, place + "/attributes/POSITION")) return;  // the same, not packed
+    const int view = whole_number(object, "bufferView", document.file, at);
+    if (!object.Has("attributes") || !object.Get("attributes").IsObject())
+        refuse(document.file, at, "attributes is missing or not an object");
+
+    const std::span<const std::uint8_t> bytes = document.view(view, at);
+    const Claim claim = claim_of(bytes, document, at);
+    if (primitive.indices >= 0)
+        require_count(document, accessor_at(document, primitive.indices, place + "/indices").count,
+                      3 * std::size_t{claim.triangles}, "indices", at);
+    const std::unique_ptr<draco::Mesh> mesh = decode(bytes);
+    if (mesh == nullptr) refuse(document.file, at, "its compressed data is damaged");
+
+    const tinygltf::Value& ids = object.Get("attributes");
+    for (auto& [name, accessor] : primitive.attributes)
+        if (ids.Has(name))
+            accessor =
+                attribute_of(document, *mesh, accessor, whole_number(ids, name.c_str(), document.file, at), name, at);
+    if (!ids.Has("POSITION")) refuse(document.file, at, "attributes has no POSITION");
+    primitive.indices = indices_of(document, *mesh);
+    primitive.mode = TINYGLTF_MODE_TRIANGLES;
+}
+
+}  // namespace lapfx::organ

@@ -1,0 +1,198 @@
+// KHR_draco_mesh_compression: what Draco's own encoder packs is read, and what is damaged is refused in one line.
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+
+#include "unit/organ/fixtures.h"
+
+namespace lapfx::test {
+namespace {
+
+using nlohmann::json;
+
+constexpr int side = 12;  // squares
+
+/// A sheet of 0.1 m that bulges, with texture coordinates and colours in bytes.
+glm::vec3 place(int x, int y) {
+    const float u = static_cast<float>(x) / side, v = static_cast<float>(y) / side;
+    return {0.1f * u, 0.1f * v, 0.02f * u * (1.0f - v)};
+}
+
+struct Packed {
+    std::string bytes;
+    int position = -1, uv = -1, color = -1;  ///< unique ids
+    std::uint32_t points = 0, triangles = 0;
+};
+
+Packed packed_sheet(int method) {
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(2 * side * side);
+    Packed made;
+    made.position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    made.uv = builder.AddAttribute(draco::GeometryAttribute::TEX_COORD, 2, draco::DT_FLOAT32);
+    made.color = builder.AddAttribute(draco::GeometryAttribute::COLOR, 4, draco::DT_UINT8);
+    std::uint32_t face = 0;
+    for (int y = 0; y < side; ++y)
+        for (int x = 0; x < side; ++x)
+            for (const auto& corners : {std::array<glm::ivec2, 3>{{{x, y}, {x + 1, y}, {x + 1, y + 1}}},
+                                        std::array<glm::ivec2, 3>{{{x, y}, {x + 1, y + 1}, {x, y + 1}}}}) {
+                std::array<glm::vec3, 3> p;
+                std::array<glm::vec2, 3> uv;
+                std::array<glm::u8vec4, 3> color;
+                for (std::size_t c = 0; c < 3; ++c) {
+                    p[c] = place(corners[c].x, corners[c].y);
+                    uv[c] = glm::vec2(corners[c]) / static_cast<float>(side);
+                    color[c] = {corners[c].x * 20, corners[c].y * 20, 7, 255};
+                }
+                const draco::FaceIndex f(face++);
+                builder.SetAttributeValuesForFace(made.position, f, &p[0], &p[1], &p[2]);
+                builder.SetAttributeValuesForFace(made.uv, f, &uv[0], &uv[1], &uv[2]);
+                builder.SetAttributeValuesForFace(made.color, f, &color[0], &color[1], &color[2]);
+            }
+    const std::unique_ptr<draco::Mesh> mesh = builder.Finalize();
+    draco::Encoder encoder;
+    encoder.SetEncodingMethod(method);
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::POSITION, 14);
+    encoder.SetAttributeQuantization(draco::GeometryAttribute::TEX_COORD, 12);
+    draco::EncoderBuffer buffer;
+    EXPECT_TRUE(encoder.EncodeMeshToBuffer(*mesh, &buffer).ok());
+    made.bytes.assign(buffer.data(), buffer.size());
+    made.position = static_cast<int>(mesh->attribute(made.position)->unique_id());
+    made.uv = static_cast<int>(mesh->attribute(made.uv)->unique_id());
+    made.color = static_cast<int>(mesh->attribute(made.color)->unique_id());
+    made.points = mesh->num_points();
+    made.triangles = mesh->num_faces();
+    return made;
+}
+
+/// As exporters write it: accessors without views, and one view with the compressed data.
+Triangle gltf_of(const Packed& packed) {
+    Triangle file;
+    file.binary.clear();
+    file.json["bufferViews"] = json::array();
+    file.json["extensionsUsed"] = file.json["extensionsRequired"] = {"KHR_draco_mesh_compression"};
+    const int view = file.add_view(packed.bytes);
+    file.json["accessors"] = {
+        {{"componentType", 5126}, {"count", packed.points}, {"type", "VEC3"}},
+        {{"componentType", 5126}, {"count", packed.points}, {"type", "VEC2"}},
+        {{"componentType", 5121}, {"count", packed.points}, {"type", "VEC4"}, {"normalized", true}},
+        {{"componentType", 5125}, {"count", 3 * packed.triangles}, {"type", "SCALAR"}}};
+    file.primitive() = {
+        {"attributes", {{"POSITION", 0}, {"TEXCOORD_0", 1}, {"COLOR_0", 2}}},
+        {"indices", 3},
+        {"extensions",
+         {{"KHR_draco_mesh_compression",
+           {{"bufferView", view},
+            {"attributes", {{"POSITION", packed.position}, {"TEXCOORD_0", packed.uv}, {"COLOR_0", packed.color}}}}}}}};
+    return file;
+}
+
+class DracoGltf : public testing::Test {
+  protected:
+    Organ load(const Triangle& file) { return load_organ(folder.write("t.glb", file.file())); }
+    std::string fault(const Triangle& file) { return fault_of(folder.write("t.glb", file.file())); }
+    static json& extension(Triangle& file) { return file.primitive()["extensions"]["KHR_draco_mesh_compression"]; }
+    TemporaryFolder folder;
+    const std::string at = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression: ";
+};
+
+TEST_F(DracoGltf, WhatTheEncoderPacksIsReadByEitherMethod) {
+    for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
+        const Packed packed = packed_sheet(method);
+        const Organ organ = load(gltf_of(packed));
+        ASSERT_EQ(organ.triangle_count(), 2U * side * side) << method;
+        EXPECT_TRUE(organ.has_colors && organ.has_uvs);
+        double area = 0;
+        for (std::size_t i = 0; i < organ.indices.size(); i += 3) {
+            const glm::vec3 a = organ.positions[organ.indices[i]];
+            area += glm::length(glm::cross(organ.positions[organ.indices[i + 1]] - a,
+                                           organ.positions[organ.indices[i + 2]] - a)) /
+                    2;
+        }
+        EXPECT_NEAR(area, 10'150, 60) << "of a sheet of 100 mm that bulges";
+        for (std::size_t v = 0; v < organ.positions.size(); ++v) {
+            // Which point of the sheet it is, its texture coordinate says; the rest goes with it.
+            const glm::ivec2 at_point(glm::round(organ.uvs[v] * static_cast<float>(side)));
+            EXPECT_LT(glm::distance(organ.positions[v], 1000.0f * place(at_point.x, at_point.y)), 0.02f) << v;
+            EXPECT_NEAR(organ.colors[v].r, static_cast<float>(20 * at_point.x) / 255, 1e-6f) << v;
+            EXPECT_NEAR(organ.colors[v].g, static_cast<float>(20 * at_point.y) / 255, 1e-6f) << v;
+        }
+    }
+}
+
+TEST_F(DracoGltf, AMeshThatIsShownTwiceIsDecodedOnceAndWhatIsNotPackedIsTaken) {
+    Triangle file = gltf_of(packed_sheet(draco::MESH_EDGEBREAKER_ENCODING));
+    file.json["nodes"] = json::parse(R"([{"mesh": 0}, {"mesh": 0, "translation": [0, 0, 1]}])");
+    file.json["scenes"][0]["nodes"] = {0, 1};
+    EXPECT_EQ(load(file).triangle_count(), 4U * side * side);
+    // The extension is only used, and the accessors have bytes: those count.
+    Triangle plain;
+    plain.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0},
+                                                                     {"attributes", {{"POSITION", 0}}}};
+    plain.json["extensionsUsed"] = {"KHR_draco_mesh_compression"};
+    EXPECT_EQ(load(plain).positions[1], glm::vec3(100, 0, 0));
+}
+
+TEST_F(DracoGltf, WhatDoesNotMatchIsRefused) {
+    const Packed packed = packed_sheet(draco::MESH_EDGEBREAKER_ENCODING);
+    const auto refused = [&](const std::string& reason, auto change) {
+        Triangle file = gltf_of(packed);
+        change(file);
+        EXPECT_EQ(fault(file), reason);
+    };
+    const std::string here = "/meshes/0/primitives/0/extensions/KHR_draco_mesh_compression";
+    refused(here + "/attributes/POSITION: the compressed data has no attribute 77",
+            [&](Triangle& f) { extension(f)["attributes"]["POSITION"] = 77; });
+    refused(here + ": POSITION is missing or not a whole number from 0",
+            [&](Triangle& f) { extension(f)["attributes"]["POSITION"] = -1; });
+    refused(here + "/attributes/POSITION: the compressed data has 2 components, which the accessor has not",
+            [&](Triangle& f) { extension(f)["attributes"]["POSITION"] = packed.uv; });
+    refused(here + ": POSITION has 7 elements, the compressed data " + std::to_string(packed.points),
+            [&](Triangle& f) { f.json["accessors"][0]["count"] = 7; });
+    refused(here + ": indices has 3 elements, the compressed data " + std::to_string(3 * packed.triangles),
+            [&](Triangle& f) { f.json["accessors"][3]["count"] = 3; });
+    refused(here + "/attributes/COLOR_0: the compressed values are not of the accessor's componentType",
+            [&](Triangle& f) { f.json["accessors"][2]["componentType"] = 5120; });
+    refused(here + ": bufferView is missing or not a whole number from 0",
+            [&](Triangle& f) { extension(f).erase("bufferView"); });
+    refused(here + ": buffer view 9 is not in the file", [&](Triangle& f) { extension(f)["bufferView"] = 9; });
+    refused(here + ": attributes is missing or not an object", [&](Triangle& f) { extension(f).erase("attributes"); });
+    refused(here + ": attributes has no POSITION", [&](Triangle& f) { extension(f)["attributes"].erase("POSITION"); });
+}
+
+TEST_F(DracoGltf, DamagedDataIsRefusedAtEveryByte) {
+    for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
+        const Packed packed = packed_sheet(method);
+        for (std::size_t length = 0; length < packed.bytes.size(); length += 1 + length / 16) {
+            Packed cut = packed;
+            cut.bytes.resize(std::max<std::size_t>(length, 1));
+            EXPECT_EQ(fault(gltf_of(cut)), at + "its compressed data is damaged") << length;
+        }
+        // Any byte may be another one: it is refused or read, and no more is asked of the machine than for the sheet.
+        std::size_t refused = 0;
+        for (std::size_t i = 0; i < packed.bytes.size(); ++i) {
+            Packed wrong = packed;
+            wrong.bytes[i] = static_cast<char>(wrong.bytes[i] ^ (i % 2 == 0 ? 0xff : 0x11));
+            const fs::path file = folder.write("t.glb", gltf_of(wrong).file());
+            refused += !fault_of(file).empty();
+        }
+        EXPECT_GT(refused, 15U) << "the header alone has as many";
+    }
+}
+
+TEST_F(DracoGltf, WhatClaimsMoreThanItCanHoldIsRefused) {
+    Packed packed = packed_sheet(draco::MESH_SEQUENTIAL_ENCODING);
+    // Behind the header: triangles and points, as numbers of seven bits a byte.
+    const std::string huge = "\xff\xff\xff\x7f";
+    packed.bytes = packed.bytes.substr(0, 11) + huge + huge + packed.bytes.substr(15);
+    EXPECT_EQ(fault(gltf_of(packed)), at + "claims 268435455 triangles and 268435455 points in " +
+                                          std::to_string(packed.bytes.size()) + " bytes");
+    Packed old = packed_sheet(draco::MESH_EDGEBREAKER_ENCODING);
+    old.bytes[6] = 1;
+    EXPECT_EQ(fault(gltf_of(old)), at + "is of Draco's format 2.1, only 2.2 is read");
+    old.bytes[6] = 2;
+    old.bytes[7] = 0;
+    EXPECT_EQ(fault(gltf_of(old)), at + "contains points only");
+}
+
+}  // namespace
+}  // namespace lapfx::test
