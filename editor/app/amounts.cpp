@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/editor.h"
+#include "lapfx/authoring/compare.h"
 
 namespace lapfx::app {
 
@@ -17,27 +18,11 @@ constexpr double sample_time = 0.05;    // s, within the counts below
 constexpr double fewest = 60, most = 600;
 constexpr double never = std::numeric_limits<double>::infinity();
 
-std::string organ_key(const Scene& scene) {
-    Scene key;
-    key.organ = scene.organ;
-    key.organ.color = SceneOrgan().color;  // only looked at
-    key.gravity = scene.gravity;
-    return write_scene(key) + scene.folder.string();
-}
-
-/// All that the amounts of a scene with a preset depend on.
-std::string key_of(const document::Content& content) {
-    Scene scene;
-    scene.duration = content.scene.duration;
-    scene.events = content.scene.events;
-    scene.curves = content.scene.curves;
-    Preset preset;
-    preset.bleeding = content.preset.bleeding;
-    preset.vessels = content.preset.vessels;
-    preset.cautery = content.preset.cautery;
-    preset.smoke.plume = content.preset.smoke.plume;
-    preset.smoke.haze = content.preset.smoke.haze;
-    return organ_key(content.scene) + write_scene(scene) + write_preset(preset);
+/// Whether the amounts of both are the same, as far as the tables know.
+bool same_amounts(const document::Content& a, const document::Content& b) {
+    const unsigned differ =
+        difference(scene_table(), &a.scene, &b.scene) | difference(preset_table(), &a.preset, &b.preset);
+    return (differ & redo::amounts) == 0 && a.scene.folder == b.scene.folder;
 }
 
 }  // namespace
@@ -83,7 +68,7 @@ AmountsOverTime::~AmountsOverTime() {
 }
 
 bool AmountsOverTime::stale() const {
-    return followed_ != editor_.document.version() || known_ != wanted_key_;
+    return followed_ != editor_.document.version() || known_ != wanted_content_;
 }
 
 void AmountsOverTime::lay_over(AmountSeries series) {
@@ -111,18 +96,19 @@ void AmountsOverTime::update(double now) {
 void AmountsOverTime::follow(double now) {
     const std::uint64_t organ = editor_.preview.organ_version();
     if (followed_ != editor_.document.version() || organ_ != organ) {
+        const document::Content& content = editor_.document.content();
+        if (wanted_content_ == 0 || organ_ != organ || !same_amounts(of_, content))
+            of_ = content, ++wanted_content_, changed_at_ = now;
         followed_ = editor_.document.version(), organ_ = organ;
-        std::string key = key_of(editor_.document.content()) + std::to_string(organ);
-        if (key != wanted_key_) wanted_key_ = std::move(key), changed_at_ = now;
     }
-    if (wanted_key_ == known_ || (job_ && asked_ == wanted_key_)) return;
+    if (wanted_content_ == known_ || (job_ && asked_ == wanted_content_)) return;
     if (job_) job_->cancel(), job_.reset();
     const bool settled = scene_ == nullptr || editor_.options().exact || now >= changed_at_ + settled_after;
     if (settled)
         start();
     else
         due_ = changed_at_ + settled_after;
-    if (settled && !job_ && known_ != wanted_key_) due_ = now + look_again;  // the organ is on its way
+    if (settled && !job_ && known_ != wanted_content_) due_ = now + look_again;  // the organ is on its way
 }
 
 /// It is on its way, or the preview tells what keeps it.
@@ -134,7 +120,7 @@ void AmountsOverTime::without_organ() {
 }
 
 void AmountsOverTime::start() {
-    asked_ = wanted_key_;
+    asked_ = wanted_content_;
     stopped_ = false;
     const Scene& scene = editor_.document.scene();
     if (scene.organ.file.empty()) {
@@ -143,7 +129,7 @@ void AmountsOverTime::start() {
     }
     const std::shared_ptr<const PreparedOrgan> organ = editor_.preview.organ_of(scene);
     if (organ == nullptr) return without_organ();
-    const auto work = [model = model_, content = editor_.document.content(), key = asked_, organ,
+    const auto work = [model = model_, content = editor_.document.content(), asked = asked_, organ,
                        this](Job& job) -> Jobs::Apply {
         const std::lock_guard lock(model->mutex);
         auto series = std::make_shared<AmountSeries>();
@@ -157,14 +143,14 @@ void AmountsOverTime::start() {
             series->add(time, amounts.at(time));
             job.set_progress(static_cast<double>(i) / count);
         }
-        return [this, key, series] {
+        return [this, asked, series] {
             job_.reset(), faults_.clear();
-            scene_ = series, known_ = key, ++version_;
+            scene_ = series, known_ = asked, ++version_;
         };
     };
-    job_ = editor_.jobs.start("Amounts", work, [this, key = asked_](const std::vector<Fault>& faults) {
+    job_ = editor_.jobs.start("Amounts", work, [this, asked = asked_](const std::vector<Fault>& faults) {
         job_.reset(), scene_.reset();
-        faults_ = faults, known_ = key, ++version_;
+        faults_ = faults, known_ = asked, ++version_;
     });
 }
 

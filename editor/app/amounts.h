@@ -16,6 +16,7 @@
 #include <string_view>
 #include <vector>
 
+#include "document/document.h"
 #include "lapfx/amounts.h"
 #include "lapfx/error.h"
 
@@ -67,7 +68,7 @@ class AmountsOverTime {
     const AmountSeries* scene() const { return scene_ ? scene_.get() : nullptr; }
     bool stale() const;
     bool stopped() const { return stopped_; }  ///< by the person: again() or a change goes on
-    void again() { known_.clear(), stopped_ = false; }
+    void again() { known_ = 0, stopped_ = false; }
     bool busy() const { return job_ != nullptr; }  ///< a job is at it; it wakes the UI at its end
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
@@ -87,11 +88,12 @@ class AmountsOverTime {
 
     Editor& editor_;
     bool wanted_ = false, stopped_ = false;
-    bool held_ = false;           // the model may hold something
-    std::uint64_t followed_ = 0;  // version of the document
-    std::uint64_t organ_ = 0;     // and of the preview's organ
-    std::string wanted_key_;      // all that the amounts depend on
-    std::string known_, asked_;   // the same, of scene_ or its faults, and of the job
+    bool held_ = false;                    // the model may hold something
+    std::uint64_t followed_ = 0;           // version of the document
+    std::uint64_t organ_ = 0;              // and of the preview's organ
+    document::Content of_;                 // what the amounts were last seen to depend on
+    std::uint64_t wanted_content_ = 0;     // counts those
+    std::uint64_t known_ = 0, asked_ = 0;  // the same, of scene_ or its faults, and of the job
     double changed_at_ = 0.0, due_ = std::numeric_limits<double>::infinity();
     std::shared_ptr<Model> model_;  // of the jobs, one after the other
     std::shared_ptr<Job> job_;

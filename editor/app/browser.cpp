@@ -138,7 +138,7 @@ void Browser::scan() {
     scanned_beside_ = editor_.document.preset_file();
     current_ = scanned_beside_.empty() ? fs::path() : fs::absolute(scanned_beside_).lexically_normal();
     current_key_ = key_of(current_);
-    scanned_text_ = editor_.document.saved_preset_text();
+    scanned_saved_ = editor_.document.saved_preset();
     scanning_ = editor_.jobs.start(
         "Presets",
         [this, all = folders()](Job&) -> Jobs::Apply {
@@ -245,8 +245,8 @@ void Browser::update(double) {
         return;
     }
     const bool came = !std::exchange(seen_, true);
-    stale_ |= came || scanned_beside_ != editor_.document.preset_file() ||
-              scanned_text_ != editor_.document.saved_preset_text();
+    stale_ |=
+        came || scanned_beside_ != editor_.document.preset_file() || scanned_saved_ != editor_.document.saved_preset();
     if (stale_ && !scanning_) scan();
 }
 

@@ -105,7 +105,7 @@ class Browser {
     std::filesystem::path program_ = "/proc/self/exe";
     std::filesystem::path scanned_beside_, current_, scene_;
     std::uint64_t current_key_ = 0;
-    std::string scanned_text_;
+    std::shared_ptr<const Preset> scanned_saved_;
     std::unique_ptr<ThumbnailMaker> maker_;
 };
 

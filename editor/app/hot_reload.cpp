@@ -4,6 +4,7 @@
 #include <fstream>
 
 #include "app/editor.h"
+#include "lapfx/authoring/compare.h"
 #include "ui/core/ui.h"
 
 namespace lapfx::app {
@@ -160,7 +161,7 @@ void HotReload::reload_preset() {
     if (document::OnDisk::of(file) == d.preset_on_disk()) return;
     try {
         const Preset preset = load_preset(file);
-        if (write_preset(preset) == write_preset(d.preset())) return;
+        if (equal(preset_table(), &preset, &d.preset())) return;
         take_or_ask(
             file, d.preset_unsaved(), [&] { d.reload(preset); }, [this, file] { give_in_to_preset(file); });
     } catch (const Error& error) {
@@ -174,7 +175,7 @@ void HotReload::reload_scene() {
     if (document::OnDisk::of(file) == d.scene_on_disk()) return;
     try {
         const Scene scene = load_scene(file);
-        if (write_scene(scene) == write_scene(d.scene())) return;
+        if (equal(scene_table(), &scene, &d.scene())) return;
         take_or_ask(
             file, d.scene_unsaved(), [&] { d.reload(scene); }, [this, file] { give_in_to_scene(file); });
     } catch (const Error& error) {

@@ -9,6 +9,7 @@
 #include "app/parameters.h"
 #include "app/pick_color.h"
 #include "document/tables.h"
+#include "lapfx/authoring/compare.h"
 
 namespace lapfx::app {
 
@@ -22,20 +23,11 @@ constexpr int checker_side = 16;            // px
 constexpr int scope_samples = 350;          // a side: more show nothing else
 constexpr int quick_pixels = 720 * 576;     // keyed within a frame without edges
 
-auto values(const KeyingParameters& k) {
-    return std::make_tuple(k.luma_low, k.luma_high, k.key_color.x, k.key_color.y, k.key_color.z, k.chroma_low,
-                           k.chroma_high, k.spill, k.choke, k.feather);
-}
-
-/// In what keying has to do with.
-bool same_clip(const SmokeClip& a, const SmokeClip& b) {
-    return a.polarity == b.polarity && a.role == b.role && a.source_x == b.source_x && a.source_y == b.source_y &&
-           a.crop == b.crop && a.edge_fade == b.edge_fade && a.masks == b.masks;
-}
-
 bool same_look(const KeyingLook& a, const KeyingLook& b) {
-    return values(a.keying) == values(b.keying) && same_clip(a.clip, b.clip) && a.color == b.color &&
-           a.extinction == b.extinction;
+    const Table& smoke = *preset_table().find("smoke");
+    const unsigned differ =
+        difference(*smoke.find("keying"), &a.keying, &b.keying) | difference(*smoke.find("clips"), &a.clip, &b.clip);
+    return (differ & redo::keyed_frame) == 0 && a.color == b.color && a.extinction == b.extinction;
 }
 
 Image flat(glm::u8vec3 color) {

@@ -9,6 +9,7 @@
 
 #include "app/paths.h"
 #include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/prepared_scene.h"
 
 namespace lapfx::app {
@@ -23,27 +24,23 @@ bool same_camera(const SceneCamera& a, const SceneCamera& b) {
            a.exposure == b.exposure && a.vignette == b.vignette;
 }
 
-/// What another organ has to be loaded for.
-std::string key_of(const Scene& scene) {
-    Scene key;
-    key.organ = scene.organ;
-    key.organ.color = SceneOrgan().color;  // live
-    key.tool.file = scene.tool.file;
-    key.tool.scale = scene.tool.scale;
-    // However they are named, and from wherever.
-    for (std::string* file : {&key.organ.file, &key.tool.file})
-        if (!file->empty()) *file = std::filesystem::absolute(scene.folder / *file).lexically_normal().string();
-    return write_scene(key);
-}
-
-std::string text_of(const Preset& preset) {
-    return write_preset(preset) + preset.folder.string();
-}
-
-std::string text_of(const std::vector<std::filesystem::path>& paths) {
-    std::string text;
-    for (const std::filesystem::path& path : paths) text += path.string() + '\n';
-    return text;
+/// Whether both show the same organ and tool, however their files are named and from wherever.
+bool same_organ(const Scene& a, const Scene& b) {
+    const auto differ = [](const Scene& left, const Scene& right) {
+        const Table &organ = *scene_table().find("organ"), &tool = *scene_table().find("tool");
+        return ((difference(organ, &left.organ, &right.organ) | difference(tool, &left.tool, &right.tool)) &
+                redo::organ) != 0;
+    };
+    if (a.folder == b.folder && !differ(a, b)) return true;
+    const auto whole = [](const Scene& scene) {
+        Scene found;
+        found.organ = scene.organ;
+        found.tool = scene.tool;
+        for (std::string* file : {&found.organ.file, &found.tool.file})
+            if (!file->empty()) *file = std::filesystem::absolute(scene.folder / *file).lexically_normal().string();
+        return found;
+    };
+    return !differ(whole(a), whole(b));
 }
 
 std::string name_of(const std::string& file) {
@@ -71,7 +68,7 @@ std::shared_ptr<const PreparedOrgan> wait_for(EarlyLoad& early, Job& job) {
 std::shared_ptr<EarlyLoad> load_early(const Scene& scene, const Preset& preset,
                                       const std::vector<std::filesystem::path>& clip_folders) {
     auto early = std::make_shared<EarlyLoad>();
-    early->key = key_of(scene);
+    early->scene = scene;
     early->clips = std::make_shared<ClipCache>();
     // Both end before what they refer to goes: their futures are parts of it.
     early->organ = std::async(std::launch::async, [scene, vessels = preset.vessels, e = early.get()] {
@@ -113,8 +110,8 @@ void PreviewHost::follow(const document::Document& document) {
     // What jobs bring makes it stale again: in exact mode all of it is waited for, else there is one turn.
     do {
         if (!std::exchange(stale_, false)) return;
-        if (std::string key = key_of(wanted_.scene); key != organ_key_) {
-            organ_key_ = std::move(key);
+        if (!asked_scene_ || !same_organ(*asked_scene_, wanted_.scene)) {
+            asked_scene_ = wanted_.scene;
             load_organ();
         }
         // One that cannot be shown, for a gravity without direction, waits until the scene is another one.
@@ -128,7 +125,7 @@ void PreviewHost::follow(const document::Document& document) {
 void PreviewHost::load_organ() {
     if (organ_job_) organ_job_->cancel();
     std::shared_ptr<EarlyLoad> early = std::exchange(early_, nullptr);
-    const bool in_time = early && early->key == organ_key_;
+    const bool in_time = early && same_organ(early->scene, wanted_.scene);
     if (early && !in_time) early->stopped = true;  // the job keeps it until it has ended
     ready_organ_ = nullptr;
     organ_files_.clear();
@@ -162,6 +159,7 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
     const auto make = [&](const Preset& preset) {
         try {
             preview_ = std::make_unique<Preview>(wanted_.scene, preset, organ, options_);
+            clips_shown_ = false;
             glReleaseShaderCompiler();  // a software renderer's is large
             organ_faults_.clear();
             scene_fault_ = false;
@@ -180,17 +178,24 @@ bool PreviewHost::show(const std::shared_ptr<const PreparedOrgan>& organ) {
     organ_ = organ;
     ++organ_version_;
     overlay_ = options_.overlay;
-    scene_text_ = write_scene(wanted_.scene);
-    preset_text_.clear();  // clips that were not there yet, and what is wrong with the preset
+    shown_scene_ = wanted_.scene;
+    shown_preset_.reset();  // clips that were not there yet, and what is wrong with the preset
     return true;
 }
 
 void PreviewHost::follow_preset() {
-    std::string text = text_of(wanted_.preset);
-    if (!preview_ || text == preset_text_) return;
+    if (!preview_) return;
+    unsigned differ = ~0U;
+    if (shown_preset_) {
+        differ = difference(preset_table(), &*shown_preset_, &wanted_.preset);
+        if (shown_preset_->folder != wanted_.preset.folder) differ |= redo::clips;
+    }
+    if (differ == 0) return;
     changed_ = true;
-    preset_text_ = std::move(text);
+    shown_preset_ = wanted_.preset;
     // One value that cannot be shown keeps no other from being seen.
+    std::vector<Fault> faults = check(preset_table(), &wanted_.preset);
+    if (faults.empty() && clips_shown_ && (differ & redo::clips) == 0) return show_parameters(wanted_.preset);
     const Preset preset = document::mended(wanted_.preset, good_);
     if (!options_.clip_cache->knows(preset, options_.clip_folders)) {
         look_through_clips();
@@ -200,8 +205,10 @@ void PreviewHost::follow_preset() {
     try {
         preview_->set_preset(preset);
         good_ = preset;
-        preset_faults_ = check(preset_table(), &wanted_.preset);
+        clips_shown_ = faults.empty();
+        preset_faults_ = std::move(faults);
     } catch (const Error& error) {
+        clips_shown_ = false;
         preset_faults_ = error.faults();
         show_parameters(preset);
     }
@@ -211,10 +218,15 @@ void PreviewHost::follow_preset() {
 void PreviewHost::show_parameters(const Preset& preset) {
     try {
         preview_->set_parameters(preset);
-        Preset shown = preset;
-        shown.folder = good_.folder;
-        shown.smoke.clips = good_.smoke.clips;
-        good_ = std::move(shown);
+        if (!clips_shown_) {
+            Preset shown = preset;
+            shown.folder = good_.folder;
+            shown.smoke.clips = good_.smoke.clips;
+            good_ = std::move(shown);
+        } else {
+            good_ = preset;
+            preset_faults_.clear();
+        }
         if (clips_job_) preset_faults_ = check(preset_table(), &wanted_.preset);
     } catch (const Error& error) {
         preset_faults_ = error.faults();
@@ -222,10 +234,11 @@ void PreviewHost::show_parameters(const Preset& preset) {
 }
 
 void PreviewHost::look_through_clips() {
-    std::string text = text_of(clip_files(wanted_.preset));
-    if (clips_job_ && text == clips_text_) return;
+    clips_shown_ = false;
+    std::vector<std::filesystem::path> files = clip_files(wanted_.preset);
+    if (clips_job_ && files == opening_) return;
     if (clips_job_) clips_job_->cancel();
-    clips_text_ = std::move(text);
+    opening_ = std::move(files);
     const auto work = [preset = wanted_.preset, options = options_, this](Job& job) -> Jobs::Apply {
         options.clip_cache->look_through(preset, options.clip_folders, [&](double share) {
             job.set_progress(share);
@@ -233,7 +246,7 @@ void PreviewHost::look_through_clips() {
         });
         return [this] {
             clips_job_ = nullptr;
-            preset_text_.clear();
+            shown_preset_.reset();
             stale_ = true;
         };
     };
@@ -247,9 +260,8 @@ void PreviewHost::look_through_clips() {
 void PreviewHost::follow_scene() {
     const Scene& scene = wanted_.scene;
     if (!preview_ || !preview_->takes(scene)) return;  // its organ is on its way
-    std::string text = write_scene(scene);
-    if (text == scene_text_) return;
-    scene_text_ = std::move(text);
+    if (shown_scene_ && equal(scene_table(), &scene, &*shown_scene_)) return;
+    shown_scene_ = scene;
     changed_ = true;
     try {
         preview_->set_scene(scene);
@@ -289,12 +301,12 @@ void PreviewHost::cancel_loading() {
 void PreviewHost::reload_clips(const std::vector<std::filesystem::path>& changed) {
     for (const std::filesystem::path& path : changed) options_.clip_cache->forget(path);
     if (changed.empty()) options_.clip_cache->forget();
-    preset_text_.clear();
+    shown_preset_.reset();
     stale_ = true;
 }
 
 void PreviewHost::reload_organ() {
-    organ_key_.clear();
+    asked_scene_.reset();
     stale_ = true;
 }
 
@@ -435,7 +447,7 @@ std::vector<ToolContact> PreviewHost::take_tool_off(double time) {
     if (target_.texture() != 0) preview_->draw(time, target_.size(), target_.framebuffer());
     const std::span<const ToolContact> all = preview_->contacts();
     const std::size_t first = std::min(contacts_before_, all.size());
-    scene_text_.clear();  // the document decides what stays, also where it has not changed
+    shown_scene_.reset();  // the document decides what stays, also where it has not changed
     followed_ = 0;
     return {all.begin() + static_cast<std::ptrdiff_t>(first), all.end()};
 }

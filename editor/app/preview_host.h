@@ -44,7 +44,7 @@ struct EarlyLoad {
     EarlyLoad& operator=(const EarlyLoad&) = delete;
     ~EarlyLoad() { stopped = true; }  // what is still on its way ends soon, and is waited for
 
-    std::string key;                   ///< of the scene's organ and tool
+    Scene scene;                       ///< whose organ and tool it is
     std::shared_ptr<ClipCache> clips;  ///< where what is known of the clips goes to
     std::atomic<bool> stopped = false;
     std::atomic<double> progress = 0;                         ///< of the organ, 0..1
@@ -161,10 +161,12 @@ class PreviewHost {
     document::Content wanted_;                          ///< of that
     bool stale_ = false;                                ///< it has to be looked at once more
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
-    std::string scene_text_, preset_text_;
-    Preset good_;             ///< that was shown last; it breaks no rule
-    std::string organ_key_;   ///< of the organ that was asked for last
-    std::string clips_text_;  ///< of the preset whose clips are looked through
+    std::optional<Scene> shown_scene_;                  ///< none: to be looked at anew
+    std::optional<Preset> shown_preset_;                ///< as it was wanted; none: to be looked at anew
+    bool clips_shown_ = false;                          ///< all of its clips, and it breaks no rule
+    Preset good_;                                       ///< that was shown last; it breaks no rule
+    std::optional<Scene> asked_scene_;                  ///< of the organ that was asked for last
+    std::vector<std::filesystem::path> opening_;        ///< clips that are looked through
     std::vector<std::filesystem::path> organ_files_;
     std::vector<Fault> preset_faults_, organ_faults_;
     bool scene_fault_ = false;  ///< of organ_faults_: the scene as it is, not its file

@@ -137,22 +137,13 @@ void Tuning::follow_favourites() {
 
 void Tuning::follow_saved() {
     const document::Document& document = editor_.document;
-    if (const std::string& text = document.saved_preset_text(); text != saved_preset_text_) {
-        saved_preset_text_ = text;
-        try {
-            saved_.preset = text.empty() ? Preset{} : parse_preset(text, "as saved");
-        } catch (const Error&) {
-            saved_.preset = document.preset();  // opened with faults, from an autosave: as it came
-        }
+    if (const auto& saved = document.saved_preset(); saved != saved_preset_) {
+        saved_preset_ = saved;
+        saved_.preset = saved ? *saved : Preset{};
     }
-    saved_.preset.folder = document.saved_preset_folder();
-    if (const std::string& text = document.saved_scene_text(); text != saved_scene_text_) {
-        saved_scene_text_ = text;
-        try {
-            saved_.scene = text.empty() ? Scene{} : parse_scene(text, "as saved");
-        } catch (const Error&) {
-            saved_.scene = document.scene();
-        }
+    if (const auto& saved = document.saved_scene(); saved != saved_scene_) {
+        saved_scene_ = saved;
+        saved_.scene = saved ? *saved : Scene{};
     }
     if (!document.scene_unsaved()) saved_.scene = document.scene();  // its files may be named from another folder now
 }

@@ -104,7 +104,8 @@ class Tuning {
     std::vector<std::string> other_faults_, favourite_keys_;
     std::vector<std::size_t> favourites_;
     std::uint64_t followed_ = 0;
-    std::string saved_preset_text_, saved_scene_text_;
+    std::shared_ptr<const Preset> saved_preset_;  // that saved_ is of
+    std::shared_ptr<const Scene> saved_scene_;
     document::Content saved_;
     std::vector<std::size_t> saved_clips_;  ///< of each clip, its number among the saved ones; no_entry: it is new
     std::vector<std::string> clip_faults_;

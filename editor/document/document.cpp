@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 
@@ -174,19 +175,20 @@ void Document::gather_clips(Preset& preset) const {
 }
 
 bool same(const Preset& a, const Preset& b) {
-    if (a.folder == b.folder) return write_preset(a) == write_preset(b);
+    if (a.folder == b.folder) return equal(preset_table(), &a, &b);
     const auto resolved = [](Preset preset) {
         for (SmokeClip& clip : preset.smoke.clips) clip.file = real_clip(clip.file, preset.folder).generic_string();
-        return write_preset(preset);
+        return preset;
     };
-    return resolved(a) == resolved(b);
+    const Preset left = resolved(a), right = resolved(b);
+    return equal(preset_table(), &left, &right);
 }
 
 bool same(const Content& a, const Content& b) {
-    return a.scene.folder == b.scene.folder && write_scene(a.scene) == write_scene(b.scene) && same(a.preset, b.preset);
+    return a.scene.folder == b.scene.folder && equal(scene_table(), &a.scene, &b.scene) && same(a.preset, b.preset);
 }
 
-Document::Document() : saved_scene_(write_scene(content_.scene)), saved_preset_(write_preset(content_.preset)) {}
+Document::Document() : saved_scene_(std::make_shared<Scene>()), saved_preset_(std::make_shared<Preset>()) {}
 
 void Document::open(Content content, fs::path scene_file, fs::path preset_file) {
     scene_file_ = normal(scene_file);
@@ -194,10 +196,8 @@ void Document::open(Content content, fs::path scene_file, fs::path preset_file) 
     content_ = std::move(content);
     content_.scene.folder = normal_folder(content_.scene.folder, scene_file_);
     content_.preset.folder = normal_folder(content_.preset.folder, preset_file_);
-    saved_scene_ = write_scene(content_.scene);
-    saved_preset_ = write_preset(content_.preset);
-    saved_scene_folder_ = content_.scene.folder;
-    saved_preset_folder_ = content_.preset.folder;
+    saved_scene_ = std::make_shared<const Scene>(content_.scene);
+    saved_preset_ = std::make_shared<const Preset>(content_.preset);
     note_disk();
     forget_steps();
 }
@@ -208,8 +208,7 @@ void Document::open_preset(Preset preset, fs::path preset_file) {
     content_.preset = std::move(preset);
     content_.preset.folder = normal_folder(content_.preset.folder, preset_file_);
     preset_disk_ = OnDisk::of(preset_file_);
-    saved_preset_ = write_preset(content_.preset);
-    saved_preset_folder_ = content_.preset.folder;
+    saved_preset_ = std::make_shared<const Preset>(content_.preset);
     forget_steps();
 }
 
@@ -224,12 +223,10 @@ void Document::recover(Recovered r) {
         if (preset != nullptr) preset->folder = normal_folder(preset->folder, preset_file_);
     scene_disk_ = r.scene_disk;
     preset_disk_ = r.preset_disk;
-    saved_scene_ = r.scene_in_file ? write_scene(*r.scene_in_file) : std::string();
-    saved_preset_ = r.preset_in_file ? write_preset(*r.preset_in_file) : std::string();
+    saved_scene_ = r.scene_in_file ? std::make_shared<const Scene>(*r.scene_in_file) : nullptr;
+    saved_preset_ = r.preset_in_file ? std::make_shared<const Preset>(*r.preset_in_file) : nullptr;
     content_ = {.scene = r.scene_in_file.value_or(r.content.scene),
                 .preset = r.preset_in_file.value_or(r.content.preset)};
-    saved_scene_folder_ = content_.scene.folder;
-    saved_preset_folder_ = content_.preset.folder;
     forget_steps();
     change("Recovered work", [&](Content& c) { c = std::move(r.content); });
 }
@@ -249,14 +246,14 @@ void Document::note_disk() {
 void Document::forget_scene_file() {
     scene_file_.clear();
     scene_disk_ = {};
-    saved_scene_.clear();
+    saved_scene_ = nullptr;
     touched();
 }
 
 void Document::forget_preset_file() {
     preset_file_.clear();
     preset_disk_ = {};
-    saved_preset_.clear();
+    saved_preset_ = nullptr;
     touched();
 }
 
@@ -270,9 +267,9 @@ void Document::begin(std::string name) {
 /// Shares with `like`, which may be null, what is the same to the letter.
 KeptContent Document::kept(const Content& content, const KeptContent* like) const {
     const bool same_scene = like != nullptr && like->scene->folder == content.scene.folder &&
-                            write_scene(*like->scene) == write_scene(content.scene);
+                            equal(scene_table(), like->scene.get(), &content.scene);
     const bool same_preset = like != nullptr && like->preset->folder == content.preset.folder &&
-                             write_preset(*like->preset) == write_preset(content.preset);
+                             equal(preset_table(), like->preset.get(), &content.preset);
     return {.scene = same_scene ? like->scene : std::make_shared<const Scene>(content.scene),
             .preset = same_preset ? like->preset : std::make_shared<const Preset>(content.preset)};
 }
@@ -367,40 +364,32 @@ void Document::go_to(std::size_t done) {
     while (done_ < done) redo();
 }
 
-/// What a file in this folder would say.
-std::string Document::text_in(const Scene& scene, const fs::path& folder) const {
-    if (folder.empty() || scene.folder == folder) return write_scene(scene);
-    Scene moved = scene;
-    move_scene(moved, folder);
-    return write_scene(moved);
-}
-
-std::string Document::text_in(const Preset& preset, const fs::path& folder) const {
-    if (folder.empty() || preset.folder == folder) return write_preset(preset);
-    Preset moved = preset;
-    move(moved, folder);
-    return write_preset(moved);
-}
-
+/// Whether a file would say something else than what was opened or saved, whatever folder its names are from now.
 void Document::compare() const {
     if (compared_ == version_) return;
     compared_ = version_;
-    scene_differs_ = text_in(content_.scene, saved_scene_folder_) != saved_scene_;
-    preset_differs_ = text_in(content_.preset, saved_preset_folder_) != saved_preset_;
+    const auto differs = [](const Table& table, const auto& now, const auto& saved, auto move_to) {
+        if (!saved) return true;
+        if (saved->folder.empty() || now.folder == saved->folder) return !equal(table, &now, saved.get());
+        auto moved = now;
+        move_to(moved, saved->folder);
+        return !equal(table, &moved, saved.get());
+    };
+    scene_differs_ = differs(scene_table(), content_.scene, saved_scene_, move_scene);
+    preset_differs_ = differs(preset_table(), content_.preset, saved_preset_,
+                              [this](Preset& preset, const fs::path& folder) { move(preset, folder); });
 }
 
 void Document::reload(Preset preset) {
     preset.folder = normal_folder(preset.folder, preset_file_);
-    saved_preset_ = write_preset(preset);
-    saved_preset_folder_ = preset.folder;
+    saved_preset_ = std::make_shared<const Preset>(preset);
     preset_disk_ = OnDisk::of(preset_file_);
     change("Reload preset", [&](Content& c) { c.preset = std::move(preset); });
 }
 
 void Document::reload(Scene scene) {
     scene.folder = normal_folder(scene.folder, scene_file_);
-    saved_scene_ = write_scene(scene);
-    saved_scene_folder_ = scene.folder;
+    saved_scene_ = std::make_shared<const Scene>(scene);
     scene_disk_ = OnDisk::of(scene_file_);
     change("Reload scene", [&](Content& c) { c.scene = std::move(scene); });
 }
@@ -420,13 +409,11 @@ void Document::save_preset(const fs::path& file) {
     Preset moved = content_.preset;
     move(moved, folder_of(file));
     lapfx::save_preset(moved, file);
-    const std::string text = write_preset(moved);
-    if (write_preset(load_preset(file)) != text) fail_reading_back(file);
+    if (const Preset written = load_preset(file); !equal(preset_table(), &written, &moved)) fail_reading_back(file);
     content_.preset = std::move(moved);
     preset_file_ = normal(file);
     preset_disk_ = OnDisk::of(file);
-    saved_preset_ = text;
-    saved_preset_folder_ = content_.preset.folder;
+    saved_preset_ = std::make_shared<const Preset>(content_.preset);
     touched();
 }
 
@@ -437,13 +424,11 @@ void Document::save_scene(const fs::path& file) {
     move_scene(moved, folder);
     if (!preset_file_.empty()) moved.preset = moved_path(fs::absolute(preset_file_).string(), {}, folder);
     lapfx::save_scene(moved, file);
-    const std::string text = write_scene(moved);
-    if (write_scene(load_scene(file)) != text) fail_reading_back(file);
+    if (const Scene written = load_scene(file); !equal(scene_table(), &written, &moved)) fail_reading_back(file);
     content_.scene = std::move(moved);
     scene_file_ = normal(file);
     scene_disk_ = OnDisk::of(file);
-    saved_scene_ = text;
-    saved_scene_folder_ = content_.scene.folder;
+    saved_scene_ = std::make_shared<const Scene>(content_.scene);
     touched();
 }
 

@@ -163,11 +163,9 @@ class Document {
     bool scene_unsaved() const;  ///< differs from what was opened or saved
     bool preset_unsaved() const;
     bool unsaved() const { return scene_unsaved() || preset_unsaved(); }
-    /// As they were opened or saved, with names from these folders; empty: they have no file, or it could not be read.
-    const std::string& saved_scene_text() const { return saved_scene_; }
-    const std::string& saved_preset_text() const { return saved_preset_; }
-    const std::filesystem::path& saved_scene_folder() const { return saved_scene_folder_; }
-    const std::filesystem::path& saved_preset_folder() const { return saved_preset_folder_; }
+    /// As they were opened or saved; null: they have no file, or it could not be read. Another one is another pointer.
+    const std::shared_ptr<const Scene>& saved_scene() const { return saved_scene_; }
+    const std::shared_ptr<const Preset>& saved_preset() const { return saved_preset_; }
     /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is
     /// committed. Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens
     /// with.
@@ -198,8 +196,6 @@ class Document {
     KeptContent kept(const Content& content, const KeptContent* like) const;
     void forget_oldest();
     void forget_steps();
-    std::string text_in(const Scene& scene, const std::filesystem::path& folder) const;
-    std::string text_in(const Preset& preset, const std::filesystem::path& folder) const;
     std::string moved_clip(const std::string& file, const std::filesystem::path& from,
                            const std::filesystem::path& to) const;
 
@@ -214,9 +210,9 @@ class Document {
     Content before_;
     std::filesystem::path scene_file_, preset_file_;
     OnDisk scene_disk_, preset_disk_;
-    std::string saved_scene_, saved_preset_;                          ///< their texts
-    std::filesystem::path saved_scene_folder_, saved_preset_folder_;  ///< that names in those are relative to
-    mutable std::uint64_t compared_ = 0;                              ///< version for which the two below hold
+    std::shared_ptr<const Scene> saved_scene_;
+    std::shared_ptr<const Preset> saved_preset_;
+    mutable std::uint64_t compared_ = 0;  ///< version for which the two below hold
     mutable bool scene_differs_ = false, preset_differs_ = false;
     void compare() const;
 };

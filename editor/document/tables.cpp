@@ -25,18 +25,6 @@ const void* element(const Table& list, const void* vector, std::size_t index) {
     return list.list->at(const_cast<void*>(vector), index);
 }
 
-bool equal_child(const Table& child, const void* a, const void* b) {
-    if (present(child, a) != present(child, b)) return false;
-    if (!present(child, a)) return true;
-    const void *left = member_of(child, a), *right = member_of(child, b);
-    if (child.list == nullptr) return equal(child, left, right);
-    const std::size_t size = child.list->size(left);
-    if (size != child.list->size(right)) return false;
-    for (std::size_t i = 0; i < size; ++i)
-        if (!equal(child, element(child, left, i), element(child, right, i))) return false;
-    return true;
-}
-
 void copy_child(const Table& child, void* to, const void* from) {
     if (child.present != nullptr) *child.present(to) = present(child, from);
     void* target = child.member(to);
@@ -207,16 +195,6 @@ class LooseReader {
 };
 
 }  // namespace
-
-bool equal(const Parameter& row, const void* a, const void* b) {
-    return row.get(a) == row.get(b);
-}
-
-bool equal(const Table& table, const void* a, const void* b) {
-    return std::all_of(table.rows.begin(), table.rows.end(), [&](const auto& row) { return equal(row, a, b); }) &&
-           std::all_of(table.tables.begin(), table.tables.end(),
-                       [&](const auto& child) { return equal_child(child, a, b); });
-}
 
 /// Not Parameter::set(): that takes only what its row allows.
 void copy(const Parameter& row, void* to, const void* from) {

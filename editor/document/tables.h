@@ -1,4 +1,4 @@
-// Generic work on the structs behind a parameter table: comparing, copying, finding, reading what the strict reader
+// Generic work on the structs behind a parameter table: copying, finding, reading what the strict reader
 // refuses. Values are taken as they are, also those that no row allows: a document may be out of order while it is
 // edited.
 #pragma once
@@ -10,11 +10,6 @@
 #include "lapfx/parameter.h"
 
 namespace lapfx::document {
-
-/// Whether all rows, lists and parts are equal.
-bool equal(const Table& table, const void* a, const void* b);
-/// Of one value.
-bool equal(const Parameter& row, const void* a, const void* b);
 
 void copy(const Table& table, void* to, const void* from);
 void copy(const Parameter& row, void* to, const void* from);

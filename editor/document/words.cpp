@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "document/tables.h"
+#include "lapfx/authoring/compare.h"
 
 namespace lapfx::document {
 

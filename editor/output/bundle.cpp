@@ -12,6 +12,7 @@
 #include <opencv2/imgcodecs.hpp>
 
 #include "lapfx/authoring/clip.h"
+#include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/documents.h"
 #include "lapfx/authoring/file.h"
 #include "lapfx/authoring/formats.h"
@@ -233,7 +234,7 @@ class Writer {
     void check_preset() const {
         const fs::path file = beside_ / (name_ + ".json");
         const Preset loaded = load_preset(file);
-        if (write_preset(loaded) != write_preset(preset_))
+        if (!equal(preset_table(), &loaded, &preset_))
             fail(target_ / file.filename(), "is not the same when read back");
         check_clips(loaded, (target_ / file.filename()).string(), {});
         for (const std::size_t image : images_) check_image(pieces_[image]);
@@ -255,7 +256,7 @@ class Writer {
 
     void check_scene() const {
         const fs::path file = beside_ / (name_ + ".scene.json");
-        if (write_scene(load_scene(file)) != write_scene(*scene_))
+        if (const Scene loaded = load_scene(file); !equal(scene_table(), &loaded, &*scene_))
             fail(target_ / file.filename(), "is not the same when read back");
         tell(0.92);
         check_mesh(organ_);
@@ -365,7 +366,7 @@ void export_preset(const Preset& preset, const fs::path& file, const std::vector
     const Preset moved = preset_in(fs::absolute(file).parent_path(), preset, clip_folders, faults);
     if (!faults.empty()) throw Error(Failure::bad_input, std::move(faults));
     save_preset(moved, file);
-    if (write_preset(load_preset(file)) != write_preset(moved))
+    if (const Preset loaded = load_preset(file); !equal(preset_table(), &loaded, &moved))
         throw cannot_write(file, "is not the same when read back; is the disk damaged?");
 }
 

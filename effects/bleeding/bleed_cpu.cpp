@@ -7,6 +7,8 @@
 #include <tuple>
 #include <utility>
 
+#include "lapfx/authoring/compare.h"
+
 namespace lapfx::bleeding {
 
 namespace {
@@ -53,22 +55,15 @@ BleedField::BleedField(const Surface& surface, glm::dvec3 down)
 }
 
 void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& parameters) {
-    if (metric_of(parameters) != metric_of(parameters_)) {
+    const unsigned differ = difference(*preset_table().find("bleeding"), &parameters_, &parameters);
+    const bool same_values = (differ & redo::bleed) == 0;
+    if (differ & redo::fronts) {
         bleeders_.clear();
         active_.clear();
         status_.clear();
     }
-    // What only the shader or the amounts look at changes no value.
-    const bool same_values =
-        parameters.speed == parameters_.speed && parameters.max_extent == parameters_.max_extent &&
-        parameters.noise_strength == parameters_.noise_strength && parameters.pulse_rate == parameters_.pulse_rate &&
-        parameters.pulse_strength == parameters_.pulse_strength &&
-        parameters.coagulation_time == parameters_.coagulation_time && metric_of(parameters) == metric_of(parameters_);
-    const bool same_amounts = parameters.threshold == parameters_.threshold &&
-                              parameters.thickness == parameters_.thickness &&
-                              parameters.deep_at == parameters_.deep_at;
     stale_ = stale_ || !same_values;
-    if (!same_amounts) amount_.mark_all();
+    if (differ & redo::blood_sums) amount_.mark_all();
     parameters_ = parameters;
     if (!same_values) strength_ = Strength(strength_.curve(), parameters_);
     if (const float wanted = driest(); wanted != dry_) {

@@ -42,59 +42,76 @@ namespace {
 
 using B = BleedingParameters;
 
+constexpr unsigned changes_values = redo::bleed | redo::amounts, changes_fronts = redo::fronts | changes_values,
+                   changes_sums = redo::blood_sums | redo::amounts;
+
 constexpr Parameter rows[] = {
-    number<&B::speed>("speed", "Speed", {0, 60, 0.1, "mm/s"},
-                      "How fast the edge of the blood moves over the tissue from a wound of strength 1. In the paper: "
-                      "the bleeding speed, at which the animation variable grows."),
-    number<&B::max_extent>(
-        "max_extent", "Max extent", {0, 200, 0.5, "mm"},
-        "How far blood spreads from its wound over level, smooth tissue. Gravity bias and crease bias let it run "
-        "farther downhill and along folds. In the paper: the upper threshold of the animation variable."),
-    number<&B::threshold>(
-        "threshold", "Threshold", {0, 10, 0.05, "mm"},
-        "Bleed value from which blood shows; noise is added to it. In the paper: the predefined threshold."),
+    again(changes_values,
+          number<&B::speed>(
+              "speed", "Speed", {0, 60, 0.1, "mm/s"},
+              "How fast the edge of the blood moves over the tissue from a wound of strength 1. In the paper: "
+              "the bleeding speed, at which the animation variable grows.")),
+    again(changes_values,
+          number<&B::max_extent>(
+              "max_extent", "Max extent", {0, 200, 0.5, "mm"},
+              "How far blood spreads from its wound over level, smooth tissue. Gravity bias and crease bias let it run "
+              "farther downhill and along folds. In the paper: the upper threshold of the animation variable.")),
+    again(changes_sums,
+          number<&B::threshold>(
+              "threshold", "Threshold", {0, 10, 0.05, "mm"},
+              "Bleed value from which blood shows; noise is added to it. In the paper: the predefined threshold.")),
     number<&B::noise_scale>(
         "noise_scale", "Noise scale", {0.2, 50, 0.1, "mm", Scale::logarithmic},
         "Width of one lobe of the edge, measured on the organ. In the paper: the scale of the Perlin noise."),
-    number<&B::noise_strength>(
-        "noise_strength", "Noise strength", {0, 20, 0.1, "mm"},
-        "How far noise moves the edge of the blood. 0 shows a sharp, plain edge, as in the paper's figure 7b."),
+    again(changes_values,
+          number<&B::noise_strength>(
+              "noise_strength", "Noise strength", {0, 20, 0.1, "mm"},
+              "How far noise moves the edge of the blood. 0 shows a sharp, plain edge, as in the paper's figure 7b.")),
     integer<&B::noise_octaves>("noise_octaves", "Noise octaves", {1, 6, 1},
                                "How many layers of ever finer noise shape the edge."),
-    number<&B::gravity_bias>("gravity_bias", "Gravity bias", {0, 0.9, 0.01},
-                             "How much easier blood runs downhill than uphill. 0 spreads evenly, as in the paper."),
-    number<&B::crease_bias>(
-        "crease_bias", "Crease bias", {0, 1, 0.01},
-        "How strongly creases of the tissue attract blood and ridges hold it off. 0: creases make no difference."),
-    number<&B::bridge_gap>("bridge_gap", "Bridge gap", {0, 5, 0.1, "mm"},
-                           "Parts of an organ that are closer than this count as touching: blood runs from one to the "
-                           "other. 0 keeps it within one part."),
+    again(changes_fronts, number<&B::gravity_bias>(
+                              "gravity_bias", "Gravity bias", {0, 0.9, 0.01},
+                              "How much easier blood runs downhill than uphill. 0 spreads evenly, as in the paper.")),
+    again(
+        changes_fronts,
+        number<&B::crease_bias>(
+            "crease_bias", "Crease bias", {0, 1, 0.01},
+            "How strongly creases of the tissue attract blood and ridges hold it off. 0: creases make no difference.")),
+    again(changes_fronts,
+          number<&B::bridge_gap>(
+              "bridge_gap", "Bridge gap", {0, 5, 0.1, "mm"},
+              "Parts of an organ that are closer than this count as touching: blood runs from one to the "
+              "other. 0 keeps it within one part.")),
     number<&B::rivulets>(
         "rivulets", "Rivulets", {0, 1, 0.01},
         "How far the edge is drawn out into narrow runs where tissue is steep. 0 makes round lobes everywhere."),
-    number<&B::pulse_rate>("pulse_rate", "Pulse rate", {0, 4, 0.05, "Hz"},
-                           "Heart beats per second of an arterial wound. 0: venous."),
-    number<&B::pulse_strength>("pulse_strength", "Pulse strength", {0, 1, 0.01},
-                               "How much of the flow comes in beats. 0: venous; 1: no flow between beats."),
-    number<&B::coagulation_time>("coagulation_time", "Coagulation time", {0, 30, 0.1, "s"},
-                                 "How long a wound has to be cauterised until it stops bleeding. The paper stops the "
-                                 "spread within a short period."),
-    number<&B::suction_radius>("suction_radius", "Suction radius", {0, 50, 0.5, "mm"},
-                               "How far around its tip suction removes blood."),
-    number<&B::irrigation_radius>(
-        "irrigation_radius", "Irrigation radius", {0, 100, 0.5, "mm"},
-        "How far around its tip irrigation rinses blood away; downhill it reaches half as far again."),
+    again(changes_values, number<&B::pulse_rate>("pulse_rate", "Pulse rate", {0, 4, 0.05, "Hz"},
+                                                 "Heart beats per second of an arterial wound. 0: venous.")),
+    again(changes_values,
+          number<&B::pulse_strength>("pulse_strength", "Pulse strength", {0, 1, 0.01},
+                                     "How much of the flow comes in beats. 0: venous; 1: no flow between beats.")),
+    again(changes_values, number<&B::coagulation_time>(
+                              "coagulation_time", "Coagulation time", {0, 30, 0.1, "s"},
+                              "How long a wound has to be cauterised until it stops bleeding. The paper stops the "
+                              "spread within a short period.")),
+    again(redo::amounts, number<&B::suction_radius>("suction_radius", "Suction radius", {0, 50, 0.5, "mm"},
+                                                    "How far around its tip suction removes blood.")),
+    again(redo::amounts,
+          number<&B::irrigation_radius>(
+              "irrigation_radius", "Irrigation radius", {0, 100, 0.5, "mm"},
+              "How far around its tip irrigation rinses blood away; downhill it reaches half as far again.")),
     color<&B::color_thin>(
         "color_thin", "Thin colour",
         "Colour of a thin film of blood, at the edge. In the paper: the start of the colour gradient."),
     color<&B::color_deep>("color_deep", "Deep colour",
                           "Colour of a deep pool of blood. In the paper: the end of the colour gradient."),
-    number<&B::deep_at>("deep_at", "Deep at", {0.1, 30, 0.1, "mm", Scale::logarithmic},
-                        "Bleed value above the edge at which blood has the deep colour."),
+    again(changes_sums, number<&B::deep_at>("deep_at", "Deep at", {0.1, 30, 0.1, "mm", Scale::logarithmic},
+                                            "Bleed value above the edge at which blood has the deep colour.")),
     number<&B::opacity>("opacity", "Opacity", {0, 1, 0.01}, "How much of the tissue a deep pool hides."),
-    number<&B::thickness>(
-        "thickness", "Thickness", {0, 3, 0.05, "mm"},
-        "Height of a deep pool above the tissue. It shapes the highlights. In the paper: bump mapping."),
+    again(changes_sums,
+          number<&B::thickness>(
+              "thickness", "Thickness", {0, 3, 0.05, "mm"},
+              "Height of a deep pool above the tissue. It shapes the highlights. In the paper: bump mapping.")),
     number<&B::gloss>(
         "gloss", "Gloss", {0, 1, 0.01},
         "How sharp and strong the reflection of the lamp is in fresh blood. In the paper: the wet surface effect."),

@@ -112,8 +112,9 @@ constexpr Rule rules[] = {
 }  // namespace
 
 Table cautery_table() {
-    return table<&Preset::cautery>("cautery", "Cautery", "Heat under the tool: what it cuts, closes and chars.",
-                                   {rows, {}, rules});
+    return again(redo::amounts,
+                 table<&Preset::cautery>("cautery", "Cautery", "Heat under the tool: what it cuts, closes and chars.",
+                                         {rows, {}, rules}));
 }
 
 }  // namespace lapfx::preset

@@ -25,14 +25,13 @@ std::string range_text(const Parameter& row) {
 
 /// `what` names a component of a vector, or is empty.
 std::string check_number(double value, const Parameter& row, std::string_view what = {}) {
+    if (value >= row.minimum && value <= row.maximum) return {};  // as a rule: nothing is allocated
     const std::string prefix = what.empty() ? "" : std::string(what) + " = ";
     const std::string allowed = " (allowed: " + range_text(row) + ')';
     if (!std::isfinite(value)) return prefix + number_text(value) + " is not a finite number" + allowed;
     if (value < row.minimum)
         return prefix + number_text(value) + " is below the minimum " + with_unit(row.minimum, row) + allowed;
-    if (value > row.maximum)
-        return prefix + number_text(value) + " is above the maximum " + with_unit(row.maximum, row) + allowed;
-    return {};
+    return prefix + number_text(value) + " is above the maximum " + with_unit(row.maximum, row) + allowed;
 }
 
 std::string check_vector(const glm::dvec3& value, const Parameter& row) {

@@ -32,19 +32,22 @@ constexpr std::string_view scale_help =
     "Size of one unit of the file. 0 follows the format: glTF is in metres, others in mm.";
 
 constexpr Parameter organ_rows[] = {
-    required(path<&SceneOrgan::file>("file", "File",
-                                     "The organ's surface: a mesh; `lapfx inspect --help` lists the formats.")),
-    number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help),
-    vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
-                                  "Turns about the x, then the y, then the z axis."),
+    again(redo::organ | redo::amounts,
+          required(path<&SceneOrgan::file>("file", "File",
+                                           "The organ's surface: a mesh; `lapfx inspect --help` lists the formats."))),
+    again(redo::organ | redo::amounts, number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help)),
+    again(redo::organ | redo::amounts,
+          vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},
+                                        "Turns about the x, then the y, then the z axis.")),
     color<&SceneOrgan::color>("color", "Colour",
                               "Multiplies the organ's own colours; white leaves them as they are. For an organ without "
                               "a texture it is the colour of the tissue. It does not change where the organ bleeds."),
 };
 
 constexpr Parameter tool_rows[] = {
-    path<&SceneTool::file>("file", "File", "The instrument, its tip at the origin; empty draws none."),
-    number<&SceneTool::scale>("scale", "Scale", file_scale, scale_help),
+    again(redo::organ,
+          path<&SceneTool::file>("file", "File", "The instrument, its tip at the origin; empty draws none.")),
+    again(redo::organ, number<&SceneTool::scale>("scale", "Scale", file_scale, scale_help)),
     vector<&SceneTool::port>("port", "Port", place, "Where the shaft enters the abdomen."),
 };
 
@@ -187,9 +190,10 @@ constexpr Parameter scene_rows[] = {
     path<&Scene::preset>("preset", "Preset", "The preset that the scene opens with; empty for the default values."),
     integer<&Scene::seed>("seed", "Seed", {0, 2'147'483'647, 1},
                           "Start of all random choices; the same seed gives the same picture."),
-    number<&Scene::duration>("duration", "Duration", {0.1, 3600, 0.5, "s"}, "Length of the scene."),
-    vector<&Scene::gravity>("gravity", "Gravity", direction,
-                            "The direction in which blood runs; its length does not matter."),
+    again(redo::amounts,
+          number<&Scene::duration>("duration", "Duration", {0.1, 3600, 0.5, "s"}, "Length of the scene.")),
+    again(redo::amounts, vector<&Scene::gravity>("gravity", "Gravity", direction,
+                                                 "The direction in which blood runs; its length does not matter.")),
 };
 
 constexpr Rule scene_rules[] = {{"gravity", [](const void* owner) -> std::string {
@@ -204,8 +208,10 @@ constexpr Table scene_tables[] = {
     table<&Scene::tool>("tool", "Tool", "The instrument that is drawn while an event runs.", {tool_rows}),
     table<&Scene::camera>("camera", "Camera", "The endoscope.", {camera_rows, {}, camera_rules}),
     table<&Scene::light>("light", "Light", "The endoscope's lamp, at the camera.", {light_rows}),
-    list<&Scene::events, most_events>("events", "Events", "What the tool does, in any order.", {event_rows}),
-    table<&Scene::curves>("curves", "Curves", "Factors over the scene's time.", {{}, curve_tables}),
+    again(redo::amounts,
+          list<&Scene::events, most_events>("events", "Events", "What the tool does, in any order.", {event_rows})),
+    again(redo::amounts,
+          table<&Scene::curves>("curves", "Curves", "Factors over the scene's time.", {{}, curve_tables})),
     table<&Scene::reference>("reference", "Reference", "The surgery video to match.",
                              {reference_rows, {}, reference_rules}),
 };

@@ -40,29 +40,42 @@ constexpr Range chroma{0, 180, 1, "levels"};
 
 using K = KeyingParameters;
 constexpr Parameter keying_rows[] = {
-    number<&K::luma_low>("luma_low", "Luma low", luma,
-                         "Brightness (luma: 0 black, 255 white) up to which a pixel is background. In the paper: the "
-                         "lower luminance threshold."),
-    number<&K::luma_high>("luma_high", "Luma high", luma,
-                          "Brightness (luma: 0 black, 255 white) from which a pixel is fully smoke. In the paper: the "
-                          "upper luminance threshold."),
-    color<&K::key_color>("key_color", "Key colour",
-                         "Colour of the background that keying removes. The two chroma values measure how far a colour "
-                         "is from it. In the paper: the colour that its filter removes."),
-    number<&K::chroma_low>(
-        "chroma_low", "Chroma low", chroma,
-        "Distance from the key colour, without brightness, up to which a pixel is still background. With both chroma "
-        "values 0 only brightness decides. In the paper: the lower chroma threshold (Cb, Cr)."),
-    number<&K::chroma_high>("chroma_high", "Chroma high", chroma,
-                            "Distance from the key colour, without brightness, from which a pixel is fully smoke. In "
-                            "the paper: the upper chroma threshold (Cb, Cr)."),
-    number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is removed from the smoke."),
-    number<&K::choke>(
-        "choke", "Choke", {0, 16, 0.5, "pixels"},
-        "How far the edges of the smoke are drawn in, in pixels of the clip. Removes a rim of background."),
-    number<&K::feather>(
-        "feather", "Feather", {0, 16, 0.5, "pixels"},
-        "How far the opacity of the smoke is smoothed, in pixels of the clip. Removes noise and blocks."),
+    again(redo::keyed_frame,
+          number<&K::luma_low>(
+              "luma_low", "Luma low", luma,
+              "Brightness (luma: 0 black, 255 white) up to which a pixel is background. In the paper: the "
+              "lower luminance threshold.")),
+    again(redo::keyed_frame,
+          number<&K::luma_high>(
+              "luma_high", "Luma high", luma,
+              "Brightness (luma: 0 black, 255 white) from which a pixel is fully smoke. In the paper: the "
+              "upper luminance threshold.")),
+    again(redo::keyed_frame,
+          color<&K::key_color>(
+              "key_color", "Key colour",
+              "Colour of the background that keying removes. The two chroma values measure how far a colour "
+              "is from it. In the paper: the colour that its filter removes.")),
+    again(
+        redo::keyed_frame,
+        number<&K::chroma_low>("chroma_low", "Chroma low", chroma,
+                               "Distance from the key colour, without brightness, up to which a pixel is still "
+                               "background. With both chroma "
+                               "values 0 only brightness decides. In the paper: the lower chroma threshold (Cb, Cr).")),
+    again(redo::keyed_frame,
+          number<&K::chroma_high>(
+              "chroma_high", "Chroma high", chroma,
+              "Distance from the key colour, without brightness, from which a pixel is fully smoke. In "
+              "the paper: the upper chroma threshold (Cb, Cr).")),
+    again(redo::keyed_frame,
+          number<&K::spill>("spill", "Spill", {0, 1, 0.01}, "How much of the key colour is removed from the smoke.")),
+    again(redo::keyed_frame,
+          number<&K::choke>(
+              "choke", "Choke", {0, 16, 0.5, "pixels"},
+              "How far the edges of the smoke are drawn in, in pixels of the clip. Removes a rim of background.")),
+    again(redo::keyed_frame,
+          number<&K::feather>(
+              "feather", "Feather", {0, 16, 0.5, "pixels"},
+              "How far the opacity of the smoke is smoothed, in pixels of the clip. Removes noise and blocks.")),
     number<&K::noise_scale>(
         "noise_scale", "Noise scale", {0.01, 2, 0.01, "clip heights", Scale::logarithmic},
         "Width of one lobe of the noise that varies the opacity of the smoke. In the paper: Perlin noise on alpha."),
@@ -97,19 +110,23 @@ constexpr Parameter clip_rows[] = {
     required(contained(path<&S::file>(
         "file", "File",
         "The smoke video: a file in the folder of the preset, or a bare name that the simulator looks up."))),
-    choice<&S::role>("role", "Role", roles,
-                     "plume: smoke at the tool tip. haze: smoke over the whole view. In the paper: source smoke and "
-                     "environmental smoke."),
-    choice<&S::polarity>("polarity", "Polarity", polarities,
-                         "light: light smoke on a dark background. dark: dark smoke on a light background."),
+    again(redo::keyed_frame,
+          choice<&S::role>(
+              "role", "Role", roles,
+              "plume: smoke at the tool tip. haze: smoke over the whole view. In the paper: source smoke and "
+              "environmental smoke.")),
+    again(redo::keyed_frame,
+          choice<&S::polarity>("polarity", "Polarity", polarities,
+                               "light: light smoke on a dark background. dark: dark smoke on a light background.")),
     number<&S::weight>("weight", "Weight", {0, 4, 0.05}, "Share of this clip where several are blended."),
     number<&S::speed>("speed", "Speed", {0.1, 4, 0.05, "x", Scale::logarithmic},
                       "How fast the clip plays; 1 is as filmed."),
-    number<&S::source_x>(
-        "source_x", "Source x", {0, 1, 0.01, "clip widths"},
-        "Where in the frame the smoke starts, from the left. This point of the clip is placed at the tool tip."),
-    number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
-                         "Where in the frame the smoke starts, from the top."),
+    again(redo::keyed_frame,
+          number<&S::source_x>(
+              "source_x", "Source x", {0, 1, 0.01, "clip widths"},
+              "Where in the frame the smoke starts, from the left. This point of the clip is placed at the tool tip.")),
+    again(redo::keyed_frame, number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
+                                                  "Where in the frame the smoke starts, from the top.")),
     number<&S::in>("in", "In", clip_time, "Time in the clip at which playing starts."),
     number<&S::out>("out", "Out", clip_time,
                     "Time in the clip at which playing ends and starts over; 0 is the clip's end."),
@@ -122,10 +139,11 @@ constexpr Parameter clip_rows[] = {
     number<&S::rotation>(
         "rotation", "Rotation", {0, 180, 1, "degrees"},
         "The clip is turned by a random angle, at most this much either way, about the point where its smoke starts."),
-    number<&S::edge_fade>(
-        "edge_fade", "Edge fade", {0, 0.5, 0.01, "of the smaller side"},
-        "How far smoke fades out at the edges of the frame or of its crop, and around masks, so that no straight line "
-        "shows. Smoke stays unfaded where it starts. Haze fills the view up to its edges: it fades around masks only."),
+    again(redo::keyed_frame, number<&S::edge_fade>("edge_fade", "Edge fade", {0, 0.5, 0.01, "of the smaller side"},
+                                                   "How far smoke fades out at the edges of the frame or of its crop, "
+                                                   "and around masks, so that no straight line "
+                                                   "shows. Smoke stays unfaded where it starts. Haze fills the view up "
+                                                   "to its edges: it fades around masks only.")),
 };
 
 constexpr Rule clip_rules[] = {
@@ -177,12 +195,15 @@ constexpr Parameter mask_rows[] = {
 };
 
 constexpr Table clip_tables[] = {
-    table<&S::crop>("crop", "Crop",
-                    "What is left out at the sides of the frame, such as black bars: there is no smoke there. A plume "
-                    "keeps its place and size; haze is enlarged to fill the view.",
-                    {crop_rows, {}, crop_rules}),
-    list<&S::masks, most_masks>("masks", "Masks",
-                                "Rectangles of the frame without smoke, such as a logo (garbage masks).", {mask_rows}),
+    again(redo::keyed_frame,
+          table<&S::crop>(
+              "crop", "Crop",
+              "What is left out at the sides of the frame, such as black bars: there is no smoke there. A plume "
+              "keeps its place and size; haze is enlarged to fill the view.",
+              {crop_rows, {}, crop_rules})),
+    again(redo::keyed_frame,
+          list<&S::masks, most_masks>(
+              "masks", "Masks", "Rectangles of the frame without smoke, such as a logo (garbage masks).", {mask_rows})),
     optional<&S::own_keying>(table<&S::keying>("keying", "Own keying",
                                                "Keying of this clip alone; without it the preset's keying is used.",
                                                {keying_rows, {}, keying_rules})),
@@ -207,9 +228,11 @@ constexpr Parameter plume_rows[] = {
         "How far the plume leans towards the camera, in mm for each mm that it rises: smoke moves away from a wall."),
     number<&P::softness>("softness", "Softness", {0.1, 50, 0.1, "mm", Scale::logarithmic},
                          "The distance over which the plume fades out where it meets tissue or instruments."),
-    number<&P::fat_gain>("fat_gain", "Fat gain", {0, 4, 0.05},
-                         "How much more smoke burning fat makes, plume and haze: 1 is twice as much where all is fat. "
-                         "Smoke that depends on the fat layer is the paper's future work."),
+    again(redo::amounts,
+          number<&P::fat_gain>(
+              "fat_gain", "Fat gain", {0, 4, 0.05},
+              "How much more smoke burning fat makes, plume and haze: 1 is twice as much where all is fat. "
+              "Smoke that depends on the fat layer is the paper's future work.")),
     color<&P::color>("color", "Colour", "Colour of thick plume in the light of the endoscope's lamp."),
     vector<&P::extinction>(
         "extinction", "Extinction", extinction,
@@ -218,16 +241,20 @@ constexpr Parameter plume_rows[] = {
 
 using H = HazeParameters;
 constexpr Parameter haze_rows[] = {
-    number<&H::accumulation>(
-        "accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
-        "How fast cautery at full emission fills the view with haze. Without a clip for haze it is an even veil; a "
-        "preset without clips makes no smoke at all. In the paper: environmental smoke."),
-    number<&H::ventilation>(
-        "ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
-        "Part of the haze that leaves per second; 0 keeps all of it. In the paper: the ventilation capacity."),
-    number<&H::suction>(
-        "suction", "Suction", {0, 10, 0.05, "1/s"},
-        "Part of the haze that a suction tool removes per second while it runs, in addition to ventilation."),
+    again(
+        redo::amounts,
+        number<&H::accumulation>(
+            "accumulation", "Accumulation", {0, 5, 0.01, "1/s"},
+            "How fast cautery at full emission fills the view with haze. Without a clip for haze it is an even veil; a "
+            "preset without clips makes no smoke at all. In the paper: environmental smoke.")),
+    again(redo::amounts,
+          number<&H::ventilation>(
+              "ventilation", "Ventilation", {0, 5, 0.01, "1/s"},
+              "Part of the haze that leaves per second; 0 keeps all of it. In the paper: the ventilation capacity.")),
+    again(redo::amounts,
+          number<&H::suction>(
+              "suction", "Suction", {0, 10, 0.05, "1/s"},
+              "Part of the haze that a suction tool removes per second while it runs, in addition to ventilation.")),
     number<&H::unevenness>("unevenness", "Unevenness", {0, 1, 0.01},
                            "0 is an even veil; at 1 its shape comes from the haze clips and noise alone."),
     color<&H::color>("color", "Colour", "Colour of dense haze in the light of the endoscope's lamp."),
@@ -255,8 +282,9 @@ constexpr std::size_t most_clips = 64;  // four times the fifteen streams of the
 Table smoke_table() {
     using A = SmokeParameters;
     static constexpr Table tables[] = {
-        list<&A::clips, most_clips>("clips", "Clips", "Smoke videos and how each is used.",
-                                    {clip_rows, clip_tables, clip_rules}),
+        again_for_length(redo::amounts, again(redo::clips, list<&A::clips, most_clips>(
+                                                               "clips", "Clips", "Smoke videos and how each is used.",
+                                                               {clip_rows, clip_tables, clip_rules}))),
         table<&A::keying>("keying", "Keying", "How smoke is separated from the background of its clip.",
                           {keying_rows, {}, keying_rules}),
         table<&A::plume>("plume", "Plume", "Smoke at the tool tip. In the paper: source smoke.", {plume_rows}),

@@ -38,6 +38,21 @@ enum class Scale { linear, logarithmic };
 /// A value on its own, for generic code (undo, fit, `--set`). A choice is an int: the index into `choices`.
 using Value = std::variant<double, int, bool, glm::dvec3, std::string>;
 
+/// What has to be done again, beside drawing, when a value changes: bits of Parameter::redo. A row says it once, where
+/// it is declared; who keeps something that was worked out from values asks which bits differ (authoring/compare.h).
+namespace redo {
+enum : unsigned {
+    picture = 1U << 0,      ///< drawing: every row
+    organ = 1U << 1,        ///< organ and tool are loaded
+    clips = 1U << 2,        ///< clips are opened, and what is played of each is planned
+    amounts = 1U << 3,      ///< amounts over time are worked out
+    fronts = 1U << 4,       ///< the ways that blood takes over the organ
+    bleed = 1U << 5,        ///< bleed values
+    blood_sums = 1U << 6,   ///< area and volume of blood
+    keyed_frame = 1U << 7,  ///< a frame of a clip is keyed
+};
+}
+
 /// One row: all that is known of one parameter.
 struct Parameter {
     std::string_view key;   ///< JSON key, snake_case
@@ -54,6 +69,7 @@ struct Parameter {
     bool required = false;                   ///< the key must be there: it has no sensible default
     std::string_view same_as = {};           ///< a missing key takes the value of this row of the same table
     bool contained = false;                  ///< path: stays inside the document's folder
+    unsigned redo = redo::picture;           ///< what has to be done again when it changes
 
     Value get(const void* owner) const;
     /// The value must be of this row's type and within its range (assert): check() what comes from outside.
@@ -98,6 +114,8 @@ struct Table {
     /// Set for an object that may be left out: whether it is there, a bool in the parent's struct. Where it is not, its
     /// values mean nothing and are neither written nor checked.
     bool* (*present)(void* owner) = nullptr;
+    unsigned redo = 0;         ///< of all that is in it
+    unsigned redo_length = 0;  ///< of a list that gets longer or shorter, and of an object that comes or goes
 
     const Parameter* find_row(std::string_view row_key) const;
     const Table* find(std::string_view table_key) const;
