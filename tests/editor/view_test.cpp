@@ -111,7 +111,7 @@ TEST_F(ViewPanelTest, AClipIsSetWhereTheToolIsPressedAndUndone) {
     const glm::dvec3 place = place_at({0.6F, 0.45F});
     ui().key('7');
     ASSERT_EQ(editor().tool.action, ToolAction::clip);
-    EXPECT_TRUE(ui().exists("View/**/Clip")) << "in the row of tools";
+    EXPECT_EQ(ui().value("**/View/Tool"), static_cast<double>(tool_action_count)) << "the last in the list of tools";
     EXPECT_FALSE(ui().exists("**/Power")) << "it has none";
     ui().press(preview, {0.6F, 0.45F});
     hold(8);
