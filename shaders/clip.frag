@@ -1,5 +1,6 @@
 #version 450 core
-// Titanium under the endoscope's lamp. A metal shows what is around it: the lamp as a highlight, lit tissue below and beyond.
+// Titanium under the endoscope's lamp. A metal shows what is around it: the lamp as a highlight, lit tissue below and
+// beyond.
 #include "view.glsl"
 
 layout(location = 0) in vec3 v_position;
@@ -20,7 +21,8 @@ float lobe(vec3 n, vec3 v, vec3 l, float roughness) {
     return a * a / (pi * d * d) * 0.5 / max(mix(2.0 * nl * nv, nl + nv, a), 1e-3) * nl;
 }
 
-// Light from a direction, as a share of the lamp's on the clip: tissue beside it is lit as it is, what lies beyond is farther off.
+// Light from a direction, as a share of the lamp's on the clip: tissue beside it is lit as it is, what lies beyond is
+// farther off.
 vec3 surroundings(vec3 direction, vec3 up) {
     const vec3 near = vec3(0.20, 0.05, 0.04), far = vec3(0.11, 0.08, 0.075);
     return mix(near, far, smoothstep(-0.3, 0.5, dot(direction, up)));

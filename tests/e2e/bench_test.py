@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""bench_test.py LAPFX FOLDER [NAME]: each benchmark in its short form: it ends well, in a minute, and gives each of its ratios as a number. What
-the numbers are is not looked at. 77 where there is no OpenGL."""
+"""bench_test.py LAPFX FOLDER [NAME]: each benchmark in its short form: it ends well, in a minute, and gives each of its
+ratios as a number. What the numbers are is not looked at. 77 where there is no OpenGL."""
 import json
 import math
 import os
