@@ -95,6 +95,8 @@ void HotReload::take(const std::vector<fs::path>& changed) {
             is_gone(path) ? void() : reload_scene();
         else if (of_clips && (contains(clips, path.parent_path()) || !is_gone(path)))
             changed_clips.push_back(path);
+        else if (of_clips)
+            editor_.preview.look_for_clips();
         else if (contains(organ, path) && !is_gone(path))
             organ_changed = true;
     }

@@ -98,6 +98,8 @@ class PreviewHost {
     /// to it. What cannot be read leaves what is shown.
     void reload_clips(const std::vector<std::filesystem::path>& changed = {});
     void reload_organ();
+    /// A clip's file has gone: it plays on as it is known, and the next change of the preset looks for it and tells.
+    void look_for_clips() { clips_shown_ = false; }
     /// Compiles the shaders of this folder. Throws Error, with file and line, and keeps those that it had.
     void reload_shaders(const std::filesystem::path& folder);
     /// Files that the picture is made of: where clips are or would be, the organ's with textures and tool.
