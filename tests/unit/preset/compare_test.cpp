@@ -61,7 +61,9 @@ void for_each_value(const Table& table, void* owner, const std::string& place, c
 template <class Document>
 Document filled(const Table& table) {
     Document document;
-    for_each_value(table, &document, "", [](const std::string&, const Parameter&, void*) {});
+    for_each_value(table, &document, "", [](const std::string&, const Parameter& row, void* owner) {
+        if (!row.check(row.get(owner)).empty()) row.set(owner, std::string("file"));  // required, and not there
+    });
     return document;
 }
 
