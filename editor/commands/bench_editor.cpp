@@ -1,9 +1,15 @@
 // What the editor costs beside the scene that it stands around: a frame of both on the sample scene, playing, with a
 // value that changes in every frame. All that is not drawing the scene counts as the editor: the change of the
 // document, Editor::update, what the preview does to follow the document, the panels and drawing them.
+//
+// And what a drag costs: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
+// scale), over that of a frame in which nothing is edited, of the same parts; in turns, the best of five runs each.
 #include <glad/gl.h>
 
+#include <algorithm>
 #include <chrono>
+#include <limits>
+#include <stdexcept>
 
 #include "app/layouts.h"
 #include "app/open.h"
@@ -12,6 +18,7 @@
 #include "commands/progress.h"
 #include "commands/session.h"
 #include "panels/panels.h"
+#include "ui/core/tree.h"
 
 namespace lapfx::commands {
 
@@ -62,6 +69,52 @@ Costs measure(HeadlessEditor& headless, const Extent& extent, Progress& progress
     return costs;
 }
 
+constexpr std::string_view dragged = "**/Favourites/Bleeding: Noise scale";
+
+/// s of CPU that frames cost beside drawing the scene, on the average.
+double frame_cost(HeadlessEditor& headless, int frames, bool moves, glm::vec2 at) {
+    double seconds = 0;
+    for (int i = 0; i < frames; ++i) {
+        glFinish();
+        const double begin = thread_seconds();
+        if (moves) headless.ui().push({.kind = ui::EventKind::pointer, .at = at + glm::vec2(i % 2 == 0 ? 4 : -4, 0)});
+        headless.advance();
+        headless.build();
+        headless.editor().follow();
+        const double built = thread_seconds();
+        headless.draw();
+        glFinish();
+        const double drawn = thread_seconds();
+        headless.draw_ui();
+        seconds += thread_seconds() - drawn + built - begin;
+    }
+    return seconds / frames;
+}
+
+/// Adds its rows and ratio. The default layout is shown.
+void measure_drag(HeadlessEditor& headless, const Extent& extent, BenchReport& report) {
+    ui::Ui& ui = headless.ui();
+    const glm::vec2 at = ui.tree()[ui::find(ui.tree(), dragged)].rect.center();
+    constexpr int runs = 5;
+    double idle = std::numeric_limits<double>::infinity(), drag = idle;
+    for (int run = 0; run < runs; ++run) {
+        ui.push({.kind = ui::EventKind::pointer, .at = at});
+        headless.settle();
+        idle = std::min(idle, frame_cost(headless, extent.frames, false, at));
+        ui.push({.kind = ui::EventKind::press, .at = at});
+        headless.frame();
+        const std::uint64_t before = headless.editor().document.version();
+        drag = std::min(drag, frame_cost(headless, extent.frames, true, at));
+        if (headless.editor().document.version() < before + static_cast<std::uint64_t>(extent.frames))
+            throw std::logic_error("the slider does not move");
+        ui.push({.kind = ui::EventKind::release, .at = at});
+        headless.settle();
+    }
+    report.rows.push_back({.of = {{"frame", "idle"}}, .measured = {{"cpu_ms", 1e3 * idle}}});
+    report.rows.push_back({.of = {{"frame", "drag"}}, .measured = {{"cpu_ms", 1e3 * drag}}});
+    report.ratios["drag_over_idle"] = drag / idle;
+}
+
 }  // namespace
 
 BenchReport bench_editor(const BenchOptions& options) {
@@ -71,6 +124,10 @@ BenchReport bench_editor(const BenchOptions& options) {
         .bench = "editor", .renderer = headless.context().renderer(), .rows = {}, .ratios = {}, .table = {}};
     app::Opened opened = app::open_sample(data_folder());
     headless.editor().document.open(std::move(opened.content), opened.scene_file, opened.preset_file);
+    headless.settle();
+    headless.editor().jobs.finish();
+    headless.settle();
+    measure_drag(headless, extent, report);
     double worst = 0;
     const std::vector<std::string> layouts = headless.editor().layouts().names();
     Progress progress("measuring", static_cast<int>(layouts.size()) * (extent.warm_up + extent.frames));
