@@ -28,8 +28,9 @@ using Clock = std::chrono::steady_clock;
 
 struct Extent {
     int frames, warm_up;
+    int runs;  // of each side of the drag
 };
-constexpr Extent whole{60, 5}, least{2, 1};
+constexpr Extent whole{60, 5, 5}, least{2, 1, 1};
 constexpr glm::ivec2 window{1440, 900};
 
 double ms_since(Clock::time_point start) {
@@ -94,10 +95,9 @@ double frame_cost(HeadlessEditor& headless, int frames, bool moves, glm::vec2 at
 /// Adds its rows and ratio. The default layout is shown.
 void measure_drag(HeadlessEditor& headless, const Extent& extent, BenchReport& report) {
     ui::Ui& ui = headless.ui();
-    const glm::vec2 at = ui.tree()[ui::find(ui.tree(), dragged)].rect.center();
-    constexpr int runs = 5;
+    const glm::vec2 at = ui.tree()[ui::find(ui.tree(), dragged)].rect().center();
     double idle = std::numeric_limits<double>::infinity(), drag = idle;
-    for (int run = 0; run < runs; ++run) {
+    for (int run = 0; run < extent.runs; ++run) {
         ui.push({.kind = ui::EventKind::pointer, .at = at});
         headless.settle();
         idle = std::min(idle, frame_cost(headless, extent.frames, false, at));
