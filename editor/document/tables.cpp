@@ -7,23 +7,13 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "lapfx/authoring/table_walk.h"
+
 namespace lapfx::document {
 
 namespace {
 
 using Json = nlohmann::json;
-
-const void* member_of(const Table& table, const void* owner) {
-    return table.member(const_cast<void*>(owner));  // only the address is taken
-}
-
-bool present(const Table& table, const void* owner) {
-    return table.present == nullptr || *table.present(const_cast<void*>(owner));
-}
-
-const void* element(const Table& list, const void* vector, std::size_t index) {
-    return list.list->at(const_cast<void*>(vector), index);
-}
 
 void copy_child(const Table& child, void* to, const void* from) {
     if (child.present != nullptr) *child.present(to) = present(child, from);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "organ/path.h"
+
 namespace lapfx::cautery {
 
 namespace {
@@ -27,13 +29,6 @@ glm::dvec3 unit(const glm::dvec3& v, const glm::dvec3& otherwise) {
 /// The part of `v` that lies in the surface.
 glm::dvec3 within(const glm::dvec3& v, const glm::dvec3& normal) {
     return v - normal * glm::dot(v, normal);
-}
-
-double distance_to_line(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 line = b - a;
-    const double squared = glm::dot(line, line);
-    const double share = squared > 0.0 ? std::clamp(glm::dot(point - a, line) / squared, 0.0, 1.0) : 0.0;
-    return glm::distance(point, a + share * line);
 }
 
 }  // namespace
@@ -105,7 +100,7 @@ void ClipList::seal(const WoundList& wounds, std::vector<Wound>& sealed) {
         wounds.find(glm::min(begin, end) - reach_, glm::max(begin, end) + reach_, near_);
         for (const std::uint32_t i : near_) {
             Wound& wound = sealed[i];
-            if (distance_to_line(wound.position, begin, end) > reach_) continue;
+            if (organ::distance_to_path(wound.position, begin, end) > reach_) continue;
             wound.sealed = std::min(wound.sealed, clip.time);
             wound.stop = std::min(wound.stop, clip.time);
         }

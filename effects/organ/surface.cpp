@@ -2,6 +2,7 @@
 
 #include <cassert>
 
+#include "organ/path.h"
 #include "organ/weld.h"
 
 namespace lapfx {
@@ -13,14 +14,6 @@ std::vector<std::uint32_t> starts(const std::vector<std::uint32_t>& lengths) {
     std::vector<std::uint32_t> out(lengths.size() + 1, 0);
     for (std::size_t i = 0; i < lengths.size(); ++i) out[i + 1] = out[i] + lengths[i];
     return out;
-}
-
-/// Distance of `p` from the straight path a b.
-double distance_to_path(const glm::dvec3& p, const glm::dvec3& a, const glm::dvec3& b) {
-    const glm::dvec3 path = b - a;
-    const double squared = glm::dot(path, path);
-    const double share = squared > 0.0 ? glm::clamp(glm::dot(p - a, path) / squared, 0.0, 1.0) : 0.0;
-    return glm::distance(p, a + share * path);
 }
 
 }  // namespace
@@ -129,7 +122,7 @@ std::vector<std::uint32_t> Surface::points_near(const glm::dvec3& a, const glm::
     std::vector<std::uint32_t> points;
     tree_.near_path(a, b, radius, [&](std::uint32_t t) {
         for (const std::uint32_t p : triangles[t])
-            if (distance_to_path(positions[p], a, b) <= radius) points.push_back(p);
+            if (organ::distance_to_path(positions[p], a, b) <= radius) points.push_back(p);
     });
     std::sort(points.begin(), points.end());
     points.erase(std::unique(points.begin(), points.end()), points.end());

@@ -3,24 +3,14 @@
 #include <cmath>
 #include <cstring>
 
+#include "lapfx/authoring/table_walk.h"
+
 namespace lapfx {
 
 namespace {
 
 bool same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
-}
-
-const void* member_of(const Table& table, const void* owner) {
-    return table.member(const_cast<void*>(owner));  // only the address is taken
-}
-
-bool present(const Table& table, const void* owner) {
-    return table.present == nullptr || *table.present(const_cast<void*>(owner));
-}
-
-const void* element(const Table& list, const void* vector, std::size_t index) {
-    return list.list->at(const_cast<void*>(vector), index);
 }
 
 /// Of all that can differ in it.
