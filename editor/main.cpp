@@ -1,5 +1,4 @@
-// lapfx: the editor and its headless commands. Exit codes: 0 done, 1 failed while running, 2 wrong usage or bad input,
-// 77 no usable OpenGL. Data goes to stdout, messages to stderr, one line per fault.
+// lapfx: the editor and its headless commands. commands/help.cpp says what exit codes, stdout and stderr mean.
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
@@ -7,6 +6,7 @@
 #include <iostream>
 
 #include "commands/command.h"
+#include "commands/help_layout.h"
 #include "commands/verb.h"
 #include "lapfx/authoring/command_line.h"
 #include "lapfx/error.h"
@@ -20,8 +20,9 @@ int fail(int code, const std::string& line) {
 
 int run(int argc, char** argv) {
     CLI::App app{"Bleeding and surgical smoke for laparoscopic simulators: editor and headless commands.", "lapfx"};
-    app.set_version_flag("--version", LAPFX_VERSION);
+    app.set_version_flag("--version", LAPFX_VERSION, "Print the version");
     app.require_subcommand(0, 1);
+    app.formatter(std::make_shared<lapfx::commands::CommandFormatter>());
     lapfx::commands::add_edit(app);
     lapfx::commands::add_render(app);
     lapfx::commands::add_sheet(app);
@@ -31,8 +32,9 @@ int run(int argc, char** argv) {
     lapfx::commands::add_migrate(app);
     lapfx::commands::add_bench(app);
     lapfx::commands::add_gallery(app);
+    lapfx::commands::add_help(app);
     std::vector<std::string> verbs;
-    for (const CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->get_name());
+    for (CLI::App* verb : app.get_subcommands({})) verbs.push_back(verb->group("Commands")->get_name());
     std::vector<std::string> arguments = lapfx::commands::with_verb({argv + std::min(argc, 1), argv + argc}, verbs);
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 takes them
     try {
@@ -40,7 +42,7 @@ int run(int argc, char** argv) {
     } catch (const CLI::Success& done) {  // --help, --version
         return app.exit(done);
     } catch (const CLI::ParseError& wrong) {
-        return fail(2, std::string(wrong.what()) + " (see lapfx --help)");
+        return fail(2, std::string(wrong.what()) + " (see lapfx help)");
     }
     return 0;
 }

@@ -22,12 +22,12 @@ MemoryUse Body::memory_use(const Simulation& simulation) const {
 }
 
 void Body::take(const Simulation& simulation) {
-    foundation_->let_go_pixels();  // the densities, which may need them as they were loaded, are there now
+    foundation_->let_go_pixels();  // densities may need them as they were loaded, and exist now
     bleed_gpu_.set(simulation.preset().bleeding);
     send_density(simulation.density());
 }
 
-/// Values of all vertices from those of the organ as the host has it: midpoints stay midway.
+/// Computes the values of all vertices from those that the host gives: midpoints stay midway.
 std::span<const glm::vec3> Body::follow(std::span<const glm::vec3> given, std::vector<glm::vec3>& all) const {
     all.assign(given.begin(), given.end());
     for (const glm::uvec2& between : midpoints()) all.push_back(0.5f * (all[between.x] + all[between.y]));
@@ -52,7 +52,7 @@ void Body::set_shape(std::span<const glm::vec3> positions, std::span<const glm::
     send_clips();
 }
 
-/// Of the vertices that splitting has made: no facet shows that the organ as it was given has not.
+/// Normals of the vertices that splitting has made: no facet appears that the given organ does not have.
 void Body::set_normals_midway() {
     for (std::size_t i = 0; i < midpoints().size(); ++i) {
         const glm::vec3 sum = normals_[midpoints()[i].x] + normals_[midpoints()[i].y];
@@ -67,7 +67,7 @@ void Body::set_overlay(Overlay overlay, const Simulation& simulation) {
     send_density(simulation.density());
 }
 
-/// Densities are sent only while they are looked at, and once.
+/// Densities are sent only when an overlay shows them, and only once.
 void Body::send_density(const bleeding::TissueDensity& density) {
     if (!row_of(overlay_).densities || sent_density_ == density.version()) return;
     sent_density_ = density.version();
@@ -98,7 +98,7 @@ std::size_t Body::send_clips() {
     return clips_gpu_.set(poses_, clip_length_);
 }
 
-/// Once touched, a triangle counts for good: blood and time go to and fro.
+/// A touched triangle stays touched, because blood and time go forwards and backwards.
 template <class Touched>
 void Body::touch(std::span<const VertexRun> changed, const Touched& is_touched) noexcept {
     for (const VertexRun& run : changed)

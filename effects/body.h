@@ -1,5 +1,5 @@
-// What is drawn of the organ: its mesh, blood and burns on the GPU, as a simulation says they are. Cutting the organ
-// makes another body. Render thread, context current.
+// The organ on the GPU: mesh, blood and burns, as the simulation says. Cutting the organ makes another body. Render
+// thread, context current.
 #pragma once
 
 #include <memory>
@@ -32,7 +32,7 @@ class Body {
     void set_overlay(Overlay overlay, const Simulation& simulation);
     void set_color(glm::vec3 linear) { organ_gpu_.set_color(linear); }
 
-    /// Sends what has changed in the simulation since the last call; gives the bytes.
+    /// Sends what has changed in the simulation since the last call, and returns the bytes sent.
     std::size_t send(Simulation& simulation) noexcept;
     void draw() const noexcept;  ///< with the clips on it
     void draw_clips() const noexcept { clips_gpu_.draw(); }
@@ -41,7 +41,7 @@ class Body {
         organ_gpu_.collect(programs);
         clips_gpu_.collect(programs);
     }
-    /// Of the GPU, and of what it shares with other bodies of the organ.
+    /// GPU memory, and what it shares with other bodies of the organ.
     MemoryUse memory_use(const Simulation& simulation) const;
     const MovedSurface& moved() const { return moved_; }
     const bleeding::BleedGpu& bleed_gpu() const { return bleed_gpu_; }
@@ -56,17 +56,17 @@ class Body {
     void touch(std::span<const VertexRun> changed, const Touched& is_touched) noexcept;
 
     const Surface& surface() const { return foundation_->surface; }
-    /// As RefinedOrgan::midpoints: the last ones of the vertices.
+    /// Like RefinedOrgan::midpoints: of the vertices at the end.
     const std::vector<glm::uvec2>& midpoints() const { return foundation_->unsplit.midpoints; }
 
     std::shared_ptr<const Foundation> foundation_;
     MovedSurface moved_;
     std::size_t vertices_;
-    std::vector<glm::vec3> positions_, normals_;  // of the moved shape, where the host does not give all
+    std::vector<glm::vec3> positions_, normals_;  // the moved shape, if the host does not give all of it
     bleeding::BleedGpu bleed_gpu_;
     render::OrganGpu organ_gpu_;
     render::ClipsGpu clips_gpu_;
-    std::vector<cautery::Clip> clips_;  // that are there now
+    std::vector<cautery::Clip> clips_;  // the clips that exist now
     std::vector<cautery::ClipPose> poses_;
     double clip_length_ = 0.0;  // mm
     render::TouchedTriangles touched_;

@@ -52,10 +52,10 @@ struct Effects::State {
         simulation.set_preset(preset);
         body->take(simulation);
     }
-    /// The tool touches the organ as it is now; contacts are of the shape at rest.
+    /// The tool touches the organ in its present shape; contacts refer to the rest shape.
     void drain_queue() {
         ToolSample sample;
-        // No more than were there when it began: the haptic thread goes on.
+        // Takes no more samples than there were at the beginning: the haptic thread continues.
         for (std::size_t i = 0; i < queue.capacity() && queue.pop(sample); ++i) {
             if (sample.touching) sample.position = body->moved().to_rest(sample.position);
             simulation.add(sample);
@@ -137,7 +137,7 @@ void Effects::set_topology(const Organ& organ, std::span<const std::uint32_t> or
     assert(origin.size() == organ.positions.size());
     organ::FineOrgan fine(organ);
     organ::PixelList pixels = organ::copied_pixels(fine.organ(), s.body->pixels());
-    std::vector<std::shared_ptr<const Image>> needed;  // until the end: decoded once
+    std::vector<std::shared_ptr<const Image>> needed;  // kept until the end, so that they are decoded once
     for (const auto& one : pixels)
         if (one) needed.push_back(one->get());
     const auto foundation = foundation_of(fine, s.simulation.preset().vessels, std::move(pixels));

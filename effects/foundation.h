@@ -1,4 +1,4 @@
-// What the effects know of an organ before they draw it: found once, on any thread, and shared by all bodies of that
+// What the effects compute from an organ before they draw it: once, on any thread, and shared by all bodies of that
 // organ.
 #pragma once
 
@@ -13,8 +13,8 @@
 namespace lapfx {
 
 struct Foundation {
-    /// `unsplit`: what the organ was split from. `pixels`: of the organ's images, where these have none themselves;
-    /// empty: copies of what is needed.
+    /// `unsplit`: the organ before splitting. `pixels`: those of the organ's images, if the images have none; when
+    /// empty, the pixels that are needed are copied.
     Foundation(const Organ& organ, const VesselParameters& vessels, const work::Stages& stages = {},
                organ::Unsplit unsplit = {}, organ::PixelList pixels = {});
     Foundation(const Foundation&) = delete;
@@ -22,34 +22,34 @@ struct Foundation {
 
     std::size_t vertices() const {
         return surface.weld.size();
-    }  ///< of the organ, also those that splitting it has made
+    }  ///< all vertices of the organ, including those made by splitting
     std::size_t given_vertices() const { return vertices() - unsplit.midpoints.size(); }
-    /// Textures have been sent to the GPU: pixels that can be decoded again need not be kept.
+    /// Call this when textures have been sent to the GPU: it frees the pixels that can be decoded again.
     void let_go_pixels() const { organ::let_go(pixels); }
     std::size_t pixel_memory() const { return organ::memory_of(pixels); }  ///< bytes
     std::size_t surface_memory() const { return surface.memory() + unsplit.memory(); }
 
     organ::Unsplit unsplit;
     Surface surface;
-    organ::PixelList pixels;         ///< by image, null where nobody needs them
-    bleeding::TissueDensity tissue;  ///< to be copied by whom it changes, and set; refers to `surface`
+    organ::PixelList pixels;         ///< for each image; null where nobody needs the pixels
+    bleeding::TissueDensity tissue;  ///< refers to `surface`; whoever changes it copies it first
 };
 
 struct PreparedOrgan::State {
-    std::size_t own_memory() const;  ///< bytes, without the foundation and without pixels
+    std::size_t own_memory() const;  ///< bytes, without those of the foundation and of pixels
     std::size_t tool_pixel_memory() const { return organ::memory_of(tool_pixels); }
 
     Organ organ;
     std::shared_ptr<const Foundation> foundation;
-    // Of prepare_organ(scene): what it was made from.
+    // For prepare_organ(scene): the scene's organ that it was made from.
     std::optional<Organ> tool;
-    organ::PixelList tool_pixels;  // of its images, which have none themselves
+    organ::PixelList tool_pixels;  // the pixels of its images, which have none themselves
     SceneOrgan organ_source;
     SceneTool tool_source;
     std::filesystem::path folder;
 };
 
-/// The way to it from what a host holds.
+/// Gives the core access to the state of a PreparedOrgan.
 struct PreparedOrganAccess {
     using State = PreparedOrgan::State;
     static const State& state(const PreparedOrgan& organ) { return organ.state(); }

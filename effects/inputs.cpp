@@ -10,7 +10,7 @@ void require_valid(const Preset& preset) {
         throw Error(Failure::bad_input, std::move(faults));
 }
 
-/// Unit. Throws Error (bad_input) for what is no direction.
+/// A unit vector. Throws Error (bad_input) for a vector without direction.
 glm::dvec3 direction_of(const glm::dvec3& gravity) {
     const double length = glm::length(gravity);
     if (length > 1e-6 && std::isfinite(length)) return gravity / length;

@@ -1,4 +1,4 @@
-// What Effects and AmountsModel take in, checked, and how they count. Pure; any thread.
+// Checks what Effects and AmountsModel take in. Pure; any thread.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,10 +9,10 @@
 
 namespace lapfx {
 
-/// Throws Error (bad_input) with all faults of its values.
+/// Throws Error (bad_input) with every value that is not allowed.
 void require_valid(const Preset& preset);
 
-/// Unit. Throws Error (bad_input) for what is no direction.
+/// A unit vector. Throws Error (bad_input) for a vector without direction.
 glm::dvec3 direction_of(const glm::dvec3& gravity);
 
 int waiting_wounds(std::span<const WoundStatus> wounds) noexcept;

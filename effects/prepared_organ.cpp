@@ -10,9 +10,9 @@ namespace lapfx {
 
 namespace {
 
-// Of the time that it all takes, for a textured organ.
+// Shares of the whole time, for a textured organ.
 constexpr double loaded = 0.3, refined = 0.35, tool_loaded = 0.4;
-constexpr double split = 0.1;  // of that for one that is loaded
+constexpr double split = 0.1;  // share of that for an organ that is already loaded
 
 template <typename T>
 std::size_t bytes_of(const std::vector<T>& data) {
@@ -34,7 +34,7 @@ organ::SplitOrgan split_of(Organ organ, const work::Stages& stages) {
     return organ::refine(std::move(organ), plan, stages);
 }
 
-/// Runs work that Stopped may end.
+/// Runs a task that Stopped may end.
 template <typename F>
 std::shared_ptr<const PreparedOrgan> unless_stopped(const F& work) {
     try {
@@ -52,7 +52,7 @@ Foundation::Foundation(const Organ& organ, const VesselParameters& vessels, cons
       surface(organ, stages.part(0.0, 0.3)),
       pixels(given.empty() ? organ::copied_pixels(organ) : std::move(given)),
       tissue(organ, surface, vessels, stages.part(0.3, 1.0), pixels) {
-    tissue.rest();  // what was made is there for the first copy that is set so
+    tissue.rest();  // the densities made here serve the first preset with these parameters
     stages.reach(1.0);
 }
 
@@ -83,7 +83,7 @@ bool made_for(const PreparedOrgan& prepared, const Scene& scene) {
     const PreparedOrganAccess::State& known = PreparedOrganAccess::state(prepared);
     const SceneOrgan& organ = known.organ_source;
     const SceneTool& tool = known.tool_source;
-    // The same file, however it is named and from wherever.
+    // Whether both paths lead to the same file.
     const auto same_file = [&](const std::string& made, const std::string& wanted) {
         if (made.empty() || wanted.empty()) return made == wanted;
         return std::filesystem::absolute(known.folder / made).lexically_normal() ==

@@ -91,7 +91,7 @@ void Preview::draw(double time, glm::ivec2 size, unsigned framebuffer) {
 }
 
 Image Preview::image(double time, glm::ivec2 size) {
-    state_->frame.resize(size);  // refuses a size the driver cannot make, before anything is allocated for it
+    state_->frame.resize(size);  // refuses a size that the driver cannot make, before anything is allocated for it
     const gl::Texture target({.size = size, .format = GL_RGBA8});
     const gl::Framebuffer framebuffer(target, nullptr);
     draw(time, size, framebuffer.name());
@@ -188,7 +188,8 @@ bool Preview::late() const {
 MemoryUse Preview::memory_use() const {
     const State& s = *state_;
     MemoryUse use = s.effects.memory_use();
-    use.surface += PreparedOrganAccess::state(*s.prepared).own_memory();  // what is known of the organ is in it already
+    use.surface +=
+        PreparedOrganAccess::state(*s.prepared).own_memory();  // the data of the organ is already counted in it
     use.pixels += PreparedOrganAccess::state(*s.prepared).tool_pixel_memory();
     use.targets += s.frame.memory();
     if (!s.tool) return use;

@@ -11,9 +11,9 @@ namespace lapfx {
 
 namespace {
 
-/// The vertex of the former organ that each vertex of the new one was; where it was none, a number beyond all.
-/// `origin`: of the vertices as they were given; a midpoint was the former one between the same two, if their edge was
-/// there.
+/// For each vertex of the new organ, the vertex of the previous one that it was, or a number beyond all. `origin` has
+/// only the vertices that the host gave; a midpoint was the previous midpoint between the same two vertices, if their
+/// edge was split.
 std::vector<std::uint32_t> sources_of(const Foundation& former, const Foundation& now,
                                       std::span<const std::uint32_t> origin) {
     constexpr std::uint32_t gone = 0xffffffff;
@@ -127,7 +127,7 @@ void Simulation::set_surface(std::shared_ptr<const Foundation> foundation, std::
     tissue_->bleed->keep({.values = std::move(kept), .time = time_});
 }
 
-/// What was written to the log since the call before, with the preset as it is.
+/// Brings the tissue up to date with what was written to the log since the last call.
 void Simulation::take_pieces() {
     tissue_->cautery.set(log_, preset_.cautery);
     tissue_->bleed->set_clearing(log_, preset_.bleeding);

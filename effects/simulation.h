@@ -1,5 +1,5 @@
 // What happens on an organ, without OpenGL: the tool's log, the tissue, heat, wounds, blood, burns and haze, over time.
-// Effects draws what it says, AmountsModel asks it for amounts; both are the same to the last bit.
+// Effects draws it and AmountsModel asks it for amounts, so both agree to the last bit.
 //
 //     Simulation simulation(foundation, down);
 //     simulation.set_preset(preset);
@@ -7,7 +7,7 @@
 //     simulation.seek(time);                   // any time, any order
 //     draw(simulation.bleed().values());
 //
-// Presets and directions come in checked (inputs.h). Lengths mm, times s. One thread at a time.
+// Callers check presets and directions first (inputs.h). Lengths mm, times s. One thread at a time.
 #pragma once
 
 #include <memory>
@@ -36,17 +36,18 @@ class Simulation {
     Simulation(const Simulation&) = delete;
     Simulation& operator=(const Simulation&) = delete;
 
-    /// Each takes effect at once, on all that has happened too; amounts of blood and wounds at the next seek().
+    /// Each change takes effect immediately, also on what has already happened; amounts of blood and wounds follow at
+    /// the next seek().
     void set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves);
     void set_preset(const Preset& preset);
     void set_curves(const Curves& curves);
     void set_down(const glm::dvec3& down);
-    /// Takes the place of all contacts.
+    /// Replaces all contacts.
     void set_contacts(std::span<const ToolContact> contacts);
-    /// At a place of the shape at rest. What it does is seen after take_samples().
+    /// Adds a sample at a place of the rest shape. Its effect shows after take_samples().
     void add(const ToolSample& sample) { recorder_.add(sample); }
     void take_samples();
-    /// The organ has been cut (Effects::set_topology). `origin`: of every vertex of the new one, as there.
+    /// Cuts the organ (Effects::set_topology). `origin` has an entry for every vertex of the new organ, as there.
     void set_surface(std::shared_ptr<const Foundation> foundation, std::span<const std::uint32_t> origin);
 
     void seek(double time) noexcept;
@@ -70,7 +71,7 @@ class Simulation {
     cautery::Cautery& cautery() { return tissue_->cautery; }
 
   private:
-    /// All that depends on the surface.
+    /// Everything that depends on the surface.
     struct Tissue {
         Tissue(std::shared_ptr<const Foundation> of, const glm::dvec3& down);
         Tissue(const Tissue&) = delete;

@@ -114,9 +114,11 @@ void add_bench(CLI::App& app) {
     const auto add_part = [verb](const char* name, const char* help) {
         auto options = std::make_shared<BenchOptions>();
         CLI::App* part = verb->add_subcommand(name, help);
-        part->add_option("--json", options->json, "Write the figures to this file too");
+        part->group("Parts");
+        part->footer("Example:\n  lapfx bench " + part->get_name() + " --short --json " + part->get_name() + ".json");
+        part->add_option("--json", options->json, "Write the figures to this file, too")->option_text("FILE");
         part->add_flag("--short", options->short_form,
-                       "Do all of it in seconds, to see that it works; figures mean nothing");
+                       "Do all of it in seconds, to see that it works; the figures mean nothing");
         return std::pair(part, options);
     };
     const auto add = [&add_part](const char* name, const char* help, Bench bench) {
@@ -136,11 +138,16 @@ void add_bench(CLI::App& app) {
     const auto [streaming, options] =
         add("streaming", "Smoke clips by the paper's schemes and ours, as in its table 2, and FFmpeg for comparison",
             bench_streaming);
-    streaming->add_option("--plot", options->plot, "Draw the panels of the paper's figure 10 to this PNG");
-    streaming->add_option("--only", options->only, "Measure this ratio alone, in about a minute")->excludes("--plot");
-    streaming->add_option("--rounds", options->rounds, "Times that each case is measured; the best is kept")
+    streaming->add_option("--plot", options->plot, "Draw the panels of the paper's figure 10 into this PNG")
+        ->option_text("FILE");
+    streaming->add_option("--only", options->only, "Measure this ratio alone, in about a minute")
+        ->option_text("RATIO")
+        ->excludes("--plot");
+    streaming->add_option("--rounds", options->rounds, "How often each case is measured, 1 to 20; the best counts")
+        ->option_text("NUMBER")
         ->check(CLI::Range(1, 20))
         ->capture_default_str();
+    verb->footer("tests/bench/README.md has the figures, and what each ratio compares.");
 }
 
 }  // namespace lapfx::commands

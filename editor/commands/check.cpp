@@ -95,9 +95,14 @@ void add_check(CLI::App& app) {
     CLI::App* verb = app.add_subcommand(
         "check", "Validate presets and scenes and open the files that they name; every fault is printed");
     verb->add_option("FILE", options->files, "Presets and scenes (.json)");
-    verb->add_option("--schema", options->schema, "Print the JSON Schema of this kind of document instead")
+    verb->add_option("--schema", options->schema, "Print the JSON Schema of presets or scenes instead: preset or scene")
+        ->option_text("KIND")
         ->check(CLI::IsMember({"preset", "scene"}))
         ->excludes("FILE");
+    verb->footer(
+        "Examples:\n"
+        "  lapfx check presets/gastric_banding.json samples/lagb.scene.json\n"
+        "  lapfx check --schema preset");
     verb->callback([options] { run(*options); });
 }
 

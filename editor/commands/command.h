@@ -15,5 +15,7 @@ void add_inspect(CLI::App& app);
 void add_migrate(CLI::App& app);
 void add_bench(CLI::App& app);
 void add_gallery(CLI::App& app);
+/// Last: it lists the others.
+void add_help(CLI::App& app);
 
 }  // namespace lapfx::commands

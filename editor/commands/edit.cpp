@@ -215,27 +215,37 @@ void add_edit(CLI::App& app) {
     verb->add_option("FILE", o->files,
                      "A scene or preset (.json), an organ (" + listed(Content::mesh, ", ") +
                          "), a smoke video or image, numbered images (smoke_%04d.png)");
-    verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window");
-    verb->add_option(
-        "--size", o->size,
-        "WxH in pixels (of a window, at scale 1). Without it a window opens as it was left, a picture is 1440x900");
+    verb->add_option("--screenshot", o->screenshot, "Write a PNG of the editor instead of opening a window")
+        ->option_text("FILE");
+    verb->add_option("--size", o->size,
+                     "Size in pixels, of a window at scale 1; default: the size at which the window was last closed, "
+                     "for files 1440x900")
+        ->option_text("WxH");
     verb->add_option("--layout", o->layout,
-                     "How panels are arranged: Tune, Key, Compare, Stage, or a layout of your own");
-    verb->add_option("--theme", o->theme, "dark or light");
-    verb->add_option("--at", o->at, "Time that is shown, s")->check(finite_number())->check(CLI::Range(0.0, 86400.0));
+                     "How panels are arranged: Tune, Key, Compare, Stage, or a layout of your own")
+        ->option_text("NAME");
+    verb->add_option("--theme", o->theme, "dark or light")->option_text("NAME");
+    verb->add_option("--at", o->at, "The time that is shown")
+        ->option_text("SECONDS")
+        ->check(finite_number())
+        ->check(CLI::Range(0.0, 86400.0));
     verb->add_option("--scale", o->scale, "Scale of the user interface, 0.75 to 3")
+        ->option_text("NUMBER")
         ->check(finite_number())
         ->check(CLI::Range(0.75, 3.0));
     verb->add_option("--backend", o->backend, "For --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
+        ->option_text("NAME")
         ->capture_default_str();
-    verb->add_option(
-        "--dump", o->dump,
-        "Write all widgets with names, values and places instead of opening a window: .json, or one line per widget");
-    verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
+    verb->add_option("--dump", o->dump,
+                     "Write all widgets with names, values and places instead of opening a window: .json, or one line "
+                     "per widget")
+        ->option_text("FILE");
+    verb->add_option("--dump-on-close", o->dump_on_close, "Like --dump, but when the window is closed")
+        ->option_text("FILE");
     verb->add_flag("--statistics", o->statistics,
                    "Print a line on stderr for every frame of the window and why it was drawn, and the memory that the "
                    "window uses");
-    verb->footer("Example: lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
+    verb->footer("Example:\n  lapfx edit samples/lagb.scene.json --layout Key --screenshot key.png");
     verb->callback([o] { run(*o); });
 }
 

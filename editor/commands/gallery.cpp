@@ -138,25 +138,33 @@ void run(const Options& o) {
 void add_gallery(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("gallery", "Show the widgets of the user interface, each in all its states");
-    verb->add_option("--page", o->page, "The page to show")->capture_default_str();
-    verb->add_option("--theme", o->theme, "dark or light")->capture_default_str();
-    verb->add_option("--scale", o->scale, "0.75 to 3; without it that of the screen, for files 1")
+    verb->add_option("--page", o->page, "The page to show")->option_text("NAME")->capture_default_str();
+    verb->add_option("--theme", o->theme, "dark or light")->option_text("NAME")->capture_default_str();
+    verb->add_option("--scale", o->scale,
+                     "Scale of the user interface, 0.75 to 3; default: that of the screen, for files 1")
+        ->option_text("NUMBER")
         ->check(finite_number())
         ->check(CLI::Range(0.75, 3.0));
-    verb->add_option("--size", o->size, "WxH in pixels; of a window, at scale 1")->capture_default_str();
+    verb->add_option("--size", o->size, "Size in pixels; of a window, at scale 1")
+        ->option_text("WxH")
+        ->capture_default_str();
     verb->add_flag("--bare", o->bare, "The page alone, without the list of pages and the switches");
     verb->add_flag("--reduced-motion", o->reduced_motion, "Nothing blinks or moves by itself");
-    verb->add_option("--screenshot", o->screenshot, "Write a PNG instead of opening a window");
-    verb->add_option(
-        "--dump", o->dump,
-        "Write all widgets with names, values and places instead of opening a window: .json, or one line per widget");
-    verb->add_option("--focus", o->focus, "In these files the widget with this path has the keyboard");
+    verb->add_option("--screenshot", o->screenshot, "Write a PNG instead of opening a window")->option_text("FILE");
+    verb->add_option("--dump", o->dump,
+                     "Write all widgets with names, values and places instead of opening a window: .json, or one line "
+                     "per widget")
+        ->option_text("FILE");
+    verb->add_option("--focus", o->focus, "In these files the widget with this path has the keyboard")
+        ->option_text("PATH");
     verb->add_option("--backend", o->backend, "For --screenshot: egl, osmesa or auto (EGL, else OSMesa)")
+        ->option_text("NAME")
         ->capture_default_str();
-    verb->add_option("--dump-on-close", o->dump_on_close, "As --dump, when the window is closed");
+    verb->add_option("--dump-on-close", o->dump_on_close, "Like --dump, but when the window is closed")
+        ->option_text("FILE");
     verb->add_flag("--statistics", o->statistics,
                    "Print a line on stderr for every frame of the window, and why it was drawn");
-    verb->footer("Example: lapfx gallery --page Text --scale 2 --theme light --screenshot text.png");
+    verb->footer("Example:\n  lapfx gallery --page Text --scale 2 --theme light --screenshot text.png");
     verb->callback([o] { run(*o); });
 }
 

@@ -102,19 +102,6 @@ void inspect_files(const std::vector<std::string>& files, bool keying) {
     if (!faults.empty()) throw Error(failure, std::move(faults));
 }
 
-/// The table of formats, as help shows it.
-std::string format_lines() {
-    std::string text = "Formats:\n";
-    for (const Content content : {Content::mesh, Content::video, Content::picture, Content::document})
-        for (const FileFormat& format : formats(content)) {
-            std::string names = "  ";
-            for (const std::string_view extension : format.extensions) names += std::string(extension) + ' ';
-            names.resize(std::max<std::size_t>(names.size(), 22), ' ');
-            text += names + std::string(format.name) + ": " + std::string(format.holds) + "\n";
-        }
-    return text;
-}
-
 }  // namespace
 
 void add_inspect(CLI::App& app) {
@@ -126,7 +113,11 @@ void add_inspect(CLI::App& app) {
     verb->add_flag(
         "--keying", *keying,
         "Suggest how to separate the smoke of a video from its background, as an entry for a clip in a preset");
-    verb->footer(format_lines());
+    verb->footer(
+        "Examples:\n"
+        "  lapfx inspect samples/lagb.glb samples/clips/plume_thick.mp4\n"
+        "  lapfx inspect --keying samples/clips/plume_thick.mp4\n\n"
+        "`lapfx help files` lists the formats.");
     verb->callback([files, keying] { inspect_files(*files, *keying); });
 }
 

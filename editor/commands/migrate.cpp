@@ -27,6 +27,7 @@ void add_migrate(CLI::App& app) {
     CLI::App* verb =
         app.add_subcommand("migrate", "Update presets and scenes to the current version, with every key written out");
     verb->add_option("FILE", *files, "Presets and scenes (.json); rewritten in place")->required();
+    verb->footer("Example:\n  lapfx migrate presets/slow_ooze.json");
     verb->callback([files] {
         for (const std::string& file : *files) check_document(file);  // all or none
         for (const std::string& file : *files) migrate(file);

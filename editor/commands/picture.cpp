@@ -84,11 +84,14 @@ void add_picture(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("picture", "Make a small picture of any file that the editor opens");
     verb->add_option("FILE", o->file, "A video (a frame of it), an image, an organ, a scene or a preset")->required();
-    verb->add_option("--size", o->size, "WxH in pixels; a video or an image keeps its shape and fits into that")
+    verb->add_option("--size", o->size, "Size in pixels; a video or an image keeps its shape and fits into that")
+        ->option_text("WxH")
         ->capture_default_str();
-    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
-    verb->add_option("-o,--output", o->output, "The picture: out.png")->required();
-    verb->footer("Example: lapfx picture my_organ.glb -o my_organ.png");
+    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")
+        ->option_text("NAME")
+        ->capture_default_str();
+    verb->add_option("-o,--output", o->output, "The picture: out.png")->option_text("FILE")->required();
+    verb->footer("Example:\n  lapfx picture samples/lagb.glb -o organ.png");
     verb->callback([o] { run(*o); });
 }
 

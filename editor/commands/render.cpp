@@ -4,6 +4,7 @@
 #include "commands/progress.h"
 #include "commands/session.h"
 #include "lapfx/authoring/command_line.h"
+#include "lapfx/authoring/formats.h"
 #include "output/render_job.h"
 
 namespace lapfx::commands {
@@ -83,28 +84,45 @@ void add_render(CLI::App& app) {
     CLI::App* verb =
         app.add_subcommand("render", "Render a scene to a PNG, a PNG sequence or a video, without a display");
     verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
-    verb->add_option("--preset", o->preset, "This preset instead of the one that the scene names");
-    verb->add_option("--set", o->settings, "Change one parameter: KEY=VALUE, such as bleeding.speed=8; repeatable")
+    verb->add_option("--preset", o->preset, "This preset instead of the one that the scene names")->option_text("FILE");
+    verb->add_option("--set", o->settings, "Change one parameter, such as bleeding.speed=8; may be repeated")
+        ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
-    verb->add_option("--size", o->size, "WxH in pixels")->capture_default_str();
-    verb->add_option("--fps", o->fps, "Frames per second of a sequence or video")
+    verb->add_option("--size", o->size, "Size in pixels")->option_text("WxH")->capture_default_str();
+    verb->add_option("--fps", o->fps, "Frames per second of a sequence or video, 0.1 to 1000")
+        ->option_text("NUMBER")
         ->check(finite)
         ->check(CLI::Range(0.1, 1000.0))
         ->capture_default_str();
-    auto* from = verb->add_option("--from", o->from, "First frame, s")->check(finite)->check(CLI::Range(0.0, 86400.0));
-    auto* to = verb->add_option("--to", o->to, "End, s; the scene's end if not given")
+    auto* from = verb->add_option("--from", o->from, "Time of the first frame; default: 0")
+                     ->option_text("SECONDS")
+                     ->check(finite)
+                     ->check(CLI::Range(0.0, 86400.0));
+    auto* to = verb->add_option("--to", o->to, "Time at which it ends; default: the end of the scene")
+                   ->option_text("SECONDS")
                    ->check(finite)
                    ->check(CLI::Range(0.0, 86400.0));
-    auto* at =
-        verb->add_option("--at", o->at, "One picture at this time, s")->check(finite)->check(CLI::Range(0.0, 86400.0));
+    auto* at = verb->add_option("--at", o->at, "One picture at this time; not with --from and --to")
+                   ->option_text("SECONDS")
+                   ->check(finite)
+                   ->check(CLI::Range(0.0, 86400.0));
     at->excludes(from)->excludes(to);
-    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
-    verb->add_option("--overlay", o->overlay, overlay_help())->capture_default_str();
+    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")
+        ->option_text("NAME")
+        ->capture_default_str();
+    verb->add_option("--overlay", o->overlay, overlay_help())->option_text("NAME")->capture_default_str();
     verb->add_option("--amounts", o->amounts,
-                     "Write the amounts of each frame (blood mm2 and mm3, wounds, haze) as CSV");
-    verb->add_option("-o,--output", o->output, "out.png, out_%04d.png, or a video: out.mp4, .mov, .mkv, .avi")
+                     "Write the amounts of each frame (blood mm2 and mm3, wounds, haze) as CSV")
+        ->option_text("FILE.csv");
+    verb->add_option("-o,--output", o->output,
+                     "out.png, out_%04d.png, or a video: " + listed(Content::video, " or ", true))
+        ->option_text("FILE")
         ->required();
-    verb->footer("Example: lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png");
+    verb->footer(
+        "Examples:\n"
+        "  lapfx render samples/lagb.scene.json --at 6 --set bleeding.speed=8 -o out.png\n"
+        "  lapfx render samples/lagb.scene.json --at 0 --overlay vessels -o vessels.png\n"
+        "  lapfx render samples/lagb.scene.json --to 1 --size 640x512 --amounts amounts.csv -o out.mp4");
     verb->callback([o, from, to, at] {
         o->has_at = at->count() > 0;
         o->has_span = from->count() + to->count() > 0;

@@ -140,22 +140,28 @@ void add_sheet(CLI::App& app) {
     auto o = std::make_shared<Options>();
     CLI::App* verb = app.add_subcommand("sheet", "Render a sheet of pictures: times across, presets down, with labels");
     verb->add_option("SCENE", o->scene, "The scene (.scene.json)")->required();
-    verb->add_option("--preset", o->presets, "A row with this preset; repeatable. Without one: the scene's own")
+    verb->add_option("--preset", o->presets,
+                     "A row with this preset; may be repeated. Default: the preset of the scene")
+        ->option_text("FILE")
         ->allow_extra_args(false);
-    verb->add_option("--at", o->times, "Times of the columns, s: 1,3,6,10")
+    verb->add_option("--at", o->times, "Times of the columns in seconds: 1,3,6,10")
+        ->option_text("TIMES")
         ->required()
         ->delimiter(',')
         ->allow_extra_args(false)
         ->check(finite_number())
         ->check(CLI::Range(0.0, 86400.0));
-    verb->add_option("--set", o->settings, "Change one parameter in every row: KEY=VALUE; repeatable")
+    verb->add_option("--set", o->settings, "Change one parameter in every row; may be repeated")
+        ->option_text("KEY=VALUE")
         ->allow_extra_args(false);
-    verb->add_option("--size", o->size, "WxH in pixels of each picture")->capture_default_str();
-    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")->capture_default_str();
-    verb->add_option("-o,--output", o->output, "The sheet: sheet.png")->required();
+    verb->add_option("--size", o->size, "Size of each picture in pixels")->option_text("WxH")->capture_default_str();
+    verb->add_option("--backend", o->backend, "egl, osmesa or auto (EGL, else OSMesa)")
+        ->option_text("NAME")
+        ->capture_default_str();
+    verb->add_option("-o,--output", o->output, "The sheet: sheet.png")->option_text("FILE")->required();
     verb->footer(
-        "Example: lapfx sheet samples/lagb.scene.json --preset presets/slow_ooze.json --preset "
-        "presets/brisk_bleed.json "
+        "Example:\n"
+        "  lapfx sheet samples/lagb.scene.json --preset presets/slow_ooze.json --preset presets/brisk_bleed.json "
         "--at 1,3,6,10 -o sheet.png");
     verb->callback([o] { run(*o); });
 }

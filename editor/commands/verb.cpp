@@ -6,8 +6,6 @@
 #include <string_view>
 #include <utility>
 
-#include "lapfx/error.h"
-
 namespace lapfx::commands {
 
 namespace {
@@ -34,18 +32,27 @@ bool could_be_file(const std::string& word) {
     return word.find_first_of("./%") != std::string::npos || std::filesystem::exists(word, error);
 }
 
-Error unknown_verb(const std::string& word, std::span<const std::string> verbs) {
+/// `what`: "is neither a command nor a file".
+Error refused(const std::string& word, const std::string& what, std::span<const std::string> known) {
     const std::string shown = word.substr(0, longest_verb);
-    const auto nearest = std::min_element(verbs.begin(), verbs.end(), [&](const auto& a, const auto& b) {
+    const auto nearest = std::min_element(known.begin(), known.end(), [&](const auto& a, const auto& b) {
         return difference(shown, a) < difference(shown, b);
     });
-    return {Failure::bad_input, Fault{.file = "",
-                                      .place = "",
-                                      .reason = "\"" + shown + "\" is neither a command nor a file; nearest is " +
-                                                *nearest + " (see lapfx --help)"}};
+    return {Failure::bad_input,
+            Fault{.file = "",
+                  .place = "",
+                  .reason = "\"" + shown + "\" " + what + "; nearest is " + *nearest + " (see lapfx help)"}};
+}
+
+Error unknown_verb(const std::string& word, std::span<const std::string> verbs) {
+    return refused(word, "is neither a command nor a file", verbs);
 }
 
 }  // namespace
+
+Error unknown_word(const std::string& word, const std::string& what, std::span<const std::string> known) {
+    return refused(word, "is not a " + what, known);
+}
 
 std::vector<std::string> with_verb(std::vector<std::string> arguments, std::span<const std::string> verbs) {
     const auto is_verb = [&](const std::string& word) {
@@ -53,11 +60,6 @@ std::vector<std::string> with_verb(std::vector<std::string> arguments, std::span
     };
     if (arguments.empty()) return {"edit"};
     const std::string first = arguments.front();
-    if (first == "help") {
-        if (arguments.size() == 1) return {"--help"};
-        if (!is_verb(arguments[1])) throw unknown_verb(arguments[1], verbs);
-        return {arguments[1], "--help"};
-    }
     for (const char* own : {"-h", "--help", "--version"})
         if (first == own) return arguments;
     if (is_verb(first)) return arguments;

@@ -1,15 +1,20 @@
-// What `lapfx` is to do, when it is not said by a verb.
+// Which command the first word of `lapfx` asks for, and what is said of a word that asks for none.
 #pragma once
 
 #include <span>
 #include <string>
 #include <vector>
 
+#include "lapfx/error.h"
+
 namespace lapfx::commands {
 
 /// The arguments after the program's name with their verb in front: files and options alone, or nothing at all, are for
-/// `edit`, and `help VERB` asks `VERB --help`. Throws Error (bad_input), with the nearest verb, for a first word that
-/// is neither a verb nor could be a file.
+/// `edit`. Throws Error (bad_input), with the nearest verb, for a first word that is neither a verb nor could be a
+/// file.
 std::vector<std::string> with_verb(std::vector<std::string> arguments, std::span<const std::string> verbs);
+
+/// `"shet" is not a command or topic of help; nearest is sheet (see lapfx help)`. `known` has at least one word.
+Error unknown_word(const std::string& word, const std::string& what, std::span<const std::string> known);
 
 }  // namespace lapfx::commands

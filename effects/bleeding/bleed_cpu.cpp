@@ -13,7 +13,7 @@ namespace lapfx::bleeding {
 
 namespace {
 
-constexpr double longest_triangle = 1000.0;  // mm; organs have none, files with a wrong unit have
+constexpr double longest_triangle = 1000.0;  // mm; only files with a wrong unit have such edges
 
 /// Bleed value `beyond` mm outside the reach of a source value, below 0: noise may show blood there. While the source
 /// value is smaller than the noise the value falls faster, so that a wound never begins as a blob of noise.
@@ -72,17 +72,17 @@ void BleedField::set(std::span<const Wound> wounds, const BleedingParameters& pa
         std::fill(settled_values_.begin(), settled_values_.end(), glm::vec2(dry_, 0.0f));
         std::fill(values_.begin(), values_.end(), glm::vec2(dry_, 0.0f));
         changed_.mark_all();
-        amount_.mark_all();  // where blood is gone, nothing else tells of it
+        amount_.mark_all();  // nothing else shows where blood was removed
     }
     replace_wounds(wounds);
 }
 
-/// Gravity at most doubles a distance, so no neighbour of what noise can reach is drier.
+/// Gravity at most doubles a distance, so no neighbour of a place within reach of noise is drier.
 float BleedField::driest() const noexcept {
     return static_cast<float>(-(parameters_.noise_strength + 2.0 * longest_edge_ + 1.0));
 }
 
-/// The common case, wounds added at the end and others stopped, touches no front.
+/// In the common case, wounds are added at the end or stopped, and no front changes.
 void BleedField::replace_wounds(std::span<const Wound> wounds) {
     const auto in_place = [&] {
         for (std::size_t i = 0; i < bleeders_.size(); ++i)
@@ -94,7 +94,7 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
             if (bleeders_[i].wound == wounds[i]) continue;
             if (bleeders_[i].is_settled)
                 activate(i);
-            else  // also what has flowed since a clearing may be less now
+            else  // the flow since a clearing may also be smaller now
                 for_each_reached(bleeders_[i], [&](const Reached& at) { anew_.add(at.vertex); });
             bleeders_[i].wound = status_[i].wound = wounds[i];
         }
@@ -105,7 +105,7 @@ void BleedField::replace_wounds(std::span<const Wound> wounds) {
             if (is_place(b.wound.position)) known.emplace(key(b.wound.position), std::move(b));
         bleeders_.clear();
         for (const Wound& wound : wounds) {
-            // A NaN has no order: it must not be looked up.
+            // A NaN has no order and must not be looked up.
             const auto found = is_place(wound.position) ? known.find(key(wound.position)) : known.end();
             if (found == known.end()) {
                 bleeders_.push_back({.wound = wound, .front = Front(room_, metric_of(parameters_), wound.position)});
@@ -147,29 +147,29 @@ void BleedField::keep(KeptBlood kept) {
     stale_ = true;
 }
 
-/// mm that blood has come, of a flow that nothing bounds; clots draw together.
+/// How far blood has travelled for an unbounded flow, mm; clots draw together.
 double BleedField::source_of(const Bleeder& bleeder, double flowed) const noexcept {
     return std::min(flowed, parameters_.max_extent) * (1.0 - clot_shrink * static_cast<double>(bleeder.clot));
 }
 
-/// Whether places that were cleared fill up with the flow between what was written and `flowed`: it goes on when the
-/// extent has long been reached.
+/// Whether cleared places still fill with the flow between what was written and `flowed`, even long after the extent
+/// was reached.
 bool BleedField::refills(const Bleeder& b, double flowed) const noexcept {
     if (b.cleared == never_cleared || flowed == b.flowed) return false;
     return std::min(flowed, b.flowed) - flow(b.wound, parameters_, b.cleared, strength_) < parameters_.max_extent;
 }
 
-/// Whether nothing changes what the bleeder is, as it was looked at at `time`, but the tool: it has clotted, or bled
-/// all over its extent with nothing to end it.
+/// Whether only the tool can still change the bleeder after `time`: it has clotted, or its blood covers its extent and
+/// nothing will end the bleeding.
 bool BleedField::has_settled(const Bleeder& b, double time) const noexcept {
-    constexpr double rounding = 1e-6;  // mm; flows of two times may differ so in the wrong direction
+    constexpr double rounding = 1e-6;  // mm; rounding may make a later flow smaller by this
     if (b.clot == 1.0f && time > b.wound.start) return true;
     const double full = parameters_.max_extent + rounding;
     if (b.wound.stop != std::numeric_limits<double>::infinity() || b.flowed < full) return false;
     return b.cleared == never_cleared || b.flowed - flow(b.wound, parameters_, b.cleared, strength_) >= full;
 }
 
-/// What the bleeder is at `time`, and what that changes.
+/// Finds the state of the bleeder at `time`, and what that changes.
 void BleedField::look(Bleeder& b, double time) noexcept {
     const auto clot = static_cast<float>(clot_of(b.wound, parameters_, time));
     const double flowed = flow(b.wound, parameters_, time, strength_), before = b.source;
@@ -202,7 +202,7 @@ void BleedField::update(double time) noexcept {
     settle(time);
 }
 
-/// All of it, as if nothing had been before.
+/// Everything, as at the first time.
 void BleedField::write_anew(double time) noexcept {
     anew_.clear();
     settled_anew_.clear();
@@ -212,7 +212,7 @@ void BleedField::write_anew(double time) noexcept {
         Bleeder& b = bleeders_[i];
         look(b, time);
         b.cleared = never_cleared;
-        // Where something was cleared it takes writing to know.
+        // Where something was cleared, only writing shows it.
         b.is_settled = has_settled(b, time) && (b.clot == 1.0f || !clearing_.any());
         march(b);
         if (b.is_settled)
@@ -226,7 +226,7 @@ void BleedField::write_anew(double time) noexcept {
     for (std::uint32_t i = 0; i < bleeders_.size(); ++i) tell(i, time);
 }
 
-/// The tool has taken blood away at some places: the settled wounds whose blood was there may fill them again.
+/// The tool has removed blood at some places; settled wounds whose blood was there may fill them again.
 void BleedField::unsettle_cleared(double time) noexcept {
     for (const std::uint32_t v : clearing_.changed())
         if (is_touched_[v]) {
@@ -272,7 +272,7 @@ void BleedField::write_changes(double time) noexcept {
     settled_anew_.clear();
 }
 
-/// A settled one may change again: its values leave the layer of the settled ones.
+/// A settled bleeder may change again: its values leave the settled layer.
 void BleedField::activate(std::uint32_t number) noexcept {
     Bleeder& b = bleeders_[number];
     b.is_settled = false;
@@ -292,7 +292,7 @@ void BleedField::settle(double time) noexcept {
     });
 }
 
-/// What a wound is doing: of what has been written, for that is where its blood was cleared.
+/// The state of a wound, from what has been written, because writing notes where its blood was cleared.
 void BleedField::tell(std::uint32_t number, double time) noexcept {
     const Bleeder& b = bleeders_[number];
     status_[number] = {.wound = b.wound,
@@ -301,15 +301,15 @@ void BleedField::tell(std::uint32_t number, double time) noexcept {
                        .bleeds = bleeds(b.wound, parameters_, time, strength_, b.cleared)};
 }
 
-/// No blood is left: what it has touched need not be looked at again.
+/// No blood is left: the places that it touched need not be examined again.
 void BleedField::forget() noexcept {
     for (const std::uint32_t v : touched_) is_touched_[v] = false;
     touched_.clear();
     amount_.clear();
 }
 
-/// Blood that was there before the organ was cut belongs to the wounds of that time: it clots when they have. True when
-/// that has changed.
+/// Blood from before the organ was cut belongs to the wounds of that time and clots with them. True when that has
+/// changed.
 bool BleedField::age_kept(double time) noexcept {
     if (kept_.values.empty()) return false;
     const bool shown = time >= kept_.time;
@@ -327,7 +327,7 @@ bool BleedField::age_kept(double time) noexcept {
     return changed;
 }
 
-/// What was kept at a place, dry where nothing was.
+/// The value kept at a place, dry where nothing was kept.
 glm::vec2 BleedField::kept_at(std::uint32_t v) const noexcept {
     const glm::vec2 none_here(dry_, 0.0f);
     if (!kept_shown_ || kept_.values.empty() || kept_.values[v].x <= none) return none_here;
@@ -345,7 +345,7 @@ void BleedField::for_each_reached(Bleeder& b, Visit visit) noexcept {
         for (const Reached& at : b.front.ring(r, room_)) visit(at);
 }
 
-/// Up to what noise can reach, and a triangle beyond, where gravity at most doubles a distance.
+/// As far as noise can reach, and one triangle more, where gravity at most doubles a distance.
 void BleedField::march(Bleeder& b) noexcept {
     b.rings = 0;
     if (b.source <= 0.0) return;
@@ -376,7 +376,7 @@ void BleedField::write(Bleeder& b, Layer& layer, const Region& within) noexcept 
     });
 }
 
-/// The larger value counts; of equal ones the fresher blood.
+/// The larger value counts; of equal values that of the fresher blood.
 void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer) noexcept {
     const float value = std::max(value_at(b, to), dry_);
     glm::vec2& at = layer[to.vertex];
@@ -385,8 +385,7 @@ void BleedField::put_value(Bleeder& b, const Reached& to, Layer& layer) noexcept
     if (&layer == &surface_values_) written_.push_back(to.vertex);
 }
 
-/// Value of one wound. Where something was cleared, what was there is capped; what has flowed since is not. Notes when
-/// blood of the wound was taken away.
+/// The value of one wound. A clearing caps earlier blood but not later flow. Notes when blood of the wound was removed.
 float BleedField::value_at(Bleeder& b, const Reached& at) const noexcept {
     const auto value_of = [&](double source) {
         if (source <= 0.0) return dry_;

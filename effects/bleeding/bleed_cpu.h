@@ -1,14 +1,15 @@
 // Bleed value per vertex: b(x, t) = max over wounds of s_w(t) - d_w(x), mm; 0 and below is dry (the paper's animation
-// variable). b is carried on below 0, as far as noise can move the edge and a triangle more: cut off at the vertices,
-// the edge would move outwards, the farther the coarser the mesh, and noise could only ever take blood away. Beside it
-// goes how far the blood there has clotted.
+// variable). b continues below 0, as far as noise can move the edge and one triangle more. If the vertices cut it off
+// at 0, the edge would move outwards, farther on coarser meshes, and noise could only remove blood. Each vertex also
+// has a value for how far its blood has clotted.
 //
-// Where suction or irrigation has cleared a place, what was there is capped (clearing.h), and what has flowed since
-// comes on top: the wound fills the place again from the wound outwards.
+// Where suction or irrigation has cleared a place, the earlier blood is capped (clearing.h) and later flow is added:
+// the place fills again from the wound outwards.
 //
-// Work follows what changes. A wound that has clotted, or bled all over its extent, is settled: its values lie in a
-// layer of their own, and it is looked at again only when the tool comes to its blood. While blood grows, the wounds
-// that grow are written; where blood is taken away or draws together, those that reach there. One thread at a time.
+// Work is proportional to what changes. A wound that has clotted, or whose blood covers its whole extent, is settled:
+// its values are kept in a separate layer, and it is examined again only when the tool reaches its blood. While blood
+// grows, only growing wounds are written; where blood is removed or draws together, only the wounds that reach there.
+// One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -32,40 +33,41 @@ namespace lapfx::bleeding {
 /// Blood of an organ before it was cut.
 struct KeptBlood {
     std::vector<glm::vec2> values;  ///< per surface vertex, bleed value and clot; BleedField::none where there is none
-    double time = 0.0;              ///< s, from when on it is there
+    double time = 0.0;              ///< time from which it exists, s
 };
 
 class BleedField {
   public:
-    static constexpr float none = -1e30f;  ///< for keep(): nothing is kept here
+    static constexpr float none = -1e30f;  ///< for keep(): a vertex where nothing is kept
 
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     BleedField(const Surface& surface, glm::dvec3 down);
 
-    /// Values depend on what is set and on the time, to the last bit, not on what was set before. Fronts of wounds that
-    /// stay at their place are kept; a new gravity_bias, crease_bias or bridge_gap lets all run anew.
+    /// Values depend, to the last bit, only on what is set and on the time, not on what was set before. Fronts of
+    /// wounds that stay at their place are kept; with another gravity_bias, crease_bias or bridge_gap all fronts run
+    /// again.
     void set(std::span<const Wound> wounds, const BleedingParameters& parameters);
-    /// Suction and irrigation of the tool, always of the same log.
+    /// Takes suction and irrigation from the tool's log. It must always be the same log.
     void set_clearing(const tool::Log& log, const BleedingParameters& parameters);
     /// The scene's factor on the flow over time (lapfx/curves.h); 1 at first.
     void set_strength(const FactorCurve& strength);
-    /// Blood that is there whatever the wounds say, until it is cleared. It clots on when the wounds have that were
-    /// open by its time.
+    /// Blood that stays until it is cleared, whatever the wounds do. It clots together with the wounds that were open
+    /// at its time.
     void keep(KeptBlood kept);
-    /// What keep() was given. The field is not to be used after it.
+    /// Gives back what keep() was given. Do not use the field afterwards.
     KeptBlood take_kept() { return std::move(kept_); }
 
     void update(double time) noexcept;
 
-    /// Value where no blood can come, mm: lower than where noise can show any, and not so low that its slope, carried
-    /// on beyond a triangle by multisampling, could come above 0. Changes with noise_strength.
+    /// Value of places that blood cannot reach, mm: too low for noise to show blood, and high enough that its slope,
+    /// which multisampling extends beyond a triangle, does not rise above 0. Changes with noise_strength.
     float dry() const { return dry_; }
     std::span<const glm::vec2> values() const { return values_; }                  ///< per organ vertex: mm; clot 0..1
     std::span<const glm::vec2> surface_values() const { return surface_values_; }  ///< the same per surface vertex
     ChangedVertices& changed() { return changed_; }                                ///< organ vertices; at first, all
 
     BloodAmount amount() const noexcept;
-    int bleeding_wounds() const noexcept;  ///< that bleed (wound.h), as of the last update
+    int bleeding_wounds() const noexcept;  ///< wounds that bleed (wound.h) at the last update
     /// Every wound as it was at the last update, in the order in which they were set.
     std::span<const WoundStatus> wounds() const { return status_; }
 
@@ -76,9 +78,10 @@ class BleedField {
         Front front;
         double source = 0.0;             // mm
         double flowed = 0.0;             // mm, the same without the bound
-        double cleared = never_cleared;  // s, the latest clearing that has taken blood of it, as written
+        double cleared = never_cleared;  // time of the latest clearing that has removed blood of it, s, as written
         float clot = 0.0f;
-        bool writes = false, falls = false;  // what the last look at it has changed: anything; some value is lower
+        bool writes = false,
+             falls = false;  // whether the last look at it changed anything, and whether it lowered a value
         bool is_settled = false;
         std::size_t rings = 0;  // of the front, as written
         Box box{};              // of all that was ever written
@@ -125,8 +128,8 @@ class BleedField {
         copies_of_;  // organ vertices of surface vertex v: copies_[copies_of_[v] .. copies_of_[v + 1]]
     std::vector<std::uint32_t> copies_;
     Layer surface_values_;
-    Layer settled_values_;           // of what was kept, and of the settled bleeders
-    Region anew_, settled_anew_;     // where surface_values_ and settled_values_ have to be made anew
+    Layer settled_values_;           // values of kept blood, and of settled bleeders
+    Region anew_, settled_anew_;     // where surface_values_ and settled_values_ have to be computed again
     std::vector<glm::vec2> values_;  // per organ vertex
     KeptBlood kept_;                 // or empty
     float kept_clot_ = 0.0f;
@@ -135,7 +138,7 @@ class BleedField {
     std::vector<std::uint32_t> touched_;
     std::vector<std::uint32_t> written_;  // surface vertices since the last publish, some more than once
     ChangedVertices changed_;
-    bool stale_ = true;  // all has to be written anew
+    bool stale_ = true;  // everything has to be written again
     mutable AmountSum amount_;
 };
 

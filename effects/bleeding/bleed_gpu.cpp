@@ -28,7 +28,7 @@ void BleedGpu::set(const BleedingParameters& b) const noexcept {
         .edge = glm::vec4(glm::dvec4(b.threshold, b.noise_scale, b.noise_strength, b.noise_octaves)),
         .thin = glm::vec4(gl::to_linear(glm::vec3(b.color_thin)), static_cast<float>(b.deep_at)),
         .deep = glm::vec4(gl::to_linear(glm::vec3(b.color_deep)), static_cast<float>(b.opacity)),
-        // The shader's seed is a float that must hold it exactly.
+        // The shader's seed is a float, which must represent it exactly.
         .surface = glm::vec4(glm::dvec4(b.thickness, b.gloss, seed_ & 0xffffu, b.rivulets)),
         .down = glm::vec4(glm::dvec4(down_, b.clot_darkening)),
     };

@@ -13,11 +13,11 @@ namespace lapfx::bleeding {
 
 class BleedGpu {
   public:
-    /// `down`: unit, organ space: where rivulets run to.
+    /// `down`: unit, organ space: the direction in which rivulets run.
     BleedGpu(std::size_t vertex_count, std::uint32_t seed, glm::dvec3 down);
 
     void set(const BleedingParameters& parameters) const noexcept;
-    /// Take effect with the next set().
+    /// They take effect with the next set().
     void set_down(glm::dvec3 down) { down_ = down; }
     void set_seed(std::uint32_t seed) { seed_ = seed; }
     /// Sends the runs of `values` (per organ vertex: bleed value in mm, clot 0..1) that have changed;

@@ -1,6 +1,5 @@
-// Area and volume of the blood on a surface, kept up with what changes: it costs the triangles whose values have
-// changed since it was last asked for. In whole units, so that the sum is the same in whatever order it came to be. One
-// thread at a time.
+// Area and volume of the blood on a surface. An update costs only the triangles whose values have changed since the
+// last one. Sums are in whole units, so that they do not depend on the order of updates. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,14 +14,14 @@ namespace lapfx::bleeding {
 
 /// Blood on the whole organ.
 struct BloodAmount {
-    double area = 0.0;  ///< mm2 of surface above the threshold, noise aside
+    double area = 0.0;  ///< mm2 of surface above the threshold, without noise
     /// mm3: a layer that rises from its edge to `thickness` where the colour gradient ends (deep_at).
     double volume = 0.0;
 };
 
 class AmountSum {
   public:
-    /// Keeps a reference to `surface`, on which there is no blood yet.
+    /// Keeps a reference to `surface`, which has no blood yet.
     explicit AmountSum(const Surface& surface) : surface_(surface), state_(surface.triangles.size(), untouched) {}
 
     /// The value of a surface vertex has changed.

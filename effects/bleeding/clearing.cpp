@@ -7,10 +7,10 @@ namespace lapfx::bleeding {
 
 namespace {
 
-constexpr double held_on = 0.1;      // s after its end in which a contact may go on (tool/recorder.h)
-constexpr double draw_speed = 40.0;  // mm/s at which the reach grows when the tip is put on
+constexpr double held_on = 0.1;      // s after its end within which a contact may continue (tool/recorder.h)
+constexpr double draw_speed = 40.0;  // mm/s at which the reach grows when the tip starts
 
-/// From `point` to the nearest place of the path a b.
+/// Vector from `point` to the nearest place of the path from a to b.
 glm::dvec3 off_path(const glm::dvec3& point, const glm::dvec3& a, const glm::dvec3& b) {
     const glm::dvec3 path = b - a, from = point - a;
     const double squared = glm::dot(path, path);
@@ -67,13 +67,13 @@ bool Clearing::set(const tool::Log& log, const BleedingParameters& parameters) {
     return changed;
 }
 
-/// From when on nothing changes a sweep. The last one may be growing: then it ends about now, and its next piece takes
-/// its place.
+/// The time from which nothing changes a sweep. The last one may be growing: it then ends about now, and its next piece
+/// replaces it.
 double Clearing::over_at(const Sweep& sweep) const noexcept {
     return sweep.contact.end() + (&sweep == &sweeps_.back() ? held_on : 0.0);
 }
 
-/// A run of the sweeps with all that start before `to` and are not over by `from`.
+/// A range of sweeps that includes all that start before `to` and have not ended by `from`.
 std::span<Clearing::Sweep> Clearing::between(double from, double to) noexcept {
     const auto end =
         std::partition_point(sweeps_.begin(), sweeps_.end(), [&](const Sweep& s) { return s.contact.time < to; });
@@ -134,10 +134,10 @@ void Clearing::Layer::clear() noexcept {
     caps.clear();
 }
 
-/// Keeps the list of a vertex in order of time, caps rising: a cap that a later one is not above is overruled.
+/// Keeps the list of a vertex in order of time with rising caps: a cap is dropped when a later one is not above it.
 void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
     std::int32_t* link = &heads[vertex];
-    std::int32_t free = -1;  // the place in caps of one that is overruled
+    std::int32_t free = -1;  // index in caps of a dropped one
     if (*link < 0) vertices.push_back(vertex);
     while (*link >= 0) {
         Cap& other = caps[static_cast<std::size_t>(*link)];
@@ -154,7 +154,7 @@ void Clearing::Layer::insert(std::uint32_t vertex, double time, float cap) {
         link = &other.next;
     }
     const std::int32_t after = *link, at = free >= 0 ? free : static_cast<std::int32_t>(caps.size());
-    *link = at;  // before the list grows: the link may lie in it
+    *link = at;  // before the list grows, because the link may be inside it
     if (free < 0) caps.emplace_back();
     caps[static_cast<std::size_t>(at)] = {time, cap, after};
 }

@@ -1,7 +1,6 @@
-// Suction and irrigation: what they leave of the blood at each place, in closed form from the tool contacts. A clearing
-// lays a cap on the bleed value: below 0 inside its reach, rising outside it, so that the edge of what is left is as
-// smooth as any other edge of blood; and it starts the flow anew, for what flows afterwards is not held by it. One
-// thread at a time.
+// Suction and irrigation: how much blood they leave at each place, in closed form from the tool contacts. A clearing
+// puts a cap on the bleed value: below 0 inside its reach and rising outside it, so that the edge of the remaining
+// blood is as smooth as any other. Blood that flows later is not capped. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -22,31 +21,31 @@ class Clearing {
     static constexpr double cap_slope = 3.0;  // mm of cap per mm outside the reach
     static constexpr double rim = 6.0;        // mm outside the reach up to which there is a cap
 
-    /// A clearing at one place. Of several at a place the earlier come first, and each later one has a higher cap: what
-    /// a later and lower one has overruled is left out.
+    /// A clearing at one place. Several at one place are in order of time, with rising caps: a cap is left out when a
+    /// later one is lower.
     struct Cap {
-        double time;        ///< s, until when it held
-        float cap;          ///< mm, the highest bleed value of what was there by then
-        std::int32_t next;  ///< of the same place, in the list of its layer; -1: none
+        double time;        ///< time at which it ended, s
+        float cap;          ///< highest bleed value that earlier blood keeps, mm
+        std::int32_t next;  ///< next cap of the same place, in the list of its layer; -1: none
     };
 
     /// Keeps a reference to `surface`. `down`: unit; water runs that way.
     Clearing(const Surface& surface, glm::dvec3 down);
 
-    /// Suction and irrigation of the log, always the same one: what was written since the call before. True when what
-    /// has been cleared may have changed.
+    /// Takes suction and irrigation that were written to the log since the last call; it must always be the same log.
+    /// True when the cleared places may have changed.
     bool set(const tool::Log& log, const BleedingParameters& parameters);
 
     /// The caps as of `time`. True when any may have changed: at the places of changed(), or anywhere.
     bool update(double time) noexcept;
-    /// By the last update(): surface vertices, some more than once.
+    /// Surface vertices that the last update() changed, some more than once.
     std::span<const std::uint32_t> changed() const { return changed_; }
-    /// Whether the last update() took caps away that had been there for good: all is as if it were looked at for the
-    /// first time.
+    /// Whether the last update() removed caps of finished sweeps; then everything has to be looked at again.
     bool changed_anywhere() const { return anew_; }
 
     bool any() const { return !sweeps_.empty(); }
-    /// Calls visit(cap) for each cap of a place: of what is over in order of time, then of what still runs.
+    /// Calls visit(cap) for each cap of a place: first those of finished sweeps in order of time, then those of running
+    /// ones.
     template <class Visit>
     void for_each(std::uint32_t vertex, Visit visit) const {
         for (const Layer* layer : {&over_, &running_}) {
@@ -57,10 +56,10 @@ class Clearing {
     }
 
   private:
-    /// The tip's way past a vertex, the rim included.
+    /// How the tip passes a vertex, including the rim.
     struct Passed {
         std::uint32_t vertex;
-        float stretch;        // of the reach, 1..1.5: water runs downhill
+        float stretch;        // factor on the reach, 1..1.5: water runs downhill
         double enter, leave;  // s
     };
     struct Sweep {
@@ -68,13 +67,13 @@ class Clearing {
         std::size_t piece;  // of the log
         double reach;       // mm
         std::vector<Passed> passed;
-        double latest_end = 0.0;  // s, of this one and all before
-        bool is_over = false;     // and lies in the layer over_
+        double latest_end = 0.0;  // the latest end of this sweep and all before, s
+        bool is_over = false;     // and is in the layer over_
     };
     struct Layer {
         std::vector<std::int32_t> heads;  // per surface vertex, into caps; empty until there is a sweep
         std::vector<Cap> caps;
-        std::vector<std::uint32_t> vertices;  // that have a cap
+        std::vector<std::uint32_t> vertices;  // places that have a cap
         void clear() noexcept;
         void insert(std::uint32_t vertex, double time, float cap);
     };
@@ -88,11 +87,10 @@ class Clearing {
     double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
     std::uint64_t known_ = 0;  // revision of the log
     std::vector<Sweep> sweeps_;
-    // Sweeps that are over stay where they are while time goes on: a frame costs the sweep that runs, not all that
-    // were.
+    // Finished sweeps keep their caps as time goes on: a frame costs only the running sweep.
     Layer over_, running_;
     double updated_ = 0.0;
-    double stale_from_ = std::numeric_limits<double>::infinity();  // s, when the first of those starts that are new
+    double stale_from_ = std::numeric_limits<double>::infinity();  // start of the first new sweep, s
     bool stale_ = false, all_stale_ = false, anew_ = false;
     std::vector<std::uint32_t> changed_;
 };

@@ -11,7 +11,7 @@ namespace lapfx::bleeding {
 
 namespace {
 
-constexpr double redness_step = 1.0 / 4096;  // finer than an 8-bit texel can tell; +-8 fits
+constexpr double redness_step = 1.0 / 4096;  // finer than 8-bit texels; +-8 fits
 
 double linear_of(double srgb) {
     return srgb <= 0.04045 ? srgb / 12.92 : std::pow((srgb + 0.055) / 1.055, 2.4);
@@ -48,7 +48,7 @@ std::vector<float> chroma_table(const F& f) {
     return table;
 }
 
-/// Two pieces of work that know nothing of each other.
+/// Two tasks that do not depend on each other.
 template <class A, class B>
 void side_by_side(const A& a, const B& b) {
     auto other = std::async(std::launch::async, a);
@@ -141,7 +141,7 @@ void DensityMap::Source::weigh(const Converted& image, cv::Mat& weights, cv::Mat
     for (int y = 0; y < size.y; ++y)
         for (float *weight = weights.ptr<float>(y), *end = weight + size.x; weight != end; ++weight, ++one)
             *weight = *one ? 1.0f : 0.0f;
-    // Mat takes no const data; it is only read.
+    // Mat does not take const data; it only reads it here.
     cv::Mat(size.y, size.x, CV_16S, const_cast<std::int16_t*>(image.redness.data()))
         .convertTo(red, CV_32F, redness_step);
     cv::multiply(red, weights, red);

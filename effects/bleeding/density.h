@@ -5,8 +5,8 @@
 //     map.set(preset.vessels);
 //     const glm::vec2 here = map.sample(uv);   // vessels, fat
 //
-// One thread at a time for set(); sample() from any thread in between. Copies share what no parameter changes, and the
-// map as long as they are set to the same; each may be on a thread of its own.
+// One thread at a time for set(); sample() from any thread in between. Copies share the data that no parameter changes,
+// and the map while they have the same parameters; each copy may be on its own thread.
 #pragma once
 
 #include <cstdint>
@@ -29,9 +29,9 @@ class Mat;
 
 namespace lapfx::bleeding {
 
-/// Share of the surface of a texture, or of what has vertex colours, below which it shows no vessels: a liver's
-/// capsule, a photograph without any. Every cut bleeds alike there. Of the sample organ's textures with vessels, 2 to 4
-/// % are vessel; of its liver and cavity wall, less than 0.01 %.
+/// Share of the surface of a texture, or of what has vertex colours, below which it shows no vessels, such as a liver's
+/// capsule or a photograph without any. There every cut bleeds equally. Of the sample organ's textures with vessels, 2
+/// to 4 % are vessel; of its liver and cavity wall, less than 0.01 %.
 inline constexpr double least_vessels = 0.001;
 
 /// Vessel and fat density, 0..255 for 0..1.
@@ -42,36 +42,37 @@ bool same_maps(const VesselParameters& a, const VesselParameters& b);
 
 class DensityMap {
   public:
-    /// All that does not depend on parameters. What the image multiplies (base_color of the first material that shows
-    /// it) is part of the colour.
+    /// Everything that does not depend on parameters. The colour that multiplies the image (base_color of the first
+    /// material that shows it) is included.
     DensityMap(const Organ& organ, int image, std::shared_ptr<const organ::Pixels> pixels);
     /// Keeps a copy of the image.
     DensityMap(const Organ& organ, int image);
 
-    /// Whether the image shows vessels at all, as it was last made: at least `least_vessels` of the surface.
+    /// Whether the current map shows vessels on at least `least_vessels` of the surface.
     bool shows_vessels() const { return made_ && made_->shows_vessels; }
     /// False when the image is of one colour, so that nothing stands out; the map is then 0 without further work.
     bool tells() const { return source_->tells; }
-    /// Makes the map. Lengths that the texture cannot resolve are taken as one texel, and those beyond it as all of it.
+    /// Makes the map. A length that the texture cannot resolve counts as one texel, and one that is larger than the
+    /// texture as its whole size.
     void set(const VesselParameters& parameters, const work::Stages& stages = {});
-    /// Leaves the map to its copies: until it is set it has no values.
+    /// Gives the map away to its copies; it has no values until it is set again.
     void rest() { made_.reset(); }
 
-    /// Adds what the bands are laid over: texels that are on the surface.
+    /// Adds the texels on the surface to the histograms that the bands are set on.
     void count(const VesselParameters& parameters, TissueHistogram& histogram) const;
 
     glm::ivec2 size() const { return source_->size; }
-    /// Rows from the top; the size of the image, or none before it is set.
+    /// Rows from the top, with the size of the image; empty before set().
     std::span<const Density> values() const {
         return made_ ? std::span<const Density>(made_->values) : std::span<const Density>();
     }
     const TextureLayout& layout() const { return source_->layout; }
-    /// Bytes that copies share, the map that was made last among them; and those of a map that is another one. Pixels
-    /// are neither's.
+    /// Bytes that copies share, including the map that was made last, and bytes of another map that only this copy has.
+    /// Pixels are not included.
     std::size_t shared_memory() const;
     std::size_t own_memory() const;
-    /// Vessels and fat, 0..1, bilinear; beyond the edges the other side where the texture repeats, else the edge. NaN:
-    /// 0.
+    /// Vessels and fat, 0..1, bilinear. Beyond an edge it reads the other side if the texture repeats, otherwise the
+    /// edge. NaN gives 0.
     glm::vec2 sample(glm::vec2 uv) const noexcept;
 
   private:
@@ -81,7 +82,7 @@ class DensityMap {
         std::vector<Density> values;
         bool shows_vessels = false;
     };
-    /// The image in the terms of the band pass; five bytes a texel, so it is there while a map is made and no longer.
+    /// The image as the band pass reads it. It takes five bytes per texel, so it exists only while a map is made.
     struct Converted {
         std::vector<std::int16_t> redness;  // in steps of redness_step
         std::vector<glm::u8vec3> lab;       // 255 / 100 L*, a* and b* + 128
@@ -98,9 +99,9 @@ class DensityMap {
 
         bool of_one_color() const;
         Converted convert() const;
-        /// Where there is surface, 1 or 0, and the redness there, 0 elsewhere.
+        /// 1 on the surface and 0 elsewhere, and the redness on the surface, 0 elsewhere.
         void weigh(const Converted& image, cv::Mat& weights, cv::Mat& red) const;
-        /// How far each texel has the colour that is looked for, times its weight.
+        /// How close each texel is to the wanted colour, times its weight.
         cv::Mat colored(const Converted& image, const cv::Mat& weights, const VesselParameters& parameters) const;
     };
 

@@ -8,11 +8,11 @@ namespace lapfx::bleeding {
 
 namespace {
 
-constexpr double least_gain = 1e-9;  // mm; less is rounding, and would only go in circles
+constexpr double least_gain = 1e-9;  // mm; a smaller gain is rounding and would not end
 
-/// Distance at `c` when the distances `da` at `a` and `db` at `b` come from one point source: the source is
-/// laid out in the triangle's plane, on the far side of ab; the straight line from it must cross ab, else the
-/// way goes along an edge.
+/// Distance at `c` when the distances `da` at `a` and `db` at `b` come from one point source. The source is unfolded
+/// into the triangle's plane, on the far side of ab. The straight line from it must cross ab; otherwise the path
+/// follows an edge.
 double unfold(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, double da, double db) {
     const double along_edges = std::min(da + glm::distance(a, c), db + glm::distance(b, c));
     const glm::dvec3 ab = b - a, ac = c - a;
@@ -24,7 +24,7 @@ double unfold(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c, dou
     const double cy = std::sqrt(std::max(0.0, glm::dot(ac, ac) - cx * cx));
     const double sx = (da * da - db * db + length * length) / (2.0 * length);
     const double sy_squared = da * da - sx * sx;
-    // A source on the line through ab comes out as a hair below 0; anything more is no triangle.
+    // A source on the line through ab may come out slightly below 0; anything more is not a triangle.
     if (sy_squared < -1e-9 * da * da || cy <= 0.0) return along_edges;
     const double sy = std::sqrt(std::max(sy_squared, 0.0));
     const double crossing = sx + (cx - sx) * sy / (sy + cy);
@@ -66,28 +66,28 @@ std::span<const Reached> Front::ring(std::size_t ring, FrontRoom& room) {
     return std::span(reached_).subspan(begin, rings_[ring].end - begin);
 }
 
-/// Fronts take turns in the room: what is frozen need only be known as such, but for the rim that the front grows from.
+/// Fronts take turns in the shared memory. Of frozen vertices only the rim, from which the front grows, needs more than
+/// the fact that they are frozen.
 void Front::load(FrontRoom& room) {
     if (room.loaded_ == id_) return;
     room.loaded_ = id_;
     ++room.stamp_;
-    // Offers come from the rim outwards; only a bridge can lead back into the middle.
+    // Offers go outwards from the rim; only a bridge can lead back into the middle.
     if (metric_.bridge_gap > 0.0 && !room.surface.connected)
         for (const Reached& r : reached_) room.cells_[r.vertex] = {0.0, room.stamp_, true};
     for (const Known& known : rim_) room.cells_[known.vertex] = {known.length, room.stamp_, true};
     for (const Known& known : pending_) room.cells_[known.vertex] = {known.length, room.stamp_, false};
 }
 
-/// Marching that also corrects: near a point source, and with obtuse triangles, a vertex can be met before both ends of
-/// the edge that its straight line crosses are known for good. unfold() never shrinks when a distance that goes in
-/// grows, so offers made from preliminary distances are too long at worst, and are replaced when the better ones
-/// arrive.
+/// Marching that also corrects. Near a point source, and with obtuse triangles, a vertex can be reached before both
+/// ends of the edge that its straight line crosses are final. unfold() does not decrease when one of its distances
+/// increases, so offers from preliminary distances are too long at worst, and better ones replace them.
 void Front::march_ring(FrontRoom& room) {
     load(room);
     const double limit = static_cast<double>(rings_.size() + 1) * ring_width;
     while (!candidates_.empty()) {
         const auto [distance, vertex] = candidates_.front();
-        // Just beyond the limit there may be one end of an edge that is crossed on the way to a vertex within it.
+        // One end of an edge on the way to a vertex within the limit may be just beyond the limit.
         if (distance > limit + 2.0 * longest_edge_) break;
         std::pop_heap(candidates_.begin(), candidates_.end());
         candidates_.pop_back();
@@ -100,7 +100,7 @@ void Front::march_ring(FrontRoom& room) {
     done_ = candidates_.empty() && pending_.empty();
 }
 
-/// What is within the limit is known for good: it becomes the next ring.
+/// Distances within the limit are final: they become the next ring.
 void Front::freeze(double limit, FrontRoom& room) {
     const std::size_t begin = reached_.size();
     const auto still_pending = [&](Known& known) {
@@ -146,7 +146,7 @@ void Front::spread_over(std::uint32_t triangle, std::uint32_t from, FrontRoom& r
     if (metric_.crease_bias > 0.0) {
         slowness = 0.0;
         for (const std::uint32_t c : corners) slowness += room.terrain.slowness(c, metric_.crease_bias) / 3.0;
-        // Gravity alone must not drive blood: each mm has to cost something whichever way it leads.
+        // Gravity alone must not drive blood: each mm costs something in every direction.
         slowness = std::max(slowness, std::min(1.0, metric_.gravity_bias + 0.05));
     }
     const auto known = [&](std::uint32_t v) { return room.cells_[v].stamp == room.stamp_; };
@@ -163,7 +163,7 @@ void Front::spread_over(std::uint32_t triangle, std::uint32_t from, FrontRoom& r
     }
 }
 
-/// Blood does not end where one part of the organ touches the next.
+/// Blood continues where one part of the organ touches the next.
 void Front::cross_bridge(std::uint32_t from, FrontRoom& room) {
     if (metric_.bridge_gap <= 0.0) return;
     const SurfacePoint* place = room.terrain.bridge(from);

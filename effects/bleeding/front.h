@@ -1,11 +1,10 @@
 // The front of the blood of one wound: travel distance over the surface by fast marching (R. Kimmel, J. Sethian,
-// "Computing geodesic paths on manifolds", PNAS 1998), with the update that is exact for a point source on a plane: the
+// "Computing geodesic paths on manifolds", PNAS 1998), with an update that is exact for a point source on a plane: the
 // source is unfolded into the triangle's plane (M. Novotni, R. Klein, "Computing geodesic distances on triangular
-// meshes", WSCG 2002). Distances follow the surface, not the edges, so they hardly depend on how finely it is cut into
-// triangles.
+// meshes", WSCG 2002). Distances follow the surface and not its edges, so they hardly depend on how fine the mesh is.
 //
-// The front goes on only as far as it is asked to, in rings of fixed width: what a ring holds depends on the rings
-// before it and on nothing else, so that any order of requests gives the same to the last bit.
+// The front marches only as far as needed, in rings of fixed width. A ring depends only on the rings before it, so any
+// order of requests gives the same result to the last bit.
 //
 // Distance means cost in mm: a mm in a crease costs less, a mm across a ridge more (Terrain::slowness), and gravity
 // shortens downhill and lengthens uphill travel. A constant drift added to a metric changes every path between two
@@ -35,12 +34,12 @@ bool is_place(const glm::dvec3& p);
 struct Metric {
     double gravity_bias = 0.0;  ///< 0..0.9
     double crease_bias = 0.0;   ///< 0..1
-    double bridge_gap = 0.0;    ///< mm; blood crosses to another component that is nearer than this
+    double bridge_gap = 0.0;    ///< mm; blood crosses to another component that is closer than this
     friend bool operator==(const Metric&, const Metric&) = default;
 };
 Metric metric_of(const BleedingParameters& bleeding);
 
-/// What all fronts on one surface share: the terrain, and room to march in.
+/// Shared by all fronts on one surface: the terrain, and memory to march in.
 class FrontRoom {
   public:
     FrontRoom(const Surface& on, glm::dvec3 down) : surface(on), terrain(on, down), cells_(on.positions.size()) {}
@@ -51,8 +50,8 @@ class FrontRoom {
   private:
     friend class Front;
     struct Cell {
-        double length = 0.0;      // mm, gravity not yet in
-        std::uint32_t stamp = 0;  // it is of the loaded front if this is the present stamp
+        double length = 0.0;      // mm, without gravity
+        std::uint32_t stamp = 0;  // the value belongs to the loaded front if this equals the current stamp
         bool frozen = false;
     };
     std::vector<Cell> cells_;  // per point
@@ -63,15 +62,15 @@ class Front {
   public:
     static constexpr double ring_width = 0.5;  // mm; a frame marches a ring or two
 
-    /// The contact is moved to the closest point of the surface, inside a triangle, not to a vertex. A contact that is
-    /// no place (NaN), or an empty surface, reaches nothing.
+    /// The contact is moved to the closest point of the surface, also inside a triangle. A contact that is NaN, or an
+    /// empty surface, reaches nothing.
     Front(FrontRoom& room, const Metric& metric, const glm::dvec3& contact);
 
-    /// Vertices with ring * ring_width < distance <= (ring + 1) * ring_width, by vertex; the first ring also holds what
-    /// is nearer. Empty beyond the last that can be reached. Marches as far as needed.
+    /// Vertices with ring * ring_width < distance <= (ring + 1) * ring_width, in vertex order; the first ring also has
+    /// the nearer ones. Empty beyond the last vertex that can be reached. Marches as far as needed.
     std::span<const Reached> ring(std::size_t ring, FrontRoom& room);
     bool ended(std::size_t ring) const { return done_ && ring >= rings_.size(); }
-    /// The longest edge met up to a ring that has been asked for, mm.
+    /// The longest edge up to a ring that has been asked for, mm.
     double longest_edge(std::size_t ring) const { return rings_[ring].longest_edge; }
 
   private:
@@ -110,7 +109,7 @@ class Front {
     bool done_ = false;
 };
 
-/// Every surface vertex within `limit` mm of `contact`, nearest first: the whole of a front at once.
+/// Every surface vertex within `limit` mm of `contact`, nearest first: a whole front at once.
 std::vector<Reached> march(FrontRoom& room, const Metric& metric, const glm::dvec3& contact, double limit);
 
 }  // namespace lapfx::bleeding

@@ -22,7 +22,7 @@
 // - rivulets 0.7: on a wall runs three times as long as wide, as in Cholec80's video01_193 to 204; at 1 five times.
 // - gravity_bias 0.35: blood runs visibly downhill, but a pool on a flat organ stays round.
 // - crease_bias 0.5: in real strips blood leaves a pool along the folds. bridge_gap 1 mm: organs of a scene touch
-//   without sharing vertices, and no gap that is seen is as narrow.
+//   without sharing vertices, and every visible gap is wider.
 // - suction 8 mm: a 5 mm cannula clears a little more than its own width; irrigation 15 mm: its jet spreads and runs
 //   off.
 // - pulse 0: venous. An artery is 1 to 1.5 Hz with a strength near 0.6.
@@ -33,7 +33,7 @@
 //   18, 18 to 22.
 // - deep_at 5 mm, opacity 0.9, thickness 0.6 mm, gloss 0.85: a pool hides the texture below, a film does not; its
 //   highlights are small, sharp and white.
-// - clot_darkening 0.85: old clots beside fresh blood are brown-black, and dull whatever this is.
+// - clot_darkening 0.85: old clots next to fresh blood are brown-black; they are dull whatever this value is.
 #include "preset/tables.h"
 
 namespace lapfx::preset {

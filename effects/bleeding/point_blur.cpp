@@ -77,7 +77,7 @@ void PointBlur::gather(std::vector<Key>& blocks) {
         if (cell != none) cell = rank[cell];
 }
 
-/// Which cells lie in each block and the 26 around it.
+/// Which cells are in each block and the 26 blocks around it.
 void PointBlur::link(const std::vector<Key>& blocks) {
     std::vector<Run> runs(blocks.size());
     for (std::uint32_t i = 0; i < cells_.size(); ++i) {

@@ -1,7 +1,7 @@
 // Gaussians over scattered points, such as the vertices of a surface, by standard deviation in mm.
 //
-// Distance is through space, not along the surface: the arteries and the heart under them are separate meshes in most
-// files, and no walk over edges would find the one around the other. One thread at a time.
+// Distance is through space, not along the surface: in most files arteries and the heart under them are separate
+// meshes, and walking along edges would not lead from one to the other. One thread at a time.
 #pragma once
 
 #include <array>
@@ -13,8 +13,8 @@ namespace lapfx::bleeding {
 
 class PointBlur {
   public:
-    /// `deviation` mm, above 0. Points are gathered into cells of half of it, so that a dense mesh costs no more than a
-    /// coarse one. `weights`: such as the area that each point stands for. Points with a NaN or huge (beyond 1e6
+    /// `deviation` in mm, above 0. Points are gathered into cells of half that size, so a dense mesh costs no more than
+    /// a coarse one. `weights` may be the area that each point represents. Points with a NaN or huge (beyond 1e6
     /// deviations) coordinate are left out.
     PointBlur(std::span<const glm::vec3> points, std::span<const float> weights, double deviation);
 
@@ -41,7 +41,7 @@ class PointBlur {
     std::vector<std::uint32_t> cell_of_;  // of each point, or none
     std::vector<Cell> cells_;             // block by block
     std::vector<std::array<Run, 27>>
-        neighbours_;  // per block, as wide as the Gaussian reaches: cells of it and those around
+        neighbours_;  // per block, which is as wide as the Gaussian reaches: its cells and those around it
 };
 
 }  // namespace lapfx::bleeding

@@ -1,4 +1,4 @@
-// Places of a surface that have to be looked at anew, with a box around them. Allocates only to grow. One thread at a
+// Places of a surface that have to be examined again, with a box around them. Allocates only to grow. One thread at a
 // time.
 #pragma once
 
@@ -25,7 +25,7 @@ struct Box {
 
 class Region {
   public:
-    /// Of a surface with these points; empty.
+    /// An empty region of a surface with these points.
     explicit Region(std::span<const glm::dvec3> positions) : positions_(positions), has_(positions.size(), false) {}
 
     void add(std::uint32_t vertex) {

@@ -11,8 +11,8 @@ namespace {
 constexpr double near_radius = 2.5, far_radius = 5.0;  // mm; creases that guide blood are a few mm wide
 constexpr double meeting_gap = 2.0;                    // mm
 constexpr int direction_pairs = 3;
-constexpr int longest_walk = 2'000;    // triangles; finer meshes than 5 um are none
-constexpr double facet_height = 0.06;  // mm; less is how a smooth surface was cut into triangles
+constexpr int longest_walk = 2'000;    // triangles; no mesh is finer than 5 um
+constexpr double facet_height = 0.06;  // mm; less comes from approximating a smooth surface by triangles
 constexpr std::int32_t unknown = -2, no_bridge = -1;
 
 /// Normal of the surface at a point, by area; zero where the triangles around it cancel out.
@@ -116,7 +116,7 @@ double Terrain::crease(std::uint32_t point) {
         const double angle = std::numbers::pi * (i + 0.5) / direction_pairs;
         const glm::dvec3 direction = std::cos(angle) * u + std::sin(angle) * v;
         double near[2] = {}, far[2] = {};
-        // Only both ways together: the slope of a tangent plane that is a little off cancels out.
+        // Only both directions together, so that a slightly wrong slope of the tangent plane cancels out.
         if (!section_heights(point, normal, direction, near[0], far[0]) ||
             !section_heights(point, normal, -direction, near[1], far[1]))
             continue;

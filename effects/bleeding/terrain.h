@@ -1,6 +1,6 @@
-// What the shape of an organ does to blood that runs over it: how far below each point lies, where creases are that
-// guide it, and where another part lies so close that it runs across. Each is found when blood first comes near, and
-// kept, so the cost follows the blood and not the organ. One thread at a time.
+// How the shape of an organ affects blood that runs over it: the depth of each point, creases that guide blood, and
+// places where another part is so close that blood runs across. Each value is computed when blood first comes near, and
+// kept, so the cost depends on the blood and not on the organ. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +25,8 @@ class Terrain {
     /// point over its tangent plane, less what the curvature 5 mm around it explains.
     double crease(std::uint32_t point);
 
-    /// Cost of a mm at a point for blood that is drawn into creases by `crease_bias` (0..1): 1 on smooth tissue, down
-    /// to 0.35 in a crease and where two parts meet, up to 1.33 across a ridge.
+    /// Cost of one mm at a point for blood that creases attract by `crease_bias` (0..1): 1 on smooth tissue, down to
+    /// 0.35 in a crease and where two parts meet, up to 1.33 across a ridge.
     double slowness(std::uint32_t point, double crease_bias);
 
     /// The nearest place on another component within `bridge_longest` mm of a point; null when there is none.

@@ -6,7 +6,7 @@ namespace lapfx::bleeding {
 
 namespace {
 
-/// Beyond twice of this many texels, a Gaussian is taken of an image made smaller.
+/// A Gaussian wider than twice this many texels is computed on a reduced image.
 constexpr double wide = 2.0;
 
 }  // namespace

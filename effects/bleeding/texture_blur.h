@@ -1,4 +1,4 @@
-// Gaussians over a texture, by standard deviation in texels, however wide. Behind OpenCV.
+// Gaussians over a texture, of any standard deviation in texels, computed with OpenCV.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -6,11 +6,11 @@
 
 namespace lapfx::bleeding {
 
-/// Means of values where weights say that there are some.
+/// Means of values where the weights are above 0.
 class TextureBlur {
   public:
-    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels is taken as that. Beyond the edges
-    /// lies nothing, or with `repeats` the other side of the texture.
+    /// `weights`: CV_32F, 0..1. `deviation`: along x and y; less than 0.3 texels counts as 0.3. Beyond the edges there
+    /// is nothing, or with `repeats` the other side of the texture.
     TextureBlur(const cv::Mat& weights, glm::dvec2 deviation, bool repeats);
 
     /// `weighted`: values times their weights, CV_32F, finite, the size of the weights. Far from all weight the result
@@ -18,7 +18,7 @@ class TextureBlur {
     cv::Mat operator()(const cv::Mat& weighted) const;
 
   private:
-    /// One axis: its length made smaller, and the deviation there.
+    /// One axis: its reduced length, and the deviation at that size.
     struct Axis {
         int length;
         double deviation;
@@ -29,7 +29,7 @@ class TextureBlur {
     cv::Size size_;
     bool repeats_;
     Axis x_, y_;
-    cv::Mat blurred_;  // the weights, made smaller
+    cv::Mat blurred_;  // the weights at reduced size
 };
 
 }  // namespace lapfx::bleeding

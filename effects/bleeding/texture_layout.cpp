@@ -30,12 +30,12 @@ void for_each_triangle(const Organ& organ, int image, const Visit& visit) {
     }
 }
 
-/// Lengths of the gradients of u and v over the triangle, per mm, and its area, mm2; area 0: none.
+/// Lengths of the gradients of u and v over the triangle, per mm, and its area, mm2; area 0 means that there are none.
 glm::dvec3 stretch(const Corners& t) {
     const glm::dvec3 a = t.at[1] - t.at[0], b = t.at[2] - t.at[0];
     const double aa = glm::dot(a, a), ab = glm::dot(a, b), bb = glm::dot(b, b), square = aa * bb - ab * ab;
     if (!(square > 1e-12 * aa * bb)) return glm::dvec3(0.0);
-    const auto length = [&](double along_a, double along_b) {  // of the gradient with these differences along a and b
+    const auto length = [&](double along_a, double along_b) {  // gradient with these differences along a and b
         return std::sqrt(std::max(0.0, along_a * along_a * bb - 2 * along_a * along_b * ab + along_b * along_b * aa) /
                          square);
     };
@@ -65,7 +65,7 @@ TextureLayout layout_of(const Organ& organ, int image) {
         const glm::dvec3 found = stretch(triangle);
         sum += glm::dvec2(found) * found.z;
         area += found.z;
-        // A little past the edge is how exporters write 1, and no repetition.
+        // A little past the edge is how some exporters write 1; it does not repeat the texture.
         for (const glm::dvec2& uv : triangle.uv)
             if (uv.x < -0.01 || uv.y < -0.01 || uv.x > 1.01 || uv.y > 1.01) layout.repeats = true;
     });

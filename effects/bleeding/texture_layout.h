@@ -10,8 +10,8 @@
 namespace lapfx::bleeding {
 
 struct TextureLayout {
-    glm::dvec2 texels_per_mm{0.0};   ///< along u and v: means over the surface by area; 0 where it cannot be told
-    bool repeats = false;            ///< its left edge meets its right one: texture coordinates leave 0..1
+    glm::dvec2 texels_per_mm{0.0};   ///< along u and v: means over the surface by area; 0 if unknown
+    bool repeats = false;            ///< its left edge continues at its right one: texture coordinates leave 0..1
     std::vector<std::uint8_t> used;  ///< per texel, row by row from the top: 255 on the surface, else 0
 };
 

@@ -40,8 +40,8 @@ bool finite(const glm::dvec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-/// The colour of a vertex that no texture covers, linear. `image`: what multiplies it, of one colour, or it would not
-/// come to this; or null.
+/// The linear colour of a vertex that no texture covers. `image` multiplies it and has a single colour here, or is
+/// null.
 glm::dvec3 color_of(const Organ& organ, const Material& material, const Image* image, std::uint32_t vertex) {
     glm::dvec3 color = glm::dvec3(organ.colors[vertex]) * glm::dvec3(material.base_color);
     if (image != nullptr && image->pixels.size() >= 4) {
@@ -221,7 +221,7 @@ const DensityMap* TissueDensity::map(int image) const {
     return found ? &*found : nullptr;
 }
 
-/// Whether what a triangle has its colours from shows vessels.
+/// Whether the source of a triangle's colours shows vessels.
 bool TissueDensity::tells(int source) const noexcept {
     if (source == unknown) return false;
     return source == by_vertex ? vertices_show_vessels_ : maps_[static_cast<std::size_t>(source)]->shows_vessels();
@@ -253,7 +253,7 @@ TissueDensity::Tissue TissueDensity::mean(const glm::dvec3& position) const noex
     for (const glm::dvec2& p : pattern) {
         const glm::dvec3 over = middle.position + radius * (p.x * a + p.y * b);
         const SurfacePoint place = surface_.closest_point(over);
-        // The surface may lie below its tangent plane, but not aside: beyond an open edge there is no tissue.
+        // The surface may be below its tangent plane, but not beside it: beyond an open edge there is no tissue.
         const glm::dvec3 off = place.position - over;
         if (glm::length(glm::dvec2(glm::dot(off, a), glm::dot(off, b))) > 0.1 * radius) continue;
         const Tissue here = at(place.triangle, place.weights);
@@ -318,7 +318,7 @@ TissueReport TissueDensity::report() const {
         if (mesh_->source[t] == unknown) continue;
         known += piece;
         if (tells(mesh_->source[t])) told += piece;
-        // Large triangles are looked at in more heres: 20000 over the organ. Roberts' R2 sequence, folded.
+        // Large triangles are sampled at more places: 20000 over the organ. Roberts' R2 sequence, folded.
         const int heres = 1 + static_cast<int>(20000.0 * piece / area);
         for (int i = 0; i < heres; ++i) {
             glm::dvec2 p = glm::fract(0.5 + (i + 1.0) * glm::dvec2(0.7548776662466927, 0.5698402909980532));

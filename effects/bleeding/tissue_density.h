@@ -3,9 +3,9 @@
 //     TissueDensity tissue(organ, surface, preset.vessels);
 //     if (tissue.wound_strength(tip) > 0.0) ...                  // a cut here bleeds
 //
-// A copy refers to the same surface, shares what no parameter changes, and is set on its own. Where neither tells
-// anything (one colour all over) vessels are taken as even: density 1, fat 0, strength 1. set() and the constructor on
-// one thread; the rest is const and may run on any.
+// A copy refers to the same surface, shares the data that no parameter changes, and has its own parameters. Where
+// neither textures nor vertex colours say anything (a single colour), vessels count as even: density 1, fat 0, strength
+// 1. set() and the constructor on one thread; the rest is const and may run on any.
 #pragma once
 
 #include <memory>
@@ -20,15 +20,15 @@ namespace lapfx::bleeding {
 
 class TissueDensity {
   public:
-    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs of the organ. `pixels`: of
-    /// the organ's images, where they have none themselves; empty: copies of theirs.
+    /// Keeps a reference to `surface`, which must be that of `organ`; copies what it needs from the organ. `pixels` are
+    /// those of the organ's images if these have none; when empty, the pixels of the images are copied.
     TissueDensity(const Organ& organ, const Surface& surface, const VesselParameters& parameters = {},
                   const work::Stages& stages = {}, organ::PixelList pixels = {});
 
-    /// Live: maps are made again only when a parameter that they depend on has changed. Throws where there is no
-    /// memory, and changes nothing.
+    /// Live: maps are made again only when a parameter that they depend on has changed. Throws when there is not enough
+    /// memory, and then changes nothing.
     void set(const VesselParameters& parameters);
-    /// Keeps no maps for itself: copies have them once they are set, and this one has none.
+    /// Gives its maps away to copies; this object then has none.
     void rest();
 
     /// Means over the region of influence: a disc of radius `region` around the nearest place of the surface. NaN: 0.
@@ -37,20 +37,20 @@ class TissueDensity {
     double fat(const glm::dvec3& position) const noexcept { return sample(position).fat; }
     /// How strongly a cut here bleeds, times the preset's speed: 0 when the density of vessels is below
     /// `vessel_threshold`, else 1 + vessel_strength * (density / vessel_reference - 1), at most 4. 1 where nothing
-    /// tells of vessels: no colour, or a texture that shows none.
+    /// shows vessels: no colour, or a texture without vessels.
     double wound_strength(const glm::dvec3& position) const noexcept;
     TissueReport report() const;
     TissueHistogram histogram(const VesselParameters& parameters) const;  ///< whatever was set
 
-    /// For the overlay: the map of an image, null where the image tells nothing.
+    /// For the overlay: the map of an image, or null where the image says nothing.
     const DensityMap* map(int image) const;
     std::size_t images() const { return maps_.size(); }
-    /// For the overlay, per organ vertex: densities where they come from vertex colours; 1 and 0 where nothing is
-    /// known; 1 and 1 where there is a map, which they multiply.
+    /// For the overlay, per organ vertex: densities that come from vertex colours; 1 and 0 where nothing is known; 1
+    /// and 1 where there is a map, because these values multiply it.
     const std::vector<glm::vec2>& vertex_values() const { return vertex_values_; }
     /// Rises whenever the densities have changed.
     int version() const { return version_; }
-    /// Bytes that copies share, and those that are this one's. Pixels are neither's.
+    /// Bytes that copies share, and bytes of this object alone. Pixels are not included.
     std::size_t shared_memory() const;
     std::size_t own_memory() const;
 
@@ -83,7 +83,7 @@ class TissueDensity {
 
     const Surface& surface_;
     VesselParameters parameters_;
-    std::vector<std::optional<DensityMap>> maps_;  // per image; none where it tells nothing
+    std::vector<std::optional<DensityMap>> maps_;  // per image; none where it says nothing
     std::shared_ptr<const Mesh> mesh_;
     std::vector<glm::vec2> vertex_values_;
     bool vertices_show_vessels_ = false, rests_ = false;

@@ -16,8 +16,8 @@
 //                         0.1 % is vessel. A liver's capsule bleeds where it is cut all the same
 //
 // Gaussians are given by their standard deviation in mm; texels per mm follow from how the texture lies on the organ,
-// along u and v apart. What is not on the surface (gutters between UV islands) has no weight. Vertex colours instead of
-// a texture: the same, over the vertices.
+// along u and v apart. Texels that are not on the surface (gutters between UV islands) have no weight. Vertex colours
+// are treated in the same way, over the vertices.
 //
 // How the channel was chosen: on the five textures of samples/lagb.glb whose vessels are redder than the tissue,
 // against the artery and vein cover that its generator (samples/organs/canvas.cpp) drew before painting; 60000 texels
@@ -43,14 +43,15 @@
 //
 // Why these defaults:
 // - vessel_low 0.2, high 0.4: half a vessel at the threshold of the best F1, 0.28. Lower values take the reddish
-//   creases between lobules of fat for vessels: from 0.1 on, more than half of what is found on the greater omentum.
+//   creases between lobules of fat for vessels: at 0.1 these are more than half of what is found on the greater
+//   omentum.
 // - vessel_width 1.25 mm: best of 0.75, 1.25 and 2 when shaded; arteries with their veins on a stomach are 0.3 to 3 mm
 //   wide.
 // - fat 56 to 66 degrees: measured on textures, from the 5th to the 95th percentile, liver is at 24 to 36, a stomach's
 //   muscle and serosa at 34 to 53, a gallbladder at 29 to 36, painted fat of two sources at 57 to 75 and 65 to 69.
 // - smoothing 0.4 mm, region 2 mm: a hook is about 1 mm thick.
 // - reference 0.1: a vessel of 0.3 mm across a region of 2 mm.
-// - threshold 0.01: a tenth of that, so about any vessel that is seen. On the stomach, omenta and cardia fat of
+// - threshold 0.01: a tenth of that, so almost any visible vessel. On the stomach, omenta and cardia fat of
 //   samples/lagb.glb 19 to 27 % of the surface bleeds then (0.02: 16 to 24, 0.05: 12 to 19 %): a stroke across it
 //   bleeds where it meets vessels, as in the paper's figure 9.
 // - strength 0.7: a cut at the threshold bleeds at 0.37 of the speed, one on an artery (density 0.4) at 3.1.

@@ -14,7 +14,7 @@ namespace lapfx::bleeding {
 /// Clotted blood draws together by this share of its extent.
 inline constexpr double clot_shrink = 0.05;
 
-/// The factor on bleeding over time (lapfx/curves.h), made ready for the pulse of a preset: a wound's clock runs on its
+/// The factor on bleeding over time (lapfx/curves.h), prepared for the pulse of a preset: the flow of a wound is its
 /// integral.
 class Strength {
   public:
@@ -32,7 +32,7 @@ class Strength {
     double dying(double stop, double elapsed, double duration) const noexcept;
 
   private:
-    /// Integrals of factor * cos(omega s) and factor * sin(omega s) from the first point, or as good as.
+    /// Integrals of factor * cos(omega s) and factor * sin(omega s) from the first point, up to a constant.
     struct Waves {
         double cosine = 0.0, sine = 0.0;
     };
@@ -54,21 +54,21 @@ double flow(const Wound& wound, const BleedingParameters& bleeding, double time,
 double source_value(const Wound& wound, const BleedingParameters& bleeding, double time,
                     const Strength& strength = {}) noexcept;
 
-/// How far the blood of a wound has clotted, 0 fresh .. 1: rises from the moment that coagulation begins, and goes on
-/// for 3 s after the flow has ended.
+/// How far the blood of a wound has clotted, from 0 (fresh) to 1: it rises from the start of coagulation until 3 s
+/// after the flow has ended.
 double clot_of(const Wound& wound, const BleedingParameters& bleeding, double time) noexcept;
 
 inline constexpr double never_cleared = -std::numeric_limits<double>::infinity();
 
-/// Whether the wound bleeds at `time`: blood flows from it and comes to where there was none. `cleared`: s, the latest
-/// time at which blood of this wound was taken away (suction, irrigation); it flows anew to there, up to max_extent
-/// again. A wound whose blood has come to max_extent everywhere does not bleed: the paper's upper threshold stands for
-/// the end of the bleeding. One that clots bleeds until its flow has ended. The one answer: states, amounts, and when
-/// values change follow from it.
+/// Whether the wound bleeds at `time`: blood flows from it and reaches new places. `cleared` is the latest time at
+/// which blood of this wound was removed (suction, irrigation), s; it then flows there again, up to max_extent. A wound
+/// whose blood has reached max_extent everywhere does not bleed: the paper's upper threshold means the end of the
+/// bleeding. A clotting wound bleeds until its flow has ended. States, amounts and changes of values all follow from
+/// this function.
 bool bleeds(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength = {},
             double cleared = never_cleared) noexcept;
 
-/// As bleeds() for open wounds, but for a scene's factor of 0: such a wound waits, it is not spent.
+/// Like bleeds() for open wounds, except when the scene's factor is 0: such a wound waits and has not reached its end.
 WoundState state_of(const Wound& wound, const BleedingParameters& bleeding, double time, const Strength& strength = {},
                     double cleared = never_cleared) noexcept;
 

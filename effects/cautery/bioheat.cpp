@@ -10,13 +10,13 @@ namespace {
 /// Radii of the tip beyond which its source, exp(-9), is left out.
 constexpr double source_reach = 3.0;
 constexpr std::size_t most_snapshots = 48;
-/// Steps between looks for points that have cooled.
+/// Steps between two searches for points that have cooled.
 constexpr std::int64_t cool_interval = 32;
 
 double time_of(std::int64_t step) {
     return static_cast<double>(step) * Bioheat::step;
 }
-/// A time that is a step but for rounding counts as that step.
+/// A time that differs from a step only by rounding counts as that step.
 std::int64_t step_at_or_after(double time) {
     return static_cast<std::int64_t>(std::ceil(time / Bioheat::step - 1e-6));
 }
@@ -28,7 +28,7 @@ std::int64_t step_at_or_before(double time) {
     return step;
 }
 
-/// When a value that goes from `before` to `after` in a step that begins at `from` passes `wanted`.
+/// The time at which a value passes `wanted`, when it goes from `before` to `after` in a step that begins at `from`.
 double crossing(double before, double after, double wanted, double from) {
     return before >= wanted ? from : from + Bioheat::step * (wanted - before) / (after - before);
 }
@@ -70,7 +70,7 @@ void Bioheat::changed_from(double time) {
 }
 
 void Bioheat::seek(const Track& track, double time) {
-    at_ = time = std::clamp(time, -2e7, 2e7);  // farther than any contact can be
+    at_ = time = std::clamp(time, -2e7, 2e7);  // farther away than any contact
     const auto stays = track.stays();
     if (surface_.triangles.empty() || stays.empty()) return;
     const std::int64_t wanted = step_at_or_after(time);
@@ -89,7 +89,7 @@ void Bioheat::seek(const Track& track, double time) {
         find_running(track, time_of(step_), time_of(step_ + 1));
         if (!heat_.field().points.empty() && cold_at(track, time_of(step_))) heat_.clear();
         if (heat_.field().points.empty() && running_.empty()) {
-            // Nothing is warm and nothing goes on: to the next contact.
+            // Nothing is warm and no contact runs: go to the next contact.
             const double now = time_of(step_);
             const auto next =
                 std::partition_point(stays.begin(), stays.end(), [&](const Stay& s) { return s.contact.time < now; });
@@ -180,7 +180,7 @@ void Bioheat::take_changed() {
     changed_.clear();
 }
 
-/// Whether the last heating is so long ago that what is left of it counts for nothing.
+/// Whether the last heating is so long ago that its remaining heat is negligible.
 bool Bioheat::cold_at(const Track& track, double time) const {
     const auto stays = track.stays();
     const auto later =
@@ -188,7 +188,7 @@ bool Bioheat::cold_at(const Track& track, double time) const {
     return later == stays.begin() || time - (later - 1)->latest_hot > forgotten;
 }
 
-/// The contacts that go on in a step, and where their tips are in the middle of their share of it.
+/// The contacts that run during a step, and where their tips are in the middle of their share of it.
 void Bioheat::find_running(const Track& track, double from, double to) {
     const auto stays = track.stays();
     running_.clear();
@@ -227,7 +227,8 @@ void Bioheat::advance(const Track& track) {
     if (step_ > furthest_) {
         std::stable_sort(opened_.begin(), opened_.end(),
                          [](const Division& a, const Division& b) { return a.wound.start < b.wound.start; });
-        // What is closed in a step stands for nothing that opens in it; what opens is closed in the next.
+        // A wound that is closed in a step does not count for one that opens in it, which can be closed in the next
+        // step.
         close_wounds(track, from);
         for (const Division& division : opened_) wounds_.add(division, step_);
         furthest_ = step_;
@@ -263,7 +264,7 @@ void Bioheat::record_peaks() {
     }
 }
 
-/// Opens the places under the tips that have become hot enough.
+/// Opens wounds at places under the tips that have become hot enough.
 void Bioheat::divide(const Track& track, double from) {
     const double wanted = parameters_.cut_temperature - body_temperature;
     if (wanted > highest_rise(parameters_)) pending_.clear();

@@ -1,6 +1,6 @@
-// Heat under the tool by Pennes' bio-heat equation, in steps at the multiples of `step` s. The state at a step is a
-// function of the contacts before it and of nothing else; going back in time starts from the nearest snapshot. Work
-// follows the heated region, not the organ. Formulas: effects/cautery/parameters.cpp. One thread at a time.
+// Heat under the tool by Pennes' bio-heat equation, in steps at the multiples of `step` s. The state at a step depends
+// only on the contacts before it; going back in time starts from the nearest snapshot. Work is proportional to the
+// heated region, not to the organ. Formulas: effects/cautery/parameters.cpp. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -15,8 +15,9 @@ namespace lapfx::cautery {
 
 class Bioheat {
   public:
-    static constexpr double step = 0.01;       ///< s
-    static constexpr double forgotten = 60.0;  ///< s after the last heating, tissue is at the body's temperature
+    static constexpr double step = 0.01;  ///< s
+    static constexpr double forgotten =
+        60.0;  ///< s after the last heating at which tissue has the body's temperature again
 
     /// Keeps references.
     Bioheat(const Surface& surface, const StrengthAt& strength_at);
@@ -25,7 +26,7 @@ class Bioheat {
     void reset(const CauteryParameters& parameters);
     /// The track's contacts have changed at and after `time`.
     void changed_from(double time);
-    /// To the state at `time`: of the first step at or after it.
+    /// Goes to the state at `time`: that of the first step at or after it.
     void seek(const Track& track, double time);
 
     /// Degrees Celsius at `place`, at the time of the last seek.
@@ -33,7 +34,7 @@ class Bioheat {
     /// Per point: the hottest that it has been, and 0..1 divided by heat.
     double peak(std::uint32_t point) const;
     double divided(std::uint32_t point) const { return divided_[point]; }
-    /// Points where these have changed since they were last taken; valid until the next seek.
+    /// Points whose marks have changed since the last call; valid until the next seek.
     const std::vector<std::uint32_t>& changed() const { return changed_; }
     void take_changed();
     /// All points that have, or had, marks.
@@ -94,8 +95,8 @@ class Bioheat {
 
     std::vector<Snapshot> snapshots_;  // by step
     std::int64_t interval_ = 64;       // steps between snapshots
-    // The last steps, for live use, where the contact that has just begun still changes: how it was before each of
-    // them. Their marks are only those that the step has changed.
+    // The states before each of the last steps, for live use, where the newest contact still changes. They keep only
+    // the marks that the step has changed.
     std::vector<Snapshot> recent_;  // a ring, by step
     std::int64_t can_undo_ = 0;     // so many steps
 

@@ -61,7 +61,7 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
         for (std::size_t i = first; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
     }
     seal();
-    // Only the last contact's marks can be taken back.
+    // Only the marks of the last contact can be removed.
     if (first + 1 < before || count < before) all_stale_ = true;
     last_stale_ = true;
     if (all_stale_) return;
@@ -116,7 +116,7 @@ void Cautery::clear(Layer& layer) {
     layer.points.clear();
 }
 
-/// What a contact has marked by `time`. It only grows with time, so that adding it again later does no harm.
+/// The marks of a contact by `time`. They only grow with time, so adding them again later does no harm.
 void Cautery::contribute(std::uint32_t number, double time, Layer& layer) {
     const Stay& stay = track_.stays()[number];
     if (stay.contact.time > time) return;

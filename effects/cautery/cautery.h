@@ -1,8 +1,10 @@
-// What the tool does to the organ: heat, the wounds that it opens and closes, and the marks that it leaves. CPU only. A
-// function of the log and the time: any order of times and of set() gives the same. One thread at a time.
+// What the tool does to the organ: heat, the wounds that it opens and closes, and the marks that it leaves. CPU only.
+// It is a function of the log and the time: any order of times and of set() gives the same result. One thread at a
+// time.
 //
-// Every part of a tip's path that is farther than 5 mm from the surface is left out: there the tip touches nothing. An
-// empty surface has no wounds and no marks. Suction and irrigation do nothing here; clips (clips.h) seal wounds.
+// Parts of a tip's path that are farther than 5 mm from the surface are left out, because the tip touches nothing
+// there. An empty surface has no wounds and no marks. Suction and irrigation do nothing here; clips (clips.h) seal
+// wounds.
 #pragma once
 
 #include <cstdint>
@@ -25,29 +27,30 @@ class Cautery {
     Cautery(const Cautery&) = delete;
     Cautery& operator=(const Cautery&) = delete;
 
-    /// What the tool has done and will. Costs what was written to the log since the call before; a change before its
-    /// last piece does the marks anew, one of the parameters all. Always the same log.
+    /// Takes what the tool has done and will do. The cost depends on what was written to the log since the last call. A
+    /// change before its last piece computes the marks again, a change of parameters computes everything again. It must
+    /// always be the same log.
     void set(const tool::Log& log, const CauteryParameters& parameters);
-    /// strength_at would answer otherwise than before: the next set() does all anew.
+    /// Call this when strength_at gives other answers than before: the next set() computes everything again.
     void strengths_changed() { chosen_ = false; }
     /// Heat, wounds and marks at `time`. Times that are not finite are ignored.
     void update(double time) noexcept;
 
-    /// All wounds that start at or before the updated time, and perhaps later ones, with their stops as far as they are
-    /// known. Of places closer than 1 mm only the first wound counts while it is open and at least as strong. The first
-    /// WoundList::most (4096) are kept; later ones are left out. Valid until the next set() or update().
+    /// All wounds that start at or before the updated time, and perhaps later ones, with their stops as far as known.
+    /// Within 1 mm only the first wound counts, while it is open and at least as strong. The first WoundList::most
+    /// (4096) are kept; later ones are left out. Valid until the next set() or update().
     std::span<const Wound> wounds() const { return clips().empty() ? list().wounds() : sealed_; }
     /// Changes when the wounds do.
     std::uint64_t wounds_version() const { return heat_version() + clips_.version(); }
     /// Wounds that were left out because there were too many.
     std::size_t left_out() const { return list().left_out(); }
 
-    /// All that are and will be, in the order of their times.
+    /// All present and future clips, in the order of their times.
     std::span<const Clip> clips() const { return clips_.clips(); }
 
     /// Per organ vertex: x char 0..1, y divided 0..1.
     std::span<const glm::vec2> marks() const { return marks_; }
-    /// mm2 of surface, at rest, that is burnt: its char has browned, as at the char temperature, or is darker.
+    /// Burnt surface at rest, mm2: its char is as brown as at the char temperature, or darker.
     double burnt_area() const { return static_cast<double>(burnt_) * burnt_unit; }
     /// Which marks have changed.
     ChangedVertices& changed() { return changed_; }
@@ -77,19 +80,19 @@ class Cautery {
     const Surface& surface_;
     StrengthAt strength_at_;
     CauteryParameters parameters_;
-    bool chosen_ = false;  // parameters_ are of a set()
+    bool chosen_ = false;  // parameters_ have been set by set()
     Track track_;
     Radial radial_;
     std::unique_ptr<Bioheat> bioheat_;  // while the model is bioheat
-    std::uint64_t versions_ = 0;        // of the model that was before
+    std::uint64_t versions_ = 0;        // the marks of the previous model
     ClipList clips_;
-    std::vector<Wound> sealed_;         // while there are clips: the wounds with what these do to them
-    std::uint64_t sealed_version_ = 0;  // of the wounds that it is of
+    std::vector<Wound> sealed_;         // if there are clips: the wounds after their effect
+    std::uint64_t sealed_version_ = 0;  // version of the wounds that it was made from
 
     std::vector<std::uint32_t> vertex_start_;  // per point, into point_vertices_; one more at the end
     std::vector<std::uint32_t> point_vertices_;
 
-    // The last contact grows while its button is held: its marks lie over those of all others.
+    // The last contact grows while its button is held, so its marks are a layer over those of all others.
     Layer settled_, last_;
     bool all_stale_ = true, last_stale_ = true;
     double updated_ = 0.0;
@@ -98,7 +101,7 @@ class Cautery {
     std::vector<glm::vec2> marks_;
     ChangedVertices changed_;
 
-    // In whole units: the sum is the same in whatever order it came to be.
+    // In whole units, so that the sum does not depend on the order of changes.
     static constexpr double burnt_unit = 1e-6;  // mm2
     std::int64_t burnt_ = 0;
     std::vector<std::int64_t> burnt_at_;    // per triangle; empty until something is burnt

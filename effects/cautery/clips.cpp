@@ -14,7 +14,7 @@ glm::dvec3 place_on(const SurfacePoint& point, TriangleMesh mesh) {
     return place;
 }
 
-/// As long as twice the triangle's area.
+/// Its length is twice the triangle's area.
 glm::dvec3 normal_at(const SurfacePoint& point, TriangleMesh mesh) {
     const auto& corners = mesh.triangles[point.triangle];
     const glm::dvec3 a = mesh.positions[corners[0]];
@@ -45,7 +45,7 @@ ClipPose pose_of(const Clip& clip, TriangleMesh now) {
     return {.position = glm::vec3(middle), .along = glm::vec3(along), .up = glm::vec3(up)};
 }
 
-/// The clip lies on the surface under its ends: across a hollow or over a bulge it is straight.
+/// The clip rests on the surface under its ends: it is straight across a hollow or over a bulge.
 void ClipList::put(Clip& clip, const glm::dvec3& direction) const {
     const glm::dvec3 normal = unit(normal_at(clip.middle, surface_.mesh()), {0.0, 0.0, 1.0});
     const glm::dvec3 x = within({1.0, 0.0, 0.0}, normal), y = within({0.0, 1.0, 0.0}, normal);

@@ -1,6 +1,6 @@
-// What a clip applier leaves (ToolAction::clip): metal clips that stay where the stroke began, and the tissue under
-// them, which bleeds no more. A function of the contacts: a clip is there from its contact's time on. One thread at a
-// time.
+// What a clip applier leaves (ToolAction::clip): metal clips that stay where the stroke began, and tissue under them
+// that does not bleed any more. It is a function of the contacts: a clip exists from its contact's time on. One thread
+// at a time.
 #pragma once
 
 #include <cstdint>
@@ -13,21 +13,21 @@
 
 namespace lapfx::cautery {
 
-/// It lies along the stroke if that is longer than ClipList::aim mm, else as near to organ space's x as the surface
-/// lets it.
+/// It points along the stroke if that is longer than ClipList::aim mm, otherwise as close to the x axis of organ space
+/// as the surface permits.
 struct Clip {
-    double time = 0.0;              ///< s, from when on it is there
-    SurfacePoint middle;            ///< of the surface at rest, which it moves with
+    double time = 0.0;              ///< time from which it exists, s
+    SurfacePoint middle;            ///< triangle of the rest surface with which it moves
     SurfacePoint ends[2];           ///< under its ends
-    std::uint32_t stay = 0;         ///< of the track, that has set it
-    std::uint32_t aimed_by = none;  ///< the stay that says where it points; none: nothing does
+    std::uint32_t stay = 0;         ///< the stay of the track that has set it
+    std::uint32_t aimed_by = none;  ///< the stay that gives its direction; none: no stay does
 
     static constexpr std::uint32_t none = 0xffffffff;
 };
 
 /// Where it is on a surface that may have moved.
 struct ClipPose {
-    glm::vec3 position{0.0f};                                 ///< mm, of its middle on the tissue
+    glm::vec3 position{0.0f};                                 ///< its middle on the tissue, mm
     glm::vec3 along{1.0f, 0.0f, 0.0f}, up{0.0f, 1.0f, 0.0f};  ///< unit
     friend bool operator==(const ClipPose&, const ClipPose&) = default;
 };
@@ -35,20 +35,20 @@ ClipPose pose_of(const Clip& clip, TriangleMesh now);
 
 class ClipList {
   public:
-    static constexpr double aim = 3.0;  ///< mm of a stroke's path that say where its clip points
+    static constexpr double aim = 3.0;  ///< length of a stroke's path that gives the direction of its clip, mm
 
     /// Keeps a reference.
     explicit ClipList(const Surface& surface) : surface_(surface) {}
 
-    /// The track's stays from `first` on are other ones than before.
+    /// The track's stays from `first` on have changed.
     void set(const Track& track, std::size_t first, const CauteryParameters& parameters);
 
     /// In the order of their times.
     std::span<const Clip> clips() const { return clips_; }
     /// Changes when they do.
     std::uint64_t version() const { return version_; }
-    /// `wounds` with those within clip_reach of a clip's middle line sealed from its time on: what is open stops at
-    /// once, and what is cut there later does not bleed.
+    /// `wounds` after the clips: a wound within clip_reach of a clip's middle line stops when the clip is set, and does
+    /// not bleed if it is cut later.
     void seal(const WoundList& wounds, std::vector<Wound>& sealed);
 
   private:

@@ -8,8 +8,8 @@ namespace lapfx::cautery {
 
 namespace {
 
-/// A triangle thinner than this, as area over the square of its longest side, is taken for one that is just so thin:
-/// its element stays positive semidefinite and finite.
+/// A triangle thinner than this, as area over the square of its longest side, counts as exactly this thin, so that its
+/// element stays positive semidefinite and finite.
 constexpr double thinnest = 1e-4;
 
 /// How much of the mass is consistent; the rest is lumped. Lumped masses spread heat too slowly on even meshes,
@@ -18,7 +18,7 @@ constexpr double consistent = 0.25;
 
 struct Shape {
     double area = 0.0;        // mm2
-    double stiff_area = 0.0;  // not below the thinnest; 0: no triangle at all
+    double stiff_area = 0.0;  // not below the thinnest; 0: not a triangle
 };
 
 Shape shape_of(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
@@ -54,7 +54,7 @@ void Diffusion::join(std::uint32_t point) {
     source_.push_back(0.0);
     if (stale_) return;
     assemble_row(point);
-    // The rows of its neighbours know it from now on.
+    // From now on the rows of its neighbours include it.
     for (const std::uint32_t other : surface_.neighbours_of(point)) {
         if (slot_[other] == none || other == point) continue;
         const auto around = surface_.neighbours_of(other);
@@ -109,7 +109,7 @@ void Diffusion::assemble_row(std::uint32_t point) {
         entry(b).mass += consistent * shape.area / 12.0;
         entry(b).stiffness -= to_b;
     }
-    // Points of triangles without any area have no mass; so little keeps the matrix regular.
+    // Points of triangles without area have no mass; this small mass keeps the matrix regular.
     mass_.push_back(std::max(mass, 1e-12));
     stiffness_.push_back(stiffness);
     for (std::size_t e = first; e < entries_.size(); ++e) entries_[e].column = slot_[entries_[e].column];
@@ -210,7 +210,7 @@ void Diffusion::step(double dt, double diffusivity, double perfusion) {
     std::fill(source_.begin(), source_.end(), 0.0);
 }
 
-/// What is interpolated: around a tip rises are close to a Gaussian, and its logarithm to a paraboloid.
+/// The logarithm is interpolated: around a tip rises are close to a Gaussian, whose logarithm is a paraboloid.
 double Diffusion::level_of(std::uint32_t point, const std::vector<double>& rises) const {
     return slot_[point] == none ? 0.0 : std::log1p(std::max(rises[slot_[point]], 0.0));
 }

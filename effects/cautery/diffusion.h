@@ -1,10 +1,9 @@
 // Heat that spreads over a surface: du/dt = diffusivity * Laplacian(u) - perfusion * u + source, on the points where
 // something happens and nowhere else. Linear finite elements on the welded triangles (cotangent stiffness; mass three
-// quarters lumped and one quarter consistent), TR-BDF2 in time (R. E. Bank et al., IEEE
-// Trans CAD 4(4), 1985: second order and damped, stable for any step), conjugate gradients with a Jacobi
-// preconditioner. The result depends on the sequence of calls alone. One thread at a time. Eigen's solver is 1.4 times
-// as fast, but all templates: in a plug-in they would meet those of a host that has Eigen, too, built for another
-// processor.
+// quarters lumped and one quarter consistent), TR-BDF2 in time (R. E. Bank et al., IEEE Trans CAD 4(4), 1985: second
+// order and damped, stable for any step), conjugate gradients with a Jacobi preconditioner. The result depends only on
+// the sequence of calls. One thread at a time. Eigen's solver is 1.4 times as fast, but consists of templates: in a
+// plug-in these would clash with those of a host that also uses Eigen, built for another processor.
 #pragma once
 
 #include <cstdint>
@@ -16,8 +15,9 @@ namespace lapfx::cautery {
 
 class Diffusion {
   public:
-    static constexpr double joins_at = 0.05;   ///< degrees at which the neighbours of a point join
-    static constexpr double leaves_at = 0.02;  ///< degrees below which points leave that have only such around them
+    static constexpr double joins_at = 0.05;  ///< degrees at which the neighbours of a point join
+    static constexpr double leaves_at =
+        0.02;  ///< degrees below which a point leaves when its neighbours are also below
 
     /// Keeps a reference.
     explicit Diffusion(const Surface& surface) : surface_(surface) { clear(); }
@@ -34,16 +34,16 @@ class Diffusion {
     /// Heats a point during the next step, degrees per second.
     void heat(std::uint32_t point, double rate);
     void step(double dt, double diffusivity, double perfusion);
-    /// Lets points go that are cool; they are 0 then.
+    /// Removes cool points; their rise is then 0.
     void drop_cool();
 
-    /// The rise at a place, not below 0. Smoother than the linear elements: quadratic, in the logarithm.
+    /// The rise at a place, not below 0. It is smoother than the linear elements: quadratic in the logarithm.
     double rise_at(const SurfacePoint& place, const std::vector<double>& rises) const;
 
   private:
     static constexpr std::uint32_t none = 0xffffffff;
     struct Entry {
-        std::uint32_t column;  // slot of the neighbour; none: out of play, where the rise is 0 and stays so
+        std::uint32_t column;  // slot of the neighbour; none: it is not in play, so its rise is 0 and stays 0
         double mass, stiffness;
     };
 
@@ -63,12 +63,12 @@ class Diffusion {
     std::vector<std::uint32_t> slot_;  // per point
     Field field_;
     std::vector<double> source_;  // per slot, for the next step
-    bool stale_ = true;           // the rows are of another set of points
+    bool stale_ = true;           // the rows belong to an earlier set of points
     std::vector<std::uint32_t> row_start_;
     std::vector<Entry> entries_;
     std::vector<double> mass_, stiffness_;  // diagonals
     std::vector<std::uint32_t> columns_;
-    std::vector<double> matrix_, diagonal_;  // of the system in hand
+    std::vector<double> matrix_, diagonal_;  // of the system that is being solved
     std::vector<double> right_, applied_, middle_, residual_, direction_, conditioned_;
 };
 

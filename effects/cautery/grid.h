@@ -1,5 +1,5 @@
-// Things in space, found by place: a hash of cubic cells. Things are numbers that only grow; the newest can be taken
-// out again. One thread at a time.
+// Finds things in space by place, with a hash of cubic cells. Things are numbers that only grow; the newest can be
+// removed again. One thread at a time.
 #pragma once
 
 #include <algorithm>
@@ -13,7 +13,7 @@ namespace lapfx::cautery {
 
 class Grid {
   public:
-    /// `cell`: mm. Places lie within +-1e5 mm.
+    /// `cell` in mm. Places are within +-1e5 mm.
     explicit Grid(double cell) : cell_(cell) {}
 
     void clear() { cells_.clear(); }
@@ -21,14 +21,14 @@ class Grid {
     void insert(std::uint32_t thing, const glm::dvec3& low, const glm::dvec3& high) {
         each_cell(low, high, [&](std::uint64_t key) { cells_[key].push_back(thing); });
     }
-    /// Takes the newest thing out of the cells that it was put into.
+    /// Removes the newest thing from the cells that it was put into.
     void remove(std::uint32_t thing, const glm::dvec3& low, const glm::dvec3& high) {
         each_cell(low, high, [&](std::uint64_t key) {
             const auto found = cells_.find(key);
             if (found != cells_.end()) std::erase(found->second, thing);
         });
     }
-    /// Things of all cells that the box meets, ascending, each once, replacing what `out` held.
+    /// Things of all cells that the box touches, ascending and each once, in place of the contents of `out`.
     void find(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& out) const {
         out.clear();
         each_cell(low, high, [&](std::uint64_t key) {

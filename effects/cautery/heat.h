@@ -1,4 +1,4 @@
-// What the heat models share: which contacts count, what a tip does along its path, and what heat does to tissue.
+// Shared by the heat models: which contacts count, what a tip does along its path, and what heat does to tissue.
 // Temperatures degrees Celsius, rises degrees above the body's 37, lengths mm, times s. Pure; any thread.
 #pragma once
 
@@ -20,7 +20,7 @@ inline constexpr double farthest_touch = 5.0;  ///< mm from the surface beyond w
 inline constexpr double torn_strength =
     0.6;  ///< blunt dissection crushes the vessels that it opens, so they bleed less
 
-/// How strongly tissue bleeds where the tool divides it: factor on the wound's strength; 0 = not at all (too few
+/// How strongly tissue bleeds where the tool divides it, as a factor on the wound's strength; 0 = not at all (too few
 /// vessels). Empty = 1 everywhere.
 using StrengthAt = std::function<double(const glm::dvec3& position)>;
 
@@ -32,7 +32,7 @@ inline bool cold(ToolAction action) noexcept {
 /// Strength of a wound that a contact opens at `place`.
 double wound_strength(const ToolContact& contact, const glm::dvec3& place, const StrengthAt& strength_at);
 
-/// Degrees per second right under the tip.
+/// Degrees per second directly under the tip.
 inline double rise_rate(const ToolContact& contact, const CauteryParameters& c) noexcept {
     return contact.hot() ? c.heat_rate * contact.power : 0.0;
 }
@@ -42,7 +42,7 @@ inline double highest_rise(const CauteryParameters& c) noexcept {
     return c.maximum_temperature > body_temperature ? c.maximum_temperature - body_temperature : 0.0;
 }
 
-/// Highest rise that a contact makes. Coagulation is gentle: it goes half way from the coagulation to the char
+/// Highest rise that a contact makes. Coagulation is gentle: it ends half way between the coagulation and the char
 /// temperature, so that tissue blanches and does not char.
 inline double highest_rise(const ToolContact& contact, const CauteryParameters& c) noexcept {
     if (contact.action != ToolAction::coagulate) return highest_rise(c);
@@ -55,14 +55,14 @@ struct Interval {
 /// When the tip of this contact is within `radius` of `place`.
 std::optional<Interval> passes(const ToolContact& contact, glm::dvec3 place, double radius) noexcept;
 
-/// char_of() tissue that has come to the char temperature.
+/// char_of() of tissue that has reached the char temperature.
 inline constexpr double browned = 0.35;
 
-/// 0 = unburnt .. 1 = charred through, from the hottest temperature.
+/// Char from the hottest temperature: 0 = unburnt .. 1 = fully charred.
 double char_of(double peak, const CauteryParameters& c) noexcept;
 
-/// 1 = divided .. 0 = whole, `distance` mm from a place that was divided: one tip radius wide, with a soft edge. Blunt
-/// dissection frays: wider, and nowhere divided through, so that the shader's noise leaves strands of it.
+/// How far tissue is divided `distance` mm from a divided place, 0 = whole .. 1 = divided: one tip radius wide, with a
+/// soft edge. Blunt dissection is wider and nowhere fully divided, so that the shader's noise leaves strands.
 double divided_at(double distance, ToolAction action, const CauteryParameters& c) noexcept;
 
 }  // namespace lapfx::cautery

@@ -25,11 +25,11 @@
 // - tip_radius 1.5 mm: half the width of the heel of a 5 mm hook, the part that lies on the tissue.
 // - coagulation 60: proteins denature and vessels shrink shut. Char 150: water is gone and the surface blackens. Cut
 //   180: tissue parts. Maximum 400: what a monopolar hook reaches; keeps long contacts from running away.
-// - heat_spread 0.2 mm in the first second: heat diffuses, so the radius grows with the square root of time. So much
-//   that both models burn alike, and it is the bio-heat equation that is to be trusted: its constants are measured.
-//   With a tip of 1.5 mm and no perfusion a Gaussian's radius is sqrt(tip_radius^2 + 4 diffusivity t), 1.66 mm after a
-//   second and 1.95 mm after three; heat that came later has spread less. The radius that is charred (150) and cooked
-//   (60), mm, and the start of the cut, for burns at full power in one place:
+// - heat_spread 0.2 mm in the first second: heat diffuses, so the radius grows with the square root of time. With this
+//   value both models burn equally. The bio-heat equation is the reference, because its constants are measured. With a
+//   tip of 1.5 mm and no perfusion a Gaussian's radius is sqrt(tip_radius^2 + 4 diffusivity t), 1.66 mm after a second
+//   and 1.95 mm after three; later heat has spread less. The radius that is charred (150) and cooked (60), mm, and the
+//   start of the cut, for burns at full power in one place:
 //
 //     s of burn           1             2             3             4             5           cut at
 //     bioheat         1.17, 2.31    1.76, 2.74    2.07, 3.02    2.29, 3.25    2.47, 3.45      0.71 s
@@ -40,7 +40,7 @@
 // - diffusivity 0.13 mm2/s: conductivity over density and specific heat of soft tissue, 0.5 W/m/K / (1060 kg/m3 *
 //   3600 J/kg/K); F. A. Duck, Physical Properties of Tissue, 1990, lists 0.11 to 0.15.
 // - perfusion 0.02 per second: of the order of a well perfused liver (about 1 ml blood per ml of tissue and minute); it
-//   also stands for the heat that goes into the depth, which the surface does not have.
+//   also includes heat that goes into the depth of the tissue, which the surface does not model.
 // - clip_length 9 mm, clip_reach 3 mm: a medium-large titanium clip, and the tissue that it gathers between its jaws.
 #include "preset/tables.h"
 

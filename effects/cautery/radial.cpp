@@ -9,7 +9,7 @@ namespace {
 /// Beyond so many radii a bell of any height that can be read is below 0.1 degrees.
 constexpr double bell_reach = 2.9;
 
-/// When a rise that grows from `rise` at `rate` reaches `wanted`, seconds from now.
+/// Seconds until a rise that grows from `rise` at `rate` reaches `wanted`.
 double time_to(double wanted, double rise, double rate, double top) {
     if (wanted > top) return never;
     if (rise >= wanted) return 0.0;
@@ -71,7 +71,7 @@ void Radial::append(const Track& track, std::uint32_t number) {
         find_closings(track, number, 0);
     }
     record(track, number, number);
-    // A wound that opens while an earlier contact still runs may be closed by that one.
+    // An earlier contact that still runs may close a wound that opens now.
     if (first_wound == wounds_.wounds().size()) return;
     const double start = wounds_.wounds()[first_wound].start;
     opened_.clear();
@@ -82,7 +82,7 @@ void Radial::append(const Track& track, std::uint32_t number) {
     }
 }
 
-/// The station at a place: one that is there already, or a new one.
+/// The station at a place: an existing one, or a new one.
 std::uint32_t Radial::station_at(const Place& place, double spacing) {
     const glm::dvec3 reach(0.5 * spacing);
     grid_.find(place.tip - reach, place.tip + reach, found_);
@@ -102,7 +102,7 @@ std::uint32_t Radial::station_at(const Place& place, double spacing) {
     return best;
 }
 
-/// Makes a station one of the contact's chain, heated by what the chain has done near it so far.
+/// Adds a station to the contact's chain, heated by what the chain has done near it so far.
 void Radial::join(const Track& track, std::uint32_t s, std::uint32_t number) {
     const std::uint32_t chain = track.stays()[number].chain;
     Station& station = stations_[s];
@@ -164,7 +164,7 @@ void Radial::settle(Station& station, std::size_t from) {
         h.start = h.from;
         State state{0.0, 0.0};
         if (i > 0) {
-            // Where two tips heat one place at once, it is heated once, by the one that came first.
+            // When two tips heat one place at the same time, only the first one counts.
             const Heating& before = station.heatings[i - 1];
             h.start = std::max(h.from, before.finish);
             state = state_at(before, h.start);
@@ -174,7 +174,7 @@ void Radial::settle(Station& station, std::size_t from) {
         h.stayed = state.stayed;
         const double delay =
             time_to(parameters_.cut_temperature - body_temperature, h.rise, h.rate, std::max(h.top, h.rise));
-        // A tip that has gone before its turn comes divides nothing.
+        // A tip that leaves before its turn divides nothing.
         h.opened = h.cuts && h.start <= h.to && h.start + delay <= h.finish ? h.start + delay : never;
         widest_ = std::max(widest_, spread(h));
     }
@@ -212,8 +212,8 @@ void Radial::open_hot(const Track& track, std::uint32_t number) {
     std::stable_sort(opened_.begin(), opened_.end(), [](const Wound& a, const Wound& b) { return a.start < b.start; });
 }
 
-/// What contact `number` brings, in the order of time: where a place is closed and divided at once, it is closed
-/// before. `heater` is the contact that closes.
+/// The events of contact `number` in the order of time; when a place is closed and divided at the same time, it is
+/// closed first. `heater` is the contact that closes.
 void Radial::record(const Track& track, std::uint32_t number, std::uint32_t heater) {
     std::stable_sort(closings_.begin(), closings_.end(),
                      [](const Closing& a, const Closing& b) { return a.time < b.time; });
@@ -232,8 +232,8 @@ void Radial::record(const Track& track, std::uint32_t number, std::uint32_t heat
     close_until(never);
 }
 
-/// When a heating closes a wound so far away: when the tip's place is warm enough and the heated region has come near.
-/// Where it has by the time that another tool cuts, that cut is closed at once.
+/// When a heating closes a wound at this distance: as soon as the tip's place is warm enough and the heated region has
+/// reached the wound. If it has reached the place before another tool cuts there, that cut is closed immediately.
 double Radial::closing_time(const Heating& h, const Wound& wound, double distance) const {
     const double warm =
         time_to(parameters_.coagulation_temperature - body_temperature, h.rise, h.rate, std::max(h.top, h.rise));
@@ -247,7 +247,7 @@ double Radial::closing_time(const Heating& h, const Wound& wound, double distanc
     return closed <= h.finish ? std::max(closed, h.visible) : never;
 }
 
-/// When contact `number` closes which wounds, from `first_wound` on.
+/// Which wounds contact `number` closes, and when, from `first_wound` on.
 void Radial::find_closings(const Track& track, std::uint32_t number, std::uint32_t first_wound) {
     const Stay& stay = track.stays()[number];
     if (!stay.contact.hot()) return;

@@ -1,7 +1,7 @@
 // Heat under the tool, the paper's radial model ("the amount of heat and its effects on the nearby tissue is
 // proportional to the duration of the application of the cautery ... the region affected by the heat is expanded
-// radially"), in closed form: any time can be asked for. Formulas: effects/cautery/parameters.cpp. Contacts are added
-// and taken away at the end, at a cost that follows what they touch. One thread at a time.
+// radially"), in closed form for any time. Formulas: effects/cautery/parameters.cpp. Contacts are added and removed at
+// the end, at a cost that depends on what they touch. One thread at a time.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace lapfx::cautery {
 
-/// How hot a place is, as the height and the radius of the bell of heat around it.
+/// How hot a place is: height and radius of the bell of heat around it.
 struct Bell {
     glm::dvec3 position{0.0};
     double rise = 0.0;     ///< degrees above the body, bounded
@@ -40,7 +40,8 @@ class Radial {
 
     /// Degrees Celsius of the surface at `place`.
     double temperature(const glm::dvec3& place, double time) const;
-    /// The hottest bells that contact `number` has made by `time`, replacing what `out` held. They only grow with time.
+    /// The hottest bells that contact `number` has made by `time`, in place of the contents of `out`. They only grow
+    /// with time.
     void bells(std::uint32_t number, double time, std::vector<Bell>& out) const;
 
     const WoundList& wounds() const { return wounds_; }
@@ -51,13 +52,13 @@ class Radial {
     /// One contact of a chain heats one place of that chain.
     struct Heating {
         std::uint32_t contact = 0;
-        std::uint32_t owner = 0;      // with whose coming it became known: the place may be a later contact's
+        std::uint32_t owner = 0;      // the contact that added it; the place may belong to a later one
         double visible = 0.0;         // s, when the owner begins
         double from = 0.0, to = 0.0;  // when the tip is near
         double rate = 0.0;            // degrees per second
         double top = 0.0;             // degrees, the highest rise that it makes
         bool cuts = false;
-        double start = 0.0, finish = 0.0;  // the same less what an earlier one has taken
+        double start = 0.0, finish = 0.0;  // the same without the part that an earlier contact heats
         double rise = 0.0, stayed = 0.0;   // U and H at the start
         double opened = never;             // when U passes the cut temperature
     };
@@ -108,7 +109,7 @@ class Radial {
     std::vector<Site> sites_;
     std::vector<Contact> contacts_;
     Grid grid_{3.0};       // stations
-    double widest_ = 0.0;  // mm, largest radius of any bell since all was new
+    double widest_ = 0.0;  // largest radius of any bell so far, mm
     WoundList wounds_;
     std::vector<Wound> opened_;
     std::vector<Closing> closings_;

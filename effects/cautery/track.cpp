@@ -7,7 +7,8 @@ namespace lapfx::cautery {
 
 namespace {
 
-/// Up to when two contacts are the same but for their ends: exactly, so only where both stand still or share a path.
+/// The time up to which two contacts that differ only in their ends agree exactly, so only where both stand still or
+/// share a path.
 double same_until(const ToolContact& a, const ToolContact& b) {
     ToolContact longer = a;
     longer.duration = b.duration;

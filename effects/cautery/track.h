@@ -1,5 +1,5 @@
-// The pieces of the tool's log, with places along them: what both heat models work on. The places of a stroke are at
-// even distances along its path, however it was cut into pieces. One thread at a time.
+// The pieces of the tool's log, with places along them, for both heat models. The places of a stroke are at even
+// distances along its path, however it is cut into pieces. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace lapfx::cautery {
 
-/// Where a tip comes by.
+/// A place that a tip passes.
 struct Place {
     glm::dvec3 tip{0.0};  ///< on the tip's path
     SurfacePoint point;   ///< nearest on the surface
@@ -32,8 +32,8 @@ struct Stay {
     double length = 0.0;           ///< mm of the stroke's path up to this piece's end
     std::uint64_t next_place = 0;  ///< number, along the stroke, of the first place that this piece did not reach
     std::uint32_t first_place = 0, end_place = 0;
-    double latest_end = 0.0;  ///< of this contact and all before
-    double latest_hot = 0.0;  ///< the same, of the hot ones
+    double latest_end = 0.0;  ///< latest end of this contact and all before
+    double latest_hot = 0.0;  ///< latest end of the hot ones
 };
 
 class Track {
@@ -41,8 +41,8 @@ class Track {
     /// Keeps a reference.
     explicit Track(const Surface& surface) : surface_(surface) {}
 
-    /// A stay for each piece. Takes what has been written since the call before; gives the number of the first that is
-    /// new. When the parameters differ in what a track depends on, all is.
+    /// Makes a stay for each piece. Takes what has been written since the last call and gives the number of the first
+    /// new stay. All are new when a parameter that a track depends on has changed.
     std::size_t set(const tool::Log& log, const CauteryParameters& parameters);
 
     std::span<const Stay> stays() const { return stays_; }
@@ -52,7 +52,7 @@ class Track {
     }
     /// mm between places: a whole fraction of the spacing of wounds.
     double spacing() const { return spacing_; }
-    /// The time up to which the tips did the same before the last set() and after it.
+    /// The time up to which the last set() has not changed what the tips did.
     double same_until() const { return same_until_; }
 
   private:

@@ -1,9 +1,9 @@
-// Wounds as they open and close, with a way back: every event carries a key (the number of a contact, or of a time
-// step), keys only grow, and what happened from a key on can be undone. One thread at a time.
+// Wounds as they open and close, with undo: every event has a key (the number of a contact, or of a time step), keys
+// only grow, and everything from a key on can be undone. One thread at a time.
 //
-// What a division leaves does not depend on what was there before: a wound that is open, and at least as strong, stands
-// for a new one at its place, and then bleeds as long as the new one would have. For that, what happens at a place is
-// told in the order of time: a wound that heat has closed stands for nothing that comes later.
+// The result of a division does not depend on earlier wounds: an open wound that is at least as strong counts for a new
+// one at its place, and then bleeds as long as the new one would have. Therefore the events at a place are added in the
+// order of time, and a wound that heat has closed does not count for later ones.
 #pragma once
 
 #include <cstdint>
@@ -21,7 +21,7 @@ struct Division {
     std::uint32_t chain = 0;
     bool by_heat = false;
 };
-/// What closes wounds: heat that divides does not close its own cut.
+/// The heat that closes wounds. Heat that divides does not close its own cut.
 struct Heater {
     std::uint32_t chain = 0;
     bool divides = false;
@@ -34,17 +34,18 @@ class WoundList {
 
     /// Wounds in the order in which they were added.
     std::span<const Wound> wounds() const { return wounds_; }
-    /// How many were left out because there were `most` of them already. The first ones stay.
+    /// How many were left out because there were already `most` of them. The first ones stay.
     std::size_t left_out() const { return left_out_.size(); }
     /// Changes whenever the wounds do.
     std::uint64_t version() const { return version_; }
 
-    /// False when there is no new wound: no strength; closer than `closest` to one that is open at its start and at
-    /// least as strong, which stands for it: if heat has divided, that one is now the heat's own; or too many.
+    /// False when there is no new wound: it has no strength, there are too many, or it is closer than `closest` to a
+    /// wound that is open at its start and at least as strong. That wound counts for it, and belongs to the heat if
+    /// heat has divided the tissue.
     bool add(const Division& division, std::int64_t key);
-    /// Closes a wound at `stop`. False if it closes earlier, or is the heater's own.
+    /// Closes a wound at `stop`. False if it closes earlier, or belongs to the heater.
     bool close(std::uint32_t wound, double stop, const Heater& heater, std::int64_t key);
-    /// Undoes all from `key` on.
+    /// Undoes everything from `key` on.
     void truncate(std::int64_t key);
 
     /// Numbers of the wounds in the cells around a box.

@@ -15,9 +15,9 @@ using media::KnownClip;
 
 namespace {
 
-constexpr std::size_t most_clips = 256;  // those that play are kept beyond it
+constexpr std::size_t most_clips = 256;  // most entries; files that play are kept in addition
 
-/// The files of a preset's clips that are there, each once.
+/// The existing files of a preset's clips, each once.
 std::vector<fs::path> files_of(const Preset& preset, std::span<const fs::path> folders) {
     std::vector<fs::path> files;
     for (const SmokeClip& clip : preset.smoke.clips) {
@@ -52,7 +52,7 @@ std::optional<KnownClip> ClipCache::State::find(const fs::path& path, const medi
 
 void ClipCache::State::put(KnownClip clip) {
     const std::lock_guard lock(mutex);
-    // Two threads may have looked through the same file: clips play on with what the first one found.
+    // Two threads may have looked through the same file: clips continue with the result of the first one.
     if (std::any_of(clips.begin(), clips.end(), [&](const KnownClip& other) {
             return other.path == clip.path && other.stamp == clip.stamp && other.faults.empty();
         }))

@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int maximum_first = 999;  // number of a sequence's first image
-constexpr int maximum_digits = 9;   // of a number in a sequence
+constexpr int maximum_digits = 9;   // digits of a number in a sequence
 constexpr int maximum_images = 1'000'000;
 constexpr const char* is_directory = "is a folder; a video file is needed";
 constexpr const char* not_plain = "is not a plain file";
@@ -28,8 +28,8 @@ void require_plain_file(const fs::path& path) {
     if (fs::file_size(path, error) == 0) throw bad_clip(path, "is empty");
 }
 
-/// Playlists make FFmpeg open whatever they name; a clip is one file. All playlists are text and no video is, so that
-/// text is never handed on: FFmpeg knows some of them behind comments, too.
+/// Playlists make FFmpeg open whatever they name, but a clip is one file. All playlists are text and no video is, so
+/// text is never passed on: FFmpeg recognises some playlists even behind comments.
 void refuse_playlist(const fs::path& path) {
     std::ifstream file(path, std::ios::binary);
     std::array<char, 512> head{};
@@ -42,7 +42,7 @@ void refuse_playlist(const fs::path& path) {
     if (std::all_of(start.begin(), start.end(), printable)) throw bad_clip(path, not_decodable);
 }
 
-/// The sequence that a name stands for, without its images; none when it is no name of a sequence.
+/// The sequence that a name means, without its images; none when it is not the name of a sequence.
 std::optional<ImageSequence> parse_pattern(const fs::path& pattern) {
     const std::string name = pattern.filename().string();
     const std::size_t percent = name.find('%');
@@ -103,13 +103,13 @@ std::vector<fs::path> sequence_images(const fs::path& pattern) {
 
 namespace {
 
-/// Where a preset's own folder would have it. A name from its file stays inside; a whole path is never one, but what a
-/// host or a person has chosen.
+/// The path in the preset's own folder. A name in the file of a preset stays inside; an absolute path cannot come from
+/// there, so a host or a person has chosen it.
 fs::path own_path(const std::string& file, const fs::path& preset_folder) {
     return fs::path(file).is_absolute() ? fs::path(file) : named_path(preset_folder, file, Reach::inside, file);
 }
 
-/// Each image of a sequence may be a link of its own.
+/// Each image of a sequence may be a link.
 void require_inside(const ImageSequence& sequence, const std::string& file, const fs::path& preset_folder) {
     if (fs::path(file).is_absolute()) return;
     const fs::path below = fs::path(file).parent_path();
@@ -123,7 +123,7 @@ fs::path find_clip(const std::string& file, const fs::path& preset_folder, std::
     std::error_code error;
     const fs::path own = own_path(file, preset_folder);
     if (is_file(own)) return own;
-    // What is in the way of a file or of a sequence's name is neither played nor passed over for the next folder.
+    // Something else under the name of a file or a sequence is not played, and the next folder is not tried.
     if (fs::is_directory(own, error)) throw bad_clip(file, is_directory);
     if (fs::exists(own, error)) throw bad_clip(file, not_plain);
     if (const auto sequence = find_sequence(own, maximum_images)) {

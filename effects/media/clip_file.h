@@ -1,5 +1,5 @@
-// Finding a smoke clip's file, and telling what is none: a clip is one plain local file, or a sequence of numbered
-// images.
+// Finds the file of a smoke clip, and refuses what is not a clip: a clip is one plain local file, or a sequence of
+// numbered images.
 #pragma once
 
 #include <filesystem>
@@ -14,14 +14,12 @@
 namespace lapfx::media {
 
 /// The clip `file` of a preset: inside the preset's folder, or a bare name on the search path. The name of an image
-/// sequence
-/// ("plume_%04d.png") is found where its first image is.
-/// Throws Error (bad_input) that names `file`: where it was looked for, or that a directory or no plain file has its
-/// name in the preset's folder.
+/// sequence ("plume_%04d.png") is found where its first image is. Throws Error (bad_input) that names `file`: where it
+/// was looked for, or that its name in the preset's folder is a directory or not a plain file.
 std::filesystem::path find_clip(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> search_path);
 
-/// The same as the one name that the file is known by: absolute, without "..".
+/// The same as an absolute path without "..".
 std::filesystem::path clip_path(const std::string& file, const std::filesystem::path& preset_folder,
                                 std::span<const std::filesystem::path> search_path);
 
@@ -29,17 +27,17 @@ std::filesystem::path clip_path(const std::string& file, const std::filesystem::
 struct ImageSequence {
     std::filesystem::path folder;
     std::string before, after;  ///< the number, in a name
-    int digits = 0;             ///< that a number has at least
+    int digits = 0;             ///< least number of digits
     int first = 0, count = 0;
 
     std::filesystem::path file(int index) const;
 };
 
-/// What a name with one "%d" or "%04d" stands for: the files from the lowest number in 0..999 on, at most `maximum`.
-/// None when there is a file of just that name, when it is no such pattern, or when no image is there.
+/// The files that a name with one "%d" or "%04d" means: from the lowest number in 0..999 on, at most `maximum`. None
+/// when a file has exactly that name, when it is not such a pattern, or when there is no image.
 std::optional<ImageSequence> find_sequence(const std::filesystem::path& pattern, int maximum);
 
-/// The images of such a name, in their order; none when it is none.
+/// The images of such a name, in their order; empty when it is not a pattern.
 std::vector<std::filesystem::path> sequence_images(const std::filesystem::path& pattern);
 
 constexpr const char* not_decodable = "is not a video that can be decoded";

@@ -7,10 +7,10 @@ namespace lapfx::media {
 
 namespace {
 
-constexpr double default_rate = 25.0;     // frames per second, where a file tells none
-constexpr double maximum_rate = 1000.0;   // what claims more has no usable times
-constexpr std::size_t packets_told = 64;  // progress is told after so many
-constexpr double maximum_time = 1e7;      // s, likewise: 115 days
+constexpr double default_rate = 25.0;     // frames per second for a file that does not say
+constexpr double maximum_rate = 1000.0;   // a file that claims more has no usable times
+constexpr std::size_t packets_told = 64;  // packets between two reports of progress
+constexpr double maximum_time = 1e7;      // s, likewise unusable: 115 days
 
 struct Entry {
     std::int64_t pts, dts, position, duration;
@@ -26,17 +26,17 @@ VpxHeader vpx_header(AVCodecID codec, const std::uint8_t* data, std::size_t size
     if (size == 0) return {};
     const unsigned first = data[0];
     if (codec == AV_CODEC_ID_VP8) return {.shown = (first & 0x10) != 0, .key = (first & 1) == 0};
-    // The first three bits after those of the profile: a frame that is shown once more; no key frame; shown.
+    // The first three bits after those of the profile: a frame is shown again; not a key frame; shown.
     const bool extra_bit = (first & 0x30) == 0x30;
     const unsigned bits = extra_bit ? first << 1 : first;
     if ((bits & 8) != 0) return {};
-    // A superframe, which its last byte tells, packs a hidden frame with one that is shown.
+    // A superframe, marked by its last byte, packs a hidden frame with one that is shown.
     const bool super = (data[size - 1] & 0xe0) == 0xc0;
     const bool shown = extra_bit ? (first & 1) != 0 : (first & 2) != 0;
     return {.shown = shown || super, .key = (bits & 4) == 0};
 }
 
-/// Whether an H.264 packet holds an IDR picture: with other key frames, what follows may refer to what was before.
+/// Whether an H.264 packet has an IDR picture: after other key frames, later frames may refer to earlier ones.
 bool has_idr(const AVCodecParameters& codec, const AVPacket& packet) {
     constexpr int idr = 5;
     const std::uint8_t *at = packet.data, *const end = at + packet.size;
@@ -57,7 +57,7 @@ bool has_idr(const AVCodecParameters& codec, const AVPacket& packet) {
     return false;
 }
 
-/// The clip's opacity is a stream of its own, with key frames of its own (Matroska: BlockAdditional 1, after its
+/// The opacity of the clip is a separate stream with its own key frames (Matroska: BlockAdditional 1, after its
 /// number).
 bool opacity_can_start(AVCodecID codec, const AVPacket& packet) {
     std::size_t size = 0;
@@ -66,7 +66,7 @@ bool opacity_can_start(AVCodecID codec, const AVPacket& packet) {
     return data == nullptr || size <= number || vpx_header(codec, data + number, size - number).key;
 }
 
-/// Where a key frame starts anew, so that decoding from there gives the very bytes that decoding from the start gives.
+/// Whether decoding from a key frame gives exactly the bytes that decoding from the start gives.
 bool can_start(const AVCodecParameters& codec, const AVPacket& packet) {
     if ((packet.flags & AV_PKT_FLAG_KEY) == 0) return false;
     switch (codec.codec_id) {
@@ -90,7 +90,7 @@ bool can_start(const AVCodecParameters& codec, const AVPacket& packet) {
         case AV_CODEC_ID_WMV1:
         case AV_CODEC_ID_WMV2:
             return true;
-        default: {  // GIF paints on what was there; of others it is not known
+        default: {  // GIF paints on earlier frames; others are unknown
             const AVCodecDescriptor* known = avcodec_descriptor_get(codec.codec_id);
             return known != nullptr && (known->props & AV_CODEC_PROP_INTRA_ONLY) != 0 &&
                    codec.codec_id != AV_CODEC_ID_APNG && codec.codec_id != AV_CODEC_ID_GIF;
@@ -110,7 +110,7 @@ bool is_avi(const MediaFile& file) {
 
 struct Packets {
     std::vector<Entry> shown;
-    std::size_t count = 0;  ///< with those that are not shown
+    std::size_t count = 0;  ///< including frames that are not shown
     bool cut = false;       ///< one lacks a part
 };
 
@@ -133,8 +133,8 @@ Packets read_packets(MediaFile& file, const std::filesystem::path& path, std::si
     return packets;
 }
 
-/// Whether the packets tell when each frame is shown. AVI does not: what FFmpeg gives is the order of decoding, unless
-/// that is the same. Streams that were strung together start anew.
+/// Whether the packets say when each frame is shown. In AVI they do not: FFmpeg gives the order of decoding, which may
+/// differ. Times of concatenated streams start again.
 bool has_stamps(const MediaFile& file, const std::vector<Entry>& entries) {
     if (is_avi(file) && file.video().codecpar->video_delay > 0) return false;
     std::int64_t last = AV_NOPTS_VALUE;
@@ -155,7 +155,7 @@ std::vector<std::int64_t> sorted_stamps(const std::vector<Entry>& entries) {
     return stamps;
 }
 
-/// Frames per second as the file claims it; 0 when it claims none that can be.
+/// Frames per second that the file claims; 0 when it claims nothing possible.
 double claimed_rate(const AVStream& video) {
     for (const AVRational rate : {video.avg_frame_rate, video.r_frame_rate}) {
         const double fps = rate.num > 0 && rate.den > 0 ? av_q2d(rate) : 0.0;
@@ -169,7 +169,7 @@ void set_times_by_rate(ClipIndex& index, std::size_t frames, double rate) {
     index.duration = static_cast<double>(frames) / rate;
 }
 
-/// From `stamps`; false when they cannot be meant.
+/// Times from `stamps`; false when these are not plausible.
 bool set_times_by_stamps(ClipIndex& index, const Entry& last, AVRational unit) {
     const double seconds = unit.num > 0 && unit.den > 0 ? av_q2d(unit) : 0.0;
     const double first = static_cast<double>(index.stamps.front());
@@ -189,13 +189,13 @@ void set_points(ClipIndex& index, const std::vector<Entry>& entries) {
             index.points.push_back({index.frame_at(entry.pts), entry.pts, entry.dts, entry.position});
     std::stable_sort(index.points.begin(), index.points.end(),
                      [](const SeekPoint& a, const SeekPoint& b) { return a.frame < b.frame; });
-    // Of packets with one time the first is shown.
+    // Of packets with the same time the first is shown.
     const auto same = [](const SeekPoint& a, const SeekPoint& b) { return a.frame == b.frame; };
     index.points.erase(std::unique(index.points.begin(), index.points.end(), same), index.points.end());
 }
 
-/// Files that end early, where the container counts its packets. AVI's count alone proves nothing: it includes empty
-/// ones.
+/// Detects files that end early, if the container counts its packets. AVI's count alone proves nothing, because it
+/// includes empty packets.
 std::string missing(const MediaFile& file, const Packets& packets) {
     const std::int64_t claimed = file.video().nb_frames, found = static_cast<std::int64_t>(packets.count);
     const bool early = is_avi(file) ? packets.cut : file.ran_out();

@@ -1,8 +1,8 @@
-// Which frames a clip has and when they are shown, from its packets alone.
+// Which frames a clip has and when they are shown, found from its packets without decoding.
 //
-// Not FFMS2, which makes such an index too: it opens files by name, and with that playlists and what they name; it does
-// not tell that a file ends early, nor where decoding may start so that the frames are the same to the last bit; and it
-// takes longer.
+// FFMS2 also makes such an index, but it opens files by name, and so playlists and what they name. It does not report
+// that a file ends early, nor where decoding may start so that frames are the same to the last bit, and it takes
+// longer.
 #pragma once
 
 #include <atomic>
@@ -27,29 +27,30 @@ struct ClipColor {
 struct SeekPoint {
     int frame = 0;
     std::int64_t pts = 0, dts = 0;
-    std::int64_t position = 0;  ///< in the file; times alone may be counted anew after a jump
+    std::int64_t position = 0;  ///< byte in the file; times may start again after a jump
 };
 
-/// What else Decoder knows about a clip that it has looked through. Never changes once it is made.
+/// What else Decoder knows about a clip after looking through it. It never changes.
 struct ClipIndex {
-    /// The frames' times as the file tells them, ascending, in its own unit. Empty when it does not tell them all: its
-    /// frames are then counted from the start.
+    /// The times of the frames in the file, ascending, in the unit of the file. Empty when some are missing: frames are
+    /// then counted from the start.
     std::vector<std::int64_t> stamps;
     std::vector<SeekPoint> points;  ///< ascending; none without `stamps`
     std::vector<double> times;      ///< s, from 0, as ClipInfo
     double duration = 0.0;          ///< s
     std::string warning;
     ClipColor color;
-    std::optional<ImageSequence> sequence;  ///< then all of the above but `color`, `times` and `duration` is empty
+    std::optional<ImageSequence>
+        sequence;  ///< for a sequence everything above is empty except `color`, `times` and `duration`
 
-    /// The frame of the file's time `pts`: this one or the nearest.
+    /// The frame at the file's time `pts`, or the nearest one.
     int frame_at(std::int64_t pts) const;
 };
 
-/// Reads the file to its end, and leaves it there. Throws Error (bad_input): no frame, more than `maximum`.
+/// Reads the file to its end, and leaves the position there. Throws Error (bad_input): no frame, more than `maximum`.
 ClipIndex index_clip(MediaFile& file, const std::filesystem::path& path, int maximum, const work::Stages& stages = {});
 
-/// A sequence of images has no times of its own.
+/// The index of a sequence of images, which has no times.
 ClipIndex index_sequence(const ImageSequence& sequence);
 
 }  // namespace lapfx::media

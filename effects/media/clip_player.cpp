@@ -9,7 +9,7 @@ namespace lapfx::media {
 
 namespace {
 
-/// Frames that a clip goes on by in one cycle when it plays, however fast; more is a jump.
+/// Most frames that a playing clip advances by in one cycle; more is a jump.
 constexpr int most_played_steps = 16;
 
 /// To send one frame.
@@ -19,14 +19,14 @@ bool buffers_frames(Scheme scheme) {
     return scheme == Scheme::buffered || scheme == Scheme::buffered_planar;
 }
 
-/// Its memory; of a buffer that has none nothing stays.
+/// Maps a buffer's memory; a buffer without memory is dropped.
 std::span<std::uint8_t> map(gl::PixelBuffer& buffer) {
     const std::span<std::uint8_t> memory = buffer.map();
     if (memory.empty()) buffer = gl::PixelBuffer();
     return memory;
 }
 
-/// So many of one picture, and their memory.
+/// Makes buffers of one picture each, and maps their memory.
 std::vector<std::span<std::uint8_t>> make_memory(std::vector<gl::PixelBuffer>& buffers, std::size_t count,
                                                  std::size_t bytes) {
     std::vector<std::span<std::uint8_t>> memory;
@@ -78,14 +78,14 @@ ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder
 void ClipPlayer::set_buffers(int buffers) noexcept {
     for (Head& head : heads_) {
         if (!head.stream) continue;
-        give_memory(head, buffers);  // before it decodes to memory of its own
+        give_memory(head, buffers);  // before it decodes to its own memory
         head.stream->set_buffers(buffers);
         for (int slot; (slot = head.stream->give_back()) >= 0;)
             head.memory[static_cast<std::size_t>(slot)] = gl::PixelBuffer();
     }
 }
 
-/// Buffering: what it has given back, as far as it is to have more again.
+/// Buffering: replaces the memory that it has given back, if it needs more again.
 void ClipPlayer::give_memory(Head& head, int buffers) noexcept {
     const auto made = std::count_if(head.memory.begin(), head.memory.end(), [](const auto& m) { return m.made(); });
     const std::size_t wanted =
@@ -117,16 +117,15 @@ void ClipPlayer::Head::ask(int index, Policy how) {
     now = true;
 }
 
-/// Frames from this cycle's to the next one's, as far as that can be known: one, unless it has gone by more for some
-/// time.
+/// Expected frames from this cycle to the next: one, unless the clip has advanced by more for some time.
 int ClipPlayer::Head::step() const {
     return moves[0] > 1 && moves[0] == moves[1] && moves[0] == moves[2] ? moves[0] : 1;
 }
 
 ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& times) noexcept {
     Head& place = heads_[static_cast<std::size_t>(head)];
-    // A clip that is to stay on the GPU needs all of its frames, and pipeline sends none ahead that could be shown for
-    // two cycles.
+    // A clip that will stay on the GPU needs all of its frames, and pipeline sends no frame ahead that could be shown
+    // for two cycles.
     if (policy == Policy::skip && !buffers_frames(scheme_)) policy = Policy::latest;
     place.ask(index, policy);
     return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
@@ -146,7 +145,7 @@ ClipFrame ClipPlayer::resident_frame(Head& head, int index, Policy policy, Strea
         head.stream->aim(index);
     }
     if (shown >= 0) head.shown = shown;
-    // What was shown last may have been given back since.
+    // The frame that was shown last may have been freed since.
     if (head.shown < 0 || !store.has(head.shown)) return {};
     return store.frame(head.shown, file_->info.color);
 }
@@ -164,14 +163,14 @@ void ClipPlayer::keep(const ClipStream::Shown& decoded, StreamingTimes& times) n
     pool_.wake();
 }
 
-/// Table 1's RenderSmoke, before it draws: what has been sent already is neither waited for nor sent.
+/// RenderSmoke of table 1, before it draws: a frame that has been sent is neither waited for nor sent again.
 ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, StreamingTimes& times) noexcept {
     if (head.sent.holds(index)) {
         head.sent.show(index);
     } else if (policy == Policy::skip && head.late && head.moves[0] >= 0 && head.sent.shown() >= 0) {
         head.sent.show_newest();  // this one is skipped
     } else {
-        // What was decoded to the driver's memory the driver may lose, now and then: to be exact is to decode it again.
+        // The driver may lose what was decoded to its memory; Policy::wait then decodes it again.
         for (int tries = policy == Policy::wait ? most_tries : 1; tries > 0 && !head.sent.holds(index); --tries) {
             const ClipStream::Shown decoded = head.stream->frame(index, policy, times.wait);
             send(head, decoded, {}, times);
@@ -183,8 +182,8 @@ ClipFrame ClipPlayer::streamed_frame(Head& head, int index, Policy policy, Strea
     return head.sent.frame(file_->info.color);
 }
 
-/// Of buffering the driver's own memory, which the frame was decoded to, is read by the GPU, and fresh memory takes its
-/// place: the frame is on the GPU then and need not be decoded again before it has made room for another one.
+/// With buffering the GPU reads the driver's memory that the frame was decoded to, and fresh memory replaces it. The
+/// frame is then on the GPU and need not be decoded again until another frame has replaced it.
 void ClipPlayer::send(Head& head, const ClipStream::Shown& decoded, std::span<const int> needed,
                       StreamingTimes& times) noexcept {
     if (decoded.bytes.empty() || head.sent.holds(decoded.index)) return;
@@ -202,10 +201,10 @@ void ClipPlayer::send(Head& head, const ClipStream::Shown& decoded, std::span<co
     if (from != nullptr) head.stream->take(decoded.slot, map(*from));
 }
 
-/// Table 1's FrameCoalescing: two frames go in one cycle and none in the next, after the drawing and without waiting
-/// for them. `turn`: this is the cycle in which they go. That makes cycles shorter, not their mean: as the paper has
-/// it, buffering alone "does not reduce the time spent in CPU-GPU data transfer". What halves it in table 2 (1.55 to
-/// 0.78 ms with one clip, 32.4 to 16.2 with 15, while retrieving and shading take as long as before) is that
+/// FrameCoalescing of table 1: two frames are sent in one cycle and none in the next, after the drawing and without
+/// waiting for them. `turn`: this is the cycle in which they are sent. That makes cycles shorter, not their mean: as
+/// the paper has it, buffering alone "does not reduce the time spent in CPU-GPU data transfer". What halves it in table
+/// 2 (1.55 to 0.78 ms with one clip, 32.4 to 16.2 with 15, while retrieving and shading take as long as before) is that
 /// "consecutive video frames are skipped": skip_one().
 void ClipPlayer::coalesce(Head& head, bool turn, StreamingTimes& times) noexcept {
     const int step = head.step();
@@ -220,7 +219,7 @@ void ClipPlayer::coalesce(Head& head, bool turn, StreamingTimes& times) noexcept
             return;
         }
     }
-    // Shown in slow motion: the stream goes on with what comes next.
+    // The clip is shown in slow motion: the stream continues with the next frame.
     if (head.policy != Policy::skip && head.sent.shown() != head.asked) return;
     if (turn && !head.sent.holds(ahead[1]))
         send_ahead(head, ahead, 2, times);
@@ -230,13 +229,13 @@ void ClipPlayer::coalesce(Head& head, bool turn, StreamingTimes& times) noexcept
     head.stream->aim(next != ahead.end() ? *next : head.loop.after(ahead.back(), step), step);
 }
 
-/// Of a clip that is late one frame goes where two would: it is shown in this cycle's place and the next one's.
+/// A late clip sends one frame instead of two, and shows it in this cycle and the next.
 void ClipPlayer::skip_one(Head& head, const Ahead& ahead, StreamingTimes& times) noexcept {
     if (!head.sent.holds(ahead[0])) send(head, head.stream->frame(ahead[0], Policy::skip, times.wait), {}, times);
     head.stream->aim(ahead[2], head.step());
 }
 
-/// The first of the next frames that are not there yet, `most` of them, as far as they are decoded.
+/// Sends up to `most` of the next frames that are missing, if they are decoded.
 void ClipPlayer::send_ahead(Head& head, const Ahead& ahead, int most, StreamingTimes& times) noexcept {
     for (const int index : ahead) {
         if (most == 0) return;
@@ -253,8 +252,8 @@ void ClipPlayer::end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept 
         ++cycle;
         if (!head.stream || head.rests) continue;
         if (scheme_ == Scheme::resident) {
-            // What has been decoded ahead goes to the GPU before it is due: a clip that plays fast or is jumped about
-            // in becomes whole too. One frame a cycle, so that no frame takes long.
+            // Frames that are decoded ahead are sent before they are due, so that a clip that plays fast or jumps also
+            // becomes complete. It is one frame per cycle, so that no cycle takes long.
             if (const ClipStream::Shown decoded = head.stream->peek_any(); !decoded.bytes.empty()) keep(decoded, times);
             head.rests = head.stream->rest();
         } else if (head.now) {

@@ -13,10 +13,10 @@
 
 namespace lapfx::media {
 
-/// A file that clips play: what is known of it, and those of its frames that are on the GPU to stay, shared by all
-/// clips of a preset that name it.
+/// A file that clips play: its index, and the frames that stay on the GPU. All clips of a preset that name the file
+/// share it.
 struct ClipFile {
-    /// `seen`: before the decoder opened it.
+    /// `seen`: its stamp before the decoder opened it.
     ClipFile(const std::filesystem::path& where, const FileStamp& seen, const Decoder& decoder);
 
     std::filesystem::path path;
@@ -29,24 +29,24 @@ struct ClipFile {
 
 class ClipPlayer {
   public:
-    /// `file` was opened by `decoder`. `buffers`: of each head.
+    /// `decoder` has opened `file`. `buffers`: for each head.
     ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder decoder, const SmokeClip& settings,
                Scheme scheme, int buffers);
 
     const std::shared_ptr<ClipFile>& file() const { return file_; }
     Scheme scheme() const { return scheme_; }
-    /// Decoding ahead from now on; never more than it was made with.
+    /// Number of buffers for decoding ahead from now on; at most the number at construction.
     void set_buffers(int buffers) noexcept;
     bool same_heads(const SmokeClip& settings) const {
         return (settings.crossfade > 0.0) == (heads_[1].stream != nullptr);
     }
-    /// In and out points; the rest of the settings is not this class's.
+    /// In and out points; the other settings do not concern this class.
     void set_loops(const SmokeClip& settings) noexcept;
 
     /// As ClipSet's.
     ClipFrame frame(int head, int index, Policy policy, StreamingTimes& times) noexcept;
-    /// `cycle`: a number that grows by one in each. Buffering sends the frames of even heads in even cycles, those of
-    /// odd ones in odd cycles; ClipSet starts each player's count where that spreads the heads of all clips evenly.
+    /// `cycle` grows by one in each cycle. Buffering sends the frames of even heads in even cycles and those of odd
+    /// heads in odd cycles; ClipSet numbers the heads so that those of all clips are spread evenly.
     void end_cycle(std::uint64_t cycle, StreamingTimes& times) noexcept;
     std::size_t heads() const { return heads_[1].stream != nullptr ? 2u : 1u; }
 
@@ -56,18 +56,18 @@ class ClipPlayer {
 
   private:
     struct Head {
-        std::vector<gl::PixelBuffer> memory;  // buffering: where the stream decodes to
+        std::vector<gl::PixelBuffer> memory;  // buffering: the memory that the stream decodes to
         std::vector<std::uint8_t> on_gpu;     // buffering: a byte for each frame, not 0 where `sent` holds it
         std::unique_ptr<ClipStream> stream;
         SentFrames sent;   // streaming schemes
         int shown = -1;    // resident: frame number; -1: nothing yet
         int asked = -1;    // frame number
-        bool now = false;  // asked in this cycle
+        bool now = false;  // asked for in this cycle
         Policy policy = Policy::wait;
-        std::array<int, 3> moves{1, 1, 1};  // frames that it went on by, the last cycle first; -1: it jumped
+        std::array<int, 3> moves{1, 1, 1};  // frames that it advanced by, the last cycle first; -1: it jumped
         bool late = false;                  // Policy::skip: every second frame is skipped
         Loop loop;
-        bool rests = false;  // all of the loop is in the store
+        bool rests = false;  // the whole loop is in the store
 
         void ask(int index, Policy how);
         int step() const;
@@ -93,10 +93,10 @@ class ClipPlayer {
     std::uint64_t misses_ = 0;
 };
 
-/// The frames of a clip that its settings play: from the first of its loops to the last.
+/// The frames that the settings of a clip play, from the first to the last.
 Loop played_frames(const ClipInfo& clip, const SmokeClip& settings);
 
-/// The bytes of main and GPU memory that a head of a clip takes besides the store.
+/// The bytes of main and GPU memory that a head of a clip needs besides the store.
 std::size_t head_memory(const PictureFormat& format, Scheme scheme, int buffers);
 
 }  // namespace lapfx::media

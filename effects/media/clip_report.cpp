@@ -11,7 +11,7 @@ namespace {
 
 constexpr int maximum_frames = 10'000'000;  // more than a day: surgery videos are reported, too
 
-/// Containers round times, to 1 ms as a rule; what differs by more than that is meant.
+/// Containers usually round times to 1 ms; a larger difference is intended.
 constexpr double rounding = 2e-3;  // s
 
 bool varies(const std::vector<double>& times) {

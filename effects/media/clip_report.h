@@ -1,4 +1,4 @@
-// What is told of a clip that is open already.
+// The report about a clip that is already open.
 #pragma once
 
 #include "lapfx/authoring/clip.h"

@@ -15,9 +15,9 @@ namespace lapfx::media {
 
 namespace {
 
-/// Decoded frames held over all clips (paper, table 1: MAX_TEXTURES).
+/// Decoded frames of all clips together (paper, table 1: MAX_TEXTURES).
 constexpr int max_textures = 64;
-constexpr int most_buffers = 8;  // more than a few frames ahead buys nothing and costs memory
+constexpr int most_buffers = 8;  // more than a few frames ahead has no use and costs memory
 constexpr int fewest_buffers = 2;
 
 int decoding_threads(const StreamingOptions& options) {
@@ -43,7 +43,7 @@ std::string mebibytes(std::size_t bytes) {
     return std::to_string((bytes + (std::size_t{1} << 20) - 1) >> 20) + " MiB";
 }
 
-/// Places that it plays at.
+/// Number of places where it plays.
 std::size_t heads_of(const SmokeClip& clip) {
     return clip.crossfade > 0.0 ? 2 : 1;
 }
@@ -52,7 +52,7 @@ std::size_t store_memory(const ClipFile& file, Loop played) {
     return FrameStore::memory_for(file.format, file.info.frame_count(), played.first, played.last);
 }
 
-/// A clip of the preset on its way to being played.
+/// A clip of the preset that is being prepared.
 struct Plan {
     std::shared_ptr<ClipFile> file;
     std::optional<Decoder> opened;  // when the file is new
@@ -86,11 +86,11 @@ struct ClipSet::State {
 
     StreamingOptions options;
     std::shared_ptr<ClipCache> cache;              // or null
-    std::vector<std::shared_ptr<ClipFile>> files;  // those of clips, and those kept for when they come back
+    std::vector<std::shared_ptr<ClipFile>> files;  // files of clips, and files kept in case they return
     DecodePool pool;
     std::vector<Clip> clips;  // after the pool: its threads outlive them
     StreamingTimes sums;
-    ClipStream::Work gone;  // of players that are no more
+    ClipStream::Work gone;  // times of players that have been removed
     std::uint64_t cycle = 0;
     bool missed = false, late = false;  // in this cycle, in the one before
 
@@ -108,12 +108,12 @@ std::shared_ptr<ClipFile> ClipSet::State::opened(const std::filesystem::path& pa
                                     [&](const auto& file) { return file->path == path && file->stamp == stamp; });
     if (found == files.end()) return nullptr;
     if (!cache) return *found;
-    // What the cache was told to forget is opened anew.
+    // A file that the cache was told to forget is opened again.
     const std::optional<KnownClip> known = ClipCacheAccess::state(*cache).find(path, stamp);
     return known && known->info.index == (*found)->info.index ? *found : nullptr;
 }
 
-/// From what the cache knows of it, or looked through here.
+/// Opened from the data in the cache, or looked through here.
 Decoder ClipSet::State::open(const std::filesystem::path& path, const FileStamp& stamp) const {
     if (!cache) return Decoder(path, layout_of(options.scheme));
     if (const std::optional<KnownClip> known = ClipCacheAccess::state(*cache).find(path, stamp)) {
@@ -138,7 +138,7 @@ Plan ClipSet::State::plan(const std::filesystem::path& path, std::span<const Pla
     return made;
 }
 
-/// As StreamingOptions::memory says. Gives what the buffers take.
+/// Divides the memory as StreamingOptions::memory says. Gives the bytes of the buffers.
 std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std::span<Plan> plans) const {
     std::size_t heads = 0;
     for (const SmokeClip& clip : wanted) heads += heads_of(clip);
@@ -146,7 +146,7 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
         std::clamp(max_textures / static_cast<int>(std::max<std::size_t>(heads, 1)), fewest_buffers, most_buffers);
     std::size_t taken = 0;
     for (std::size_t i = 0; i < plans.size(); ++i) {
-        // A quarter of the memory is enough for what is on its way.
+        // A quarter of the memory is enough for frames that are decoded ahead.
         const std::size_t fitting = options.memory / 4 / heads / plans[i].file->format.bytes();
         plans[i].buffers =
             std::clamp(static_cast<int>(std::min<std::size_t>(fitting, most_buffers)), fewest_buffers, by_count);
@@ -155,7 +155,7 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
         taken += heads_of(wanted[i]) * head_memory(plans[i].file->format, options.scheme, plans[i].buffers);
     }
     if (options.scheme != Scheme::resident) return taken;
-    // What a clip takes on the GPU when it is not resident is set aside for all of them first.
+    // The GPU memory that each clip needs when it is not resident is reserved first.
     const auto streamed = [&](std::size_t i) {
         return heads_of(wanted[i]) * SentFrames::memory(plans[i].file->format, Scheme::buffered_planar);
     };
@@ -166,7 +166,7 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
         Plan& plan = plans[i];
         const auto same = std::find_if(plans.begin(), plans.begin() + static_cast<std::ptrdiff_t>(i),
                                        [&](const Plan& other) { return other.file == plan.file; });
-        if (&*same != &plan) plan.scheme = same->scheme;  // that clip has decided for all of its file
+        if (&*same != &plan) plan.scheme = same->scheme;  // that clip has decided for its whole file
         const std::size_t needed =
             &*same != &plan ? 0 : store_memory(*plan.file, played_by_all(plan.file, wanted, plans));
         if (plan.scheme == Scheme::resident && needed <= left + streamed(i)) {
@@ -179,7 +179,7 @@ std::size_t ClipSet::State::share_memory(std::span<const SmokeClip> wanted, std:
     return taken;
 }
 
-/// Gives each plan its player: one that plays the same already, or a new one.
+/// Gives each plan its player: one that already plays the same, or a new one.
 void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> plans) {
     std::vector<Clip*> taken(plans.size(), nullptr);
     for (std::size_t i = 0; i < plans.size(); ++i) {
@@ -202,13 +202,13 @@ void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> pla
         if (taken[i] != nullptr) plans[i].player = std::move(taken[i]->player);
 }
 
-/// Gives back what is not played any more: frames outside of all loops, then files that are kept for later.
-/// `buffers`: bytes that these take.
+/// Frees what is not played any more: frames outside all loops, then files that are kept for later. `buffers`: bytes of
+/// the buffers.
 void ClipSet::State::evict(std::span<const Loop> played, std::size_t buffers) {
     std::size_t used = buffers;
     for (std::size_t i = 0; i < clips.size(); ++i) {
         ClipFile& file = *clips[i].player->file();
-        const std::lock_guard lock(pool.mutex());  // workers read which frames there are
+        const std::lock_guard lock(pool.mutex());  // workers read which frames exist
         if (clips[i].player->scheme() == Scheme::resident)
             file.store.trim(played[i].first, played[i].last);
         else

@@ -22,25 +22,27 @@ class ClipSet {
     explicit ClipSet(const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
     ~ClipSet();
 
-    /// Opens clips that are new and lets go of those that are gone. Throws Error (bad_input) for a clip that cannot be
-    /// used, and keeps what it had.
+    /// Opens new clips and closes those that have left. Throws Error (bad_input) for a clip that cannot be used, and
+    /// then keeps the previous clips.
     void set(std::span<const SmokeClip> clips, const std::filesystem::path& preset_folder,
              std::span<const std::filesystem::path> search_path);
 
-    /// Whether a clip that set() could be given brings its own opacity, if that is known without opening it.
+    /// Whether a clip has its own opacity, if that is known without opening it.
     std::optional<bool> known_alpha(const SmokeClip& clip, const std::filesystem::path& preset_folder,
                                     std::span<const std::filesystem::path> search_path) const;
 
     std::size_t size() const;
     const ClipInfo& info(std::size_t clip) const;
 
-    /// Frame `index` of a clip. `head`: 0, or 1 for the second place that a cross-fade plays at. Under Policy::latest
-    /// the last one that this head showed when it is late (black at first). Called once per clip and head in a cycle.
+    /// Frame `index` of a clip. `head`: 0, or 1 for the second place that a cross-fade plays at. Under Policy::latest,
+    /// when the frame is late, the last one that this head showed (black at first). Call it once per clip and head in a
+    /// cycle.
     ClipFrame frame(std::size_t clip, int head, int index, Policy policy) noexcept;
-    /// At the end of each cycle, when all is drawn: the paper's FrameCoalescing, and the signal to decode on.
+    /// Call this at the end of each cycle, after drawing: the paper's FrameCoalescing, and the signal to continue
+    /// decoding.
     void end_cycle() noexcept;
 
-    /// Whether a frame of the last cycle was not the one that was asked for.
+    /// Whether the last cycle had a frame other than the one that was asked for.
     bool late() const noexcept;
     std::size_t memory() const noexcept;  ///< bytes, of main memory and the GPU
 

@@ -9,7 +9,7 @@ namespace lapfx::media {
 
 namespace {
 
-/// Frames that a clip moves on by in one cycle when it plays, however fast; more is a jump.
+/// Most frames that a playing clip advances by in one cycle; more is a jump.
 constexpr int most_played_steps = 16;
 
 }  // namespace
@@ -41,7 +41,7 @@ bool ClipStream::is_kept(int index) const {
 }
 
 /// The nearest frames at or after the current one, step by step round the loop, that are not kept. Frames outside the
-/// loop come once.
+/// loop occur once.
 void ClipStream::find_window() {
     window_.clear();
     if (resting_) return;
@@ -63,8 +63,8 @@ ClipStream::Slot* ClipStream::find(int index) {
     return found == slots_.end() ? nullptr : &*found;
 }
 
-/// One that nobody needs: neither the render thread nor the next frames, and not the newest, which is shown while
-/// decoding is behind. Rather one that has memory than one that has none.
+/// A slot that nobody needs: the render thread does not read it, and it has neither one of the next frames nor the
+/// newest one, which is shown while decoding is behind. Slots with memory are preferred.
 ClipStream::Slot* ClipStream::free_slot() {
     Slot* best = nullptr;
     for (Slot& slot : slots_) {
@@ -75,7 +75,7 @@ ClipStream::Slot* ClipStream::free_slot() {
     return best;
 }
 
-/// The frame after the newest one that is neither kept nor there; -1: none.
+/// The first frame after the newest one that is neither kept nor decoded; -1: none.
 int ClipStream::next_behind() const {
     int index = newest_;
     for (int steps = 0; steps < loop_.length(); ++steps) {
@@ -89,7 +89,7 @@ int ClipStream::next_behind() const {
 
 int ClipStream::urgency() {
     closing_ = resting_ && !closed_;
-    if (closing_ && !stop_) return std::numeric_limits<int>::max();  // after all that is to be seen
+    if (closing_ && !stop_) return std::numeric_limits<int>::max();  // after every frame that is shown
     if (stop_ || resting_) return -1;
     find_window();
     int soon = 0;
@@ -108,7 +108,7 @@ int ClipStream::urgency() {
 void ClipStream::begin() {
     closed_ = closing_;  // a decoder that is read from opens its file
     if (closing_) return;
-    into_->index = -1;  // nobody finds it while it is written without the lock
+    into_->index = -1;  // nobody finds the slot while it is written without the lock
     written_ = into_;
 }
 

@@ -24,52 +24,52 @@ class ClipStream : private DecodePool::Job {
         int broken = 0;                   ///< different frames that could not be decoded
     };
 
-    /// `buffers`: at least 1. `kept`, unless null: a byte for each frame of the clip, not 0 for those that need not be
-    /// decoded; it is changed under the pool's mutex only. `memory`: where the frames are decoded to, buffers +
-    /// spare_slots of them, each of the format's bytes or empty; what has none takes its own. `pool`, `kept` and the
-    /// memory outlive the stream.
+    /// `buffers`: at least 1. `kept`, unless null, has a byte for each frame of the clip, which is not 0 if the frame
+    /// need not be decoded; it changes only under the pool's mutex. `memory`: buffers + spare_slots places to decode
+    /// to, each of the format's bytes, or empty, in which case the stream allocates. `pool`, `kept` and the memory
+    /// outlive the stream.
     ClipStream(DecodePool& pool, Decoder decoder, Loop loop, int buffers,
                const std::vector<std::uint8_t>* kept = nullptr, std::span<const std::span<std::uint8_t>> memory = {});
-    /// Waits for the frame that is being decoded; a long way to a frame is cut short.
+    /// Waits for the frame that is being decoded; a long search for a frame is cut short.
     ~ClipStream() override;
 
     /// A decoded frame.
     struct Shown {
-        std::span<const std::uint8_t> bytes;  ///< valid until the next call; none: it is not there, or not any more
+        std::span<const std::uint8_t> bytes;  ///< valid until the next call; none: it is not decoded, or not any more
         int index = -1;                       ///< its number
-        int slot = -1;                        ///< of the memory that it is in
+        int slot = -1;                        ///< slot of the memory that it is in
     };
-    /// Frame `index`. Under Policy::latest, when it is late: the newest one that there is of a clip that plays on (one
-    /// that takes longer to decode than to play is shown in slow motion), none after a jump. Under Policy::skip, when
-    /// it is late: the newest one, and decoding goes on from `index`. Of a newest one that was taken there is but the
-    /// number. `waited` grows by the s of waiting.
+    /// Frame `index`. When it is late under Policy::latest: the newest frame of a clip that continues to play (a clip
+    /// that decodes more slowly than it plays is shown in slow motion), and none after a jump. When it is late under
+    /// Policy::skip: the newest frame, and decoding continues from `index`. Of a newest frame that was taken only the
+    /// number is given. `waited` grows by the time of waiting, s.
     Shown frame(int index, Policy policy, double& waited) noexcept;
-    /// A frame among the next ones that is decoded already, or none; it does not move the stream.
+    /// One of the next frames, if it is already decoded, or none; it does not move the stream.
     Shown peek(int index) noexcept;
     /// Any decoded frame that is not kept yet.
     Shown peek_any() noexcept;
-    /// The frame that was given last is not needed any more, and `memory` takes the place of its own; empty: nothing
-    /// does.
+    /// The frame that was given last is not needed any more, and `memory` replaces its memory; empty: nothing replaces
+    /// it.
     void take(int slot, std::span<std::uint8_t> memory) noexcept;
-    /// A slot that has no memory and that nobody reads or writes decodes to this from now on; -1: there is none.
+    /// Gives this memory to a slot that has none and that nobody reads or writes; -1: there is no such slot.
     int give(std::span<std::uint8_t> memory) noexcept;
-    /// The slot of memory that is given to the stream, that nobody reads or writes and that it has too much of; it
-    /// takes no frame any more. -1: none.
+    /// A slot with memory that was given to the stream and that it does not need any more; nobody reads or writes it,
+    /// and it takes no further frame. -1: none.
     int give_back() noexcept;
     /// Decode from `index` on, each `step`-th frame.
     void aim(int index, int step = 1) noexcept;
     void set_loop(Loop loop) noexcept;
-    /// From now on `buffers` of those it was made with, at least 1.
+    /// Uses `buffers` of its buffers from now on, at least 1.
     void set_buffers(int buffers) noexcept;
-    /// Gives its buffers' memory back if all frames of its loop are kept: true, and a worker closes the file. Until
-    /// then: false.
+    /// If all frames of its loop are kept, frees the memory of its buffers and gives true; a worker closes the file.
+    /// Otherwise false.
     bool rest() noexcept;
 
     Work work() const noexcept;
-    bool closed() const noexcept;  ///< its file is, since it rests
+    bool closed() const noexcept;  ///< its file is closed, since it rests
     std::size_t memory() const noexcept;
-    /// One that the render thread reads, or the newest: besides the buffers, so that decoding ahead never waits for
-    /// them.
+    /// One slot for the frame that the render thread reads, or the newest one, in addition to the buffers, so that
+    /// decoding ahead never waits for it.
     static constexpr int spare_slots = 1;
 
   private:
@@ -98,25 +98,26 @@ class ClipStream : private DecodePool::Job {
 
     DecodePool& pool_;
     const std::vector<std::uint8_t>* kept_;
-    Decoder decoder_;       // the worker's while it runs
-    bool closing_ = false;  // what it runs is closing the file; found by urgency()
+    Decoder decoder_;       // belongs to the worker while it runs
+    bool closing_ = false;  // its task is closing the file; found by urgency()
 
     // under the pool's mutex
     std::vector<Slot> slots_;
-    std::size_t buffers_;      // of them in use
+    std::size_t buffers_;      // how many of them are in use
     std::vector<int> window_;  // the next frames that are not kept, as many as there are buffers
     Loop loop_;
     int current_;
-    int step_ = 1;          // from one frame of the window to the next
-    int newest_ = -1;       // the frame that was decoded last
-    bool behind_ = false;   // decoding does not keep up: it goes on from the newest frame, not from the current one
-    bool resting_ = false;  // all of the loop is kept
-    bool closed_ = false;   // the decoder rests, too
+    int step_ = 1;     // from one frame of the window to the next
+    int newest_ = -1;  // the frame that was decoded last
+    bool behind_ =
+        false;  // decoding does not keep up, so it continues from the newest frame and not from the current one
+    bool resting_ = false;        // the whole loop is kept
+    bool closed_ = false;         // the decoder rests, too
     const Slot* lent_ = nullptr;  // the render thread reads it
     int wanted_ = -1;             // found by urgency(): the frame to decode next, and where to
     Slot* into_ = nullptr;
     const Slot* written_ = nullptr;     // by the worker
-    bool whole_ = true;                 // what is being decoded came out whole
+    bool whole_ = true;                 // the frame that was decoded is not broken
     std::vector<std::uint8_t> broken_;  // a byte for each frame of the clip
     Work work_;
     std::atomic<bool> stop_{false};

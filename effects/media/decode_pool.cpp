@@ -9,8 +9,8 @@ namespace lapfx::media {
 
 namespace {
 
-/// Decoding ahead can wait, a haptic thread cannot: where they share a core, the scheduler is to let the others go
-/// first. Linux keeps the priority of each thread by itself. Where it refuses, nothing is lost but that.
+/// Decoding ahead can wait, a haptic thread cannot: when they share a core, the scheduler should run other threads
+/// first. On Linux each thread has its own priority. If the system refuses, only that is lost.
 void let_others_go_first() {
     constexpr int niceness = 10;
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
@@ -70,7 +70,7 @@ void DecodePool::work() {
         if (stop_) return;
         job->begin();
         job->running_ = true;
-        wake();  // there may be work for another one
+        wake();  // there may be work for another thread
         lock.unlock();
         job->run();
         lock.lock();

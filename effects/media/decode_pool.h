@@ -1,5 +1,5 @@
-// The threads that decode, shared by all clips: each takes the most urgent job there is, so that many clips keep few
-// cores busy and the frame that is needed first comes first.
+// The decoding threads, shared by all clips. Each takes the most urgent job, so that many clips use few cores well and
+// the frame that is needed first comes first.
 #pragma once
 
 #include <condition_variable>
@@ -11,16 +11,17 @@ namespace lapfx::media {
 
 class DecodePool {
   public:
-    /// Work that comes in small pieces. One thread at a time has it.
+    /// A job that consists of small pieces. One thread at a time has it.
     class Job {
       public:
         virtual ~Job() = default;
 
       private:
         friend class DecodePool;
-        /// How soon its next piece is needed: 0 now, larger later, negative: there is none. Under the pool's mutex.
+        /// How soon its next piece is needed: 0 now, larger is later, negative: there is no piece. Called under the
+        /// pool's mutex.
         virtual int urgency() = 0;
-        /// Takes what urgency() has just found. Under the pool's mutex.
+        /// Takes the piece that urgency() has just found. Called under the pool's mutex.
         virtual void begin() = 0;
         /// Without the mutex.
         virtual void run() noexcept = 0;
@@ -37,10 +38,10 @@ class DecodePool {
     /// The lock that a job's shared state is under.
     std::mutex& mutex() { return mutex_; }
     void join(Job& job);
-    /// Waits until the piece that is being worked at is done.
+    /// Waits until the running piece is done.
     void leave(Job& job);
-    /// Something may have become urgent. What urgency() looks at was changed under the mutex, or a thread that has just
-    /// looked sleeps on; this itself may be called without it.
+    /// Call this when something may have become urgent. Change the data of urgency() under the mutex, otherwise a
+    /// thread that has just looked continues to sleep; this call itself does not need the mutex.
     void wake() { work_.notify_one(); }
     /// Waits until a piece is done. Any thread, under the mutex.
     void wait_for_piece(std::unique_lock<std::mutex>& lock) { done_.wait(lock); }
@@ -53,7 +54,7 @@ class DecodePool {
     std::mutex mutex_;
     std::condition_variable work_, done_;
     std::vector<Job*> jobs_;
-    std::size_t turn_ = 0;  // among equally urgent jobs each has its turn
+    std::size_t turn_ = 0;  // equally urgent jobs take turns
     bool stop_ = false;
     std::vector<std::thread> threads_;
 };

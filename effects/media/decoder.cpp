@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr int maximum_side = 8192;  // pixels: 8K
-constexpr int a_few = 4;            // frames that are rather decoded than jumped over
+constexpr int a_few = 4;            // frames up to which decoding is preferred to seeking
 
 /// A frame that was decoded, and its number; -1 when there is none.
 struct Decoded {
@@ -40,7 +40,7 @@ struct Decoded {
     }
 };
 
-/// The file's own word for how it is turned: in each frame, or once for all of them.
+/// The rotation that the file asks for: in each frame, or once for all of them.
 const std::int32_t* display_matrix(const AVFrame& frame, const AVStream& video) {
     constexpr std::size_t bytes = 9 * sizeof(std::int32_t);
     const AVFrameSideData* own = av_frame_get_side_data(&frame, AV_FRAME_DATA_DISPLAYMATRIX);
@@ -59,7 +59,7 @@ Turn turn_of(const AVFrame& frame, const AVStream& video) {
     return {.mirrored = {(transposed ? m[1] : m[0]) < 0, (transposed ? m[3] : m[4]) < 0}, .transposed = transposed};
 }
 
-/// What cannot be meant counts as square.
+/// An implausible value counts as square.
 double pixel_aspect_of(const AVFrame& frame, const AVStream& video) {
     constexpr double most = 10.0;
     for (const AVRational aspect :
@@ -109,11 +109,11 @@ struct Decoder::State {
     std::unique_ptr<FrameReader> reader;  ///< none for a sequence of images
     std::unique_ptr<FrameConverter> converter;
     Decoded shown;       ///< the last good frame up to the one that was read last
-    Decoded ahead;       ///< the good frame after it, if that is decoded already
+    Decoded ahead;       ///< the good frame after it, if it is already decoded
     Decoded next;        ///< scratch
-    bool placed = true;  ///< the reader stands right behind `shown` and `ahead`
+    bool placed = true;  ///< the reader is directly behind `shown` and `ahead`
     bool ended = false, rests = false;
-    std::vector<bool> failed;  ///< images of a sequence that could not be read once: they are not tried again
+    std::vector<bool> failed;  ///< images of a sequence that could not be read: they are not tried again
     double decode_seconds = 0.0;
 };
 
@@ -175,8 +175,7 @@ void Decoder::State::describe(const AVFrame& frame, const ClipIndex& found) {
     info.index = index;
 }
 
-/// Whether the clip uses the opacity that its pixel format has: GIFs and PNGs have one whether or not they do. Four
-/// frames tell.
+/// Whether the clip uses the opacity of its pixel format, which GIFs and PNGs always have. Four frames show it.
 bool Decoder::State::brings_opacity() {
     for (int quarter = 0; quarter < 4; ++quarter) {
         const int at = info.frame_count() * quarter / 4;
@@ -198,7 +197,7 @@ const SeekPoint* Decoder::State::point_before(int frame) const {
     return after == index->points.begin() ? nullptr : &*(after - 1);
 }
 
-/// To the last frame up to `frame` where decoding can start and does; else to the first one.
+/// Goes to the last frame up to `frame` where decoding can start and succeeds; otherwise to the first one.
 Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
     shown.clear();
     ahead.clear();
@@ -207,7 +206,7 @@ Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
         if (!reader->seek(*point)) continue;
         const Step result = step(next, stop);
         if (result == Step::stopped) return result;
-        // Where that very frame is broken, those after it depend on what was before.
+        // If that frame itself is broken, later frames depend on earlier ones.
         if (result == Step::frame && next.number == point->frame) {
             shown.take(next);
             placed = true;
@@ -220,7 +219,7 @@ Step Decoder::State::jump(int frame, const std::atomic<bool>* stop) {
     return Step::frame;
 }
 
-/// On to the last good frame up to `frame`, from where the file stands.
+/// Continues to the last good frame up to `frame`.
 Step Decoder::State::advance(int frame, const std::atomic<bool>* stop) {
     while (shown.number < frame && !ended) {
         if (ahead.number >= 0) {
@@ -249,7 +248,7 @@ Step Decoder::State::decode_to(int frame, const std::atomic<bool>* stop) {
     return advance(frame, stop);
 }
 
-/// The same of a sequence, each of whose images is opened on its own.
+/// The same for a sequence, whose images are opened one by one.
 Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
     ClipIndex one_image;
     one_image.times = {0.0};
@@ -263,7 +262,7 @@ Step Decoder::State::decode_image(int frame, const std::atomic<bool>* stop) {
         try {
             FrameReader image(index->sequence->file(at));
             if (image.next(one_image, *next.frame, next.number, nullptr) != Step::frame) continue;
-        } catch (const Error&) {  // gone or broken: the one before is shown
+        } catch (const Error&) {  // missing or broken: the one before is shown
             continue;
         }
         failed[place] = false;
@@ -298,7 +297,7 @@ bool Decoder::State::reach(int frame, const std::atomic<bool>* stop) {
     return result != Step::stopped;
 }
 
-/// What was reached; whether it is `frame` itself.
+/// Writes the frame that was reached; gives whether it is `frame` itself.
 bool Decoder::State::write(int frame, std::span<std::uint8_t> into) {
     assert(into.size() == converter->format().bytes());
     if (shown.number < 0) {
@@ -349,13 +348,13 @@ bool Decoder::read(int index, Picture& into, const std::atomic<bool>* stop) noex
         if (!state_->reach(index, stop)) return false;
         into.bytes.resize(bytes);
         return state_->write(index, into.bytes);
-    } catch (const std::exception&) {  // no memory, or the file is no video any more
+    } catch (const std::exception&) {  // no memory, or the file is not a video any more
     }
     try {
         if (into.bytes.size() == bytes) return false;
         into.bytes.resize(bytes);
         state_->converter->make_black(into.bytes);
-    } catch (const std::bad_alloc&) {  // it keeps what it had
+    } catch (const std::bad_alloc&) {  // it keeps its contents
     }
     return false;
 }

@@ -20,25 +20,25 @@ namespace lapfx::media {
 
 struct ClipIndex;
 
-/// How a player turns a file's pictures to show them upright: mirrored along the file's axes, then x and y exchanged.
+/// How a player turns pictures to show them upright: it mirrors them along the file's axes, then exchanges x and y.
 struct Turn {
     glm::bvec2 mirrored{false};
     bool transposed = false;
 };
 
-/// What a clip is, known from looking through the file's packets without decoding them all.
+/// What the packets of a file say about a clip, without decoding all of them.
 struct ClipInfo {
-    glm::ivec2 size{0};         ///< pixels, as it is to be shown (a rotation that the file asks for is not applied)
-    bool alpha = false;         ///< brings its own opacity
+    glm::ivec2 size{0};         ///< pixels, without the rotation that the file asks for
+    bool alpha = false;         ///< it has its own opacity
     std::string codec;          ///< FFmpeg's name: "h264", "vp8", "png"
     std::string pixel_format;   ///< FFmpeg's name: "yuv420p"
     ColorMatrix color;          ///< of Layout::planar
-    Turn turn;                  ///< that the file asks for; not applied
+    Turn turn;                  ///< the file asks for it; not applied
     double pixel_aspect = 1.0;  ///< width over height of a pixel; not applied either
     std::vector<double> times;  ///< s, when each frame is shown, from 0, ascending (variable frame rates are kept)
-    double duration = 0.0;      ///< s, the last frame's time included
-    std::string warning;        ///< what is odd about the file but does not keep it from playing; one line, or empty
-    std::shared_ptr<const ClipIndex> index;  ///< the Decoder's own, for the next one of the same file
+    double duration = 0.0;      ///< s, including the time of the last frame
+    std::string warning;        ///< what is unusual about a file that plays; one line, or empty
+    std::shared_ptr<const ClipIndex> index;  ///< data of the Decoder, for the next Decoder of the same file
 
     int frame_count() const { return static_cast<int>(times.size()); }
     /// The frame that is shown at `time`, s within 0..duration; clamped.
@@ -52,8 +52,8 @@ class Decoder {
     static constexpr int most_frames = 100'000;
     Decoder(const std::filesystem::path& path, Layout layout, int maximum_frames = most_frames,
             const work::Stages& stages = {});
-    /// The same file once more, without looking through it again: `known` is another Decoder's info(). Throws Error
-    /// (bad_input) when the file is gone or no video any more.
+    /// Opens a file again without looking through it: `known` is the info() of another Decoder. Throws Error
+    /// (bad_input) when the file does not exist or is not a video any more.
     Decoder(const std::filesystem::path& path, Layout layout, const ClipInfo& known);
     Decoder(Decoder&&) noexcept;
     Decoder& operator=(Decoder&&) noexcept;
@@ -63,23 +63,23 @@ class Decoder {
     PictureFormat format() const;
     /// Decodes all frames, in order. Throws work::Stopped.
     DecodableFrames count_decodable(const work::Stages& stages);
-    /// Pictures are of this size from now on, whatever the file's.
+    /// Pictures have this size from now on, whatever the size of the file.
     void scale_to(glm::ivec2 size);
 
-    /// Frame `index` (0 .. frame_count - 1) into `into`. Going on to the next frame, or forward by a few, decodes
-    /// those; any other jump seeks. A frame that the file cannot give (corrupt, missing, of another size that cannot be
-    /// scaled) is the last good one before it, or black; then false. `stop`, if given, ends a long way to a frame
-    /// early: false, and `into` is as it was. Throws nothing; never opens another file.
+    /// Frame `index` (0 .. frame_count - 1) into `into`. The next frame, or a step forward by a few, decodes those
+    /// frames; any other jump seeks. A frame that cannot be had (corrupt, missing, of another size that cannot be
+    /// scaled) is the last good one before it, or black, and then the answer is false. If given, `stop` ends a long
+    /// search early: then the answer is false and `into` is unchanged. Throws nothing and never opens another file.
     bool read(int index, Picture& into, const std::atomic<bool>* stop = nullptr) noexcept;
     /// The same into memory of format().bytes(), which is written once, in order, and not read.
     bool read(int index, std::span<std::uint8_t> into, const std::atomic<bool>* stop = nullptr) noexcept;
 
-    /// Closes the file and gives back what decoding takes, 10 to 13 frames. The next read() opens it again; another
-    /// file under its name, or none, gives no frames then.
+    /// Closes the file and frees the memory of decoding, 10 to 13 frames. The next read() opens it again; if another
+    /// file has its name by then, or none, it gives no frames.
     void rest() noexcept;
     bool rests() const;
 
-    /// s spent in decoding and converting, and in copying into pictures, since it was made.
+    /// Time spent since construction in decoding and converting, and in copying into pictures, s.
     double decode_seconds() const;
     double copy_seconds() const;
 
@@ -88,7 +88,7 @@ class Decoder {
     std::unique_ptr<State> state_;
 };
 
-/// Opens and looks through the file; `stop`, if given, ends that early: Error (runtime).
+/// Opens and looks through the file. If given, `stop` ends that early with Error (runtime).
 Decoder open_stoppable(const std::filesystem::path& path, Layout layout, int maximum_frames,
                        const std::atomic<bool>* stop);
 

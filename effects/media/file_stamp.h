@@ -1,4 +1,4 @@
-// What tells a file from another one under the same name.
+// Distinguishes a file from another one under the same name.
 #pragma once
 
 #include <cstdint>
@@ -6,7 +6,7 @@
 
 namespace lapfx::media {
 
-/// Of numbered pictures ("plume_%04d.png"), whose name is no file's: their folder's.
+/// For numbered pictures ("plume_%04d.png"), whose name is not a file, it is the stamp of their folder.
 struct FileStamp {
     std::uint64_t device = 0, inode = 0, bytes = 0;
     std::int64_t written = 0;  ///< ns

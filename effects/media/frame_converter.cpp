@@ -15,13 +15,13 @@ namespace lapfx::media {
 
 namespace {
 
-constexpr int high_definition = 720;  // rows, from which on BT.709 is meant where nothing is said
+constexpr int high_definition = 720;  // rows from which BT.709 is assumed when the file does not say
 
 bool is_planar_420(int format) {
     return format == AV_PIX_FMT_YUV420P || format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVA420P;
 }
 
-/// One of the formats that say in their name that their range is full.
+/// Whether it is one of the formats whose name says that their range is full.
 bool is_full_range_format(int format) {
     return format == AV_PIX_FMT_YUVJ420P || format == AV_PIX_FMT_YUVJ422P || format == AV_PIX_FMT_YUVJ444P ||
            format == AV_PIX_FMT_YUVJ440P || format == AV_PIX_FMT_YUVJ411P;
@@ -84,7 +84,7 @@ void interleave(const std::uint8_t* __restrict first, const std::uint8_t* __rest
 ClipColor color_of(const AVFrame& frame) {
     const AVPixFmtDescriptor* format = av_pix_fmt_desc_get(static_cast<AVPixelFormat>(frame.format));
     if (format == nullptr || is_rgb(*format)) return {.space = SWS_CS_ITU601, .full_range = true};
-    const bool gray = format->nb_components <= 2;  // with or without opacity; no chroma whose range could be meant
+    const bool gray = format->nb_components <= 2;  // with or without opacity; without chroma, which would have a range
     const bool full = frame.color_range == AVCOL_RANGE_JPEG || is_full_range_format(frame.format) ||
                       (gray && frame.color_range == AVCOL_RANGE_UNSPECIFIED);
     return {.space = space_of(frame), .full_range = full};
@@ -119,7 +119,7 @@ bool is_opaque(const AVFrame& frame) {
     return std::all_of(opacity, bytes.end(), [](std::uint8_t a) { return a == 255; });
 }
 
-/// Whether a frame's planes are those of a planar picture as they are.
+/// Whether a frame's planes can be used as those of a planar picture without conversion.
 bool FrameConverter::fits(const AVFrame& frame) const {
     return format_.layout == Layout::planar && is_planar_420(frame.format) && frame.width == format_.size.x &&
            frame.height == format_.size.y && color_of(frame).full_range == color_.full_range;
@@ -137,7 +137,7 @@ void FrameConverter::prepare_scaler(const AVFrame& frame) {
     scaler_.reset(libav::made(sws_alloc_context()));
     SwsContext* s = scaler_.get();
     const AVPixelFormat format = target();
-    // Chroma between its samples as the graphics card takes it, so that both layouts show the same picture.
+    // Interpolates chroma as the graphics card does, so that both layouts show the same picture.
     const int flags = SWS_BILINEAR | SWS_ACCURATE_RND | SWS_FULL_CHR_H_INT | SWS_FULL_CHR_H_INP;
     const std::pair<const char*, int> options[] = {
         {"srcw", frame.width},           {"srch", frame.height},           {"src_format", frame.format},

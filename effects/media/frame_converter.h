@@ -9,8 +9,8 @@
 
 namespace lapfx::media {
 
-/// The colours of a frame's planes, or of the planes that it is converted to: YCbCr stays in its own colour space and
-/// range, the rest becomes BT.601 of full range.
+/// The colours of a frame's planes, or of the planes that it is converted to: YCbCr keeps its colour space and range,
+/// everything else becomes BT.601 of full range.
 ClipColor color_of(const AVFrame& frame);
 ColorMatrix matrix_of(const ClipColor& color);
 
@@ -25,10 +25,10 @@ class FrameConverter {
     const PictureFormat& format() const { return format_; }
     const ClipColor& color() const { return color_; }
 
-    /// `into`, of the format's bytes, holds the frame, scaled to the format's size; it is written once, in order, and
-    /// not read. Throws std::bad_alloc, or Error for what cannot be converted.
+    /// Writes the frame, scaled to the format's size, into `into`, which has the format's bytes; it is written once, in
+    /// order, and not read. Throws std::bad_alloc, or Error for what cannot be converted.
     void convert(const AVFrame& frame, std::span<std::uint8_t> into);
-    /// Nothing to be seen.
+    /// A picture that shows nothing.
     void make_black(std::span<std::uint8_t> into) const;
 
     double convert_seconds() const { return convert_seconds_; }
@@ -49,7 +49,7 @@ class FrameConverter {
         int width = 0, height = 0, format = -1, space = 0;
         bool full_range = false;
         friend bool operator==(const Source&, const Source&) = default;
-    } source_;  ///< what scaler_ is for
+    } source_;  ///< the conversion that scaler_ does
     double convert_seconds_ = 0.0, copy_seconds_ = 0.0;
 };
 

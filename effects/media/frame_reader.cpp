@@ -15,8 +15,8 @@ namespace {
 
 constexpr int silent = 100;  // above every level of FFmpeg's messages
 
-/// FFmpeg's own VP8 and VP9 decoders leave the opacity out; the ones of the libvpx project, if FFmpeg was built with
-/// them, do not.
+/// FFmpeg's own VP8 and VP9 decoders ignore the opacity; those of the libvpx project, if FFmpeg was built with them, do
+/// not.
 const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
     const AVCodecID id = video.codecpar->codec_id;
     const AVDictionaryEntry* alpha = av_dict_get(video.metadata, "alpha_mode", nullptr, 0);
@@ -28,12 +28,12 @@ const AVCodec* find_decoder(const AVStream& video, std::string& warning) {
     return avcodec_find_decoder(id);
 }
 
-/// Frames that were patched up.
+/// Whether the decoder has repaired the frame.
 bool is_broken(const AVFrame& frame) {
     return (frame.flags & AV_FRAME_FLAG_CORRUPT) != 0 || frame.decode_error_flags != 0;
 }
 
-/// Decoders that leave what they cannot decode of a frame as it is. The others repair it, and tell.
+/// Decoders that leave the parts of a frame that they cannot decode as they are. Others repair the frame and report it.
 bool leaves_gaps(AVCodecID codec) {
     switch (codec) {
         case AV_CODEC_ID_H264:
@@ -50,7 +50,8 @@ bool leaves_gaps(AVCodecID codec) {
     }
 }
 
-/// Memory for a frame that is black, rather than what some frame before has left in it: the same bytes each time.
+/// Gives the decoder black memory for a frame instead of the remains of an earlier frame, so that the bytes are always
+/// the same.
 int black_buffer(AVCodecContext* codec, AVFrame* frame, int flags) {
     const int result = avcodec_default_get_buffer2(codec, frame, flags);
     if (result < 0) return result;
@@ -75,7 +76,7 @@ void FrameReader::open_codec() {
     if (decoder == nullptr) throw bad_clip(path_, not_decodable);
     libav::Codec codec(libav::made(avcodec_alloc_context3(decoder)));
     if (avcodec_parameters_to_context(codec.get(), video.codecpar) < 0) throw bad_clip(path_, not_decodable);
-    codec->thread_count = 1;  // each clip has a thread of its own
+    codec->thread_count = 1;  // each clip has its own thread
     codec->pkt_timebase = video.time_base;
     codec->max_pixels = maximum_pixels;
     codec->log_level_offset = silent;
@@ -90,7 +91,7 @@ void FrameReader::restart() {
     fresh_ = true;
     last_ = -1;
     count_ = 0;
-    codec_.reset();  // when the file is no video any more there is no decoder, rather than one of another file
+    codec_.reset();  // if the file is not a video any more, there must be no decoder of another file
     file_.restart();
     open_codec();
 }
@@ -109,14 +110,14 @@ bool FrameReader::seek(const SeekPoint& point) noexcept {
     avcodec_flush_buffers(codec_.get());
     resets_ = drained_ = false;
     fresh_ = true;
-    // Some containers look for the time of showing, others for that of decoding.
+    // Some containers seek by the time of showing, others by the time of decoding.
     held_ = reach(point, point.pts) || (point.dts != point.pts && reach(point, point.dts));
     last_ = point.frame - 1;
     return held_;
 }
 
-/// Whether the decoder is emptied before packet_. The repairs of FFmpeg's H.264 decoder borrow from whatever came
-/// before, across IDR pictures; a damaged clip shall show the same bytes, wherever decoding has started.
+/// Whether the decoder is emptied before packet_. The repairs of FFmpeg's H.264 decoder use earlier frames, even across
+/// IDR pictures; a damaged clip must show the same bytes wherever decoding has started.
 bool FrameReader::starts_anew(const ClipIndex& index) const noexcept {
     if (fresh_ || codec_->codec_id != AV_CODEC_ID_H264) return false;
     const auto point = std::lower_bound(index.points.begin(), index.points.end(), packet_->pts,
@@ -140,7 +141,7 @@ bool FrameReader::feed(const ClipIndex& index) noexcept {
     fresh_ = false;
     const AVCodecDescriptor* known = codec_->codec_descriptor;
     const bool alone = known != nullptr && (known->props & AV_CODEC_PROP_INTRA_ONLY) != 0;
-    if (alone && (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0) {  // half a picture, which no other one needs
+    if (alone && (packet_->flags & AV_PKT_FLAG_CORRUPT) != 0) {  // half a picture, which no other packet needs
         held_ = false;
         return true;
     }
@@ -166,7 +167,7 @@ Step FrameReader::next(const ClipIndex& index, AVFrame& frame, int& number, cons
         }
         int place = count_++;
         if (!index.stamps.empty() && frame.pts != AV_NOPTS_VALUE) place = index.frame_at(frame.pts);
-        // Frames from before the place that was sought, and those whose time another one had already.
+        // Whether a frame is from before the place that was sought, or has the same time as an earlier one.
         if (place <= last_ || place >= frames || is_broken(frame)) continue;
         number = last_ = place;
         return Step::frame;

@@ -1,4 +1,4 @@
-// A clip's frames as FFmpeg's libavcodec gives them, in the order in which they are shown. Not thread safe.
+// The frames of a clip from FFmpeg's libavcodec, in the order in which they are shown. Not thread safe.
 #pragma once
 
 #include <atomic>
@@ -13,19 +13,19 @@ enum class Step { frame, end, stopped };
 
 class FrameReader {
   public:
-    /// Throws Error (bad_input), as MediaFile and when there is no decoder for it.
+    /// Throws Error (bad_input) like MediaFile, and when there is no decoder for it.
     explicit FrameReader(const std::filesystem::path& path);
 
     MediaFile& file() { return file_; }
-    /// What is odd about the file, or empty.
+    /// What is unusual about the file, or empty.
     const std::string& warning() const { return warning_; }
 
-    /// To the first frame. Throws Error (bad_input) when the file is no video any more.
+    /// Goes to the first frame. Throws Error (bad_input) when the file is not a video any more.
     void restart();
-    /// To the frame of a seek point; false when it cannot be found so, and then restart() is needed.
+    /// Goes to the frame of a seek point; false when it cannot be found that way, and then restart() is needed.
     bool seek(const SeekPoint& point) noexcept;
 
-    /// The next frame that decodes without a fault, and its number by `index`. `stop`, if given, is asked between
+    /// The next frame that decodes without a fault, and its number in `index`. If given, `stop` is asked between
     /// packets.
     Step next(const ClipIndex& index, AVFrame& frame, int& number, const std::atomic<bool>* stop) noexcept;
 
@@ -37,13 +37,13 @@ class FrameReader {
 
     const std::filesystem::path path_;
     MediaFile file_;
-    libav::Codec codec_;  ///< none when the file is no video any more
+    libav::Codec codec_;  ///< none when the file is not a video any more
     libav::Packet packet_;
     bool held_ = false;     ///< packet_ is still to be decoded
     bool fresh_ = true;     ///< the decoder has had no packet since it was made or emptied
-    bool resets_ = false;   ///< it is giving out what it still has, and will be emptied then
+    bool resets_ = false;   ///< it gives out what it still has, and is then emptied
     bool drained_ = false;  ///< the decoder knows that no packet follows
-    int last_ = -1;         ///< no frame up to this one is given any more
+    int last_ = -1;         ///< frames up to this one are not given any more
     int count_ = 0;         ///< frames given since the start
     std::string warning_;
 };

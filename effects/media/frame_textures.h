@@ -15,8 +15,8 @@ class FrameTextures {
     FrameTextures() = default;
     FrameTextures(const PictureFormat& format, int layers);
 
-    /// A picture of other bytes than the format's is not sent. `from`: unless null, `bytes` are its memory, and it is
-    /// unmapped. Gives the bytes sent.
+    /// Does not send a picture whose size differs from the format's bytes. `from`, unless null, is the unmapped buffer
+    /// whose memory `bytes` are. Gives the bytes sent.
     std::size_t upload(int layer, std::span<const std::uint8_t> bytes,
                        const gl::PixelBuffer* from = nullptr) const noexcept;
     ClipFrame frame(int layer, const ColorMatrix& matrix) const noexcept;
@@ -27,13 +27,13 @@ class FrameTextures {
     gl::Texture color_, chroma_, alpha_;
 };
 
-/// Frames that stay: those of a whole clip, as they come.
+/// The frames of a whole clip, which stay once they are sent.
 class FrameStore {
   public:
     FrameStore(const PictureFormat& format, int frame_count);
 
     bool has(int index) const { return present_[static_cast<std::size_t>(index)] != 0; }
-    /// Bytes sent; mark() it then.
+    /// Gives the bytes sent; call mark() afterwards.
     std::size_t upload(int index, std::span<const std::uint8_t> bytes);
     void mark(int index);
     /// Black while has(index) is false.
@@ -41,17 +41,18 @@ class FrameStore {
     int count() const { return count_; }
     /// GPU memory, bytes.
     std::size_t memory() const;
-    /// What it would take for the frames first..last.
+    /// The bytes that the frames first..last would take.
     static std::size_t memory_for(const PictureFormat& format, int frame_count, int first, int last);
-    /// One byte a frame, not 0 where it is there. A worker reads it: mark(), clear() and trim() are called under the
-    /// lock that the worker holds then.
+    /// One byte per frame, not 0 if the frame is here. A worker reads it under a lock, so call mark(), clear() and
+    /// trim() under the same lock.
     const std::vector<std::uint8_t>& present() const { return present_; }
     void clear();
-    /// Gives back the memory of what lies outside frames first..last.
+    /// Frees the memory of frames outside first..last.
     void trim(int first, int last);
 
   private:
-    static constexpr int layers = 32;  // of one array texture: memory comes in steps as a clip plays in
+    static constexpr int layers =
+        32;  // layers of one array texture: memory grows in steps while a clip plays for the first time
     FrameTextures& chunk(int index);
 
     PictureFormat format_;

@@ -43,14 +43,14 @@ std::string decode_image(std::span<const std::uint8_t> file, Image& image) {
     if (!image_size(file, size)) return "not a PNG, JPEG, WebP or BMP image";
     if (std::string fault = size_fault(size); !fault.empty()) return fault;
     if (file.size() > (std::size_t{1} << 30)) return "is larger than 1 GiB";
-    // What OpenCV would log about a broken image is said by the caller's warning.
+    // The caller warns about a broken image, so OpenCV need not log it.
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
     try {
-        // The codecs only read; imdecode takes a non-const array all the same.
+        // The codecs only read, although imdecode takes a non-const array.
         const cv::Mat encoded(1, static_cast<int>(file.size()), CV_8U, const_cast<std::uint8_t*>(file.data()));
         const cv::Mat pixels = cv::imdecode(encoded, cv::IMREAD_UNCHANGED);
         if (pixels.empty()) return "cannot be decoded";
-        // Straight to its place: a copy of a large texture takes longer than its conversion.
+        // Converts directly into place: copying a large texture takes longer than converting it.
         image.pixels.resize(pixels.total() * 4);
         if (!to_rgba(pixels, cv::Mat(pixels.size(), CV_8UC4, image.pixels.data()))) {
             image.pixels.clear();

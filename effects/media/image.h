@@ -18,11 +18,10 @@ struct ImageSize {
     std::int64_t height = 0;
 };
 
-/// Width and height as the file's header states them, without decoding; false when it is none of the four
-/// formats.
+/// Width and height from the file's header, without decoding; false when it has none of the four formats.
 bool image_size(std::span<const std::uint8_t> file, ImageSize& size);
 
-/// Decodes a whole image file into `image` (its name stays). Returns why not, or an empty string.
+/// Decodes a whole image file into `image`, whose name stays. Returns the reason of a failure, or an empty string.
 std::string decode_image(std::span<const std::uint8_t> file, Image& image);
 
 }  // namespace lapfx::media

@@ -1,5 +1,6 @@
 // The size of an image from its header alone: a file of a few bytes can claim a gigapixel, so it is looked at first.
-// OpenCV, which decodes, tells no size beforehand; stb_image knows no WebP and not every JPEG that OpenCV decodes.
+// OpenCV, which decodes, does not give the size beforehand; stb_image does not know WebP, nor every JPEG that OpenCV
+// decodes.
 #include "media/image.h"
 
 #include <string_view>

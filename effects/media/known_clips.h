@@ -16,7 +16,7 @@ struct KnownClip {
     std::filesystem::path path;
     FileStamp stamp;
     ClipInfo info;
-    std::vector<Fault> faults;  ///< why it cannot be played; empty: it can
+    std::vector<Fault> faults;  ///< why it cannot be played; empty if it can
 };
 
 }  // namespace lapfx::media
@@ -31,7 +31,7 @@ struct ClipCache::State {
     std::vector<media::KnownClip> clips;  ///< the oldest first
 };
 
-/// The way to it from what a host holds.
+/// Gives the core access to the state of a ClipCache.
 struct ClipCacheAccess {
     static auto& state(const ClipCache& cache) { return *cache.state_; }
 };

@@ -1,4 +1,4 @@
-// FFmpeg's objects with owners.
+// Owners for the objects of FFmpeg.
 #pragma once
 
 #include <memory>
@@ -13,7 +13,8 @@ extern "C" {
 
 namespace lapfx::media::libav {
 
-/// Throws what FFmpeg's makers cannot: a null pointer from one of them means that there is no memory.
+/// Throws for FFmpeg's allocating functions, which cannot: a null pointer from one of them means that there is no
+/// memory.
 template <class T>
 T* made(T* object) {
     if (object == nullptr) throw std::bad_alloc();

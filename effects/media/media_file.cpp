@@ -18,7 +18,7 @@ namespace {
 
 constexpr int maximum_side = 8192;  // pixels: 8K
 constexpr int io_buffer = 1 << 16;  // bytes
-constexpr int patience = 64;        // faulty places of a file in a row that are passed over
+constexpr int patience = 64;        // consecutive faulty places of a file that are skipped
 
 /// Containers of video and single images. What is not in the list (playlists, devices, text, scripts) is never read.
 constexpr const char* formats =
@@ -26,9 +26,9 @@ constexpr const char* formats =
     "yuv4mpegpipe,m4v,h263,h264,hevc,mjpeg,gif,apng,png_pipe,jpeg_pipe,jpegls_pipe,jpegxl_pipe,j2k_pipe,webp_pipe,"
     "bmp_pipe,tiff_pipe,qoi_pipe,sgi_pipe,psd_pipe,dpx_pipe,exr_pipe";
 
-/// FFmpeg prints a line for each fault of a file. A library keeps out of its host's stderr, but the level is one for
-/// the whole process: a host that has set one of its own, or a callback (which is not asked for the level), keeps it.
-/// INFO is FFmpeg's default, ERROR the one that OpenCV sets.
+/// FFmpeg prints a line for each fault of a file. A library should not write to its host's stderr, but the log level
+/// belongs to the whole process: a host that has set a level, or a callback (which ignores the level), keeps it. INFO
+/// is FFmpeg's default, ERROR the level that OpenCV sets.
 void quieten() {
     const int level = av_log_get_level();
     if (level == AV_LOG_INFO || level == AV_LOG_ERROR) av_log_set_level(AV_LOG_QUIET);
@@ -44,7 +44,7 @@ int refuse_other_file(AVFormatContext*, AVIOContext**, const char*, int, AVDicti
 MediaFile::MediaFile(const std::filesystem::path& path) : path_(path) {
     quieten();
     require_clip_file(path);
-    // Without waiting, in case that a pipe has taken the file's place since.
+    // Does not wait, in case a pipe has replaced the file since.
     descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK);
     if (descriptor_ < 0) throw bad_clip(path, "cannot be read");
     try {
@@ -98,7 +98,7 @@ void MediaFile::restart() {
     format->io_open = refuse_other_file;
     format->protocol_whitelist = av_strdup("");
     format->format_whitelist = av_strdup(formats);
-    // By its content alone: without a name nothing is concluded from that. It is freed when it fails.
+    // Recognises the format only by content, because there is no name. It is freed when it fails.
     if (avformat_open_input(&format, "", nullptr, nullptr) < 0) throw bad_clip(path_, not_decodable);
     format_.reset(format);
     look_at_streams();
@@ -116,7 +116,7 @@ void MediaFile::look_at_streams() {
     if (result < 0) throw bad_clip(path_, not_decodable);
 }
 
-/// Single images tell their size in front. FFmpeg forgets it of one that is too large for its decoders.
+/// Single images state their size at the beginning. FFmpeg forgets it if the image is too large for its decoders.
 void MediaFile::require_image_size() const {
     std::vector<std::uint8_t> head(io_buffer);
     const ssize_t count = ::pread(descriptor_, head.data(), head.size(), 0);

@@ -1,4 +1,4 @@
-// The pictures' packets of one plain local file, by FFmpeg's libavformat. Not thread safe.
+// The video packets of one plain local file, read by FFmpeg's libavformat. Not thread safe.
 #pragma once
 
 #include <cstdint>
@@ -8,34 +8,34 @@
 
 namespace lapfx::media {
 
-/// What FFmpeg's decoders may make of a picture: 8K squared. A file's own word may be anything.
+/// The largest picture that FFmpeg's decoders may make: 8K squared. A file may claim any size.
 constexpr std::int64_t maximum_pixels = std::int64_t{8192} * 8192;
 
 class MediaFile {
   public:
-    /// Throws Error (bad_input): not a plain local file, a playlist, of no known format, without pictures or with too
-    /// large ones.
+    /// Throws Error (bad_input): not a plain local file, a playlist, an unknown format, no pictures, or too large ones.
     explicit MediaFile(const std::filesystem::path& path);
     ~MediaFile();
     MediaFile(const MediaFile&) = delete;
     MediaFile& operator=(const MediaFile&) = delete;
 
-    /// To the first packet. The file is the one that was opened, even when its name is gone. Throws as the constructor;
-    /// then there are no more packets.
+    /// Goes to the first packet of the file that was opened, even if its name does not exist any more. Throws like the
+    /// constructor; then there are no more packets.
     void restart();
 
-    /// The next packet that holds something of the video; false at the end.
+    /// The next packet of the video that is not empty; false at the end.
     bool next(AVPacket& packet) noexcept;
-    /// To the last place before `stamp` where decoding can start, as far as the container tells; false when it cannot.
+    /// Goes to the last place before `stamp` where decoding can start, according to the container; false when it does
+    /// not know.
     bool seek(std::int64_t stamp) noexcept;
 
     const AVStream& video() const { return *format_->streams[video_]; }
     /// FFmpeg's name of the container.
     const char* container() const { return format_->iformat->name; }
     bool single_image() const;
-    /// 0..1, how far into the file the last bytes were read from.
+    /// Position in the file of the bytes that were read last, 0..1.
     double read_share() const { return size_ > 0 ? static_cast<double>(offset_) / static_cast<double>(size_) : 0.0; }
-    /// Whether more was wanted than the file holds.
+    /// Whether more bytes were wanted than the file has.
     bool ran_out() const { return avio_feof(io_.get()) != 0; }
 
   private:

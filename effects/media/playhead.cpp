@@ -10,8 +10,8 @@ namespace {
 /// Frames come this much early, s, so that rounding of k / fps does not show one of them twice.
 constexpr double early = 1e-6;
 
-/// What is played of a clip, s: from `in`, and every `period` over again; the last `fade` before in + period + fade is
-/// laid over the beginning.
+/// The part of a clip that plays, s: from `in`, repeated every `period`; the last `fade` before in + period + fade
+/// fades over the beginning.
 struct Span {
     double in, period, fade;
 };

@@ -14,12 +14,12 @@ struct Playhead {
     double fade = 0.0;  ///< its share, 0..1; the first frame has the rest
 };
 
-/// `time`: s, any; `chance`: a seeded number from which a seeded start is taken.
+/// `time`: s, any. `chance`: a seeded random number, for a seeded start.
 Playhead playhead(const ClipInfo& clip, const SmokeClip& settings, std::uint32_t chance, double time) noexcept;
 
-/// The frames that Playhead::frame runs through.
+/// The frames that Playhead::frame passes through.
 Loop main_loop(const ClipInfo& clip, const SmokeClip& settings) noexcept;
-/// Those of Playhead::fading: the end of the clip that is laid over its beginning.
+/// The frames of Playhead::fading: the end of the clip, which fades over its beginning.
 Loop fading_loop(const ClipInfo& clip, const SmokeClip& settings) noexcept;
 
 }  // namespace lapfx::media

@@ -5,9 +5,8 @@ namespace lapfx::media {
 /// What to do when a frame has not been decoded yet.
 enum class Policy {
     wait,    ///< wait for exactly this frame: offline rendering, tests
-    latest,  ///< never wait: show the newest one there is, and count the miss; what is late is shown in slow motion
-    skip,    ///< never wait: of a clip that is late every second frame is skipped, and it keeps its time (the paper's
-             ///< buffering)
+    latest,  ///< never wait: show the newest frame, and count the miss; a late clip is shown in slow motion
+    skip,    ///< never wait: a late clip skips every second frame and so keeps its time (the paper's buffering)
 };
 
 }  // namespace lapfx::media

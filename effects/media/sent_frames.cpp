@@ -26,7 +26,7 @@ std::size_t SentFrames::find(int index) const {
     return static_cast<std::size_t>(found - slots_.begin());
 }
 
-/// The one that was used longest ago of those that nobody wants; with one texture, that one.
+/// The frame that was used longest ago among those that nobody needs; with one texture, that one.
 SentFrames::Slot& SentFrames::slot_for(std::span<const int> needed) {
     Slot* best = nullptr;
     for (Slot& slot : slots_) {
@@ -42,7 +42,7 @@ std::size_t SentFrames::send(int index, std::span<const std::uint8_t> bytes, con
     Slot& slot = slot_for(needed);
     const std::size_t sent = slot.texture.upload(0, bytes, from);
     if (sent == 0) return 0;
-    if (slot.index == shown_) shown_ = index;  // pipeline has no other one
+    if (slot.index == shown_) shown_ = index;  // pipeline has only one
     slot.index = newest_ = index;
     slot.used = ++clock_;
     return sent;

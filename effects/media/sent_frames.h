@@ -1,4 +1,4 @@
-// The few frames of one place in a clip that are on the GPU while the paper's schemes stream them. Render thread,
+// The few frames around one place of a clip that are on the GPU while the paper's schemes stream them. Render thread,
 // context current.
 #pragma once
 
@@ -11,23 +11,23 @@
 namespace lapfx::media {
 
 /// Pipeline has one texture, buffering four: the frame that is shown, the two after it, and one that the GPU may still
-/// be drawing. Each is a texture of its own, for drivers make whoever writes to a texture wait until the last drawing
-/// with it is done.
+/// be drawing. Each has its own texture, because drivers make a write to a texture wait until the last drawing with it
+/// is done.
 class SentFrames {
   public:
     SentFrames() = default;
     SentFrames(const PictureFormat& format, Scheme scheme);
 
     bool holds(int index) const { return find(index) < slots_.size(); }
-    /// Sends frame `index`, which it does not hold yet, in place of one that is neither shown nor `needed`. `from`: as
-    /// FrameTextures::upload(). Gives the bytes sent; 0: nothing has changed.
+    /// Sends frame `index`, which it does not have yet, in place of one that is neither shown nor `needed`. `from` is
+    /// as in FrameTextures::upload(). Gives the bytes sent; 0: nothing has changed.
     std::size_t send(int index, std::span<const std::uint8_t> bytes, const gl::PixelBuffer* from,
                      std::span<const int> needed) noexcept;
-    /// Show this one from now on; held.
+    /// Shows this frame from now on; it must be here.
     void show(int index) noexcept;
-    /// Show the one that was sent last; one has been.
+    /// Shows the frame that was sent last; there must be one.
     void show_newest() noexcept { show(newest_); }
-    /// Sets the bytes of the frames that it holds.
+    /// Sets the bytes of the frames that are here.
     void mark(std::span<std::uint8_t> held) const noexcept;
     int shown() const { return shown_; }  ///< frame number; -1: nothing yet
 

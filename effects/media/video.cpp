@@ -13,7 +13,7 @@ namespace {
 constexpr int maximum_frames = 10'000'000;  // four days at 25 frames a second
 constexpr int maximum_side = 8192;          // px, as everywhere
 
-/// As large as it has to be for square pixels: no row or column of the file is lost.
+/// Enlarged to square pixels, so that no row or column of the file is lost.
 glm::ivec2 with_square_pixels(glm::ivec2 size, double pixel_aspect) {
     const glm::dvec2 wide(pixel_aspect > 1 ? pixel_aspect : 1.0, pixel_aspect < 1 ? 1.0 / pixel_aspect : 1.0);
     const glm::ivec2 shown(glm::round(glm::dvec2(size) * wide));
@@ -48,7 +48,7 @@ struct VideoReader::State {
     media::Picture picture;
 };
 
-/// Turned as the file asks for: source pixels in their order, each to its place.
+/// Rotates as the file asks for: takes source pixels in their order and puts each into its place.
 void VideoReader::State::put(Image& into) const {
     const media::Turn turn = decoder.info().turn;
     into.width = info.size.x;

@@ -1,4 +1,4 @@
-// Of a triangle with a value linear in it: where the value is above zero. Pure; any thread.
+// Where a value that is linear in a triangle is above zero. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -8,11 +8,11 @@
 namespace lapfx::organ {
 
 struct AboveZero {
-    double share = 0.0;  ///< of the triangle's area, 0..1
-    double mean = 0.0;   ///< of the value there
+    double share = 0.0;  ///< share of the triangle's area, 0..1
+    double mean = 0.0;   ///< mean of the value there
 };
 
-/// Of the values at the corners. Three zeros are nowhere above.
+/// From the values at the corners. Three zeros are nowhere above zero.
 inline AboveZero above_zero(double a, double b, double c) {
     double v[3] = {a, b, c};
     std::sort(v, v + 3);
@@ -24,8 +24,8 @@ inline AboveZero above_zero(double a, double b, double c) {
     return {1.0 - below_share, (whole - below) / (1.0 - below_share)};
 }
 
-/// A part of a sum over triangles, in whole units: such a sum is the same in whatever order it is made. Parts of absurd
-/// size (a file with a wrong unit) are cut off, so that it has room.
+/// A part of a sum over triangles, in whole units, so that the sum does not depend on the order. Parts of absurd size
+/// (a file with a wrong unit) are limited, so that the sum does not overflow.
 inline std::int64_t whole_units(double value, double unit) {
     constexpr double largest = 1e12;
     const double count = value / unit;

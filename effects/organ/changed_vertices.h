@@ -1,6 +1,6 @@
-// Which elements of a per-vertex array have changed since they were last sent, as runs: what a buffer on the GPU needs.
-// Neighbouring changes are sent together, so that a pool of blood costs a few calls and hardly a byte too many.
-// Allocates nothing after construction. One thread at a time.
+// Which elements of a per-vertex array have changed since they were last sent to the GPU, as runs. Neighbouring changes
+// are sent together, so that a pool of blood costs a few calls and hardly any extra bytes. Allocates nothing after
+// construction. One thread at a time.
 #pragma once
 
 #include <algorithm>
@@ -44,7 +44,7 @@ class ChangedVertices {
             marked_[b] = false;
             const VertexRun run{b * block, std::min((b + 1) * block, vertices_)};
             if (!runs_.empty() &&
-                run.begin <= runs_.back().end + block)  // one clean block between costs less than a call
+                run.begin <= runs_.back().end + block)  // sending one clean block costs less than another call
                 runs_.back().end = run.end;
             else
                 runs_.push_back(run);

@@ -44,7 +44,7 @@ void make_normals(Organ& organ) {
     for (std::size_t v = 0; v < organ.normals.size(); ++v) {
         if (organ.normals[v] != glm::vec3(0.0f)) continue;
         const glm::dvec3& sum = sums[weld.point[v]];
-        // The two sides of a sheet cancel out; then the vertex follows a triangle of its own.
+        // The two sides of a sheet cancel out; the vertex then takes the normal of one of its triangles.
         const bool cancelled = glm::length(sum) < 1e-6 * areas[weld.point[v]];
         organ.normals[v] = cancelled ? own[v] : glm::vec3(glm::normalize(sum));
     }
@@ -66,7 +66,7 @@ float uv_area(const Organ& organ, std::size_t i) {
     return e1.x * e2.y - e2.x * e1.y;
 }
 
-/// Some files have texture coordinates that are all alike: as good as none.
+/// Some files have the same texture coordinates everywhere, which is as good as none.
 bool covers_texture(const Organ& organ, const Part& part) {
     std::size_t with_area = 0;
     for (std::uint32_t i = part.first_index; i < part.first_index + part.index_count; i += 3)
@@ -127,7 +127,7 @@ TextureAxes texture_axes(const Organ& organ) {
     return axes;
 }
 
-/// Length 1 after the part along the normal is taken off; zero when nothing is left.
+/// Length 1 after removing the part along the normal; zero when nothing remains.
 glm::vec3 in_surface(glm::vec3 direction, glm::vec3 normal) {
     const float length = glm::length(direction);
     if (!(length > 0.0f) || !std::isfinite(length)) return glm::vec3(0.0f);

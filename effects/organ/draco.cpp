@@ -17,11 +17,11 @@ namespace lapfx::organ {
 
 namespace {
 
-/// Draco packs a triangle into half a bit at best. A file that claims more would have room made for it before it is
-/// found out.
+/// Draco packs a triangle into half a bit at best. Without this limit, memory would be allocated for a file that claims
+/// more.
 constexpr std::size_t most_per_byte = 2000;
 
-/// What the data begins with says, before anything is made for it.
+/// Reads the header before anything is allocated for the data.
 struct Claim {
     std::uint32_t triangles = 0, points = 0;
 };
@@ -71,13 +71,14 @@ std::unique_ptr<draco::Mesh> decode(std::span<const std::uint8_t> bytes) {
     try {
         auto mesh = draco::Decoder().DecodeMeshFromBuffer(&buffer);
         if (mesh.ok()) return std::move(mesh).value();
-    } catch (const std::bad_alloc&) {  // what a damaged file asks for
+    } catch (const std::bad_alloc&) {  // what a damaged file may ask for
     } catch (const std::length_error&) {
     }
     return nullptr;
 }
 
-/// The bytes that an accessor would have had: `T` is its componentType. Empty: a value is not of that type.
+/// The bytes that an accessor would have without compression; `T` is its componentType. Empty: a value does not fit
+/// that type.
 template <class T>
 std::optional<Bytes> values_of(const draco::PointAttribute& attribute, std::uint32_t points) {
     const auto components = static_cast<std::size_t>(attribute.num_components());
@@ -123,7 +124,7 @@ void require_count(const GltfDocument& document, std::size_t declared, std::size
                what + " has " + std::to_string(declared) + " elements, the compressed data " + std::to_string(decoded));
 }
 
-/// A new accessor like `accessor`, for bytes of its own.
+/// A new accessor like `accessor`, with its own bytes.
 int add_accessor(GltfDocument& document, tinygltf::Accessor accessor, Bytes bytes) {
     accessor.bufferView = static_cast<int>(document.model.bufferViews.size());
     accessor.byteOffset = 0;

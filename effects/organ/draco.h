@@ -7,9 +7,9 @@
 
 namespace lapfx::organ {
 
-/// Decodes what the extension object of a primitive describes, and gives the primitive accessors of it. What the
-/// primitive has besides, as bytes that are not packed, stays. Throws Error when it is malformed, or is not what the
-/// accessors say.
+/// Decodes what the extension object of a primitive describes, and gives the primitive accessors for it. Other
+/// attributes of the primitive, which are not compressed, stay. Throws Error when the data is malformed or contradicts
+/// the accessors.
 void decode_draco(GltfDocument& document, tinygltf::Primitive& primitive, const tinygltf::Value& object,
                   const std::string& place);
 

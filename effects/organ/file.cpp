@@ -45,7 +45,7 @@ int digit(char c, int base) {
 Bytes read_file(const fs::path& path, const std::string& name, const std::string& place) {
     std::error_code code;
     const fs::file_status status = fs::status(path, code);
-    // Looked at before it is opened: opening a pipe would wait for its writer for ever.
+    // Checked before opening, because opening a pipe would wait for its writer.
     if (!fs::exists(status))
         refuse(name, place, code && status.type() == fs::file_type::none ? code.message() : "no such file");
     if (!fs::is_regular_file(status)) refuse(name, place, kind_of(status.type()) + ", expected a plain file");

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Of a format whose files name no others.
+/// For a format whose files name no others.
 template <RawOrgan (*Read)(const std::string&, const Bytes&)>
 RawOrgan alone(const fs::path&, const std::string& file, const Bytes& bytes) {
     return Read(file, bytes);

@@ -11,15 +11,15 @@ class Packing;
 
 struct MeshFormat {
     FileFormat file;
-    double unit;                 ///< mm, where the scene says nothing
-    bool signed_always = false;  ///< a file of this name that does not begin with the signature is none
+    double unit;                 ///< mm per unit if the scene does not say
+    bool signed_always = false;  ///< a file with this extension must begin with the signature
     RawOrgan (*read)(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
-    /// For a bundle: its bytes, naming what is packed with it. Null: it names no other files.
+    /// For a bundle: its bytes, which name the files that are packed with it. Null: the format names no other files.
     Bytes (*pack)(const Bytes& bytes, const std::string& file, Packing& packing) = nullptr;
 };
 
-/// By what the file begins with, and for the formats that begin with nothing of their own by the name. Throws Error
-/// (bad_input) for none of them, or for one that does not begin as its name says.
+/// The format by the first bytes of the file, or by its name for formats without a signature. Throws Error (bad_input)
+/// for an unknown format, and for a file that does not begin as its name says.
 const MeshFormat& mesh_format(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
 }  // namespace lapfx::organ

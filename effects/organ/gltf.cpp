@@ -42,7 +42,7 @@ std::vector<Vector> vectors(const FloatArray& array, Vector fill) {
     return out;
 }
 
-/// Strips and fans become single triangles. What is left of less than three corners is counted.
+/// Strips and fans become single triangles. A remainder of fewer than three corners is counted.
 std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode, std::size_t& unreadable) {
     if (order.size() < 3 || (mode == TINYGLTF_MODE_TRIANGLES && order.size() % 3 != 0)) unreadable += !order.empty();
     if (mode == TINYGLTF_MODE_TRIANGLES) {
@@ -52,14 +52,14 @@ std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode,
     std::vector<std::uint32_t> out;
     for (std::size_t i = 2; i < order.size(); ++i) {
         const bool fan = mode == TINYGLTF_MODE_TRIANGLE_FAN;
-        // Every second triangle of a strip is turned round.
+        // Every second triangle of a strip is reversed.
         const std::size_t a = fan ? 0 : i - 2 + i % 2, b = fan ? i - 1 : i - 1 - i % 2;
         out.insert(out.end(), {order[a], order[b], order[i]});
     }
     return out;
 }
 
-/// Once: where its mesh is shown again, its accessors have their bytes.
+/// Only once: when its mesh is shown again, its accessors already have their bytes.
 void unpack(GltfDocument& document, tinygltf::Primitive& primitive, const std::string& place) {
     const tinygltf::ExtensionMap packed = std::exchange(primitive.extensions, {});
     for (const auto& [name, object] : packed)
@@ -111,7 +111,7 @@ bool draws_triangles(const tinygltf::Primitive& primitive) {
     return primitive.mode >= TINYGLTF_MODE_TRIANGLES && primitive.mode <= TINYGLTF_MODE_TRIANGLE_FAN;
 }
 
-/// Says what of the file the still surface of an organ does not show.
+/// Warns about parts of the file that the still surface of an organ does not show.
 void warn_of_rest(const GltfDocument& document, std::vector<std::string>& warnings) {
     const tinygltf::Model& model = document.model;
     if (model.nodes.empty() && !model.meshes.empty())

@@ -95,7 +95,7 @@ bool is_index_type(int type) {
            type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT;
 }
 
-/// Elements in a view; throws unless the last byte of the last element lies in it.
+/// Elements in a view; throws if the last byte of the last element is outside it.
 Elements elements_in(GltfDocument& document, int view, std::size_t offset, std::size_t count, int type,
                      std::size_t components, bool may_stride, const std::string& place) {
     Elements out{document.view(view, place), count, components, bytes_per_value(type) * components, type, false};

@@ -18,13 +18,13 @@ struct FloatArray {
     std::size_t size() const { return values.size() / static_cast<std::size_t>(components); }
 };
 
-/// Throws Error (bad_input) when any part of it lies outside the file or has a type with no meaning here.
+/// Throws Error (bad_input) when a part of it is outside the file or its type is wrong here.
 FloatArray read_floats(GltfDocument& document, int accessor, const std::string& place);
 
 /// Unsigned integers of 8, 16 or 32 bits, one per element.
 std::vector<std::uint32_t> read_indices(GltfDocument& document, int accessor, const std::string& place);
 
-/// Elements of an accessor without reading it. Throws Error when it is not in the file.
+/// Number of elements of an accessor, without reading it. Throws Error when it is not in the file.
 std::size_t accessor_count(const GltfDocument& document, int accessor, const std::string& place);
 
 }  // namespace lapfx::organ

@@ -10,7 +10,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Members that are whole numbers wherever they stand in what an organ is read from.
+/// Members that are whole numbers everywhere in the parts that an organ is read from.
 constexpr std::string_view whole_numbers[] = {"buffer",     "bufferView",    "byteLength", "byteOffset",
                                               "byteStride", "componentType", "count",      "material",
                                               "mesh",       "mode",          "scene",      "source"};
@@ -20,7 +20,7 @@ std::string shown(const json& value) {
     return text.size() > 40 ? text.substr(0, 40) + "..." : text;
 }
 
-/// parse() has made integers of floats that are whole.
+/// parse() has converted floats with whole values to integers.
 void check_number(const json& value, const std::string& place, const std::string& file) {
     if (!value.is_number_integer()) refuse(file, place, "is " + shown(value) + ", expected a whole number");
 }
@@ -76,7 +76,7 @@ void check_primitives(const json& mesh, const std::string& place, const std::str
     }
 }
 
-/// Looks at what a material refers to, and takes out what cannot be.
+/// Checks the references of a material, and removes impossible ones.
 class MaterialMender {
   public:
     MaterialMender(json& material, std::string place, std::vector<std::string>& warnings)

@@ -1,4 +1,4 @@
-// What of a glTF's JSON tinygltf takes without a word, or refuses without saying where.
+// Checks the parts of a glTF's JSON that tinygltf accepts although they are wrong, or refuses without saying where.
 #pragma once
 
 #include <nlohmann/json_fwd.hpp>
@@ -7,10 +7,12 @@
 
 namespace lapfx::organ {
 
-/// Counts, offsets and indices are whole numbers, lists are lists: throws Error with the JSON pointer of what is not.
+/// Checks that counts, offsets and indices are whole numbers and that lists are lists. Throws Error with the JSON
+/// pointer of the first that is not.
 void check_structure(const nlohmann::json& document, const std::string& file);
 
-/// Takes out what of the materials cannot be what it should be, so that the rest is read; a warning for each.
+/// Removes the parts of materials that are not what they should be, with a warning for each, so that the rest can be
+/// read.
 void mend_materials(nlohmann::json& document, std::vector<std::string>& warnings);
 
 }  // namespace lapfx::organ

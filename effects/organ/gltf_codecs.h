@@ -11,15 +11,15 @@ namespace lapfx::organ {
 
 struct GltfCodec {
     std::string_view extension;
-    /// The bytes of a buffer view, of what the extension's object in it describes. Null: it packs no views.
+    /// Unpacks the bytes of a buffer view that the extension's object describes. Null: the codec does not pack views.
     Bytes (*decode_view)(const GltfDocument& document, const tinygltf::Value& object,
                          const std::string& place) = nullptr;
-    /// Gives the primitive accessors of what the object describes, in place of those that have no bytes. Null: it packs
-    /// none.
+    /// Gives the primitive accessors for what the object describes, instead of those without bytes. Null: the codec
+    /// does not pack primitives.
     void (*decode_primitive)(GltfDocument& document, tinygltf::Primitive& primitive, const tinygltf::Value& object,
                              const std::string& place) = nullptr;
 };
 
-/// Null: there is none of that name.
+/// Null: there is no codec of that name.
 const GltfCodec* find_codec(std::string_view extension);
 }  // namespace lapfx::organ

@@ -69,7 +69,7 @@ Chunks split_glb(const Bytes& bytes, const std::string& file) {
             chunks.binary = std::span(bytes).subspan(at + 8, size);
             break;
         }
-        if (size > room) break;  // what follows the known chunks is no concern of ours
+        if (size > room) break;  // further chunks are ignored
         at += 8 + (size + 3) / 4 * 4;
     }
     return chunks;
@@ -88,8 +88,8 @@ void make_whole(Json& value) {
 template <typename Json>
 Json parse(std::string_view text, const std::string& file, bool with_extras) {
     if (text.starts_with("\xef\xbb\xbf")) text.remove_prefix(3);
-    // Extras may hold anything; without them and with bounded depth the rest is safe for recursive readers.
-    // A whole number may be written as 840.0: the specification says so.
+    // Extras may contain anything; without them, and with bounded depth, the rest is safe for recursive readers. A
+    // whole number may be written as 840.0: the specification says so.
     const auto keep = [&](int depth, typename Json::parse_event_t event, Json& value) {
         if (depth > maximum_depth) refuse(file, "", "its JSON is nested deeper than 64 levels");
         if (!with_extras && event == Json::parse_event_t::value && value.is_number_float()) make_whole(value);
@@ -144,7 +144,7 @@ std::string text_member(const Json& object, const char* key) {
     return found != object.end() && found->is_string() ? found->template get<std::string>() : std::string();
 }
 
-/// A buffer that only stands for what EXT_meshopt_compression decodes into has no bytes of its own.
+/// A buffer that is only the target of EXT_meshopt_compression has no bytes.
 bool is_fallback(const json& buffer) {
     const json none = json::object();
     const json& extensions = buffer.contains("extensions") ? buffer["extensions"] : none;
@@ -202,7 +202,7 @@ json taken_out(json& document, const char* key, const std::string& file) {
     return value;
 }
 
-/// The first line of what tinygltf says.
+/// The first line of tinygltf's message.
 std::string first_line(const std::string& text) {
     return text.substr(0, text.find('\n'));
 }
@@ -212,7 +212,7 @@ struct PackedIndices {
     int accessor;
 };
 
-/// tinygltf wants bytes for all indices: those that a codec unpacks with their primitive are kept from it.
+/// tinygltf wants bytes for all indices, so it does not get those that a codec unpacks with their primitive.
 std::vector<PackedIndices> take_packed_indices(json& document) {
     std::vector<PackedIndices> taken;
     if (!document.contains("meshes")) return taken;
@@ -253,7 +253,7 @@ void run_tinygltf(GltfDocument& document, const json& structure) {
     } catch (const std::exception& fault) {
         error = fault.what();
     }
-    // It drops a primitive that it cannot read with no more than a message, and goes on.
+    // When it cannot read a primitive, it drops that with only a message and continues.
     if (!done || !error.empty()) refuse(document.file, "", first_line(error.empty() ? "is malformed" : error));
 }
 
@@ -320,7 +320,7 @@ namespace {
 
 using OrderedJson = nlohmann::ordered_json;
 
-/// The members of a list that name a file of their own.
+/// The members of a list that name a separate file.
 std::vector<OrderedJson*> with_files(OrderedJson& document, const char* list) {
     std::vector<OrderedJson*> found;
     if (!document.contains(list) || !document[list].is_array()) return found;
@@ -344,7 +344,7 @@ std::string pack_image(const OrderedJson& image, Packing& packing) {
     try {
         if (const std::string packed = packing.add_picture(named_path(packing.folder(), name)); !packed.empty())
             return packed;
-    } catch (const Error&) {  // one that leads out, and that no material uses
+    } catch (const Error&) {  // an image outside the folder that no material uses
     }
     return packing.unused(name);
 }
@@ -353,7 +353,7 @@ void put_word(Bytes& out, std::size_t value) {
     for (unsigned shift = 0; shift < 32; shift += 8) out.push_back(static_cast<std::uint8_t>(value >> shift & 0xffU));
 }
 
-/// A binary glTF with another JSON; the chunks behind it stay.
+/// A binary glTF with another JSON; the chunks after it stay.
 Bytes with_json(const Bytes& glb, std::string text) {
     text.resize((text.size() + 3) / 4 * 4, ' ');
     const std::size_t end = std::min<std::size_t>(word(glb, 8), glb.size());

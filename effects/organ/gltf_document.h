@@ -1,9 +1,8 @@
-// A glTF file taken apart: the structure by tinygltf, the bytes by us.
+// A glTF file: tinygltf reads the structure, our code reads the bytes.
 //
-// tinygltf 2.7 trusts a file too much: it reads image data at unchecked offsets, takes any path or folder for
-// a buffer, refuses the empty fallback buffers of EXT_meshopt_compression, and descends into extras without
-// limit. So it is given the JSON without buffers, images, extras and what an organ has no use for; those are
-// read here.
+// tinygltf 2.7 trusts a file too much: it reads image data at unchecked offsets, takes any path or folder for a buffer,
+// refuses the empty fallback buffers of EXT_meshopt_compression, and descends into extras without limit. So it gets the
+// JSON without buffers, images, extras and everything that an organ does not use; buffers and images are read here.
 #pragma once
 
 #include <tiny_gltf.h>
@@ -18,11 +17,11 @@
 namespace lapfx::organ {
 
 struct GltfDocument {
-    std::string file;                          ///< as faults name it
+    std::string file;                          ///< the name in faults
     std::filesystem::path folder;              ///< of the file
-    tinygltf::Model model;                     ///< buffers[].data and images[].uri, bufferView filled in by us
-    std::vector<std::filesystem::path> files;  ///< of buffers, read besides it
-    std::vector<std::string> warnings;         ///< what was taken out of it
+    tinygltf::Model model;                     ///< with our buffers[].data, images[].uri and images[].bufferView
+    std::vector<std::filesystem::path> files;  ///< further files that were read, for buffers
+    std::vector<std::string> warnings;         ///< parts that were removed from it
     bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
 
@@ -30,16 +29,16 @@ struct GltfDocument {
     /// buffer.
     std::span<const std::uint8_t> view(int index, const std::string& place);
 
-    /// Where an image lies that is a file of its own; empty: it is none. Throws Error when its URI may not be followed.
+    /// The path of an image that is a separate file; empty: it is not. Throws Error when its URI may not be followed.
     std::filesystem::path image_file(int index) const;
 
-    /// The bytes of an image, of a view, a data URI or a file (kept in `storage`); the reason in `fault` when
-    /// the file cannot be read. Throws Error when the image's URI may not be followed.
+    /// The bytes of an image, from a view, a data URI or a file (kept in `storage`). When the file cannot be read,
+    /// `fault` has the reason. Throws Error when the image's URI may not be followed.
     std::span<const std::uint8_t> image_bytes(int index, Bytes& storage, std::string& fault);
 };
 
-/// Throws Error: no glTF, malformed JSON, a version other than 2, a missing buffer, a required extension that
-/// is not read (each named).
+/// Throws Error: not a glTF, malformed JSON, a version other than 2, a missing buffer, a required extension that lapfx
+/// does not read (each named).
 GltfDocument read_gltf_document(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 
 }  // namespace lapfx::organ

@@ -109,7 +109,7 @@ glm::vec4 color(const std::vector<double>& factor) {
     return out;
 }
 
-/// The older material model: its diffuse part is what base colour is in the other.
+/// The older material model: its diffuse colour is used as base colour.
 void specular_glossiness(const Value& extension, Material& material, TextureUse& base) {
     if (!extension.IsObject()) return;
     for (int i = 0; i < 4; ++i)
@@ -144,7 +144,7 @@ UvUse read_material(const tinygltf::Material& from, int index, Images& images, R
     material.normal_image = images.of_texture(normal.texture, place + "/normalTexture");
     const bool both = material.base_color_image >= 0 && material.normal_image >= 0;
     if (both && base.uv != normal.uv) {
-        // The vertices carry one set of texture coordinates.
+        // Vertices have one set of texture coordinates.
         organ.warnings.push_back("material " + from.name + ": its normal map has other texture coordinates than its " +
                                  "base colour; the normal map is left out");
         material.normal_image = -1;

@@ -20,9 +20,9 @@ struct UvUse {
     glm::vec2 apply(glm::vec2 uv) const;
 };
 
-/// Appends the materials of the file and the images that they use to `organ`; one UvUse for each material. An
-/// image that is missing or broken is a warning; one that may not be read (a URL, a path out of the folder)
-/// throws Error.
+/// Appends the materials of the file and the images that they use to `organ`; one UvUse for each material. An image
+/// that is missing or broken is a warning; an image that may not be read (a URL, a path out of the folder) throws
+/// Error.
 std::vector<UvUse> read_materials(GltfDocument& document, RawOrgan& organ);
 
 }  // namespace lapfx::organ

@@ -61,8 +61,8 @@ struct Visit {
     glm::dmat4 parent;
 };
 
-/// A node may hang below several others (the specification forbids it, viewers show it at each), so a short
-/// file can name an endless number of places.
+/// A node may have several parents (the specification forbids it, but viewers show it at each), so a short file can
+/// describe an enormous number of places.
 constexpr std::size_t most_visits = 1'000'000;
 
 class Walk {
@@ -81,7 +81,7 @@ class Walk {
     }
 
   private:
-    /// The last one first, so that they come off the stack in order.
+    /// The last one first, so that they leave the stack in order.
     void push(const std::vector<int>& nodes, std::size_t depth, const glm::dmat4& parent) {
         for (auto node = nodes.rbegin(); node != nodes.rend(); ++node) stack_.push_back({*node, depth, parent});
     }

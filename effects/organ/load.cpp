@@ -1,4 +1,4 @@
-// load_organ(): which reader, which unit, then mending and completing.
+// load_organ(): chooses the reader and the unit, then mends and completes.
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "organ/formats.h"

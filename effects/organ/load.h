@@ -8,7 +8,8 @@
 
 namespace lapfx::organ {
 
-/// As load_organ(). Throws Stopped when the stages say so. `encoded`: where the files of its images go to, by image.
+/// Like load_organ(). Throws Stopped when the stages say so. `encoded` receives the encoded files of its images, by
+/// image.
 Organ load(const std::filesystem::path& path, const OrganOptions& options, const work::Stages& stages,
            std::vector<Encoded>* encoded = nullptr);
 

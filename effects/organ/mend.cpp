@@ -9,14 +9,14 @@ namespace lapfx::organ {
 
 namespace {
 
-/// Coordinates beyond this, mm, are as good as infinite: products of three of them still fit a float.
+/// Coordinates beyond this, mm, count as infinite; products of three smaller ones fit a float.
 constexpr double largest_coordinate = 1e9;
 
 struct Counts : TriangleCounts {
     std::size_t not_finite_vertices = 0, unused = 0;
 };
 
-/// Which coordinates are numbers that can be used.
+/// Which positions have usable numbers.
 struct Usable {
     double largest;  ///< units of the file
 
@@ -66,12 +66,12 @@ Organ join(RawOrgan& raw, Missing& missing, Counts& counts) {
         organ.has_colors |= count > 0 && part.colors.size() == count;
         organ.parts.push_back(
             {part.name, first, static_cast<std::uint32_t>(organ.indices.size()) - first, part.material});
-        part = {};  // its memory is not needed any more
+        part = {};  // frees its memory, which is not needed any more
     }
     return organ;
 }
 
-/// Remembers triangles by their three points; a triangle turned round is another one.
+/// Remembers triangles by their three points; a reversed triangle is a different one.
 class Seen {
   public:
     explicit Seen(std::size_t triangles) : slots_(std::bit_ceil(triangles * 2 + 1)) {}
@@ -95,16 +95,15 @@ class Seen {
     std::vector<std::array<std::uint32_t, 3>> slots_;
 };
 
-/// Twice the area is less than 1e-7 of the longest side squared: below what float coordinates can tell from a
-/// line.
+/// Twice the area is less than 1e-7 of the longest side squared: float coordinates cannot distinguish that from a line.
 bool has_area(const glm::dvec3& a, const glm::dvec3& b, const glm::dvec3& c) {
     const double area = glm::length(glm::cross(b - a, c - a));
     const auto square = [](const glm::dvec3& v) { return glm::dot(v, v); };
     return area > 1e-7 * std::max({square(b - a), square(c - b), square(a - c)});
 }
 
-/// Leaves out triangles that cannot be drawn, and those that are there already, in whichever part. Each part keeps the
-/// range of what is left of it.
+/// Leaves out triangles that cannot be drawn, and those that exist already in any part. Each part keeps the range of
+/// its remaining triangles.
 void drop_triangles(Organ& organ, const Usable& usable, Counts& counts) {
     const Weld weld = weld_positions(organ.positions);
     Seen seen(organ.triangle_count());
@@ -129,7 +128,7 @@ void drop_triangles(Organ& organ, const Usable& usable, Counts& counts) {
     organ.indices.resize(out);
 }
 
-/// Moves the used vertices to the front and cuts the rest off.
+/// Moves the used vertices to the front and removes the rest.
 void drop_vertices(Organ& organ, const Usable& usable, Counts& counts) {
     constexpr std::uint32_t unused = 0xffffffff;
     std::vector<std::uint32_t> target(organ.positions.size(), unused);
@@ -156,7 +155,7 @@ void drop_vertices(Organ& organ, const Usable& usable, Counts& counts) {
     organ.colors.resize(out);
 }
 
-/// The two sides of a torn seam get the same coordinates, so that they are one place for all that follows.
+/// The two sides of a torn seam get the same coordinates, so that everything later sees one place.
 void close_seams(Organ& organ, double scale, Counts& counts) {
     const Weld weld = weld_surface(organ.positions, organ.indices);
     if (weld.sewn == 0) return;
@@ -223,7 +222,7 @@ void warn(Organ& organ, const Counts& counts) {
     say(counts.unused, "vertex belongs", "vertices belong", " to no triangle; left out");
 }
 
-/// Why most of the triangles were left out, when all were.
+/// The reason why most of the triangles were left out, if all were.
 std::string reason(const TriangleCounts& counts) {
     const std::pair<std::size_t, const char*> reasons[] = {
         {counts.unreadable, " without 3 readable corners"},

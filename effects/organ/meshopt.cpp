@@ -42,7 +42,7 @@ Compressed parse(const tinygltf::Value& object, const std::string& file, const s
     return out;
 }
 
-/// meshoptimizer asserts what it demands of a caller; here a file is the caller.
+/// meshoptimizer asserts its preconditions; here they depend on a file, so they are checked.
 void check(const Compressed& c, const std::string& file, const std::string& place) {
     const bool attributes = c.mode == "ATTRIBUTES";
     if (!attributes && c.mode != "TRIANGLES" && c.mode != "INDICES")

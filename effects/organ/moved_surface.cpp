@@ -28,7 +28,7 @@ void MovedSurface::normals(std::span<glm::vec3> normals) {
     sums_.assign(rest_.positions.size(), glm::dvec3(0.0));
     const std::vector<glm::dvec3>& p = moved() ? positions_ : rest_.positions;
     for (const auto& c : rest_.triangles) {
-        const glm::dvec3 normal = glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]);  // as long as twice the area
+        const glm::dvec3 normal = glm::cross(p[c[1]] - p[c[0]], p[c[2]] - p[c[0]]);  // its length is twice the area
         for (const std::uint32_t corner : c) sums_[corner] += normal;
     }
     for (std::size_t v = 0; v < normals.size(); ++v) {

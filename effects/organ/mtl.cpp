@@ -28,7 +28,7 @@ std::string lower(std::string text) {
     return text;
 }
 
-/// Up to the file name behind the options of a map statement: "-s 1 1 1 -bm 0.5 my texture.png".
+/// Skips the options of a map statement up to the file name: "-s 1 1 1 -bm 0.5 my texture.png".
 void skip_options(std::istringstream& line, float& bump) {
     std::string word;
     std::streampos before = line.tellg();
@@ -64,8 +64,8 @@ std::string map_file(std::istringstream& line, float& bump) {
     return map_name(line);
 }
 
-/// Relative to the OBJ. Of a path that leads elsewhere, which was right on the machine that wrote it, the last name is
-/// looked for beside the OBJ. Throws Error.
+/// The path relative to the OBJ. For a path that leads elsewhere, which was right on the machine that wrote it, the
+/// last name is looked for next to the OBJ. Throws Error.
 fs::path texture_path(const fs::path& folder, std::string name) {
     std::replace(name.begin(), name.end(), '\\', '/');
     try {
@@ -78,7 +78,7 @@ fs::path texture_path(const fs::path& folder, std::string name) {
     }
 }
 
-/// Empty, or why it is none.
+/// Empty, or why it is not a texture.
 std::string decode_texture(const fs::path& path, const std::string& name, Image& image, Encoded& encoded) {
     try {
         encoded = std::make_shared<const Bytes>(read_file(path, name));
@@ -125,7 +125,7 @@ class Library {
         } else if (key == "pr") {
             if (words >> value) material.roughness = std::clamp(value, 0.0f, 1.0f);
         } else if (key == "ns") {
-            // Phong's exponent as a roughness, the way most readers turn it.
+            // Phong's exponent as a roughness, converted as most readers do.
             if (words >> value && value >= 0.0f) material.roughness = std::sqrt(2.0f / (value + 2.0f));
         } else if (key == "map_kd") {
             float unused = 1.0f;
@@ -139,7 +139,7 @@ class Library {
         }
     }
 
-    /// "bump" is a height map by the book, but most files mean a normal map: the pixels tell.
+    /// According to the specification "bump" is a height map, but most files mean a normal map. The pixels show which.
     void bump(Material& material, const std::string& name, float strength) {
         if (material.normal_image >= 0) return;
         const int index = image(name);
@@ -162,7 +162,7 @@ class Library {
         return bluish * 2 > count;
     }
 
-    /// -1: there is none. Each file is read once, whatever its names, and told of once.
+    /// -1: there is none. Each file is read once, whatever its names, and gives one warning.
     int image(const std::string& name) {
         if (name.empty()) return -1;
         if (const auto known = images_.find(name); known != images_.end()) return known->second;
@@ -260,7 +260,7 @@ std::string pack_mtl(const std::string& text, Packing& packing) {
             const std::string packed = packing.add_picture(texture_path(packing.folder(), name));
             if (!packed.empty()) out += options + packed + '\n';
         } catch (const Error&) {
-            continue;  // it leads out: the line goes
+            continue;  // it leads out of the folder, so the line is removed
         }
     }
     return any ? out : "";

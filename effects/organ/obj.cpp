@@ -16,7 +16,7 @@ std::string without_comment(const std::string& name) {
     return end == std::string::npos ? name : name.substr(0, name.find_last_not_of(" \t", end) + 1);
 }
 
-/// Materials by name, whole names first.
+/// Materials by name; the whole name is tried first.
 class MaterialNames {
   public:
     explicit MaterialNames(const std::vector<Material>& materials) {
@@ -54,7 +54,7 @@ std::vector<RawPart> named_parts(const ObjText& text, const MaterialNames& mater
     return parts;
 }
 
-/// Names that usemtl uses and no library has, once each.
+/// Names in usemtl that no library has, each once.
 void warn_of_missing_materials(const ObjText& text, const MaterialNames& materials, RawOrgan& organ) {
     std::set<std::string> missing;
     for (const ObjText::Run& run : text.runs)

@@ -6,7 +6,7 @@
 
 namespace lapfx::organ {
 
-/// One part for each material of each object. Throws Error when the file is no text; lines that make no sense are left
+/// One part for each material of each object. Throws Error when the file is not text; lines that make no sense are left
 /// out with a warning.
 RawOrgan read_obj(const std::filesystem::path& path, const std::string& file, const Bytes& bytes);
 

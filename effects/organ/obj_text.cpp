@@ -34,7 +34,7 @@ std::string_view next_word(std::string_view& line) {
 bool read_number(std::string_view word, float& value) {
     if (word.starts_with('+')) word.remove_prefix(1);
     const auto [end, code] = std::from_chars(word.data(), word.data() + word.size(), value);
-    // A number too small for a float is as good as 0.
+    // A number too small for a float counts as 0.
     const auto has = [&](const char* part) { return word.find(part) != std::string_view::npos; };
     if (code == std::errc::result_out_of_range && (has("e-") || has("E-")))
         value = 0.0f;
@@ -43,7 +43,7 @@ bool read_number(std::string_view word, float& value) {
     return end == word.data() + word.size() && std::isfinite(value);
 }
 
-/// One corner of a face: numbers of vertex, texture coordinate and normal, from 0. They may be of lines that follow.
+/// One corner of a face: numbers of vertex, texture coordinate and normal, from 0. They may refer to later lines.
 struct Corner {
     std::uint32_t vertex = none, uv = none, normal = none;
     static constexpr std::uint32_t none = 0xffffffff;
@@ -94,7 +94,7 @@ class Reader {
     }
 
   private:
-    /// The finite numbers that a line starts with, seven at most, and how many there are.
+    /// The finite numbers at the start of a line, at most seven, and their count.
     static std::pair<std::size_t, std::array<float, 7>> numbers(std::string_view line) {
         std::array<float, 7> values{};
         std::size_t count = 0;
@@ -158,7 +158,7 @@ class Reader {
 
     bool has_uv(const Corner& corner) const { return corner.uv < uvs_.size(); }
 
-    /// Two normals at one vertex: a hard edge, or a bad exporter. Neither suits an organ; it gets a smooth one.
+    /// Two normals at one vertex mean a hard edge or a bad exporter. An organ gets a smooth normal instead.
     void normal(std::uint32_t vertex, const glm::vec3& value) {
         Soup& soup = out_.soup;
         soup.normals.resize(soup.positions.size(), glm::vec3(0.0f));
@@ -190,7 +190,7 @@ std::string_view library_of(std::string_view line) {
 ObjText read_obj_text(std::string_view source) {
     Reader reader;
     const char end_of_line = line_end(source);
-    std::string joined;  // a line that goes on after a backslash
+    std::string joined;  // a line that continues after a backslash
     while (!source.empty()) {
         const std::size_t end = std::min(source.find(end_of_line), source.size());
         std::string_view line = source.substr(0, end);

@@ -1,12 +1,12 @@
 // OBJ text as polygons.
 //
-// Not through OpenMesh 9.0: its OBJ reader takes repeated corners out of a polygon, so that a ring cut open around a
-// hole loses its hole and two triangles, forgets a vertex whose coordinates are no numbers and so shifts all indices
-// after it, reads past an empty list for "f /1/1", opens whatever file mtllib names, and keeps of a material only its
-// texture.
+// OpenMesh 9.0 is not used. Its OBJ reader removes repeated corners from a polygon, so that a ring cut open around a
+// hole loses its hole and two triangles. It drops a vertex whose coordinates are not numbers, which shifts all later
+// indices, reads past an empty list for "f /1/1", opens any file that mtllib names, and keeps only the texture of a
+// material.
 //
-// Not through tinyobjloader 2.0 either: it refuses a whole file for one corner whose normal has the number 0, as Cinema
-// 4D writes them, loses triangles when it cuts concave polygons, and takes 2.5 times as long.
+// tinyobjloader 2.0 is not used either: it refuses a whole file because of one corner whose normal has the number 0, as
+// Cinema 4D writes them, loses triangles when it cuts concave polygons, and takes 2.5 times as long.
 #pragma once
 
 #include <string>
@@ -30,15 +30,16 @@ struct ObjText {
     std::vector<std::string> libraries;  ///< mtllib
 };
 
-/// v (with colours), vt, vn, vc, f and what groups them; all else is skipped. A line that makes no sense never shifts
-/// the numbers of others: such a vertex lies at infinity, such a face is counted as unreadable.
+/// Reads v (with colours), vt, vn, vc, f and the statements that group them, and skips everything else. A line that
+/// makes no sense never shifts the numbers of others: such a vertex is at infinity, and such a face counts as
+/// unreadable.
 ObjText read_obj_text(std::string_view source);
 
-/// What ends the lines of an OBJ or MTL: LF, also with CR before it; CR where the text has no LF, as old programs wrote
-/// it.
+/// The character that ends the lines of an OBJ or MTL: LF, perhaps after CR; or CR if the text has no LF, as old
+/// programs wrote it.
 char line_end(std::string_view text);
 
-/// What a whole line names if it is the statement mtllib, as read_obj_text() takes it; empty: it names none.
+/// The name in a whole line if that is the statement mtllib, as read_obj_text() reads it; empty if not.
 std::string_view library_of(std::string_view line);
 
 }  // namespace lapfx::organ

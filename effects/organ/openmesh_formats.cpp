@@ -19,8 +19,8 @@ std::string_view text_of(const Bytes& bytes) {
     return {reinterpret_cast<const char*>(bytes.data()), bytes.size()};
 }
 
-/// "nan" and "inf" stop a number reader, and what follows would be read as something else. mend() leaves out
-/// what is so large.
+/// "nan" and "inf" stop a number reader, and the rest would be read as something else. Instead they become a large
+/// number, whose triangles mend() leaves out.
 void replace_words_for_not_finite(std::string& text) {
     const auto letter = [&](std::size_t i) {
         return i < text.size() && std::isalpha(static_cast<unsigned char>(text[i]));
@@ -38,7 +38,7 @@ void replace_words_for_not_finite(std::string& text) {
     }
 }
 
-/// The last line of a text STL is endsolid, "end solid", or by careless programs endfacet.
+/// The last line of a text STL is endsolid, "end solid", or, from careless programs, endfacet.
 bool ends_whole(std::string_view text) {
     const std::size_t last = text.find_last_not_of(" \t\r\n");
     if (last == std::string_view::npos) return false;
@@ -66,9 +66,8 @@ void set_corners(std::string& stl, std::size_t facet, const std::array<glm::vec3
     std::memcpy(stl.data() + stl_header + facet * stl_triangle + sizeof(glm::vec3), corners.data(), sizeof corners);
 }
 
-/// OpenMesh joins corners with an ordered map, which a NaN would spoil, and keeps those facets from us two of whose
-/// corners are one. What is not finite becomes so large that mend() leaves the facet out for that, and another number
-/// at each corner.
+/// OpenMesh joins corners with an ordered map, which a NaN would break, and hides facets with two equal corners from
+/// us. A number that is not finite becomes so large that mend() leaves the facet out, and differs at each corner.
 void replace_not_finite(std::string& stl, std::size_t facets) {
     constexpr float huge = 1e30f;
     for (std::size_t facet = 0; facet < facets; ++facet) {
@@ -96,7 +95,7 @@ RawOrgan read_facets(const std::string& file, std::string stl, std::size_t facet
     Soup soup;
     if (!read_with_openmesh(OpenMeshFormat::stl_binary, stl, soup)) refuse(file, "", "cannot be read as STL");
     RawOrgan organ = organ_of(soup);
-    organ.without_area = facets - std::min(facets, soup.faces());  // that it has kept from us
+    organ.without_area = facets - std::min(facets, soup.faces());  // facets that it has hidden from us
     return organ;
 }
 
@@ -125,9 +124,9 @@ float number_of(std::string_view word) {
                                                                              : std::numeric_limits<float>::quiet_NaN();
 }
 
-/// A text STL as a binary one. OpenMesh's reader of the text is not asked: it takes the three lines behind any "outer"
-/// for corners, also behind one in the name of the solid, and what is no number for 0. A corner that is missing, or no
-/// number, is NaN here.
+/// Converts a text STL to a binary one. OpenMesh's reader of the text is not used: it takes the three lines after any
+/// "outer" for corners, even in the name of the solid, and reads words as 0. Here a corner that is missing or not a
+/// number is NaN.
 class BinaryOf {
   public:
     explicit BinaryOf(std::string_view text) {
@@ -200,7 +199,7 @@ RawOrgan read_text_stl(const std::string& file, const Bytes& bytes) {
 RawOrgan read_stl(const std::string& file, const Bytes& bytes) {
     std::uint32_t triangles = 0;
     if (bytes.size() >= stl_header) std::memcpy(&triangles, bytes.data() + 80, 4);
-    // The header of a binary file may start with "solid" too; its length is what tells.
+    // The header of a binary file may also start with "solid"; its length decides.
     const bool exact = bytes.size() >= stl_header && bytes.size() == stl_header + std::size_t{triangles} * stl_triangle;
     if (!exact && text_of(bytes).substr(0, 64).find("solid") != std::string_view::npos)
         return read_text_stl(file, bytes);

@@ -11,10 +11,10 @@ namespace lapfx::organ {
 
 namespace {
 
-using namespace OpenMesh;  // NOLINT: the interface below is made of its names
+using namespace OpenMesh;  // NOLINT: the interface below uses its names
 using OpenMesh::Attributes::StatusInfo;
 
-/// Takes down what a reader reports. Half-edges, faces' own colours and normals are of no use here.
+/// Records what a reader reports. Half-edges, and colours and normals of faces, are not used here.
 class Collector : public IO::BaseImporter {
   public:
     explicit Collector(Soup& soup) : soup_(soup) {}
@@ -39,7 +39,7 @@ class Collector : public IO::BaseImporter {
     }
 
     void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec2f>& uvs) override {
-        // Right after add_face(). A list of another length cannot be matched to the corners.
+        // Called right after add_face(). A list of another length cannot be matched to the corners.
         const std::size_t end = soup_.corners.size(), begin = soup_.first[soup_.faces() - 1];
         if (uvs.size() != end - begin) return;
         soup_.corner_uvs.resize(end, glm::vec2(no_uv, 0.0f));
@@ -54,8 +54,7 @@ class Collector : public IO::BaseImporter {
         }
         glm::vec3& there = soup_.normals[index(v)];
         const glm::vec3 normal(n[0], n[1], n[2]);
-        // Two normals at one vertex: a hard edge, or a bad exporter. Neither suits an organ; it gets a smooth
-        // one.
+        // Two normals at one vertex mean a hard edge or a bad exporter. An organ gets a smooth normal instead.
         const bool differs = there != glm::vec3(0.0f) && glm::dot(there, normal) < 0.9f * glm::dot(there, there);
         if (differs) hard_[index(v)] = 1;
         there = normal;
@@ -92,7 +91,7 @@ class Collector : public IO::BaseImporter {
         for (glm::vec4& color : soup_.colors) color = linear_color(color);
     }
 
-    // What no format here uses.
+    // Members that no format here uses.
     HalfedgeHandle add_edge(VertexHandle, VertexHandle) override { return HalfedgeHandle(); }
     FaceHandle add_face(HalfedgeHandle) override { return FaceHandle(); }
     void add_face_texcoords(FaceHandle, VertexHandle, const std::vector<Vec3f>&) override {}
@@ -153,7 +152,7 @@ bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& so
     omerr().disable();
     omlog().disable();
     std::istringstream in(text, std::ios::binary);
-    // Its loops trust the counts of the header; a failed read has to end them.
+    // Its loops trust the counts of the header, so a failed read has to end them.
     in.exceptions(std::ios::failbit | std::ios::badbit);
     Collector collector(soup);
     IO::Options options = wanted(format);

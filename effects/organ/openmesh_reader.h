@@ -1,5 +1,5 @@
-// OpenMesh's file readers, over a list of polygons instead of a half-edge mesh: that one refuses or doubles
-// what is not manifold, and real organs often are not.
+// OpenMesh's file readers, filling a list of polygons instead of a half-edge mesh, which refuses or doubles parts that
+// are not manifold, as real organs often have.
 #pragma once
 
 #include <string>
@@ -10,8 +10,8 @@ namespace lapfx::organ {
 
 enum class OpenMeshFormat { off, stl_binary };
 
-/// Reads `text` (already checked for what the reader cannot stand). False when it gives up. OpenMesh keeps
-/// state in its readers: one thread at a time is let in.
+/// Reads `text`, which was checked for what the reader cannot handle. False when the reader fails. OpenMesh keeps state
+/// in its readers, so one thread at a time enters.
 bool read_with_openmesh(OpenMeshFormat format, const std::string& text, Soup& soup);
 
 }  // namespace lapfx::organ

@@ -30,11 +30,11 @@ bool is_plain(char c) {
            c == '-';
 }
 
-/// Of a picture, by what it starts with: its own name may say anything.
+/// The extension of a picture, by its first bytes, because its name may be wrong.
 std::string_view picture_extension(const organ::Bytes& bytes) {
     const FileFormat* const format = format_beginning({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
     return format != nullptr && format->texture ? format->extensions.front()
-                                                : ".bmp";  // that decodes, and begins otherwise
+                                                : ".bmp";  // a picture that decodes but begins differently
 }
 
 }  // namespace
@@ -85,9 +85,9 @@ std::string organ::Packing::add_buffer(const fs::path& file, std::size_t length,
     if (packed && packed->bytes.size() >= length) return packed->name;
     Bytes bytes = read_file(file, mesh, place + ": " + what);
     if (length > bytes.size()) refuse(mesh, place, what + " is not as long as it should be");
-    bytes.resize(length);  // more of it is no part of the organ
+    bytes.resize(length);  // the rest of it does not belong to the organ
     if (!packed) return add(PackedKind::buffer, file, ".bin", std::move(bytes));
-    packed->bytes = std::move(bytes);  // it was named by a buffer that takes less of it
+    packed->bytes = std::move(bytes);  // another buffer that uses less of it named it before
     return packed->name;
 }
 
@@ -96,7 +96,7 @@ std::vector<PackedFile> pack_organ(const fs::path& path) {
     organ::Bytes bytes = organ::read_file(path, file);
     const organ::MeshFormat& format = organ::mesh_format(path, file, bytes);
     organ::Packing packing(path.parent_path());
-    // First, so that it has the best name; what it names follows from it.
+    // First, so that it gets the best name; the files that it names follow.
     const std::string name = packing.add(organ::PackedKind::mesh, path, format.file.extensions.front(), {});
     if (format.pack != nullptr) bytes = format.pack(bytes, file, packing);
     packing.files.front().bytes = std::move(bytes);

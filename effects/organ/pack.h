@@ -1,4 +1,4 @@
-// What pack_organ() (lapfx/pack.h) asks of the formats.
+// What pack_organ() (lapfx/authoring/pack.h) needs from the formats.
 #pragma once
 
 #include <map>
@@ -10,7 +10,7 @@
 
 namespace lapfx::organ {
 
-/// What a file of the pack is read as. A file that is named as two of them is two in the pack: their bytes differ.
+/// How a file of the pack is read. A file that is named in two ways is in the pack twice, with different bytes.
 enum class PackedKind { mesh, library, picture, buffer };
 
 /// The files of an organ that is being packed. Each is read once, however often it is named.
@@ -19,16 +19,16 @@ class Packing {
     explicit Packing(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
     const std::filesystem::path& folder() const { return folder_; }
-    /// The name of a file that add() or leave_out() was told of; empty: it stays behind. None: it is new.
+    /// The name of a file that add() or leave_out() knows; empty: it is left out. None: the file is new.
     std::optional<std::string> known(PackedKind kind, const std::filesystem::path& file) const;
-    /// A file that is not known yet.
+    /// Adds a file that is not known yet.
     std::string add(PackedKind kind, const std::filesystem::path& file, std::string_view extension, Bytes bytes);
-    /// A file that is not what it is named as.
+    /// Leaves out a file that is not what it is named as.
     void leave_out(PackedKind kind, const std::filesystem::path& file) { known_.try_emplace({kind, file}); }
-    /// The name of a picture in the pack; empty: it is none that can be decoded.
+    /// The name of a picture in the pack; empty: it is not a picture that can be decoded.
     std::string add_picture(const std::filesystem::path& file);
-    /// The name of a buffer in the pack, of which at least `length` bytes come along. Throws Error (bad_input), which
-    /// names `what` at `place` in `mesh`: it cannot be read, or is shorter.
+    /// The name of a buffer in the pack, with at least `length` of its bytes. Throws Error (bad_input), which names
+    /// `what` at `place` in `mesh`, when it cannot be read or is shorter.
     std::string add_buffer(const std::filesystem::path& file, std::size_t length, const std::string& mesh,
                            const std::string& place, const std::string& what);
     /// A name that no file has.
@@ -39,15 +39,15 @@ class Packing {
   private:
     std::filesystem::path folder_;
     OwnNames names_;
-    /// By where they lie: the place in `files`; none: it stays behind.
+    /// By path: the index in `files`; none: the file is left out.
     std::map<std::pair<PackedKind, std::filesystem::path>, std::optional<std::size_t>> known_;
 };
 
-/// The text of an OBJ that names what is packed with it.
+/// The text of an OBJ that names the files packed with it.
 Bytes pack_obj(const Bytes& bytes, Packing& packing);
-/// The text of a material library; empty: it is none.
+/// The text of a material library; empty: the file is not one.
 std::string pack_mtl(const std::string& text, Packing& packing);
-/// A .gltf or .glb; the same bytes where it names nothing outside itself.
+/// A .gltf or .glb; the same bytes if it names no other file.
 Bytes pack_gltf(const Bytes& bytes, const std::string& file, Packing& packing);
 
 }  // namespace lapfx::organ

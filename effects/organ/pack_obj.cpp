@@ -1,4 +1,4 @@
-// An OBJ that names the libraries that are packed with it; all other lines are as they were.
+// An OBJ that names the libraries packed with it; all other lines stay the same.
 #include <map>
 #include <string>
 #include <string_view>
@@ -12,12 +12,12 @@ namespace lapfx::organ {
 
 namespace {
 
-/// Its name in the pack; empty: it is none that can be read.
+/// Its name in the pack; empty: the library cannot be read.
 std::string pack_library(const std::string& name, Packing& packing) {
     try {
         const std::filesystem::path path = named_path(packing.folder(), name);
         if (const auto known = packing.known(PackedKind::library, path)) return *known;
-        packing.leave_out(PackedKind::library, path);  // unless it reads well
+        packing.leave_out(PackedKind::library, path);  // unless it can be read
         const Bytes bytes = read_file(path, name);
         const std::string text = pack_mtl(std::string(bytes.begin(), bytes.end()), packing);
         if (!text.empty()) return packing.add(PackedKind::library, path, ".mtl", Bytes(text.begin(), text.end()));
@@ -26,7 +26,7 @@ std::string pack_library(const std::string& name, Packing& packing) {
     return {};
 }
 
-/// Up to the end of a line, of all that go on after a backslash; `joined` is what they say together.
+/// Reads to the end of a line, including lines continued after a backslash; `joined` is their whole text.
 std::string_view next_statement(std::string_view& rest, char end_of_line, std::string& joined) {
     joined.clear();
     const std::string_view from = rest;
@@ -51,7 +51,7 @@ Bytes pack_obj(const Bytes& bytes, Packing& packing) {
     Bytes out;
     out.reserve(bytes.size());
     const auto put = [&](std::string_view text) { out.insert(out.end(), text.begin(), text.end()); };
-    std::map<std::string, std::string> names;  ///< of libraries in the pack, by what they were called
+    std::map<std::string, std::string> names;  ///< names of libraries in the pack, by their old names
     for (std::string joined; !rest.empty();) {
         const std::string_view statement = next_statement(rest, end_of_line, joined);
         const std::string library(library_of(joined));

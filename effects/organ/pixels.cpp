@@ -11,7 +11,7 @@ namespace lapfx::organ {
 
 namespace {
 
-/// Calls `make` for each image that a material has its base colour from.
+/// Calls `make` for each image that is the base colour of a material.
 template <typename Make>
 PixelList of_base_colors(const Organ& organ, const Make& make) {
     PixelList list(organ.images.size());
@@ -23,7 +23,7 @@ PixelList of_base_colors(const Organ& organ, const Make& make) {
     return list;
 }
 
-/// Null where there is no memory for it: the same file has been decoded before.
+/// Null when there is not enough memory; the file itself has been decoded before.
 std::shared_ptr<const Image> decoded(const Encoded& encoded) {
     try {
         const auto image = std::make_shared<Image>();

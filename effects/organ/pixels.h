@@ -1,5 +1,5 @@
-// The pixels of an organ's images. Decoded they are the most of a textured organ: they are kept while somebody needs
-// them, and decoded once more when somebody does again. Any thread.
+// The pixels of an organ's images. Decoded pixels are most of the memory of a textured organ, so they are kept while
+// somebody needs them, and decoded again later if necessary. Any thread.
 //
 //     Pixels pixels(std::move(image), encoded);
 //     pixels.let_go();                           // they have been sent to the GPU
@@ -18,23 +18,23 @@
 
 namespace lapfx::organ {
 
-/// A whole file that an image was decoded from (media/image.h); null: it came from elsewhere.
+/// The whole file that an image was decoded from (media/image.h); null: it came from elsewhere.
 using Encoded = std::shared_ptr<const std::vector<std::uint8_t>>;
 
 class Pixels {
   public:
-    /// Without `encoded` they are kept for good.
+    /// Without `encoded` they are always kept.
     Pixels(Image image, Encoded encoded);
-    /// Of somebody who outlives it.
+    /// Pixels of somebody who outlives this object.
     explicit Pixels(const Image& borrowed);
 
-    /// The same bytes whenever it is asked for. Throws std::bad_alloc where there is no memory to decode them.
+    /// Always gives the same bytes. Throws std::bad_alloc when there is not enough memory to decode them.
     std::shared_ptr<const Image> get() const;
-    /// From now on they are kept as long as somebody has what get() gave.
+    /// From now on they are kept only as long as somebody has the result of get().
     void let_go() const;
-    /// Bytes, those that are decoded just now among them; borrowed ones are not counted. Never waits for a decoder.
+    /// Bytes, including pixels that are being decoded; borrowed ones do not count. Never waits for a decoder.
     std::size_t memory() const;
-    /// Whether they are an image's of that name and size.
+    /// Whether they belong to an image of that name and size.
     bool are_of(const Image& image) const {
         return image.name == name_ && image.width == width_ && image.height == height_;
     }
@@ -46,22 +46,22 @@ class Pixels {
     const int width_, height_;
     mutable std::mutex mutex_;
     mutable std::condition_variable decoded_;
-    mutable bool decoding_ = false;  // by one thread, which does not hold the mutex meanwhile
+    mutable bool decoding_ = false;  // one thread decodes, without holding the mutex
     mutable std::shared_ptr<const Image> kept_;
     mutable std::weak_ptr<const Image> lent_;
 };
 
-/// By image of an organ. Null: nobody asks for it.
+/// For each image of an organ. Null: nobody needs it.
 using PixelList = std::vector<std::shared_ptr<const Pixels>>;
 
-/// Takes the pixels out of the organ's images, whose names and sizes stay. `encoded`: by image, or empty.
+/// Moves the pixels out of the organ's images, which keep their names and sizes. `encoded`: by image, or empty.
 PixelList take_pixels(Organ& organ, const std::vector<Encoded>& encoded);
 /// Copies of the base-colour images of an organ that somebody else may free.
 PixelList copied_pixels(const Organ& organ);
-/// The same of an organ that has taken another one's place: an image with a size and no pixels has those of `former` if
-/// index, name and size are the same.
+/// The same for an organ that has replaced another one: an image with a size and without pixels takes those of `former`
+/// if index, name and size are the same.
 PixelList copied_pixels(const Organ& organ, const PixelList& former);
-/// The same of an organ that outlives them.
+/// The same for an organ that outlives them.
 PixelList borrowed_pixels(const Organ& organ);
 
 void let_go(const PixelList& list);

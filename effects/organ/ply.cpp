@@ -19,7 +19,7 @@ class PlyNumbers {
 
     double next(PlyType type) { return coding_ == PlyCoding::text ? text() : binary(type); }
 
-    /// How many more numbers there can be at most: a bound for counts that the file claims.
+    /// How many more numbers there can be: a bound for counts that the file claims.
     std::size_t left() const { return data_.size(); }
 
   private:
@@ -79,7 +79,7 @@ class PlyNumbers {
     PlyCoding coding_;
 };
 
-/// What 1.0 is in a colour of this type.
+/// The value of 1.0 in a colour of this type.
 double color_range(PlyType type) {
     switch (type) {
         case PlyType::uint8:
@@ -225,7 +225,7 @@ class PlyReader {
                 soup_.add_unreadable(count);
             return;
         }
-        // A strip ends at -1; every second triangle is turned round.
+        // A strip ends at -1; every second triangle is reversed.
         std::size_t start = 0;
         for (std::size_t c = 0; c < count; ++c) {
             if (ring[c] == 0xffffffffu)

@@ -36,7 +36,7 @@ class HeaderReader {
     HeaderReader(const std::string& file, std::string_view text) : file_(file), text_(text) {}
 
     PlyHeader read() {
-        // Lines end in LF, CR LF or, by some programs, in CR alone. The first line tells.
+        // Lines end in LF, CR LF or, from some programs, CR alone. The first line shows which.
         if (text_.starts_with("ply\r") && !text_.starts_with("ply\r\n")) line_end_ = '\r';
         if (next() != std::vector<std::string>{"ply"}) wrong("a PLY starts with the line ply");
         bool format_read = false;

@@ -1,7 +1,6 @@
-// Ears and edges are cut and turned here and not by a library: GLU's tessellator makes one vertex of corners at the
-// same place, whose texture coordinates differ, and brings libOpenGL into a core that links none; GEOS returns places
-// instead of corners and takes ten times as long; tinyobjloader loses triangles of concave rings; CGAL's triangulations
-// are under the GPL.
+// No library does this as needed: GLU's tessellator merges corners at the same place, although their texture
+// coordinates differ, and needs libOpenGL, which this core does not link. GEOS returns places instead of corners and
+// takes ten times as long. tinyobjloader loses triangles of concave rings. CGAL's triangulations are under the GPL.
 #include "organ/polygon.h"
 
 #include <algorithm>
@@ -11,10 +10,9 @@ namespace lapfx::organ {
 
 namespace {
 
-/// Cutting ears takes time with the square of the corners; no sane polygon has more.
+/// Cutting ears takes time proportional to the square of the corners; no sane polygon has more.
 constexpr std::size_t most_corners_for_ears = 1024;
-/// For each corner of a ring so many corners are tried as ears: a ring that does not cross itself does with two, and
-/// what goes on without end is none.
+/// Tries per corner of a ring: a ring that does not cross itself needs two, and one that needs more crosses itself.
 constexpr std::size_t most_tries = 8;
 
 using Ring = std::vector<glm::dvec2>;
@@ -22,7 +20,7 @@ using Ring = std::vector<glm::dvec2>;
 /// Newell's normal: right for concave and slightly bent rings too.
 glm::dvec3 ring_normal(std::span<const glm::vec3> ring) {
     glm::dvec3 normal(0.0);
-    const glm::dvec3 origin(ring[0]);  // far from the scene's origin the products would lose their digits
+    const glm::dvec3 origin(ring[0]);  // far from the origin of the scene the products would lose digits
     for (std::size_t i = 0; i < ring.size(); ++i)
         normal += glm::cross(glm::dvec3(ring[i]) - origin, glm::dvec3(ring[(i + 1) % ring.size()]) - origin);
     return normal;
@@ -72,13 +70,14 @@ class Ears {
 
     /// False when the ring crosses itself.
     bool cut() {
-        const bool may_have_ears = !crosses_itself(ring_);  // else any corner that turns left is as good as another
+        const bool may_have_ears = !crosses_itself(ring_);  // otherwise any corner that turns left will do
         bool simple = may_have_ears;
-        std::size_t start = 0;  // one ear is looked for behind the other: cut round the ring, not all at one corner
+        std::size_t start =
+            0;  // the next ear is looked for behind this one, to go round the ring and not cut all at one corner
         while (left_.size() > 3) {
             std::size_t ear = first([&](std::size_t i) { return repeats(i); }, start);
             if (ear == none && may_have_ears) ear = first_ear(start);
-            // What is left is a line, there and back.
+            // The rest is a line, there and back.
             if (ear == none && may_have_ears) ear = first([&](std::size_t i) { return corner(i) == 0.0; }, start);
             if (ear == none) {
                 simple = false;
@@ -107,8 +106,8 @@ class Ears {
         return none;
     }
 
-    /// A corner that was no ear is tried again when the one beside it has been cut off, and once more when none is
-    /// found: where corners lie at the same place, others may have been in the way, too.
+    /// A corner that was not an ear is tried again when its neighbour has been cut off, and once more when none is
+    /// found: where corners are at the same place, others may also have been in the way.
     std::size_t first_ear(std::size_t start) {
         const auto try_it = [&](std::size_t i) {
             char& no_ear = no_ear_[left_[i]];
@@ -155,17 +154,17 @@ class Ears {
     const Ring& ring_;
     std::vector<std::uint32_t>& out_;
     std::vector<std::uint32_t> left_;
-    std::vector<char> no_ear_;  ///< of each corner of the ring: it was tried, and nothing has changed beside it
+    std::vector<char> no_ear_;  ///< for each corner of the ring: it was tried, and its neighbours have not changed
     std::size_t tries_;         ///< that are left
     std::size_t looks_ = 0;
 };
 
-/// Turns the edges between triangles until the two angles that look at each are no more than half a turn together
-/// (Lawson): no triangle stays flat that can be had with an area, and their angles are as large as they can be. Ears
-/// alone leave flat ones where corners lie on an edge, and needles where they nearly do.
+/// Flips the edges between triangles until the two opposite angles of each are at most half a turn together (Lawson).
+/// Then no triangle is flat if that can be avoided, and angles are as large as possible. Cutting ears alone leaves flat
+/// triangles where corners are on an edge, and needles where they are almost on it.
 class Edges {
   public:
-    /// `corners`: of triangles that cut up the ring, none of them turned round, and no corner of the ring inside one.
+    /// `corners`: triangles that divide the ring, none of them reversed, and without corners of the ring inside.
     Edges(const Ring& ring, std::span<std::uint32_t> corners)
         : ring_(ring), corners_(corners), beyond_(corners.size(), none), turns_left_(ring.size() * ring.size() / 2) {
         struct Side {
@@ -203,7 +202,7 @@ class Edges {
   private:
     static constexpr std::uint32_t none = 0xffffffff;
 
-    /// Side k of the triangles runs from corner k to the next one of its triangle; the one after that looks at it.
+    /// Side k runs from corner k to the next corner of its triangle; the third corner is opposite.
     static std::uint32_t next(std::uint32_t side) { return side % 3 == 2 ? side - 2 : side + 1; }
     static std::uint32_t last(std::uint32_t side) { return next(next(side)); }
 
@@ -217,16 +216,16 @@ class Edges {
     bool should_turn(std::uint32_t side) const {
         const std::uint32_t other = beyond_[side];
         const glm::dvec2 &a = at(side), &b = at(other), &c = at(last(side)), &d = at(last(other));
-        if (turn(a, d, c) <= 0 || turn(d, b, c) <= 0) return false;  // by the angles it never is, but for rounding
+        if (turn(a, d, c) <= 0 || turn(d, b, c) <= 0) return false;  // only rounding makes this possible
         const double sine_c = turn(c, a, b), cosine_c = glm::dot(a - c, b - c);
         const double sine_d = turn(d, b, a), cosine_d = glm::dot(a - d, b - d);
-        // Of four corners on a circle either edge will do.
+        // For four corners on a circle either edge will do.
         const double rounding =
             1e-12 * (std::abs(sine_c) + std::abs(cosine_c)) * (std::abs(sine_d) + std::abs(cosine_d));
         return sine_c * cosine_d + cosine_c * sine_d < -rounding;
     }
 
-    /// From the edge a-b of the triangles a b c and b a d to d-c: d c a and c d b.
+    /// Flips the edge a-b of the triangles a b c and b a d to d-c: d c a and c d b.
     void turn_edge(std::uint32_t side) {
         const std::uint32_t other = beyond_[side];
         const std::uint32_t a = corners_[side], b = corners_[other], c = corners_[last(side)],
@@ -244,8 +243,8 @@ class Edges {
     const Ring& ring_;
     std::span<std::uint32_t> corners_;  ///< three for each triangle
     std::vector<std::uint32_t>
-        beyond_;              ///< of each side, the same edge's side in the triangle beyond; none: the ring's edge
-    std::size_t turns_left_;  ///< an edge that has been turned away never comes back, but for rounding
+        beyond_;  ///< for each side, the side of the same edge in the other triangle; none: an edge of the ring
+    std::size_t turns_left_;  ///< a flipped edge does not return, except by rounding
     std::size_t looks_ = 0;
 };
 
@@ -255,7 +254,7 @@ bool triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& ou
     const bool few = ring.size() <= most_corners_for_ears;
     if (ring.size() > 3 && few) {
         const Ring flat = flattened(ring, ring_normal(ring));
-        // Of four corners that all turn left none lies in another's ear; five may be those of a star.
+        // If four corners all turn left, none is inside another's ear; five may form a star.
         if (ring.size() > 4 || !is_convex(flat)) {
             const std::size_t before = out.size();
             Ears ears(flat, out);

@@ -1,4 +1,4 @@
-// What a reader found in a file, before it is mended and completed: the common form of all mesh formats.
+// The contents of a file before mending and completing: the common form of all mesh formats.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace lapfx::organ {
 
-/// More than this is refused: such a file is no organ, and would take the machine down with it.
+/// A file with more than this is refused: it is not an organ, and could exhaust the machine.
 constexpr std::size_t maximum_triangles = 20'000'000;
 constexpr std::uintmax_t maximum_file_size = std::uintmax_t{2} << 30;
 
@@ -21,7 +21,7 @@ constexpr std::uintmax_t maximum_file_size = std::uintmax_t{2} << 30;
 /// may be out of range, coordinates may be NaN: mend() deals with both.
 struct RawPart {
     std::string name;
-    int material = -1;                 ///< index into RawOrgan::materials, or -1: the file names none
+    int material = -1;                 ///< index into RawOrgan::materials, or -1 if the file names none
     std::vector<glm::vec3> positions;  ///< units of the file
     std::vector<glm::vec3> normals;    ///< of any length; zero = missing
     std::vector<glm::vec4> tangents;   ///< w = 0: missing
@@ -34,24 +34,24 @@ struct RawOrgan {
     std::vector<RawPart> parts;
     std::vector<Material> materials;
     std::vector<Image> images;
-    std::vector<Encoded> encoded;  ///< by image: the file that it was decoded from
+    std::vector<Encoded> encoded;  ///< for each image, the file that it was decoded from
     std::vector<std::string> warnings;
-    std::vector<std::filesystem::path> files;  ///< besides the one that was asked for: read, and what they should be
+    std::vector<std::filesystem::path> files;  ///< further files that were read successfully
     std::vector<std::filesystem::path> unread_files;
-    std::string holds;             ///< what the file holds in place of triangles, as far as the reader knows
-    std::size_t unreadable = 0;    ///< triangles of the file that are in no part: a corner is missing, or no number
-    std::size_t without_area = 0;  ///< the same, because two corners are one
+    std::string holds;             ///< what the file has instead of triangles, if the reader knows
+    std::size_t unreadable = 0;    ///< triangles of the file that are in no part: a corner is missing or not a number
+    std::size_t without_area = 0;  ///< likewise, because two corners are equal
 };
 
-/// Applies an affine map; a mirroring one also turns the triangles round, so that they still face outwards.
+/// Applies an affine map; if it mirrors, the triangles are reversed, so that they still face outwards.
 void transform(RawPart& part, const glm::dmat4& matrix);
-/// The same for an organ whose triangles need not be turned.
+/// The same for an organ whose triangles need not be reversed.
 void transform(Organ& organ, const glm::dmat4& matrix);
 
 /// "1 vertex", "12 vertices".
 std::string counted(std::size_t count, const char* one, const char* many);
 
-/// The error of every reader: the file has to change.
+/// The error of every reader: something is wrong with the file.
 [[noreturn]] inline void refuse(const std::string& file, const std::string& place, const std::string& reason) {
     throw Error(Failure::bad_input, Fault{file, place, reason});
 }

@@ -1,6 +1,6 @@
 // refine(): triangles that are too large for blood are split at the middles of their long edges, again and again.
 // Whether an edge is split follows from its two ends alone, so the triangles on both sides agree and no crack opens,
-// also where a texture seam parts them: the copies of a point count as one place.
+// also at a texture seam, where the copies of a point count as one place.
 #include "organ/refine.h"
 
 #include <algorithm>
@@ -16,7 +16,7 @@ namespace {
 
 using Corners = std::array<glm::vec3, 3>;
 
-/// The same to the last bit for both directions of an edge.
+/// The result is the same to the last bit for both directions of an edge.
 glm::vec3 middle(const glm::vec3& a, const glm::vec3& b) {
     return 0.5f * (a + b);
 }
@@ -26,8 +26,8 @@ double squared(const glm::vec3& a, const glm::vec3& b) {
     return glm::dot(edge, edge);
 }
 
-/// Which corners an uncut triangle is divided into: 0 to 2 are its own, 3 to 5 the middles of the edges that start
-/// there.
+/// The triangles that a triangle is divided into: corners 0 to 2 are its own, 3 to 5 the middles of the edges that
+/// start there.
 struct Pattern {
     int count = 0;
     std::array<std::array<int, 3>, 4> triangles{};
@@ -50,7 +50,7 @@ Pattern pattern_of(const Corners& p, const std::array<bool, 3>& split) {
     return {3, {{{k, ki, jk}, {i, j, ki}, {j, jk, ki}}}};
 }
 
-/// What has no place between its ends cannot be split: neighbouring floats far from the origin, infinity.
+/// An edge without a float between its ends cannot be split: neighbouring floats far from the origin, infinity.
 bool too_long(const glm::vec3& a, const glm::vec3& b, double limit) {
     if (!(squared(a, b) > limit)) return false;
     const glm::vec3 m = middle(a, b);
@@ -61,7 +61,7 @@ std::array<bool, 3> long_edges(const Corners& p, double limit) {
     return {too_long(p[0], p[1], limit), too_long(p[1], p[2], limit), too_long(p[2], p[0], limit)};
 }
 
-/// Triangles that one becomes; stops counting beyond `most`.
+/// Number of triangles that one becomes; stops counting beyond `most`.
 std::size_t count(const Corners& p, double limit, std::size_t most) {
     const Pattern pattern = pattern_of(p, long_edges(p, limit));
     if (pattern.count == 0) return 1;
@@ -95,7 +95,7 @@ glm::vec3 unit_or(const glm::vec3& direction, const glm::vec3& otherwise) {
     return length > 1e-6f ? direction / length : otherwise;
 }
 
-/// Progress is told of, and stopping asked for, every 65,536 triangles.
+/// Every 65,536 triangles it reports progress and asks whether to stop.
 constexpr std::size_t indices_between_stages = std::size_t{3} << 16;
 
 class Refiner {
@@ -176,8 +176,8 @@ class Refiner {
         known_;  // the vertices that a midpoint lies between, the smaller first
 };
 
-/// How many triangles there are at least once no edge is longer than a length: none of them is larger than the one
-/// whose three edges are as long as that, and each piece of a triangle's longest edge belongs to another one.
+/// A lower bound for the number of triangles without edges longer than a length: none is larger than the equilateral
+/// one of that length, and each piece of a triangle's longest edge belongs to a different triangle.
 class AtLeast {
   public:
     void add(const Corners& p) {
@@ -200,7 +200,7 @@ class AtLeast {
 
 organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& stages) {
     RefinePlan plan{.triangles = organ.triangle_count()};
-    // First as the vertices lie: the usual organ is fine, and joining its vertices takes longer than looking.
+    // First without joining vertices: most organs are fine enough, and joining takes longer than this check.
     std::vector<std::size_t> coarse;
     for (std::size_t t = 0; t < organ.triangle_count(); ++t) {
         const std::array<bool, 3> edges =
@@ -227,9 +227,9 @@ organ::RefinePlan organ::plan_refine(const Organ& organ, const work::Stages& sta
     int step = 0;
     std::size_t made = made_by(step);
     if (made > most) {
-        // The first step that will do: most often that of the estimate; of long and thin triangles, which it says
-        // little of, found by doubling strides, then by halves. Not for step 0: what lies too far out for floats
-        // between its ends is less than the estimate.
+        // The first step that is fine enough: usually that of the estimate. For long and thin triangles, where the
+        // estimate is poor, it is found by doubling strides and then by halving. Not for step 0, because edges too far
+        // out to be split make fewer triangles than the estimate.
         int too_fine = 0;
         for (step = 1; at_least.triangles(length_of(step)) > static_cast<double>(most); ++step) too_fine = step;
         for (int stride = 1; (made = made_by(step)) > most; stride *= 2) {
@@ -254,7 +254,9 @@ organ::SplitOrgan organ::refine(Organ organ, const RefinePlan& plan, const work:
     SplitOrgan split{.organ = std::move(organ), .from = {}};
     if (!plan.splits) return split;
     Refiner(split, plan.length).run(plan.triangles, stages);
-    const auto fit = [](auto&... arrays) { (arrays.shrink_to_fit(), ...); };  // room to grow is half of them
+    const auto fit = [](auto&... arrays) {
+        (arrays.shrink_to_fit(), ...);
+    };  // so there is room for half of them to grow
     Organ& o = split.organ;
     fit(o.positions, o.normals, o.tangents, o.uvs, o.colors, o.indices, split.from.midpoints);
     return split;

@@ -1,4 +1,4 @@
-// Whether an organ's triangles are too large for what its vertices carry, and what splitting them would make.
+// Whether an organ's triangles are too large for the values at its vertices, and the result of splitting them.
 #pragma once
 
 #include <optional>
@@ -11,23 +11,22 @@ namespace lapfx::organ {
 /// Edges longer than this are split, mm: a lobe of the noise at the edge of the blood, by default. A pool of 6 mm is
 /// then within 2 % of its area on a mesh of any fineness.
 constexpr double longest_wanted = 4.5;
-/// So many triangles at most come on top of those that are there. An organ does with less; a room or a wrong unit does
-/// not.
+/// At most this many triangles are added. An organ needs fewer; a room or a wrong unit would need more.
 constexpr std::size_t most_added = 400'000;
 
 struct RefinePlan {
     double length = longest_wanted;                           ///< mm; edges longer than this are split
-    std::size_t triangles = 0;                                ///< that there are then
+    std::size_t triangles = 0;                                ///< triangles after splitting
     bool splits = false;                                      ///< there is anything to split
     int counts = 0;                                           ///< lengths for which triangles were counted
-    bool bounded() const { return length > longest_wanted; }  ///< most_added would not have done for longest_wanted
+    bool bounded() const { return length > longest_wanted; }  ///< most_added was not enough for longest_wanted
 };
 RefinePlan plan_refine(const Organ& organ, const work::Stages& stages = {});
 
-/// What an organ was split from. All empty: it was not.
+/// The organ before splitting. All members are empty if it was not split.
 struct Unsplit {
     std::vector<glm::uvec2> midpoints;   ///< as RefinedOrgan::midpoints
-    std::vector<std::uint32_t> indices;  ///< the triangles as they were
+    std::vector<std::uint32_t> indices;  ///< the triangles before splitting
     std::vector<Part> parts;             ///< of those
     std::size_t memory() const {         ///< bytes
         return midpoints.size() * sizeof(glm::uvec2) + indices.size() * sizeof(std::uint32_t);
@@ -39,7 +38,7 @@ struct SplitOrgan {
 };
 SplitOrgan refine(Organ organ, const RefinePlan& plan, const work::Stages& stages = {});
 
-/// An organ that is fine enough for blood: the one that was given, or a copy whose long triangles are split.
+/// An organ that is fine enough for blood: the given one, or a copy whose long triangles are split.
 class FineOrgan {
   public:
     /// Keeps a reference to `organ`.

@@ -1,4 +1,4 @@
-// report(): what `lapfx inspect` tells of an organ.
+// report(): what `lapfx inspect` says about an organ.
 #include <cstdio>
 #include <numeric>
 
@@ -10,7 +10,7 @@ namespace lapfx {
 
 namespace {
 
-/// Units that files come in, as factors.
+/// Units that files use, as factors.
 constexpr double factors[] = {1000.0, 100.0, 25.4, 10.0, 0.1, 0.01, 0.001};
 
 std::uint32_t root(std::vector<std::uint32_t>& parent, std::uint32_t v) {

@@ -9,15 +9,14 @@ namespace lapfx::organ {
 
 namespace {
 
-/// How far apart two ends may lie to be one, of the shortest edge at them. Seams that were written with few digits, or
-/// whose two sides were quantized on their own, are torn by a few thousandths.
+/// How far apart two ends may be to count as one, as a part of the shortest edge there. Seams that were written with
+/// few digits, or whose two sides were quantized separately, are torn by a few thousandths.
 constexpr double of_shortest_edge = 0.01;
-/// Where the mesh is so fine that rounding itself is more than that: units in the last place, and no more of the
-/// shortest edge than this.
+/// In a mesh so fine that rounding exceeds that: units in the last place, up to this part of the shortest edge.
 constexpr double roundings = 4.0, most_of_shortest_edge = 0.05;
-/// Two triangles that make a smaller angle at their edge (10 degrees) lie on one another: a sheet beside a sheet.
+/// Two triangles with a smaller angle at their edge (10 degrees) are on top of each other: a sheet next to a sheet.
 constexpr double folded = 0.985;
-/// More open edges than this at one place are no seam; it bounds the time that such a file takes.
+/// More open edges than this at one place are not a seam; this bounds the time for such a file.
 constexpr int most_alike = 64;
 
 /// An edge of one triangle only.
@@ -31,7 +30,7 @@ std::vector<OpenEdge> open_edges(const std::vector<std::uint32_t>& corners, std:
         std::uint32_t other, corner;  // `corner`: index of the edge's first corner
     };
     const auto next = [](std::size_t corner) { return corner % 3 == 2 ? corner - 2 : corner + 1; };
-    // Every edge under its lower point.
+    // Lists every edge at its lower point.
     std::vector<std::uint32_t> start(points + std::size_t{1}, 0);
     for (std::size_t c = 0; c < corners.size(); ++c) ++start[std::min(corners[c], corners[next(c)]) + 1];
     for (std::uint32_t p = 0; p < points; ++p) start[p + 1] += start[p];
@@ -107,7 +106,7 @@ class Seams {
         return std::min(tolerance_[edge.ends[0]], tolerance_[edge.ends[1]]);
     }
 
-    /// Edges are looked for by their middles, in cubes of a quarter of about their length.
+    /// Finds edges by their middles, in cubes of about a quarter of their length.
     void join_edges(const std::vector<OpenEdge>& edges) {
         heads_.assign(std::bit_ceil(edges.size() * 2), none);
         for (std::uint32_t e = 0; e < edges.size(); ++e) {
@@ -132,7 +131,8 @@ class Seams {
 
     static int level_of(double length) { return std::ilogb(length); }
 
-    /// Whole numbers; edges are no shorter than a float can tell, but for other coordinates than their own.
+    /// Whole numbers: edges are not shorter than the float resolution of their own coordinates, but other coordinates
+    /// may be larger.
     static glm::dvec3 cube(const glm::dvec3& place, double side) {
         return glm::clamp(glm::floor(place / side), -1e15, 1e15);
     }
@@ -146,7 +146,7 @@ class Seams {
         return h;
     }
 
-    /// Against the edges that lie in a cube already.
+    /// Compares with the edges that are already in a cube.
     void match(const std::vector<OpenEdge>& edges, std::uint32_t e, std::uint64_t cell) {
         int alike = 0;
         for (std::uint32_t i = heads_[cell & (heads_.size() - 1)]; i != none; i = entries_[i].next) {
@@ -168,10 +168,10 @@ class Seams {
         unite(e.ends[1], f.ends[straight ? 1 : 0]);
     }
 
-    /// Whether the triangles at two edges lie on different sides of them.
+    /// Whether the triangles at two edges are on different sides of them.
     bool goes_on(const OpenEdge& e, const OpenEdge& f) const {
         const glm::dvec3 a = inwards(e), b = inwards(f);
-        return glm::dot(a, b) < folded * glm::length(a) * glm::length(b);  // false where one has no area
+        return glm::dot(a, b) < folded * glm::length(a) * glm::length(b);  // false if one has no area
     }
 
     glm::dvec3 inwards(const OpenEdge& e) const {
@@ -192,7 +192,8 @@ class Seams {
         any_ = true;
     }
 
-    /// Of many at one place, each near the next, the ends of an edge may have become one: those are parted again.
+    /// When many points are at one place, each close to the next, both ends of an edge may have become one; these are
+    /// separated again.
     void part_collapsed() {
         std::vector<char> collapsed(parent_.size(), 0);
         bool any = false;
@@ -212,7 +213,7 @@ class Seams {
         std::vector<std::uint32_t> number(parent_.size(), 0);
         std::uint32_t points = 0;
         for (std::uint32_t p = 0; p < parent_.size(); ++p) {
-            const std::uint32_t r = root(p);  // the lowest, so it has its number already
+            const std::uint32_t r = root(p);  // the lowest, so it already has its number
             if (r == p) {
                 number[p] = points++;
                 continue;
@@ -227,9 +228,9 @@ class Seams {
 
     Weld& weld_;
     std::vector<std::uint32_t> corners_;  ///< points of the triangles
-    std::vector<std::uint32_t> parent_;   ///< of each point: one it is joined to, at last itself
+    std::vector<std::uint32_t> parent_;   ///< for each point: one that it is joined to, and finally itself
     std::vector<glm::dvec3> places_;
-    std::vector<float> tolerance_;  ///< at each point; below 0 where no edge is open
+    std::vector<float> tolerance_;  ///< for each point; below 0 if no edge there is open
     std::vector<std::uint32_t> heads_;
     std::vector<Entry> entries_;
     bool any_ = false;

@@ -60,14 +60,13 @@ class PartBuilder {
         }
         local_.clear();
         if (!triangulate(ring_, local_) && whole) ++crossing_;
-        // As many triangles as it would have had; mend() counts them as out of range.
+        // Adds as many triangles as it would have had; mend() counts them as out of range.
         for (const std::uint32_t i : local_) part_.indices.push_back(whole ? vertices_[i] : none);
     }
 
     std::size_t crossing() const { return crossing_; }  ///< faces that cross themselves
 
-    /// Leaves first_copy as it was found: clearing all of it for each of many small parts would take for
-    /// ever.
+    /// Restores first_copy: clearing all of it for each of many small parts would take too long.
     void finish() {
         for (const std::uint32_t position : sources_) first_copy_[position] = none;
         if (!any_uv_) part_.uvs.clear();

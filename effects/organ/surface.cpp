@@ -110,7 +110,7 @@ void Surface::points_within(const glm::dvec3& centre, double radius, std::vector
     tree_.near_path(centre, centre, radius, [&](std::uint32_t t) {
         for (std::size_t c = 0; c < 3; ++c) {
             const std::uint32_t point = triangles[t][c];
-            // Its first triangle tells of a point, and that triangle's first corner there.
+            // A point is found by its first triangle, and that triangle's first corner there.
             if (point_triangles[triangle_start[point]] != t) continue;
             if ((c > 0 && triangles[t][0] == point) || (c > 1 && triangles[t][1] == point)) continue;
             if (glm::distance(positions[point], centre) <= radius) out.push_back(point);

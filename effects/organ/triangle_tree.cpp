@@ -46,7 +46,7 @@ double distance_to_box(const glm::dvec3& p, const glm::dvec3& low, const glm::dv
 double entry(const glm::dvec3& origin, const glm::dvec3& inverse, const glm::dvec3& low, const glm::dvec3& high) {
     double from = 0.0, to = infinity;
     for (int axis = 0; axis < 3; ++axis) {
-        if (!std::isfinite(inverse[axis])) {  // along the box's sides: between them or not at all
+        if (!std::isfinite(inverse[axis])) {  // parallel to the sides of the box: between them or not
             if (origin[axis] < low[axis] || origin[axis] > high[axis]) return infinity;
             continue;
         }
@@ -65,7 +65,7 @@ void TriangleTree::fit(Node& node, std::uint32_t first, std::uint32_t count, Tri
     node.high = glm::vec3(std::numeric_limits<float>::lowest());
     for (std::uint32_t i = first; i < first + count; ++i)
         for (const std::uint32_t point : mesh.triangles[order_[i]]) {
-            // Positions came from floats: the boxes are exact.
+            // Positions were floats, so the boxes are exact.
             node.low = glm::min(node.low, glm::vec3(mesh.positions[point]));
             node.high = glm::max(node.high, glm::vec3(mesh.positions[point]));
         }
@@ -75,7 +75,7 @@ void TriangleTree::build(TriangleMesh mesh) {
     nodes_.clear();
     order_.clear();
     if (mesh.triangles.empty()) return;
-    // All that is asked of a triangle, moved along with it: each level of the tree reads its part from end to end.
+    // All data of a triangle, moved together with it: each level of the tree reads its part sequentially.
     struct Item {
         glm::vec3 centre, low, high;
         std::uint32_t triangle;
@@ -91,7 +91,7 @@ void TriangleTree::build(TriangleMesh mesh) {
     }
     struct Job {
         std::uint32_t first, count;
-        std::uint32_t parent;  ///< whose second child this is
+        std::uint32_t parent;  ///< the node whose second child this is
     };
     constexpr std::uint32_t none = 0xffffffff;
     std::vector<Job> jobs{{0, static_cast<std::uint32_t>(items.size()), none}};
@@ -111,7 +111,7 @@ void TriangleTree::build(TriangleMesh mesh) {
             const glm::vec3 size = node.high - node.low;
             const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
             const std::uint32_t half = job.count / 2;
-            // Ties go by number, so that the tree is the same everywhere.
+            // The lower number wins a tie, so that the tree is the same everywhere.
             std::nth_element(begin, begin + half, end, [axis](const Item& a, const Item& b) {
                 return a.centre[axis] != b.centre[axis] ? a.centre[axis] < b.centre[axis] : a.triangle < b.triangle;
             });

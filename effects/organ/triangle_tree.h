@@ -1,10 +1,10 @@
-// A tree of boxes over triangles: the nearest place, the first hit of a ray, what lies near a path. It keeps no
-// triangles of its own: every call is given the same ones that it was built for, in the same or (after refit) a moved
-// shape. Queries are const, allocate nothing but their result, and may run on any thread.
+// A tree of boxes over triangles that finds the nearest place, the first hit of a ray, and the triangles near a path.
+// It keeps no triangles: every call takes those that it was built for, in the same or (after refit) a moved shape.
+// Queries are const, allocate nothing but their result, and may run on any thread.
 //
-// Not Embree: it works in floats, does not say which of equally near triangles it takes, and takes twice as long to
-// build, nine times to refit and 1.7 times to find the nearest place (a ray is found seven times as fast, but one a
-// frame is all that is asked for). CGAL's tree cannot refit and is under the GPL.
+// Embree is not used: it works in floats, does not define which of equally near triangles it gives, and takes twice as
+// long to build, nine times as long to refit and 1.7 times as long to find the nearest place. It finds a ray's hit
+// seven times as fast, but only one ray per frame is needed. CGAL's tree cannot refit and is under the GPL.
 #pragma once
 
 #include <array>
@@ -19,18 +19,18 @@ namespace lapfx {
 /// A place on a surface.
 struct SurfacePoint {
     std::uint32_t triangle = 0;
-    glm::dvec3 weights{0.0};   ///< barycentric, of the triangle's three points; sum 1
+    glm::dvec3 weights{0.0};   ///< barycentric weights of the triangle's three points; sum 1
     glm::dvec3 position{0.0};  ///< mm
-    double distance = 0.0;     ///< mm from what was asked for: the point, or the ray's origin
+    double distance = 0.0;     ///< mm from the point or from the ray's origin
 };
 
-/// The triangles that a tree is over.
+/// The triangles of a tree.
 struct TriangleMesh {
     std::span<const glm::dvec3> positions;
     std::span<const std::array<std::uint32_t, 3>> triangles;
 };
 
-/// Which triangles count: all but those of one component.
+/// Excludes the triangles of one component.
 struct ComponentFilter {
     std::span<const std::uint32_t> component_of;  ///< per point; empty: all triangles count
     std::uint32_t skipped = 0;
@@ -39,12 +39,12 @@ struct ComponentFilter {
 class TriangleTree {
   public:
     void build(TriangleMesh mesh);
-    /// The boxes after the points have moved; the tree itself stays, so queries slow down as the shape leaves the one
-    /// it was built for.
+    /// Updates the boxes after the points have moved. The tree itself stays, so queries become slower as the shape
+    /// departs from the original.
     void refit(TriangleMesh mesh) noexcept;
     bool empty() const { return nodes_.empty(); }
 
-    /// The place nearest to `point`, if there is one nearer than `within`; of equally near ones, that of the lowest
+    /// The place nearest to `point`, if it is nearer than `within`; among equally near places, the one on the lowest
     /// triangle.
     bool nearest(TriangleMesh mesh, const glm::dvec3& point, SurfacePoint& place,
                  double within = std::numeric_limits<double>::infinity(), ComponentFilter filter = {}) const;
@@ -53,7 +53,7 @@ class TriangleTree {
     bool first_hit(TriangleMesh mesh, const glm::dvec3& origin, const glm::dvec3& direction, SurfacePoint& hit) const;
 
     /// Calls visit(triangle) for every triangle that comes within `radius` of the straight path from `a` to `b`, and
-    /// for some that lie a little farther off.
+    /// for some that are a little farther away.
     template <class Visit>
     void near_path(const glm::dvec3& a, const glm::dvec3& b, double radius, Visit visit) const {
         if (nodes_.empty()) return;
@@ -80,7 +80,7 @@ class TriangleTree {
         std::uint32_t first = 0;  ///< leaf: into order_; else the second child (the first is the next node)
         std::uint32_t count = 0;  ///< leaf: triangles; else 0
     };
-    /// Halving a leaf's triangles each time, no tree of 2^32 triangles is deeper.
+    /// Each level halves the triangles, so no tree of 2^32 triangles is deeper.
     using Stack = std::array<std::uint32_t, 64>;
 
     /// Whether the path meets the box grown by the radius: a little more than what is within the radius, never less.

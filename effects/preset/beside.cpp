@@ -1,5 +1,5 @@
-// What is written beside its place. A lock tells an ended process's from a running one's: pids are used again, mean
-// other processes in another container and nothing on another machine.
+// Files that are written next to their place. A lock shows whether the process that wrote one still runs. A pid would
+// not: pids are used again, mean other processes in another container, and nothing on another machine.
 #include <dirent.h>
 #include <fcntl.h>
 #include <sys/file.h>
@@ -46,8 +46,8 @@ bool is_ours(std::string_view name) {
     return end - dash - 1 == random_digits;
 }
 
-/// Locked, with nobody else at it. What cannot be locked (file systems without locks) cannot be found to be left behind
-/// either.
+/// Locks the file unless somebody else has it. On a file system without locks nobody can find out either whether a file
+/// was left behind.
 bool take(int descriptor) {
     if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) return false;
     struct stat found {};
@@ -62,7 +62,7 @@ struct Descriptor {
     }
 };
 
-/// One of ours that nobody holds any more goes. Nothing is followed, nothing of other users is touched.
+/// Removes a file of ours that no process holds any more. It follows no link and touches nothing of other users.
 void drop_if_left(int folder, const fs::path& path) {
     const std::string name = path.filename().string();
     constexpr int flags = O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC;
@@ -74,14 +74,14 @@ void drop_if_left(int folder, const fs::path& path) {
     if (opened.number < 0 || ::fstat(opened.number, &held) != 0 || held.st_uid != ::geteuid()) return;
     if (!S_ISREG(held.st_mode) && !S_ISDIR(held.st_mode)) return;
     if (::flock(opened.number, LOCK_EX | LOCK_NB) != 0) return;
-    // Its owner may have given it its name, and the lock back, since it was opened.
+    // Its owner may have renamed it, and released the lock, since it was opened.
     if (::fstatat(folder, name.c_str(), &named, AT_SYMLINK_NOFOLLOW) != 0 || !same_file(held, named)) return;
     std::error_code ignored;
     S_ISDIR(held.st_mode) ? (void)fs::remove_all(path, ignored) : (void)::unlinkat(folder, name.c_str(), 0);
 }
 
 void drop_left_behind(const fs::path& folder) {
-    if (is_ours(folder.filename().string())) return;  // the parts of one that is being made
+    if (is_ours(folder.filename().string())) return;  // the contents of a folder that is being made
     DIR* entries = ::opendir(folder.c_str());
     if (entries == nullptr) return;
     while (const dirent* entry = ::readdir(entries))
@@ -89,7 +89,7 @@ void drop_left_behind(const fs::path& folder) {
     ::closedir(entries);
 }
 
-/// Open; -1: errno says why not.
+/// The open file, or -1, and errno says why.
 int make(const fs::path& path, Beside::Kind kind) {
     if (kind == Beside::Kind::file) return ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (::mkdir(path.c_str(), 0700) != 0) return -1;
@@ -108,7 +108,7 @@ Beside::Beside(const fs::path& target, Kind kind, std::string_view extension) {
         if (descriptor_ < 0 && errno == EEXIST) continue;
         if (descriptor_ < 0) break;
         if (take(descriptor_)) return;
-        ::close(descriptor_);  // someone who tidies up was faster
+        ::close(descriptor_);  // another process that tidies up was faster
         descriptor_ = -1;
     }
     throw Error(Failure::runtime,

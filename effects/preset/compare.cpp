@@ -13,7 +13,7 @@ bool same(double a, double b) {
     return a == b || (std::isnan(a) && std::isnan(b));
 }
 
-/// Of all that can differ in it.
+/// The bits of everything that can differ in it.
 unsigned all_of(const Table& table, unsigned above) {
     unsigned bits = redo::picture | above | table.redo | table.redo_length;
     for (const Parameter& row : table.rows) bits |= row.redo;
@@ -21,7 +21,7 @@ unsigned all_of(const Table& table, unsigned above) {
     return bits;
 }
 
-/// Calls differs(bits) for what differs, until it answers false; then that is the answer too.
+/// Calls differs(bits) for each difference until it answers false, and then gives false.
 template <class Differs>
 bool look(const Table& table, const void* a, const void* b, unsigned above, Differs& differs) {
     const unsigned here = above | table.redo;

@@ -20,7 +20,8 @@ struct Format {
     const Table& (*table)();
 };
 
-constexpr std::size_t most_faults = 200;  ///< listed; a file with more is something else altogether
+constexpr std::size_t most_faults =
+    200;  ///< most faults that are listed; a file with more is not a document of this kind
 
 /// Fills `document`, a struct with its defaults. Throws Error (bad_input) with all faults; then the struct
 /// is half filled.

@@ -1,9 +1,9 @@
-// A curve of lapfx/curves.h made ready: its value and its integral at any time, in O(log points).
+// A curve of lapfx/curves.h, prepared so that its value and its integral at any time cost O(log points).
 //
 //     const FactorCurve curve(scene.curves.emission);
 //     const double mean = curve.integral(from, to) / (to - from);
 //
-// Immutable but for assignment; any thread.
+// Changes only by assignment; any thread.
 #pragma once
 
 #include <span>
@@ -17,13 +17,13 @@ class FactorCurve {
   public:
     /// 1 all the time.
     FactorCurve() = default;
-    /// Leaves out what cannot be (Curves), and what is beyond `highest` counts as that.
+    /// Leaves out points that Curves does not allow. A value above `highest` counts as `highest`.
     explicit FactorCurve(std::span<const CurvePoint> points, double highest = 1000.0);
 
     bool even() const { return points_.empty(); }  ///< 1 all the time
     std::span<const CurvePoint> points() const { return points_; }
     double at(double time) const noexcept;
-    double slope_after(double time) const noexcept;  ///< 1/s; at a point, that of the line which begins there
+    double slope_after(double time) const noexcept;  ///< 1/s; at a point it is the slope of the line that begins there
     /// From `from` to `to`, s.
     double integral(double from, double to) const noexcept { return even() ? to - from : sum(to) - sum(from); }
     /// The points after `from` and before `to`.

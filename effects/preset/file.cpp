@@ -50,7 +50,7 @@ mode_t check_target(const std::filesystem::path& path) {
         if (errno == ENOENT) return 0;
         fail(Failure::runtime, path, system_reason("cannot be written"));
     }
-    // Renaming would replace the link and leave the file behind it as it was: surely not what is meant.
+    // Renaming would replace the link and leave its target unchanged, which nobody wants.
     if (!S_ISREG(found.st_mode))
         fail(Failure::runtime, path, std::string("not written: it is ") + type_name(found.st_mode));
     if (::faccessat(AT_FDCWD, path.c_str(), W_OK, AT_EACCESS) != 0)
@@ -105,15 +105,14 @@ void write_file(const std::filesystem::path& path, std::string_view text) {
     if (path.empty()) fail(Failure::runtime, path, "no file name");
     const mode_t mode = check_target(path);
     const Beside beside(path, Beside::Kind::file);
-    // Closing tells of faults, too; what is left open keeps the lock until it has its name.
+    // Closing also reports faults; a file that stays open keeps its lock until it is renamed.
     Descriptor file(::fcntl(beside.descriptor(), F_DUPFD_CLOEXEC, 0));
     if (file.get() < 0) fail(Failure::runtime, path, system_reason("cannot be written"));
     std::string reason = write_all(file, text, mode);
     if (reason.empty() && ::rename(beside.path().c_str(), path.c_str()) != 0)
         reason = system_reason("cannot be replaced");
     if (!reason.empty()) fail(Failure::runtime, path, reason);
-    // The rename itself reaches the disk with its folder. Not every file system can do that, and the text
-    // is safe.
+    // The rename reaches the disk when the folder is flushed. Not every file system can do that, but the text is safe.
     const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : ".";
     if (Descriptor opened(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)); opened.get() >= 0)
         ::fsync(opened.get());

@@ -52,7 +52,7 @@ void list_keys(const Table& table, void* owner, const std::string& prefix, std::
     std::string best;
     std::size_t least = std::string::npos;
     for (const std::string& known : keys) {
-        // Who leaves the group out means the last part.
+        // A key without its group means the last part.
         const std::string last = known.substr(known.rfind('.') + 1);
         const std::size_t distance =
             std::min(preset::edit_distance(wanted, known), preset::edit_distance(wanted, last) + 1);
@@ -124,7 +124,7 @@ void check_table(const Table& table, void* owner, const std::string& pointer, st
     for (const Parameter& row : table.rows)
         if (std::string reason = row.check(row.get(owner)); !reason.empty())
             faults.push_back({"", join_pointer(pointer, row.key), std::move(reason)});
-    if (faults.size() == before)  // a rule says nothing useful of values that are not allowed anyway
+    if (faults.size() == before)  // a rule says nothing useful about values that are not allowed
         for (const Rule& rule : table.rules)
             if (std::string reason = rule.check(owner); !reason.empty())
                 faults.push_back({"", join_pointer(pointer, rule.key), std::move(reason)});

@@ -115,7 +115,7 @@ Json parse_json(std::string_view text, const std::string& name) {
         throw Error(Failure::bad_input, Fault{name, "",
                                               std::to_string(text.size()) + " bytes; at most " +
                                                   std::to_string(longest_document) + " are read"});
-    // The parser takes a zero byte for the end of the text and would not look at what follows.
+    // The parser takes a zero byte for the end of the text and would ignore what follows.
     if (const auto zero = text.find('\0'); zero != std::string_view::npos) fail(text, name, zero, "a zero byte");
     TreeBuilder builder;
     if (nlohmann::json::sax_parse(text.begin(), text.end(), &builder)) return std::move(builder.root);

@@ -1,5 +1,4 @@
-// JSON text as a tree that keeps what a strict reader has to see: the order of keys, and keys that come
-// twice.
+// JSON text as a tree that keeps what a strict reader needs: the order of keys, and keys that occur twice.
 #pragma once
 
 #include <string>

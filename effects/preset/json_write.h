@@ -17,12 +17,12 @@ std::string json_value(const Parameter& row, const Value& value);
 
 class JsonWriter {
   public:
-    /// The outermost object is opened without a key; an element of an array too.
+    /// The outermost object and the elements of an array are opened without a key.
     void open(char bracket, std::string_view key = {});
     void close();
     void value(std::string_view key, std::string_view json);
 
-    /// The text; everything has to be closed.
+    /// The text, once everything is closed.
     const std::string& text() const { return text_; }
 
   private:

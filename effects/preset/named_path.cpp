@@ -27,7 +27,7 @@ bool leaves(const fs::path& relative) {
     return relative.empty() || relative.is_absolute() || *relative.begin() == "..";
 }
 
-/// Why a name that reads well leads out all the same, by a symbolic link; empty: it does not.
+/// The reason why an allowed name still leads out of the folder, by a symbolic link; empty: it does not.
 std::string led_out(const fs::path& folder, const fs::path& path) {
     std::error_code error;
     const fs::path real_folder = fs::weakly_canonical(fs::absolute(folder, error), error);

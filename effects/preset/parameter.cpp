@@ -25,7 +25,7 @@ std::string range_text(const Parameter& row) {
 
 /// `what` names a component of a vector, or is empty.
 std::string check_number(double value, const Parameter& row, std::string_view what = {}) {
-    if (value >= row.minimum && value <= row.maximum) return {};  // as a rule: nothing is allocated
+    if (value >= row.minimum && value <= row.maximum) return {};  // the usual case allocates nothing
     const std::string prefix = what.empty() ? "" : std::string(what) + " = ";
     const std::string allowed = " (allowed: " + range_text(row) + ')';
     if (!std::isfinite(value)) return prefix + number_text(value) + " is not a finite number" + allowed;

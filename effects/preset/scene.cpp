@@ -34,7 +34,7 @@ constexpr std::string_view scale_help =
 constexpr Parameter organ_rows[] = {
     again(redo::organ | redo::amounts,
           required(path<&SceneOrgan::file>("file", "File",
-                                           "The organ's surface: a mesh; `lapfx inspect --help` lists the formats."))),
+                                           "The organ's surface: a mesh; `lapfx help files` lists the formats."))),
     again(redo::organ | redo::amounts, number<&SceneOrgan::scale>("scale", "Scale", file_scale, scale_help)),
     again(redo::organ | redo::amounts,
           vector<&SceneOrgan::rotation>("rotation", "Rotation", {-360, 360, 1, "degrees"},

@@ -109,20 +109,20 @@ constexpr Parameter same_as(std::string_view key, Parameter made) {
     return made;
 }
 
-/// `bits` of redo, beside drawing: of a row, of a table.
+/// Adds `bits` of redo to a row or a table; drawing is always one of them.
 template <class Made>
 constexpr Made again(unsigned bits, Made made) {
     made.redo |= bits;
     return made;
 }
 
-/// The same when a list gets longer or shorter.
+/// Adds `bits` for a list that gets longer or shorter.
 constexpr Table again_for_length(unsigned bits, Table made) {
     made.redo_length |= bits;
     return made;
 }
 
-/// For rules: empty when value < bound, else why not, naming the row that is the bound.
+/// For rules: empty when value < bound, otherwise the reason, which names the row of the bound.
 std::string below(double value, std::string_view bound_key, double bound);
 /// The same for value <= bound.
 std::string not_above(double value, std::string_view bound_key, double bound);

@@ -92,7 +92,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }
 
 std::string_view nearest(std::string_view key, std::span<const std::string_view> candidates) {
-    key = key.substr(0, 200);  // no known key is that long, and a hostile one must not cost minutes
+    key = key.substr(0, 200);  // no known key is that long, and a hostile key must not cost minutes
     std::string_view best;
     std::size_t least = std::string_view::npos;
     for (const std::string_view candidate : candidates) {

@@ -16,7 +16,7 @@ std::string number_text(double value);
 /// double range.
 bool read_number(std::string_view text, double& value);
 
-/// In quotes, valid UTF-8 and not longer than a line: what was found, for a fault. Bad bytes show as \xNN.
+/// What was found, for a fault: in quotes, as valid UTF-8 and not longer than a line. Bad bytes show as \xNN.
 std::string in_quotes(std::string_view text);
 
 /// As in_quotes(), without the quotes.
@@ -31,7 +31,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The candidate with the least edit distance to `key`, the first of equals; empty without candidates.
 std::string_view nearest(std::string_view key, std::span<const std::string_view> candidates);
 
-/// Why a list of `size` elements is refused.
+/// The reason why a list of `size` elements is refused.
 std::string too_many(std::size_t size, std::size_t most);
 
 /// `pointer` + '/' + key, with '~' and '/' in the key escaped (RFC 6901) and very long keys cut.

@@ -9,13 +9,13 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr float unlike = 8.0f;      // code values that a stretch of a bar does not stray from its colour
+constexpr float unlike = 8.0f;      // code values within which a stretch of a bar has its colour
 constexpr int deepest = 4;          // bars take at most this part of a side
 constexpr int thinnest = 2;         // lines
 constexpr int enough = 6;           // pictures that show what moves
-constexpr float along = 0.9f;       // of a line, that differs from the bar: the picture's background begins there
+constexpr float along = 0.9f;       // share of a line that differs from the bar where the picture's background begins
 constexpr float least_step = 2.0f;  // code values, mean along a line
-constexpr float sharp = 0.75f;      // of the difference behind a bar, that is there right after it
+constexpr float sharp = 0.75f;      // share of the difference behind a bar that is already there one line after it
 constexpr int inside = 8;           // lines behind a bar that it is compared with
 
 float difference(glm::vec3 a, glm::vec3 b) {
@@ -74,7 +74,7 @@ double BarSurvey::width(const Side& side) const {
     };
     const auto first = static_cast<std::size_t>(std::find_if_not(lines.begin(), lines.end(), is_bar) - lines.begin());
     if (first < thinnest || first == lines.size()) return 0.0;
-    /// How far a line differs: all of it, or only what comes and goes.
+    /// How far a line differs: as a whole, or only where something comes and goes.
     const auto step = [&](std::size_t n) {
         const Line& line = lines[std::min(n, lines.size() - 1)];
         float all = 0.0f, moving = 0.0f;

@@ -1,8 +1,8 @@
 // Bars that were put around a clip's picture. Pure; any thread.
 //
-// The outermost lines of a side are a bar where they are of one colour in all pictures and the picture begins all at
-// once behind them: along the whole line, or, before a background of the bar's own colour, where smoke comes and goes.
-// Smoke that ends by itself fades, and not along one line; a logo stands still.
+// The outermost lines of a side are a bar if they have one colour in all pictures and the picture begins suddenly
+// behind them: along the whole line, or, if the background has the colour of the bar, where smoke comes and goes. Smoke
+// that ends without a bar fades, and does not end along one line; a logo stands still.
 #pragma once
 
 #include <array>
@@ -19,7 +19,7 @@ class BarSurvey {
   public:
     /// As KeyingSurvey::add().
     void add(glm::ivec2 size, std::span<const std::uint8_t> rgb);
-    /// What to leave out: bars of at most a quarter of a side each, and the line that is mixed with them.
+    /// The crop that removes the bars, each at most a quarter of a side, and the line that is mixed with them.
     ClipCrop crop() const;
 
   private:

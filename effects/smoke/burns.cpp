@@ -28,7 +28,7 @@ BurnList::Same BurnList::update(const tool::Log& log) {
         const ToolContact& contact = piece.contact;
         if (contact.action == ToolAction::suction) suctions_.push_back({contact.time, contact.end()});
         if (contact.hot()) {
-            // What it goes on from may have touched nothing.
+            // The piece that it continues may have touched nothing.
             const std::size_t end = piece.before == tool::Piece::none ? 0 : ends_[piece.before].parts;
             const std::size_t begin =
                 piece.before == tool::Piece::none || piece.before == 0 ? 0 : ends_[piece.before - 1].parts;
@@ -64,7 +64,7 @@ void BurnList::add(const ToolContact& contact, std::uint32_t before) {
         latest_[i] = i > 0 ? std::max(latest_[i - 1], burns_[i].end) : burns_[i].end;
 }
 
-/// What the first so many pieces gave.
+/// What the first pieces gave.
 void BurnList::keep(std::size_t pieces) {
     ends_.resize(pieces);
     const Ends end = pieces > 0 ? ends_.back() : Ends{0, 0};

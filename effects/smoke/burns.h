@@ -1,6 +1,6 @@
-// What makes smoke of all that the tool does: hot pieces of its log while the tip touches tissue, and suction, which
-// clears it. Heat in the air burns nothing; where a path leaves the tissue its piece is divided. Parts of one stroke
-// that follow without a gap are one burn: what one plume of source smoke comes from.
+// The parts of the tool's log that concern smoke: hot pieces while the tip touches tissue, and suction, which clears
+// smoke. Heat in the air burns nothing, so a piece is divided where its path leaves the tissue. Parts of one stroke
+// without a gap are one burn, and each burn has one plume.
 //
 // A function of the log and the tissue. One thread at a time.
 #pragma once
@@ -18,23 +18,23 @@
 
 namespace lapfx::smoke {
 
-/// A hot contact of a burn, over tissue all along.
+/// A hot contact of a burn that is over tissue all the time.
 struct BurnPart {
     static constexpr std::uint32_t none = 0xffffffff;
 
     ToolContact contact;
     double fat = 0.0;             ///< 0..1, of the tissue under it
-    std::uint32_t before = none;  ///< the part that it goes on from; none: it starts the burn
+    std::uint32_t before = none;  ///< the part that it continues; none: it starts the burn
     std::uint32_t burn = 0;
-    double latest_end = 0.0;  ///< s, of this one and all before
+    double latest_end = 0.0;  ///< latest end of this one and all before, s
 };
 
 struct Burn {
     double start = 0.0, end = 0.0;  ///< s
     std::uint32_t last = 0;         ///< its last part; the others by BurnPart::before
-    std::uint32_t number = 0;       ///< what its chance is taken from: a burn keeps it while it goes on
+    std::uint32_t number = 0;       ///< key of its random numbers, which a burn keeps while it continues
 
-    /// The part at `time`, of all parts: before and after the burn its first and last one.
+    /// The part of the burn at `time`; before and after the burn, its first and last part.
     const BurnPart& at(std::span<const BurnPart> parts, double time) const noexcept {
         const BurnPart* part = &parts[last];
         while (part->before != BurnPart::none && time < part->contact.time) part = &parts[part->before];
@@ -44,24 +44,24 @@ struct Burn {
 
 class BurnList {
   public:
-    /// What is the same as before an update.
+    /// What an update has not changed.
     struct Same {
         std::size_t parts = 0, suctions = 0;
     };
 
-    /// Asks both of the tissue as it is then.
+    /// Both functions are asked about the tissue at the time of an update.
     BurnList(Touches touches, ContactFat::Sample fat_at);
 
-    /// Takes what was written to the log since the call before; always the same log.
+    /// Takes what was written to the log since the last call; it must always be the same log.
     Same update(const tool::Log& log);
-    /// The tissue is another.
+    /// Call this when the tissue has changed.
     void clear();
 
     std::span<const BurnPart> parts() const { return parts_; }
     std::span<const Suction> suctions() const { return suctions_; }
-    /// The number of the first part that may still be going on after `time`; older ones cost nothing.
+    /// The number of the first part that may still run after `time`; older parts cost nothing.
     std::size_t first_after(double time) const noexcept;
-    /// Burns that may still be going on after `time`. Valid until the next update().
+    /// Burns that may still run after `time`. Valid until the next update().
     std::span<const Burn> after(double time) const noexcept;
 
   private:
@@ -75,7 +75,7 @@ class BurnList {
     ContactFat::Sample fat_at_;
     ContactFat fat_;
     std::uint64_t known_ = 0;  // revision of the log
-    std::vector<Ends> ends_;   // of what each of its pieces gives
+    std::vector<Ends> ends_;   // what each of its pieces gives
     std::vector<BurnPart> parts_;
     std::vector<Suction> suctions_;
     std::vector<Burn> burns_;

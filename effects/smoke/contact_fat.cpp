@@ -9,8 +9,8 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr std::size_t most_known = 1u << 16;  // places; then it begins anew
-constexpr double farthest = 1e6;              // mm: no organ is there, and an int holds its cell
+constexpr std::size_t most_known = 1u << 16;  // places; with more it starts again
+constexpr double farthest = 1e6;              // mm: no organ is that far away, and the cell fits into an int
 
 }  // namespace
 

@@ -1,9 +1,9 @@
-// How fat the tissue under a hot contact is: what its smoke and its specks depend on. One thread at a time.
+// How fat the tissue under a hot contact is. Its smoke and its specks depend on that. One thread at a time.
 //
-// The mean over places along the path, both ends included, `spacing` apart: closer than the tip's region of influence
-// is wide, so nothing lies between them unseen, and at most `most_places`. Asking the tissue costs about 0.1 ms, and a
-// contact that is going on changes in every frame: places are rounded to a grid finer than the region, and what was
-// asked there is kept. The result is still a function of the contact alone, whenever and in how many steps it came.
+// The mean over places along the path, both ends included, `spacing` apart: closer than the width of the tip's region
+// of influence, so no tissue between them is missed, and at most `most_places`. Asking the tissue costs about 0.1 ms,
+// and a running contact changes in every frame, so places are rounded to a grid finer than the region and answers are
+// kept. The result still depends only on the contact, not on when and in how many steps it grew.
 #pragma once
 
 #include <functional>
@@ -21,10 +21,11 @@ class ContactFat {
     static constexpr int most_places = 16;  ///< of one contact
     using Sample = std::function<double(const glm::dvec3&)>;
 
-    /// 0..1; 0 where no organ can be. `sample`: fat density at a place, 0..1; always the same until clear().
+    /// 0..1; 0 at places where no organ can be. `sample` gives the fat density at a place, 0..1; it must stay the same
+    /// until clear().
     double along(const ToolContact& contact, const Sample& sample);
 
-    /// The tissue is another.
+    /// Call this when the tissue has changed.
     void clear() { known_.clear(); }
 
   private:

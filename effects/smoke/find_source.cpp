@@ -7,11 +7,11 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr float smoke = 0.06f;       // opacity of a cell that has some
-constexpr double nothing = 0.02;     // of the most smoke that a picture has: the clip is empty
-constexpr double begun = 0.04;       // the same: smoke is there
-constexpr float persistent = 0.75f;  // of the pictures that the most persistent cell has smoke in
-constexpr double stray = 0.02;       // of the persistent cells, those that do not count as the farthest back
+constexpr float smoke = 0.06f;       // opacity from which a cell has smoke
+constexpr double nothing = 0.02;     // share of the most smoke in a picture below which the clip is empty
+constexpr double begun = 0.04;       // share above which there is smoke
+constexpr float persistent = 0.75f;  // share of the pictures in which the most persistent cell has smoke
+constexpr double stray = 0.02;       // share of the persistent cells that are ignored at the far end
 constexpr double root = 1.0;         // cells: how long the root is
 constexpr int farthest = 4;          // cells that pictures are shifted by
 
@@ -34,7 +34,7 @@ glm::dvec2 middle_of(const OpacityGrid& picture) {
     return weight > 0.0 ? sum / weight / glm::dvec2(picture.size) : glm::dvec2(0.5);
 }
 
-/// Mean squared difference between a picture and a later one that is moved back by `shift`.
+/// Mean squared difference between a picture and a later one moved back by `shift`.
 double unlikeness(const OpacityGrid& a, const OpacityGrid& b, glm::ivec2 shift) {
     double sum = 0.0;
     for (int y = farthest; y < a.size.y - farthest; ++y)
@@ -98,7 +98,7 @@ FoundSource find_source(std::span<const OpacityGrid> pictures, std::span<const O
     FoundSource source;
     double most = 0.0;
     for (const OpacityGrid& picture : pictures) most = std::max(most, amount(picture));
-    if (most <= 1.0) return source;  // less than one cell of whole smoke
+    if (most <= 1.0) return source;  // less than one cell of full smoke
     source.found = true;
     source.way = way_of(pictures, later);
     if (!first.empty() && amount(first[0]) < nothing * most)

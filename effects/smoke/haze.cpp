@@ -15,8 +15,8 @@ bool counts(const Span& span) {
     return std::isfinite(span.start) && std::isfinite(span.end) && span.end > span.start;
 }
 
-/// The earliest time at which two lists of spans differ; `never` when they do not. Where only an end has moved, it is
-/// the earlier of both ends: what started before goes on as before.
+/// The earliest time at which two lists of spans differ; `never` when they do not. If only an end has moved, it is the
+/// earlier of both ends: what started before is unchanged.
 template <class Span>
 double first_difference(std::span<const Span> before, std::span<const Span> now) {
     double first = never;
@@ -47,7 +47,7 @@ double rising_integral(double loss, double passed) {
 
 }  // namespace
 
-/// Gives the earliest time from which on they differ.
+/// Gives the earliest time from which they differ.
 template <class Span>
 double HazeCurve::List<Span>::replace(std::span<const Span> wanted, std::size_t same) {
     same = std::min({same, spans.size(), wanted.size()});
@@ -62,7 +62,7 @@ double HazeCurve::List<Span>::replace(std::span<const Span> wanted, std::size_t 
     return from;
 }
 
-/// All that end at `time` or later are among them.
+/// Includes all that end at `time` or later.
 template <class Span>
 std::span<const Span> HazeCurve::List<Span>::after(double time) const {
     const auto first = std::lower_bound(latest.begin(), latest.end(), time) - latest.begin();
@@ -88,7 +88,7 @@ void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction
     for (const Suction& s : suctions_.after(from))
         if (counts(s)) add(s.start, 0.0, 0, 1), add(s.end, 0.0, 0, -1);
     for (const CurvePoint& point : factor_.points()) add(point.time, 0.0, 0, 0);
-    // Ties in one order, whatever that of the lists: sums of powers are then the same to the last bit.
+    // Ties have a fixed order, whatever the order of the lists, so that sums of powers are the same to the last bit.
     std::sort(events_.begin(), events_.end());
     for (const Event& event : events_) {
         Piece piece = pieces_.empty() ? Piece{event.time, 0.0, 1.0, 0.0, 0.0, 0, 0} : pieces_.back();
@@ -96,7 +96,7 @@ void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction
         piece.start = event.time;
         piece.emissions += event.emissions;
         piece.suctions += event.suctions;
-        piece.power = piece.emissions > 0 ? piece.power + event.power : 0.0;  // no rounding is left when all has ended
+        piece.power = piece.emissions > 0 ? piece.power + event.power : 0.0;  // no rounding remains when all have ended
         piece.factor = factor_.at(event.time);
         piece.slope = factor_.slope_after(event.time);
         pieces_.push_back(piece);
@@ -106,8 +106,8 @@ void HazeCurve::set(std::span<const Emission> emissions, std::span<const Suction
 double HazeCurve::at(const Piece& piece, double time) const noexcept {
     const double passed = time - piece.start;
     const double loss = ventilation_ + (piece.suctions > 0 ? suction_ : 0.0);
-    // The integral of exp(-loss * s) over what has passed; expm1 keeps it exact as the loss goes to 0, where it is that
-    // time.
+    // The integral of exp(-loss * s) over the time passed; expm1 keeps it exact for small losses. At loss 0 it is the
+    // time itself.
     const double integral = loss > 1e-9 ? -std::expm1(-loss * passed) / loss : passed;
     double made = piece.factor * integral;
     if (piece.slope != 0.0) made += piece.slope * rising_integral(loss, passed);

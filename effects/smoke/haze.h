@@ -6,7 +6,8 @@
 //
 // The factor is the scene's (lapfx/curves.h), linear between two of its points. Between two moments at which something
 // starts or ends, or at which the factor has a point, the emission is linear and the loss constant, and the solution is
-// an exponential and a line; set() works out the value at each of these moments, density() goes on from the last one.
+// an exponential and a line; set() computes the value at each of these moments, and density() continues from the last
+// one.
 #pragma once
 
 #include <span>
@@ -36,19 +37,19 @@ struct Suction {
 
 class HazeCurve {
   public:
-    /// In any order. Spans that end before they start, or are not finite, count as nothing. Works out anew only what
-    /// lies behind the first change since the call before: of both lists, the first so many are as they were then, and
-    /// cost nothing.
+    /// Both lists may be in any order. Spans that end before they start, or are not finite, are ignored. It computes
+    /// only what follows the first change since the last call: the given numbers of first elements of both lists have
+    /// not changed and cost nothing.
     void set(std::span<const Emission> emissions, std::span<const Suction> suctions, const HazeParameters& haze,
              const FactorCurve& factor = {}, std::size_t same_emissions = 0, std::size_t same_suctions = 0);
 
     /// E(t), optical thickness at the focus distance. O(log contacts).
     double density(double time) const noexcept;
-    /// factor(t) * emission(t): what comes at this moment.
+    /// factor(t) * emission(t): the emission at this moment.
     double emission(double time) const noexcept;
 
   private:
-    /// Something starts or ends.
+    /// A moment at which something starts or ends.
     struct Event {
         double time;
         double power;             ///< added to that of emissions; 0 for suction
@@ -56,7 +57,7 @@ class HazeCurve {
 
         friend auto operator<=>(const Event&, const Event&) = default;
     };
-    /// From `start` to the next piece's.
+    /// From `start` to the start of the next piece.
     struct Piece {
         double start;
         double density;  ///< at `start`
@@ -71,7 +72,7 @@ class HazeCurve {
     template <class Span>
     struct List {
         std::vector<Span> spans;
-        std::vector<double> latest;  // of each: when it and all before it have ended, s
+        std::vector<double> latest;  // for each: when it and all before it have ended, s
 
         double replace(std::span<const Span> wanted, std::size_t same);
         std::span<const Span> after(double time) const;

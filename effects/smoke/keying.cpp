@@ -1,8 +1,8 @@
 // Pictures of keying on the CPU.
 //
-// Choke and feather look at places off the pixels' middles. All pixels look equally far off, so that the four weights
-// of a place between pixels are the same all over: whole planes are moved, a row at a time, rather than single places
-// looked up.
+// Choke and feather read places off the middles of pixels. All pixels use the same offsets, so the four weights of a
+// place between pixels are the same everywhere: whole planes are moved, one row at a time, instead of looking up single
+// places.
 #include <algorithm>
 #include <array>
 #include <cassert>
@@ -20,7 +20,7 @@ namespace {
 
 using smoke::Keying;
 
-constexpr float least_transmission = 0.002f;  // as in shaders/plume.frag: whole opacity would be endless thickness
+constexpr float least_transmission = 0.002f;  // as in shaders/plume.frag: an opacity of 1 would be infinite thickness
 
 std::size_t area(glm::ivec2 size) {
     return static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y);
@@ -38,8 +38,8 @@ std::uint8_t srgb_byte(float linear) {
     return byte(255.0f * glm::convertLinearToSRGB(glm::vec3(glm::clamp(linear, 0.0f, 1.0f))).x);
 }
 
-/// The sRGB bytes of linear light 0..1 in steps fine enough for a quarter of a code value; pow() for each pixel is
-/// slow.
+/// sRGB bytes for linear light 0..1, in steps fine enough for a quarter of a code value, because pow() for each pixel
+/// is slow.
 const std::vector<std::uint8_t>& srgb_table() {
     static const std::vector<std::uint8_t> table = [] {
         std::vector<std::uint8_t> bytes(16385);
@@ -67,7 +67,7 @@ glm::vec3 linear(const glm::dvec3& srgb) {
     return glm::convertSRGBToLinear(glm::vec3(srgb));
 }
 
-/// One row of a picture of Cb and Cr at half of the rows and columns, as it is sampled in the middles of whole pixels.
+/// One row of a picture with Cb and Cr at half of the rows and columns, sampled in the middles of full pixels.
 void upsample_row(const std::uint8_t* chroma, glm::ivec2 half, int y, int width, float* cb, float* cr) {
     const float row = (static_cast<float>(y) + 0.5f) / 2.0f - 0.5f;
     const int above = static_cast<int>(std::floor(row));
@@ -118,7 +118,7 @@ void moved_row(const std::vector<float>& plane, glm::ivec2 size, const Part& par
     for (int x = to; x < size.x; ++x) clamped(x);
 }
 
-/// Keys rows of a frame, as they are some way off.
+/// Keys rows of a frame, moved by an offset.
 class RowKeyer {
   public:
     RowKeyer(const KeyingFrame& frame, const Keying& key, const SmokeClip& clip)
@@ -163,8 +163,7 @@ class RowKeyer {
             out[x] *= std::min(std::max(value, 0.0f), 1.0f);
         }
     }
-    /// Haze is drawn within its part alone, where looking beyond its edges gives what is at them; outside it is nothing
-    /// here.
+    /// Haze is drawn only within its part, where a place beyond an edge reads the edge; outside there is nothing.
     void look_through_window(int y, glm::vec2 offset, float* __restrict out) {
         for (int x = 0; x < frame_.size.x; ++x) {
             const glm::vec2 here = glm::vec2(x, y) + 0.5f;
@@ -222,7 +221,7 @@ class Light {
     Keying key_;
 };
 
-/// Where a pixel of the clip lies in a background that is cut to the clip's shape.
+/// The place of a pixel of the clip in a background that is cropped to the shape of the clip.
 class Backdrop {
   public:
     Backdrop(const Image& image, glm::ivec2 size) : image_(image) {

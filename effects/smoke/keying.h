@@ -1,5 +1,5 @@
-// The constants of keying, from a preset's parameters: what the shader (shaders/keying.glsl) and its CPU reference
-// (smoke/keying_pixel.h) both work with. Pure functions, any thread. Code values 0..255.
+// The constants of keying, from a preset's parameters, for the shader (shaders/keying.glsl) and its CPU reference
+// (smoke/keying_pixel.h). Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -9,7 +9,7 @@
 
 namespace lapfx::smoke {
 
-/// What the shader's LapfxKeying holds.
+/// The members of the shader's LapfxKeying.
 struct Keying {
     float luma_low, luma_high;
     glm::vec2 key_chroma;

@@ -1,5 +1,5 @@
-// The CPU reference of shaders/keying.glsl, window.glsl and edges.glsl, line for line. tests/parity/keying_test.cpp
-// holds them together. Pure functions, any thread. Code values 0..255.
+// The CPU reference of shaders/keying.glsl, window.glsl and edges.glsl, line for line.
+// tests/parity/smoke/keying_test.cpp compares them. Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 
 namespace lapfx::smoke {
 
-/// `x` within 0..1; NaN, from a pixel that holds one, counts as nothing.
+/// `x` clamped to 0..1; NaN, from a pixel that has one, counts as 0.
 inline float unit(float x) {
     return x > 0.0f ? std::min(x, 1.0f) : 0.0f;
 }
@@ -32,7 +32,7 @@ inline float key_alpha(glm::vec3 code, const Keying& key) {
     return key_luma(luma(code), key) * key_chroma(chroma(code), key);
 }
 
-/// Chroma without the part that leans towards the background's.
+/// Chroma without its part in the direction of the background's chroma.
 inline glm::vec2 despill(glm::vec2 value, const Keying& key) {
     const float strength = glm::dot(key.key_chroma, key.key_chroma);
     const float lean = strength > 1.0f ? std::max(glm::dot(value, key.key_chroma) / strength, 0.0f) : 0.0f;
@@ -62,7 +62,7 @@ inline float eased(float x) {
     return t * t * (3.0f - 2.0f * t);
 }
 
-/// 1 where a place of the clip, pixels, may be smoke, 0 where the crop or a mask takes it out.
+/// 1 where a place of the clip, in pixels, may be smoke, 0 where the crop or a mask removes it.
 inline float window_at(const Window& window, glm::vec2 position) {
     const glm::vec2 before = position - window.low, behind = window.high - position;
     float share = eased(before.x / window.fades.x) * eased(before.y / window.fades.y) *

@@ -15,16 +15,16 @@ namespace lapfx::smoke {
 namespace {
 
 constexpr int block_edge = 8;              // pixels: a macroblock's quarter, so that mosquito noise is averaged
-constexpr glm::ivec2 most_blocks{64, 48};  // looked at in a picture
+constexpr glm::ivec2 most_blocks{64, 48};  // blocks examined in a picture
 constexpr float border = 0.125f;           // of the picture, on each side
-constexpr float border_weight = 3.0f;      // smoke is rarely there
-constexpr double noise_share = 0.99;       // of the background's pixels, that the lower threshold takes off
-constexpr float off_tint = 28.0f;          // code values of chroma that neither smoke nor spill has
-constexpr double haze_range = 128.0;       // code values that lumas of haze which fills the view lie within
+constexpr float border_weight = 3.0f;      // share of the picture on each side where smoke is rare
+constexpr double noise_share = 0.99;       // share of the background's pixels that the lower threshold removes
+constexpr float off_tint = 28.0f;          // code values of chroma that are neither smoke nor spill
+constexpr double haze_range = 128.0;       // range of luma, in code values, of haze that fills the view
 constexpr double faint = 24.0;             // code values
-constexpr float edge_opacity = 0.08f;      // at an edge of the picture, that shows as a line
-constexpr double proposed_fade = 0.06;     // of the smaller side: as wide as a wisp
-constexpr float hard_step = 48.0f;         // code values from pixel to pixel that smoke does not have
+constexpr float edge_opacity = 0.08f;      // opacity at an edge of the picture that shows as a line
+constexpr double proposed_fade = 0.06;     // share of the smaller side: as wide as a wisp
+constexpr float hard_step = 48.0f;  // difference of neighbouring pixels, in code values, that smoke does not have
 
 glm::vec3 to_vec(glm::u8vec3 code) {
     return glm::vec3(code);
@@ -65,7 +65,7 @@ class Histogram {
         }
         return sum;
     }
-    /// Where they crowd most from `from` up, over `width`.
+    /// The start of the range of `width` at or above `from` with the most numbers.
     double peak(double from, double to, double width) const {
         double best = -1.0, at = from;
         for (double low = from; low + width <= to; low += 1.0)
@@ -87,7 +87,7 @@ void for_blocks(const Study& s, const std::vector<std::vector<glm::u8vec3>>& pic
 
 /// How far pixels lie from the background.
 struct Spread {
-    Histogram up, down, chroma;  ///< of luma above, below; distance of chroma
+    Histogram up, down, chroma;  ///< spread of luma above and below, and of chroma distance
 };
 
 void add(Spread& spread, glm::vec3 code, glm::vec3 background) {
@@ -97,15 +97,15 @@ void add(Spread& spread, glm::vec3 code, glm::vec3 background) {
     spread.chroma.add(glm::distance(chroma(code), chroma(background)));
 }
 
-/// What is smoke, or is at least neither background nor a mark.
+/// Pixels that are smoke, or at least neither background nor a logo.
 struct Foreground {
-    Histogram amount;                    ///< of luma beyond the background on the smoke's side, or distance of chroma
+    Histogram amount;                    ///< luma beyond the background on the side of the smoke, or distance of chroma
     double odd_colour = 0.0;             ///< share that smoke over this background cannot have
     double hard_edges = 0.0;             ///< share of neighbours that differ too much
     double lighter = 0.0, darker = 0.0;  ///< sums of code values
 };
 
-/// Distance of a colour from those that grey smoke mixes to over the background, in Cb and Cr.
+/// Distance of a colour, in Cb and Cr, from the mixtures of grey smoke and the background.
 float off_the_mix(glm::vec2 colour, glm::vec2 key) {
     const float length = glm::dot(key, key);
     const float along = length > 1.0f ? glm::clamp(glm::dot(colour, key) / length, 0.0f, 1.0f) : 0.0f;
@@ -137,7 +137,8 @@ class Suggester {
         judge(found);
         for (double* threshold :
              {&found.keying.luma_low, &found.keying.luma_high, &found.keying.chroma_low, &found.keying.chroma_high})
-            *threshold = std::round(10.0 * *threshold) / 10.0;  // finer is not known, and people read them
+            *threshold =
+                std::round(10.0 * *threshold) / 10.0;  // the values are not known more finely, and people read them
         return found;
     }
 
@@ -157,7 +158,7 @@ class Suggester {
         });
     }
 
-    /// Which side of the background the smoke lies on.
+    /// Whether the smoke is lighter or darker than the background.
     void measure_sides() {
         const double up = quiet_.up.quantile(noise_share), down = quiet_.down.quantile(noise_share);
         for_blocks(s_, pictures_, [&](std::span<const glm::u8vec3> pixels, std::size_t p, std::size_t b) {
@@ -195,8 +196,8 @@ class Suggester {
         smoke_.hard_edges = share(hard, pairs);
     }
 
-    /// Luma beyond the background at which smoke is whole. Smoke of one opacity piles up at one luma; of thin smoke
-    /// there is the less the brighter it is. `most`: what no smoke is beyond.
+    /// Luma beyond the background at which smoke is full. Smoke of one opacity has many pixels at one luma; thin smoke
+    /// has fewer pixels the brighter they are. No smoke is beyond `most`.
     double whole(double assumed, double most, KeyingSuggestion& found) const {
         const double brightest = smoke_.amount.quantile(0.995);
         const double top = smoke_.amount.within(0.85 * brightest, 1.02 * brightest);
@@ -206,9 +207,9 @@ class Suggester {
         if (!found.whole_smoke_seen) return std::max(assumed, brightest);
         const double level = smoke_.amount.peak(0.8 * brightest, brightest + 4.0, 5.0);
         found.least_opacity = std::min(level / most, 1.0);
-        if (dark_) return level;  // soot is rare: what is grey all over before something bright hides it
-        // As bright as white it has the least opacity; whole, the least brightness. In the middle the error is least at
-        // worst.
+        if (dark_) return level;  // soot is rare: grey smoke everywhere before something bright merely hides it
+        // As bright as white it has the least opacity; at opacity 1 the least brightness. The middle has the smallest
+        // worst error.
         return level / (0.5 * (1.0 + found.least_opacity));
     }
 
@@ -232,7 +233,7 @@ class Suggester {
         found.keying.spill = 1.0;
     }
 
-    /// Whether there is smoke, as keyed, at the edges of what the crop leaves.
+    /// Whether keying shows smoke at the edges of the cropped frame.
     bool reaches_edges(const KeyingSuggestion& found) const {
         if (!s_.plain) return false;
         const Keying key = keying_of(found.keying, found.polarity);
@@ -314,7 +315,7 @@ class Suggester {
     Foreground smoke_;
 };
 
-/// Where blocks of `edge` start along a side: at most `most`, evenly.
+/// Starts of blocks of width `edge` along a side: at most `most`, evenly spaced.
 std::vector<int> starts(int side, int edge, int most) {
     const int count = std::clamp(side / edge, 1, most);
     std::vector<int> found;

@@ -11,8 +11,8 @@ namespace lapfx::smoke {
 
 namespace {
 
-/// Rows that give luma, Cb and Cr around 0 (BT.601, as keying.h) out of what textures give, 0..1. Codes that no R'G'B'
-/// colour has are not bounded on the way: beyond black and white the ramps of keying are flat anyway.
+/// Rows that give luma, Cb and Cr around 0 (BT.601, as keying.h) out of what textures give, 0..1. Codes outside R'G'B'
+/// are not clamped: beyond black and white the ramps of keying are flat anyway.
 void set_code_rows(LayerBlock& block, const media::ColorMatrix* matrix) {
     glm::mat3 to_rgb(1.0f);
     glm::vec3 offset(0.0f);

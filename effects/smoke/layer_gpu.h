@@ -1,4 +1,4 @@
-// One clip drawn once, and what the shaders need to know about it. Render thread.
+// One clip drawn once, and its data for the shaders. Render thread.
 #pragma once
 
 #include <array>
@@ -9,7 +9,7 @@
 
 namespace lapfx::smoke {
 
-/// What all smoke of a role is made of.
+/// What all smoke of a role shares.
 struct Medium {
     glm::dvec3 color{1.0};  ///< sRGB
     glm::dvec3 extinction{1.0};
@@ -19,17 +19,17 @@ struct Layer {
     media::ClipFrame frame;
     const KeyingParameters* keying = nullptr;
     ClipPolarity polarity = ClipPolarity::light;
-    const SmokeClip* clip = nullptr;  ///< its crop, fade and masks hold; null: the whole frame
+    const SmokeClip* clip = nullptr;  ///< its crop, fade and masks apply; null: the whole frame
     bool mirrored = false;            ///< left and right exchanged
     float angle = 0.0f;               ///< radians, haze only: a plume is turned by its corners
     double density = 1.0;  ///< plume: multiplies the optical thickness; haze: thickness at the focus distance
     double time = 0.0;     ///< s, for the noise drift
-    double below = 1.0;    ///< plume: how much of the clip's height lies below where its smoke starts, 0..1
+    double below = 1.0;    ///< plume: share of the clip's height below the start of its smoke, 0..1
     std::uint32_t seed = 0;
 };
 
-/// One element of the uniform block LapfxSmokeLayers of shaders/smoke_layer.glsl, std140; as large as what the start of
-/// a bound range may have to be aligned to.
+/// One element of the uniform block LapfxSmokeLayers of shaders/smoke_layer.glsl, std140. Its size is the largest
+/// alignment that the start of a bound range may need.
 struct alignas(256) LayerBlock {
     glm::vec4 code_rows[3];
     glm::vec4 luma_chroma, key, vary, amount, turn, tile, chroma_scale;

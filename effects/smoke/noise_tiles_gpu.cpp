@@ -8,7 +8,7 @@ namespace lapfx::smoke {
 namespace {
 
 constexpr double texels_per_lobe =
-    8.0;  // of the larger octave: linear filtering is within a few hundredths of the noise
+    8.0;  // texels per lobe of the larger octave: linear filtering is within a few hundredths of the noise
 constexpr double least_texels = 16.0, most_texels = 512.0;
 constexpr int most_side = 4096;            // of the atlas; every OpenGL 4.5 has 16384
 constexpr double drift_into_depth = 0.35;  // of the drift: smoke changes as it moves
@@ -45,7 +45,7 @@ std::size_t NoiseTiles::add(const Grid& grid, glm::ivec4 seeds, int count) {
     return tiles_.size() - 1;
 }
 
-/// A grid of cells as large as the largest tile; when there are too many, all of them get coarser.
+/// A grid of cells of the size of the largest tile; with too many tiles, all of them get coarser.
 void NoiseTiles::lay_out() noexcept {
     const int count = static_cast<int>(tiles_.size());
     glm::ivec2 rows_and_columns(1);

@@ -7,8 +7,9 @@
 //   c     = ramp(distance of (Cb, Cr) from key_color's, chroma_low, chroma_high); 1 when both bounds are 0
 //   alpha = l * c * (1 + noise_strength * noise(position / noise_scale, drifting by noise_drift)), within 0..1
 //
-// The ramps are linear: mixing smoke of one colour over a flat background is. A plume is a quad at the tool tip; when
-// the tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical thickness E:
+// The ramps are linear, like the mixture of smoke of one colour with a flat background. A plume is a quad at the tool
+// tip; when the tool stops it drifts by `rise` and grows by 1 + growth * age. The haze fills the view with optical
+// thickness E:
 //
 //   emission = power * (1 + fat_gain * fat density under the tool), for the plume too
 //   dE/dt = accumulation * emission - (ventilation + suction while one runs) * E
@@ -18,7 +19,7 @@
 // - luma 16 to 200: black of a video signal to the brightest smoke of clips lit from the side; chroma off, since clips
 //   on black carry no colour; spill 0 for the same reason.
 // - noise: lobes of a quarter of the clip, a third of alpha, drifting 0.15 clip heights a second: a looping clip never
-//   looks the same, but no pattern of its own is seen.
+//   looks the same, but the noise does not show as a pattern.
 // - plume 110 mm, density 0.35, a cool grey: cautery smoke in real frames (DeSmoke-LAP, Cholec80 video01_091) is a wide
 //   veil of a third to a half of the view that shows the tissue through it; small and dense it looks like cotton. Lean
 //   0.7: smoke that rises along tissue is turned away from it, into the room where the camera is. Softness 6 mm: as
@@ -275,7 +276,7 @@ constexpr Parameter particle_rows[] = {
     color<&F::color>("color", "Colour", "Colour of a speck in the light of the endoscope's lamp."),
 };
 
-constexpr std::size_t most_clips = 64;  // four times the fifteen streams of the paper's benchmark, and a few
+constexpr std::size_t most_clips = 64;  // four times the fifteen streams of the paper's benchmark, and four more
 
 }  // namespace
 

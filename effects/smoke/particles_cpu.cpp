@@ -16,7 +16,7 @@ constexpr double fading = 0.4;         // of a speck's life, at its end
 constexpr double slowest = 0.3;        // of `speed`
 constexpr double smallest = 0.35;      // of `size`
 
-/// Numbers by chance, one after the other, of one speck.
+/// The random numbers of one speck, one after the other.
 class Chance {
   public:
     Chance(std::uint32_t contact, int number, std::uint32_t seed) : contact_(contact), number_(number), seed_(seed) {}
@@ -30,7 +30,7 @@ class Chance {
     std::uint32_t seed_;
 };
 
-/// A contact's own number: what it keeps while it goes on, whichever others there are.
+/// A number for a contact, which it keeps while it continues, whatever other contacts there are.
 std::uint32_t number_of(const ToolContact& contact) {
     std::uint32_t h = 0;
     for (const double value : {contact.time, contact.position.x, contact.position.y, contact.position.z}) {
@@ -40,7 +40,8 @@ std::uint32_t number_of(const ToolContact& contact) {
     return h;
 }
 
-/// Any direction of the half space around `up`, each as likely (Archimedes: height over the disc is even).
+/// A direction in the half space around `up`, all equally likely (Archimedes: heights over the disc are evenly
+/// distributed).
 glm::dvec3 direction(Chance& chance, const glm::dvec3& up) {
     const double height = chance.unit(), angle = 2.0 * std::numbers::pi * chance.unit();
     const glm::dvec3 across = std::abs(up.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
@@ -51,11 +52,11 @@ glm::dvec3 direction(Chance& chance, const glm::dvec3& up) {
 
 struct Source {
     const ToolContact& contact;
-    double share;  ///< of the births that come to be
+    double share;  ///< share of the births that happen
     std::uint32_t number;
 };
 
-/// Speck `n` of a source at `time`; false when it is not there.
+/// Speck `n` of a source at `time`; false when it does not exist then.
 bool find(const Source& source, int n, const ParticleParameters& p, const glm::dvec3& up, std::uint32_t seed,
           double time, Particle& particle) {
     Chance chance(source.number, n, seed);
@@ -63,7 +64,7 @@ bool find(const Source& source, int n, const ParticleParameters& p, const glm::d
     if (chance.unit() >= source.share || born >= source.contact.end() || time < born) return false;
     const double age = time - born, life = p.lifetime * (shortest_life + (1.0 - shortest_life) * chance.unit());
     if (age >= life) return false;
-    // Small ones are many.
+    // Most specks are small.
     const double size = smallest + (1.0 - smallest) * std::pow(chance.unit(), 2.0);
     const double speed = p.speed * (slowest + (1.0 - slowest) * chance.unit());
     const glm::dvec3 start = speed * direction(chance, up), sinking = settling * size * size * up;
@@ -88,10 +89,10 @@ std::size_t particles_at(std::span<const BurnPart> parts, const ParticleParamete
         const double share = std::clamp(contact.power, 0.0, 1.0) * parts[i].fat;
         if (!(share > 0.0) || !(time >= contact.time) || !(time < contact.end() + parameters.lifetime)) continue;
         const Source source{contact, share, number_of(contact)};
-        // A long contact has given off many by now; only those of the last lifetime can still be there.
+        // A long contact has made many specks by now; only those of the last lifetime can still exist.
         const double now = (std::min(time, contact.end()) - contact.time) * parameters.rate;
         const double gone = (time - parameters.lifetime - contact.time) * parameters.rate - 1.0;
-        if (!(now < 1e9)) continue;  // a time that cannot be
+        if (!(now < 1e9)) continue;  // an impossible time
         const int first = static_cast<int>(std::max(gone, 0.0));
         for (int n = static_cast<int>(now); n >= first && count < most; --n)
             if (find(source, n, parameters, up, seed, time, into[count])) ++count;

@@ -1,13 +1,13 @@
 // Specks of burning fat that fly off the tool tip (the paper's future work: "tiny fat particles dislodge from the fat
-// tissue and fly around"). Closed form: where a speck is follows from the seed, its contact, its number and the time
-// alone, so any time can be asked for in any order. Pure functions, any thread.
+// tissue and fly around"). In closed form: the place of a speck depends only on the seed, its contact, its number and
+// the time, so times may come in any order. Pure functions, any thread.
 //
 //   born      (n + chance) / rate after the contact's start while it burns; comes to be if chance < power * fat
 //   velocity  v(t) = (v0 + s) exp(-t / drag_time) - s,  s = settling * size^2 down: air slows it, then it sinks
 //   position  x(t) = tip + (v0 + s) drag_time (1 - exp(-t / drag_time)) - s t
 //
-// Power and fat decide whether a speck comes to be, not when: while a contact goes on and its fat is measured anew,
-// specks that are there stay on their way.
+// Power and fat decide whether a speck exists, not when it starts: while a contact continues and its fat is measured
+// again, existing specks keep their paths.
 #pragma once
 
 #include <cstdint>
@@ -19,11 +19,11 @@
 
 namespace lapfx::smoke {
 
-/// s in which air takes 1 - 1/e of a speck's speed: with `speed` 40 mm/s it gets about 12 mm far, across the plume's
-/// foot.
+/// s in which air removes 1 - 1/e of a speck's speed: at `speed` 40 mm/s it travels about 12 mm, across the foot of the
+/// plume.
 constexpr double drag_time = 0.3;
-/// mm/s at which the largest specks sink in the end: a droplet of fat of 35 um (Stokes: 900 kg/m3 in air), which is far
-/// smaller than it looks while it glows.
+/// final speed at which the largest specks sink, mm/s: that of a droplet of fat of 35 um (Stokes: 900 kg/m3 in air),
+/// which is much smaller than it looks while it glows.
 constexpr double settling = 35.0;
 constexpr double glow_time = 0.15;  ///< s in which a speck's glow falls to 1/e
 
@@ -37,8 +37,8 @@ struct Particle {
     std::uint32_t shape = 0;   ///< by chance
 };
 
-/// Those of `parts` that are seen at `time`, into `into` (most_particles at most), the newest first; gives how many.
-/// `up`: unit. Parts that started together at one place have the same specks.
+/// Writes the visible specks of `parts` at `time` into `into` (at most most_particles), the newest first, and gives
+/// their number. `up`: unit. Parts that started together at one place have the same specks.
 std::size_t particles_at(std::span<const BurnPart> parts, const ParticleParameters& parameters, glm::dvec3 up,
                          std::uint32_t seed, double time, std::span<Particle> into) noexcept;
 

@@ -1,5 +1,5 @@
-// Draws specks of fat (particles_cpu.h gives where they are): quads that face the camera, made into specks by the
-// fragment shader, hidden by what is in front of them. Render thread, context current.
+// Draws specks of fat (particles_cpu.h gives their places) as quads that face the camera. The fragment shader shapes
+// them, and whatever is in front hides them. Render thread, context current.
 #pragma once
 
 #include <array>
@@ -17,7 +17,7 @@ constexpr std::size_t most_specks = 256;  ///< in one draw
 struct SpeckBlock {
     struct Speck {
         glm::vec4 place;  ///< xyz mm, organ space; diameter, mm
-        glm::vec4 look;   ///< opacity, glow, shape by chance (0..1), unused
+        glm::vec4 look;   ///< opacity, glow, random shape (0..1), unused
     };
     std::array<Speck, most_specks> specks;
 };
@@ -32,8 +32,8 @@ class ParticlesGpu {
     SpeckBlock& specks() { return specks_; }
 
     /// Over the bound framebuffer, the first `count` of specks(). `color`: sRGB. `scene_depth`: depth texture of the
-    /// frame, the size of the viewport. The view block is bound at 0. Leaves blending on and set for itself, its block
-    /// at 2, the depth texture at unit 1.
+    /// frame, the size of the viewport. The view block is bound at 0. Leaves blending on with its own settings, its
+    /// block at 2, the depth texture at unit 1.
     void draw(std::size_t count, glm::vec3 color, GLuint scene_depth) const noexcept;
 
   private:

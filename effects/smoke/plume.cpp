@@ -12,7 +12,7 @@ double fade(double from, double to, double time) {
     return to > from ? glm::smoothstep(from, to, time) : (time >= from ? 1.0 : 0.0);
 }
 
-/// The mean of what the burn gives from `from` to `to`, or at `to` where there is nothing between.
+/// The mean of the burn's smoke from `from` to `to`, or its value at `to` when these are equal.
 double mean_emission(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume,
                      const FactorCurve& factor, double from, double to) {
     const BurnPart* part = &burn.at(parts, to);
@@ -65,7 +65,7 @@ std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept {
         const glm::vec2 offset(c * upright.x - s * upright.y, s * upright.x + c * upright.y);
         glm::vec3& corner = corners[static_cast<std::size_t>(i)];
         corner = quad.anchor + glm::vec3(right * offset.x + quad.up * offset.y, quad.lean * std::max(offset.y, 0.0f));
-        // Leaning over must not bring the smoke to the lens, where it would fill the view.
+        // The smoke must not lean as far as the lens, where it would fill the view.
         corner.z = std::min(corner.z, 0.45f * quad.anchor.z);
     }
     return corners;

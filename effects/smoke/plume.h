@@ -14,23 +14,23 @@ namespace lapfx::smoke {
 
 struct PlumeState {
     double density = 0.0;    ///< 0 = nothing to draw
-    glm::dvec3 anchor{0.0};  ///< mm, where the clip's source lies
+    glm::dvec3 anchor{0.0};  ///< mm, where the source of the clip is
     double height = 0.0;     ///< mm, of the whole clip
 };
 
-/// How much smoke a hot contact gives, plume and haze: its power, and more where the tissue is fat (0..1).
+/// How much smoke a hot contact gives to plume and haze: its power, and more where the tissue is fat (0..1).
 inline double emission(const ToolContact& contact, double fat, const PlumeParameters& plume) {
     return contact.power * (1.0 + plume.fat_gain * fat);
 }
 
 /// `parts`: of all burns. The plume stands on the tip while the tool burns; when it stops, the smoke rises along `up`
-/// (unit), grows and fades. A touch that is shorter than `fade_in` leaves no more than it has faded in by its end.
-/// Power and fat count as their mean over the last `fade_in`: smoke takes that long to follow them, so it does not
-/// flicker where one contact goes on as another. `factor`: on the smoke over time.
+/// (unit), grows and fades. After a touch shorter than `fade_in`, the smoke keeps the density that it had reached.
+/// Power and fat count as their mean over the last `fade_in`: smoke follows them that slowly, so it does not flicker
+/// where one contact continues another. `factor`: on the smoke over time.
 PlumeState plume_state(const Burn& burn, std::span<const BurnPart> parts, const PlumeParameters& plume, glm::dvec3 up,
                        double time, const FactorCurve& factor = {}) noexcept;
 
-/// How a clip is laid out: the same for every frame of one chance.
+/// How a clip is placed: the same for every frame with one random number.
 struct ClipTurn {
     bool mirrored = false;  ///< left and right exchanged
     float angle = 0.0f;     ///< radians, counter-clockwise
@@ -50,9 +50,9 @@ struct PlumeQuad {
 /// Camera space: top left, top right, bottom left, bottom right of the clip as drawn.
 std::array<glm::vec3, 4> plume_corners(const PlumeQuad& quad) noexcept;
 
-/// What of the view (0..1, origin bottom left) a quad covers: lower left, upper right corner. The whole view when some
-/// of it lies beside or behind the camera; nothing (upper right below lower left) when all of it does or it is out of
-/// sight.
+/// The part of the view (0..1, origin bottom left) that a quad covers: lower left, upper right corner. It is the whole
+/// view when some of the quad is beside or behind the camera, and empty (upper right below lower left) when all of it
+/// is or when it is outside the view.
 glm::vec4 view_bounds(const std::array<glm::vec3, 4>& corners, const glm::mat4& projection) noexcept;
 
 }  // namespace lapfx::smoke

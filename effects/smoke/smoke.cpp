@@ -10,10 +10,10 @@ namespace lapfx::smoke {
 
 namespace {
 
-/// Haze beyond this lets nothing through; what the shaders add up must stay within half floats.
+/// Thicker haze lets nothing through, and the sums in the shaders must stay within half floats.
 constexpr double thickest = 500.0;
 
-/// A repeatable number for the n-th thing that wants chance.
+/// A repeatable random number for thing number n.
 std::uint32_t chance(std::uint32_t seed, std::size_t n) {
     return noise_hash({static_cast<int>(n), 17, 4}, seed);
 }
@@ -38,13 +38,13 @@ const KeyingParameters& keying_for(const SmokeClip& clip, const SmokeParameters&
     return clip.own_keying ? clip.keying : parameters.keying;
 }
 
-/// Under Policy::latest a clip has nothing at first.
+/// Under Policy::latest a clip has no frame at first.
 bool there(const media::ClipFrame& frame) {
     return frame.color != 0;
 }
 
-/// A clip that fades from one of its frames to another is two layers, for thickness adds up. Where only one of them is
-/// there, it is all.
+/// A clip that fades from one of its frames to another is two layers, because thickness adds up. If only one of them
+/// exists, it gets the full weight.
 template <typename Add>
 void add_shown(auto shown, Layer layer, double density, const Add& add) {
     if (shown.fading && !there(*shown.fading)) shown.fading.reset(), shown.fade = 0.0;
@@ -104,7 +104,7 @@ void Smoke::take(SmokeParameters wanted) {
     gpu_.set_clip_pixels(pixels[static_cast<int>(ClipRole::plume)], pixels[static_cast<int>(ClipRole::haze)]);
 }
 
-/// `alpha`: whether a clip brings its own opacity, which takes other programs; both are made where nobody knows yet.
+/// `alpha`: whether a clip has its own opacity, which needs other programs; both are made while that is unknown.
 void Smoke::prepare(const SmokeParameters& wanted, const std::function<std::optional<bool>(std::size_t)>& alpha) {
     const auto hazes = static_cast<int>(std::count_if(wanted.clips.begin(), wanted.clips.end(),
                                                       [](const SmokeClip& c) { return c.role == ClipRole::haze; }));
@@ -130,7 +130,7 @@ void Smoke::draw(const View& view, const SmokeScene& scene, GLuint scene_depth, 
     double haze_weight = 0.0;
     for (const SmokeClip& clip : parameters_.clips)
         if (clip.role == ClipRole::haze) haze_weight += clip.weight;
-    // Several haze clips share its density. Without one, or while one has nothing to show, it is even.
+    // Several haze clips share its density. Without a clip, or while a clip has no frame, the haze is even.
     const double density = std::min(scene.haze, thickest);
     double even = haze_weight > 0.0 ? 0.0 : density;
     for (std::size_t i = 0; i < parameters_.clips.size(); ++i) {

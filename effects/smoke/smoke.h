@@ -1,5 +1,5 @@
-// Draws the smoke of a preset over a frame: its clips, where burns and haze of the simulation say. Render thread,
-// context current. Draw calls are noexcept and allocate nothing once a preset's clips are loaded.
+// Draws the smoke of a preset over a frame: its clips, placed by the burns and the haze of the simulation. Render
+// thread, context current. Draw calls are noexcept and allocate nothing once a preset's clips are loaded.
 #pragma once
 
 #include <array>
@@ -33,19 +33,18 @@ class Smoke {
   public:
     Smoke(std::uint32_t seed, const StreamingOptions& options, std::shared_ptr<ClipCache> cache = nullptr);
 
-    /// Opens clips that are new and closes those that are gone; the rest takes effect at once.
-    /// Throws Error: bad_input for a clip that cannot be used, runtime for a shader; and keeps what it had. Shaders
-    /// come first, with and without opacity of the clip's own, for which of the two it needs is known only when it has
-    /// been opened.
+    /// Opens new clips and closes those that have left; everything else takes effect at once. Throws Error: bad_input
+    /// for a clip that cannot be used, runtime for a shader; it then keeps the previous state. Shaders are compiled
+    /// first, with and without own opacity, because only an open clip shows which of the two it needs.
     void set_preset(const Preset& preset, std::span<const std::filesystem::path> search_path);
-    /// All but the clips: those that play go on, with what the parameters say of the same files apart from in and out
-    /// points and cross-fades. Throws Error (runtime) for a shader, and keeps what it had.
+    /// Sets everything except the clips. Those that play continue, with the parameters of the same files, except in and
+    /// out points and cross-fades. Throws Error (runtime) for a shader, and then keeps the previous state.
     void set_parameters(const SmokeParameters& wanted);
     void set_seed(std::uint32_t seed) { seed_ = seed; }
     /// Into the bound framebuffer and viewport.
     void draw(const View& view, const SmokeScene& scene, GLuint scene_depth, media::Policy policy) noexcept;
 
-    /// As they are drawn: with the clips that play.
+    /// The parameters in use, with the clips that play.
     const SmokeParameters& parameters() const { return parameters_; }
 
     void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
@@ -59,7 +58,7 @@ class Smoke {
     std::uint64_t shaded() const { return gpu_.timer().spans(); }
 
   private:
-    /// What a clip shows in this frame: once, and again for each place that it is drawn at.
+    /// What a clip shows in this frame, and one entry for each place where it is drawn.
     struct Shown {
         media::ClipFrame frame;
         std::optional<media::ClipFrame> fading;

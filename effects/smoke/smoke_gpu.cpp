@@ -26,14 +26,14 @@ void over_the_frame() {
     blend(GL_ONE, GL_SRC1_COLOR);  // destination * transmission + light
 }
 
-/// Which of Role::programs draws so many layers at once.
+/// Index of the program in Role::programs that draws this many layers at once.
 std::size_t program_index(int count) {
     return count == 4 ? 2u : count == 2 ? 1u : 0u;
 }
 
 }  // namespace
 
-/// Where the host wants the smoke; off-screen passes go elsewhere in between.
+/// The host's framebuffer, which gets the smoke; off-screen passes use others in between.
 struct SmokeGpu::HostTarget {
     HostTarget() {
         glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
@@ -96,7 +96,7 @@ const gl::Program* SmokeGpu::program(ClipRole which, int count, unsigned variant
     try {
         if (!found) compile(which, count, variant);
     } catch (const Error&) {
-        return nullptr;  // prepare() has told why
+        return nullptr;  // prepare() has reported the reason
     }
     return &*found;
 }
@@ -171,13 +171,13 @@ void SmokeGpu::haze(const Layer& layer, double unevenness) noexcept {
     add(ClipRole::haze, layer, block);
 }
 
-/// Layers of haze are summed up in the shader, which saves reading and writing the target in between. Plumes lie at
-/// places of their own, and straight over the frame goes one after the other.
+/// The shader sums up layers of haze, which saves reading and writing the target in between. Plumes are at different
+/// places, and layers directly over the frame are drawn one after the other.
 bool SmokeGpu::draws_together(ClipRole which) const noexcept {
     return which == ClipRole::haze && resolution_ != SmokeResolution::screen;
 }
 
-/// Takes layers that follow each other and are alike together.
+/// Draws consecutive layers of the same kind together.
 void SmokeGpu::make_batches(ClipRole which) noexcept {
     Role& r = role(which);
     const bool together = draws_together(which);
@@ -276,7 +276,7 @@ void SmokeGpu::sum_up(ClipRole which, const HostTarget& host, GLuint scene_depth
     draw_layers(which);
 }
 
-/// Lays what has been summed up over the frame.
+/// Draws the sums over the frame.
 void SmokeGpu::resolve(const gl::Program& shader, const Role& r, glm::vec4 bounds) const noexcept {
     shader.set("u_color", gl::to_linear(glm::vec3(r.medium.color)));
     shader.set("u_extinction", glm::vec3(r.medium.extinction));
@@ -299,7 +299,8 @@ void SmokeGpu::draw(GLuint scene_depth) noexcept {
     make_batches(ClipRole::plume);
     make_batches(ClipRole::haze);
     tiles_.draw();
-    // Binding 0 to a unit would unbind the textures of all targets there, the host's of other kinds too.
+    // Binding 0 to a unit would unbind the textures of all targets there, including other kinds that the host has
+    // bound.
     if (tiles_.texture() != 0) glBindTextureUnit(noise_unit, tiles_.texture());
     upload(plume);
     upload(haze);

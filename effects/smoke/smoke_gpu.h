@@ -26,8 +26,8 @@ class SmokeGpu {
     /// Compiles shaders: throws Error (runtime). `timings`: measure draw() with timer queries.
     SmokeGpu(SmokeResolution resolution, bool timings);
 
-    /// Compiles what up to `count` layers of this kind need, so that drawing the first ones does not have to. Throws
-    /// Error (runtime).
+    /// Compiles the programs for up to `count` layers of this kind, so that the first draw need not. Throws Error
+    /// (runtime).
     void prepare(const SmokeClip& clip, media::Layout layout, bool alpha, const KeyingParameters& keying, int count);
     /// Pixels of the largest clip of each role: how many an off-screen target has.
     void set_clip_pixels(int plume, int haze) noexcept;
@@ -67,14 +67,14 @@ class SmokeGpu {
         std::uint32_t seed;
         NoiseTiles::Grid noise;
     };
-    /// Layers that are drawn at once: they need the same shader and the same grid of noise.
+    /// Layers that one call draws: they need the same shader and the same grid of noise.
     struct Batch {
         std::size_t first;
         int count;  ///< 1, 2 or 4
         std::size_t tile;
     };
     using Programs = std::array<std::optional<gl::Program>, variants>;  ///< by Variant
-    /// All that belongs to one role.
+    /// Everything that belongs to one role.
     struct Role {
         Medium medium;
         std::array<Programs, 3> programs;  ///< for 1, 2 and 4 layers at once

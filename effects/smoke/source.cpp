@@ -1,4 +1,4 @@
-// Where the smoke of a file starts: what decoding and keying have to do with it.
+// Finds where the smoke of a file starts: decoding and keying for find_source.h.
 #include <algorithm>
 
 #include "lapfx/authoring/keying.h"
@@ -37,7 +37,7 @@ smoke::OpacityGrid reduced(const std::vector<float>& opacity, glm::ivec2 size) {
 SourceSuggestion suggest_source(const std::filesystem::path& file, const std::atomic<bool>* stop) {
     SmokeClip clip;
     suggest_keying(file, stop).apply(clip);
-    clip.edge_fade = 0.0;  // that is for what is drawn: smoke that comes in at an edge starts there
+    clip.edge_fade = 0.0;  // the fade is for drawing: smoke that enters at an edge starts there
     KeyingReader reader(file, stop);
     KeyingFrame frame;
     std::vector<float> opacity;

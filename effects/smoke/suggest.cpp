@@ -1,4 +1,4 @@
-// Suggesting for a file: what decoding has to do with it.
+// Suggests keying for a file: decoding for keying_survey.h.
 #include <algorithm>
 
 #include "lapfx/error.h"
@@ -9,7 +9,7 @@ namespace lapfx {
 
 namespace {
 
-constexpr int looked_at = 24;  // pictures: a loop's smoke has gone through its whole path
+constexpr int looked_at = 24;  // pictures, enough to see smoke everywhere on its path
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void KeyingSuggestion::apply(SmokeClip& clip) const {
     clip.keying.spill = keying.spill;
     clip.polarity = polarity;
     if (crop != ClipCrop{}) clip.crop = crop;
-    // Haze fills the view: there is no edge within it to fade.
+    // Haze fills the view, so it has no edge to fade.
     if (clip.role == ClipRole::plume) clip.edge_fade = std::max(clip.edge_fade, edge_fade);
     for (const ClipMask& mask : masks)
         if (clip.masks.size() < most_masks && std::find(clip.masks.begin(), clip.masks.end(), mask) == clip.masks.end())
@@ -40,7 +40,7 @@ KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::at
         if (stop != nullptr && *stop)
             throw Error(Failure::runtime,
                         Fault{.file = clip.string(), .place = "", .reason = "was not read to its end"});
-        if (!read) continue;  // broken: the one before has been looked at
+        if (!read) continue;  // a broken frame repeats the one before
         survey.add(info.size, {picture.bytes.data(), decoder.format().color_bytes()});
     }
     KeyingSuggestion found = survey.suggest();

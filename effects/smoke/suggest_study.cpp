@@ -6,16 +6,16 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr float same = 4.0f;          // code values within which a block's mean is the background's
-constexpr float around = 16.0f;       // code values: beyond `same` and within this, a plain background leaves a gap
-constexpr double least_share = 0.03;  // of the clip that a background has
-constexpr double small_share = 0.15;  // below it, a background has to stay where it is
-constexpr int candidates = 5;         // colours that are looked at as backgrounds
-constexpr float still = 3.0f;         // code values within which a block's mean does not change
+constexpr float same = 4.0f;                // code values within which a block's mean is the background's
+constexpr float around = 16.0f;             // code values: between `same` and this a plain background has a gap
+constexpr double least_share = 0.03;        // share of the clip that a background fills
+constexpr double small_share = 0.15;        // with a smaller share, a background has to stay at its place
+constexpr int candidates = 5;               // number of colours that are tried as background
+constexpr float still = 3.0f;               // code values within which a block's mean does not change
 constexpr std::size_t enough_pictures = 6;  // to tell what stands still
 
-/// The colour in whose neighbourhood most blocks lie: a coarse histogram, then the mean of ever closer ones. Those
-/// within `around` of a colour in `but` do not count.
+/// The colour that most blocks are close to: found by a coarse histogram, then by the mean of closer and closer blocks.
+/// Blocks within `around` of a colour in `but` do not count.
 glm::vec3 crowded_colour(std::span<const Block> blocks, std::span<const glm::vec3> but) {
     const auto counts = [&](const Block& block) {
         return std::none_of(but.begin(), but.end(),
@@ -52,7 +52,7 @@ glm::vec3 crowded_colour(std::span<const Block> blocks, std::span<const glm::vec
     return colour;
 }
 
-/// Which blocks are like the colour that is taken for the background, and how plain that is.
+/// Marks the blocks similar to the colour that is tried as background, and finds how plain that is.
 void mark_background(Study& s) {
     double total = 0.0, just = 0.0, like = 0.0;
     for (Block& block : s.all) {
@@ -66,7 +66,7 @@ void mark_background(Study& s) {
     s.concentration = just / std::max(like, 1.0);
 }
 
-/// Which part of what is background now lies where it always is. Smoke that is of one colour in many places moves.
+/// The share of the background that is always at the same place. Smoke that has one colour in many places moves.
 double steadiness(const Study& s) {
     std::size_t always = 0, all = 0;
     for (std::size_t b = 0; b < s.blocks; ++b) {
@@ -78,9 +78,9 @@ double steadiness(const Study& s) {
     return static_cast<double>(always) / static_cast<double>(std::max<std::size_t>(all, 1));
 }
 
-/// How likely the colour that mark_background() has looked for is what the smoke was filmed before: it is plain, in
-/// many places, rather at the border than elsewhere, always at the same ones, and coloured or at an end of all lumas,
-/// since smoke is a mixture of it and grey. 0: it is not plain.
+/// How likely it is that the smoke was filmed before the colour that mark_background() has marked. Such a colour is
+/// plain, in many places, more often at the border, always at the same places, and either coloured or at one end of the
+/// lumas, because smoke is a mixture of it and grey. 0: it is not plain.
 double likelihood(const Study& s) {
     if (s.concentration < 0.5 || s.share < least_share) return 0.0;
     double weight = 0.0, all = 0.0, lighter = 0.0, darker = 0.0;
@@ -98,7 +98,7 @@ double likelihood(const Study& s) {
     return weight / all * (0.1 + steady) * coloured * end;
 }
 
-/// Rectangles around blocks that belong together: the pitch apart at most.
+/// Rectangles around blocks that belong together, which are at most one pitch apart.
 struct Cluster {
     glm::ivec2 low, high;
     bool meets(const Cluster& o) const {
@@ -119,14 +119,14 @@ std::vector<Cluster> clusters_of_marks(const Study& s) {
             grown = {glm::min(grown.low, found[i].low), glm::max(grown.high, found[i].high)};
             found[i] = found.back();
             found.pop_back();
-            i = 0;  // it may meet others now
+            i = 0;  // it may touch others now
         }
         found.push_back(grown);
     }
     return found;
 }
 
-/// Whether nothing but background is seen around it most of the time: otherwise it may be smoke at rest.
+/// Whether mostly background is visible around it: otherwise it may be smoke at rest.
 bool stands_alone(const Study& s, const Cluster& mark) {
     const Cluster ring{mark.low - s.pitch - s.edge, mark.high + s.pitch + s.edge};
     std::size_t all = 0, plain = 0;
@@ -159,7 +159,7 @@ void find_background(Study& s) {
     mark_background(s);
 }
 
-/// What a block shows over time: background always, always the same other thing, or what changes.
+/// What a block shows over time: always background, always the same other thing, or something that changes.
 void find_kinds(Study& s) {
     s.kinds.assign(s.blocks, BlockKind::changing);
     for (std::size_t b = 0; b < s.blocks; ++b) {
@@ -178,7 +178,7 @@ void find_kinds(Study& s) {
     }
     s.marks = static_cast<double>(std::count(s.kinds.begin(), s.kinds.end(), BlockKind::mark)) /
               static_cast<double>(std::max<std::size_t>(s.blocks, 1));
-    // What fills much of the picture and hardly moves is smoke at rest, or no mark at any rate.
+    // What fills much of the picture and hardly moves is smoke at rest; at least it is not a logo.
     if (s.marks > 0.1) {
         std::replace(s.kinds.begin(), s.kinds.end(), BlockKind::mark, BlockKind::changing);
         s.marks = 0.0;

@@ -1,5 +1,4 @@
-// What pictures of a clip are made of: background, what changes, and what stands still. Of small blocks. Pure; any
-// thread.
+// Divides pictures of a clip into background, what changes, and what stands still, in small blocks. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -13,9 +12,10 @@
 
 namespace lapfx::smoke {
 
-inline constexpr float least_chroma = 24.0f;  // code values from grey, from which on a background is keyed by chroma
+inline constexpr float least_chroma =
+    24.0f;  // distance from grey, in code values, from which a background is keyed by chroma
 
-/// Luma and chroma apart: as far as a keyer sees it.
+/// Distance as keying sees it, luma and chroma separately.
 inline float difference(glm::vec3 a, glm::vec3 b) {
     return std::max(std::abs(luma(a) - luma(b)), glm::distance(chroma(a), chroma(b)));
 }
@@ -29,7 +29,7 @@ struct Block {
 
 enum class BlockKind { changing, quiet, mark };
 
-/// What the survey is worked out from, step by step.
+/// The data of the survey, step by step.
 struct Study {
     std::size_t blocks = 0;           ///< a picture
     int edge = 0;                     ///< of a block, pixels
@@ -41,21 +41,21 @@ struct Study {
     std::vector<Block> all;           ///< picture after picture
     std::vector<BlockKind> kinds;     ///< a block's, over time
     glm::vec3 background{0.0f};
-    bool plain = true;           ///< there is one; otherwise black is assumed
+    bool plain = true;           ///< one was found; otherwise black is assumed
     double share = 0.0;          ///< that is background
-    double concentration = 0.0;  ///< of what is like the background, what is just like it
+    double concentration = 0.0;  ///< share of the blocks similar to the background that are almost equal to it
     double marks = 0.0;          ///< share of the picture
 
     std::size_t pictures() const { return blocks > 0 ? all.size() / blocks : 0; }
     const Block& at(std::size_t picture, std::size_t block) const { return all[picture * blocks + block]; }
 };
 
-/// Which blocks are background, and its colour. Not the most frequent colour, but the likeliest of the frequent ones:
-/// smoke may fill nearly all of a clip. Without a plain one black is taken.
+/// Finds the blocks of the background, and its colour: not the most frequent colour, but the most likely of the
+/// frequent ones, because smoke may fill almost all of a clip. Without a plain background it is black.
 void find_background(Study& study);
 /// What each block shows over time.
 void find_kinds(Study& study);
-/// Rectangles around marks that stand before the background, fractions of the frame; the largest first.
+/// Rectangles around logos in front of the background, as fractions of the frame; the largest first.
 std::vector<ClipMask> masks_of(const Study& study);
 
 }  // namespace lapfx::smoke

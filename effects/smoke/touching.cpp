@@ -7,7 +7,7 @@ namespace lapfx::smoke {
 
 namespace {
 
-constexpr int halvings = 12;  // of the step in which a tip leaves the tissue
+constexpr int halvings = 12;  // number of halvings of the step in which a tip leaves the tissue
 
 /// The share of the path between `on`, which touches, and `off`, which does not, where it stops touching.
 double edge_between(const ToolContact& contact, double on, double off, const Touches& touches) {
@@ -33,7 +33,7 @@ ToolContact part_of(const ToolContact& contact, double from, double to) {
 void touching_parts(const ToolContact& contact, const Touches& touches, std::vector<ToolContact>& parts) {
     const double length = glm::distance(contact.position, contact.to);
     const int steps = std::min(static_cast<int>(std::ceil(length / touching_spacing)), most_touching_places - 1);
-    // Shares of the path; `entered` is where the part that is touching now has begun.
+    // Shares of the path; the part that touches now began at `entered`.
     double last = 0.0, entered = 0.0;
     bool touching = touches(contact.position);
     if (touching && steps == 0) return parts.push_back(contact);

@@ -1,5 +1,6 @@
-// What of a clip's frame keys to smoke at all: the crop, the fade at its edges, and the masks. The constants that the
-// shader (shaders/window.glsl) and its CPU reference (smoke/keying_pixel.h) both work with. Pure functions, any thread.
+// The part of a clip's frame that may become smoke: the crop, the fade at its edges, and the masks. The shader
+// (shaders/window.glsl) and its CPU reference (smoke/keying_pixel.h) both use these constants. Pure functions, any
+// thread.
 #pragma once
 
 #include <algorithm>
@@ -12,11 +13,11 @@ namespace lapfx::smoke {
 
 /// Pixels of the clip, from its upper left corner.
 struct Window {
-    glm::vec2 low, high;                     ///< what the crop leaves, whole pixels
-    glm::vec4 fades;                         ///< left, top, right, bottom: how far smoke fades inside of them
-    float softness = 0.0f;                   ///< the same outside of masks
+    glm::vec2 low, high;                     ///< the frame after the crop, in whole pixels
+    glm::vec4 fades;                         ///< left, top, right, bottom: how far smoke fades inside the edges
+    float softness = 0.0f;                   ///< how far smoke fades outside masks
     int masks = 0;                           ///< how many
-    bool fills_view = false;                 ///< haze: what the crop leaves is all that is drawn
+    bool fills_view = false;                 ///< haze: only the frame after the crop is drawn
     std::array<glm::vec4, most_masks> mask;  ///< xy: upper left, zw: lower right corner
 };
 
@@ -35,7 +36,7 @@ inline Window window_of(const SmokeClip& clip, glm::ivec2 size) {
     Window window{.low = from, .high = glm::max(to, from + 1.0), .fades = glm::vec4(least_fade), .mask = {}};
     window.fills_view = clip.role == ClipRole::haze;
     window.softness = std::max(static_cast<float>(fade), least_fade);
-    if (!window.fills_view) {  // where the smoke starts there is all of it, however near to an edge that is
+    if (!window.fills_view) {  // smoke is not faded where it starts, however close that is to an edge
         const glm::dvec2 source = whole * glm::dvec2(clip.source_x, clip.source_y);
         const glm::dvec4 room(source - from, to - source);
         window.fades = glm::max(glm::vec4(glm::min(room, glm::dvec4(fade))), least_fade);

@@ -27,7 +27,7 @@ void Log::update(std::span<const ToolContact> contacts, std::size_t same) {
     write(same_steps ? first : 0);
 }
 
-/// Takes away what is not of the first `same` contacts; gives the number of the first entry that it was.
+/// Removes the entries that do not belong to the first `same` contacts; gives the number of the first one removed.
 std::size_t Log::keep(std::size_t same) {
     if (same >= usable_before_.size()) return entries_.size();
     const std::size_t kept = usable_before_[same];
@@ -46,7 +46,7 @@ std::size_t Log::keep(std::size_t same) {
     return number;
 }
 
-/// Those that are not there yet; gives the number of the first entry that is not where it was.
+/// Adds the entries that are missing; gives the number of the first entry whose place has changed.
 std::size_t Log::append(std::span<const ToolContact> contacts) {
     const std::size_t former = entries_.size();
     const auto earlier = [](const Entry& a, const Entry& b) {
@@ -68,7 +68,7 @@ std::size_t Log::append(std::span<const ToolContact> contacts) {
     return static_cast<std::size_t>(first - begin);
 }
 
-/// Those from this one on go on from none of those before.
+/// Entries from this one on continue none of those before.
 void Log::loosen(std::size_t first) {
     for (std::size_t i = first; i < entries_.size(); ++i) {
         if (entries_[i].before != Piece::none) entries_[entries_[i].before].is_continued = false;
@@ -94,7 +94,7 @@ void Log::count(Entry& entry) {
     }
 }
 
-/// The finest steps with which all pieces have room: they follow from the contacts, not from what was there before.
+/// The finest steps with which all pieces have room. They depend on the contacts, not on what happened before.
 int Log::level_with_room() const {
     const std::size_t room = std::max(most_pieces, 2 * entries_.size());
     int level = 0;
@@ -102,7 +102,7 @@ int Log::level_with_room() const {
     return level;
 }
 
-/// The pieces of the entries from `first` on. Those that are what they were keep their revision.
+/// Makes the pieces of the entries from `first` on. Pieces that have not changed keep their revision.
 void Log::write(std::size_t first) {
     const std::size_t begin = end_before(first);
     written_.clear();

@@ -46,7 +46,7 @@ void PowerCurve::cut(const ToolContact& contact, int level, std::vector<ToolCont
         part.duration = to - from;
         part.position = from == contact.time ? contact.position : contact.tip(from);
         part.to = last ? contact.to : contact.tip(to);
-        // All of the step that it lies in, not only what of it the contact fills: a contact that grows keeps its parts.
+        // The mean of the whole step, not only of what the contact fills of it: a contact that grows keeps its parts.
         const bool between = next != steps.begin() && next != steps.end();
         part.power *= between ? factor_from(*(next - 1), *next) : factor_from(from, to);
         parts.push_back(part);

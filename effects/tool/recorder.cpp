@@ -8,8 +8,8 @@ namespace lapfx::tool {
 
 namespace {
 
-/// Of the path's samples, so many are compared with the straight way: enough for a moving contact at 1 kHz; of a longer
-/// stay, evenly thinned out ones.
+/// Number of samples of the path that are compared with the straight line: enough for a moving contact at 1 kHz; a
+/// longer stay is thinned out evenly.
 constexpr std::size_t most_points = 256;
 
 bool usable(const ToolSample& s) {
@@ -53,7 +53,8 @@ bool Recorder::add(const ToolSample& given) {
             extend(sample);
             return true;
         }
-        // The old action lasts until the sample that says otherwise, where the tip was last seen with it.
+        // The old action lasts until the sample with another action, at the place where the tip was last seen with the
+        // old one.
         contact.duration = sample.time - contact.time;
         same_ = std::min(same_, contacts_.size() - 1);
         running_ = false;

@@ -18,6 +18,7 @@ MAX_LINES = 600
 MAX_COLUMNS = 120  # of a comment
 # What a person reads, such as a unit, may be UTF-8: raw strings, strings; characters only so that '"' opens none.
 STRING = re.compile(rb'''R"\((?s:.*?)\)"|"(?:\\.|[^"\\\n])*"|'(?:\\.|[^'\\\n])[']''')
+PRINTED = "presets/REFERENCE.md"  # by the program, from such strings
 COMMANDS = ("editor/start", "tests/run", "tests/accept", ".ci/run")
 
 
@@ -47,6 +48,8 @@ def text_faults(path, data):
     lines = code = data.split(b"\n")
     if path.endswith(source_files.CPP):
         code = STRING.sub(lambda found: b"\n" * found[0].count(b"\n"), data).split(b"\n")
+    elif path == PRINTED:
+        code = [b""] * len(lines)
     for number, line in enumerate(lines, 1):
         if not code[number - 1].isascii():
             yield f"{path}:{number}: not ASCII"
@@ -85,6 +88,8 @@ def self_test():
         (list(text_faults("CMakeLists.txt", b"#" + b"c" * MAX_COLUMNS + b"\n")), 1),
         (list(text_faults("a.py", b'"""A' + b"c" * MAX_COLUMNS + b'"""\na = 1\n')), 1),
         (list(text_faults("a.py", b'a = "' + b"c" * MAX_COLUMNS + b'"\n')), 0),
+        (list(text_faults("a.md", "3 \u00b5m\n".encode())), 1),
+        (list(text_faults(PRINTED, "3 \u00b5m\n".encode())), 0),
         (list(text_faults("a.md", b"# " + b"c" * MAX_COLUMNS + b"\n")), 0),
     ]
     for number, (faults, expected) in enumerate(cases):

@@ -6,7 +6,7 @@
 //     model.set(preset, scene.events, scene.curves);
 //     for (double time = 0.0; time <= scene.duration; time += 0.1) plot(time, model.at(time).blood_area);
 //
-// The same figures as those of Effects, to the last bit. Lengths mm, times s. One thread at a time.
+// It gives the same figures as Effects, to the last bit. Lengths mm, times s. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -23,19 +23,20 @@
 
 namespace lapfx {
 
-/// At one time, without reading back from the GPU.
+/// Amounts at one time. Nothing is read back from the GPU.
 struct Amounts {
     double blood_area = 0.0;    ///< mm2 of organ surface whose bleed value is above the threshold
     double blood_volume = 0.0;  ///< mm3, a proxy: a layer from 0 at its edge to `thickness` at `deep_at` and beyond
-    int wounds = 0;             ///< that have opened by now
+    int wounds = 0;             ///< wounds that have opened by now
     int bleeding_wounds =
-        0;  ///< whose blood still spreads, or fills again what was cleared (WoundStatus::bleeds). Blood that
-            ///< has come as far as max_extent lets it does not count as bleeding: blood_area stays constant then
-    int left_out_wounds = 0;         ///< that came when there were 4096 already
-    std::uint64_t lost_samples = 0;  ///< of the tool queue: no room for them, or not usable (tool_queue.h)
-    double haze = 0.0;               ///< E, optical thickness at the focus distance
-    double emission = 0.0;           ///< of smoke at this moment, of all tools: 1 of one at full power on lean tissue
-    double burnt_area = 0.0;         ///< mm2 of organ surface that has come to the char temperature
+        0;  ///< wounds whose blood still spreads, or fills again what was cleared (WoundStatus::bleeds). A wound whose
+            ///< blood has reached max_extent does not count: its blood_area stays constant
+    int left_out_wounds = 0;  ///< wounds that did not open because there were 4096 already
+    std::uint64_t lost_samples =
+        0;                  ///< samples of the tool queue that found no room or could not be used (tool_queue.h)
+    double haze = 0.0;      ///< E, optical thickness at the focus distance
+    double emission = 0.0;  ///< smoke that all tools make at this moment; one tool at full power on lean tissue makes 1
+    double burnt_area = 0.0;  ///< mm2 of organ surface that has reached the char temperature
 };
 
 class PreparedOrgan;
@@ -46,24 +47,26 @@ struct AmountsOptions {
 
 class AmountsModel {
   public:
-    /// Copies what it needs of the organ; takes as long as making an Effects, without the uploads. Images without
-    /// pixels, such as PreparedOrgan::organ()'s, show no vessels: give the PreparedOrgan itself. Throws Error
+    /// Copies what it needs from the organ. It takes as long as the constructor of Effects, without the uploads. Images
+    /// without pixels, such as PreparedOrgan::organ()'s, show no vessels: give the PreparedOrgan itself. Throws Error
     /// (bad_input) for a gravity without a direction.
     explicit AmountsModel(const Organ& organ, const AmountsOptions& options = {});
-    /// The same with an organ that was made ready (prepared_organ.h): takes no time, and shares what is known of it.
+    /// The same with an organ that was prepared before (prepared_organ.h). This takes no time and shares the prepared
+    /// data.
     explicit AmountsModel(const std::shared_ptr<const PreparedOrgan>& organ, const AmountsOptions& options = {});
     AmountsModel(AmountsModel&&) noexcept;
     AmountsModel& operator=(AmountsModel&&) noexcept;
     ~AmountsModel();
 
-    /// Takes the place of what was set before; what has not changed costs nothing. Clips need not be there: they give
-    /// no amounts. Throws Error (bad_input) for a preset whose values are not allowed, and keeps what it had.
+    /// Replaces what was set before; what has not changed costs nothing. The clips need not exist, because amounts do
+    /// not depend on them. Throws Error (bad_input) for a preset whose values are not allowed, and keeps the previous
+    /// state.
     void set(const Preset& preset, std::span<const ToolContact> contacts, const Curves& curves = {});
 
-    /// Any time, in any order; forwards costs least. Those that are not finite count as 0.
+    /// Takes any times in any order; going forwards costs least. A time that is not finite counts as 0.
     Amounts at(double time) noexcept;
-    /// Every wound of the contacts, with what it was doing at that time; those of contacts that are yet to come are
-    /// waiting. Valid until the next call that is not const.
+    /// Every wound of the contacts and what it was doing at that time. Wounds of later contacts are waiting. Valid
+    /// until the next call that is not const.
     std::span<const WoundStatus> wounds() const noexcept;
 
   private:

@@ -1,5 +1,6 @@
-// Smoke clips read in advance, on another thread. To play a clip its file is read to the end once; of a long video that
-// takes seconds. Done here first, on any thread, Effects::set_preset() opens it at once.
+// Smoke clips read in advance, on another thread. Before a clip plays, its file is read to the end once, which takes
+// seconds for a long video. When a ClipCache has read it before, on any thread, Effects::set_preset() opens the clip
+// immediately.
 //
 //     auto clips = std::make_shared<lapfx::ClipCache>();
 //     lapfx::Effects effects(organ, preset, {.clip_folders = folders, .clip_cache = clips});
@@ -25,16 +26,16 @@ class ClipCache {
     ClipCache();
     ~ClipCache();
 
-    /// Whether set_preset() will not have to look through any file of this preset: those that are known, also as
-    /// broken, and those that are not there. Folders as EffectsOptions::clip_folders. Costs a look at each file's name
-    /// and time.
+    /// Whether set_preset() can take this preset without reading a file to its end: each of its clips is known, perhaps
+    /// as broken, or missing. `folders` are those of EffectsOptions::clip_folders. This looks at the name and time of
+    /// each file.
     bool knows(const Preset& preset, std::span<const std::filesystem::path> folders) const;
-    /// Reads the files that are not known yet. False when `progress` stopped it. Of a broken file it remembers what is
-    /// wrong; set_preset() throws that.
+    /// Reads the files that are not known yet. False when `progress` stopped it. It remembers what is wrong with a
+    /// broken file, and set_preset() throws that.
     bool look_through(const Preset& preset, std::span<const std::filesystem::path> folders,
                       const Progress& progress = {});
-    /// As if the file had been replaced: the next set_preset() opens it again. For pictures of a numbered sequence,
-    /// which may change one by one, any of them names the sequence. Empty: all files.
+    /// Forgets a file, as if it had been replaced: the next set_preset() opens it again. Any picture of a numbered
+    /// sequence names the sequence, because its pictures may change one by one. An empty path forgets all files.
     void forget(const std::filesystem::path& file = {});
 
   private:

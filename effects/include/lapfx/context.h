@@ -24,7 +24,7 @@ class Context {
     using Function = void (*)();
     using GetProcAddress = Function (*)(const char* name);
 
-    /// Throws Error (no_gl) that tells, for each backend tried, what is missing.
+    /// Throws Error (no_gl) that says what is missing for each backend that was tried.
     static Context create(Backend backend);
     /// A context that the host made and has current; it stays the host's. Throws Error (no_gl) below
     /// OpenGL 4.5.

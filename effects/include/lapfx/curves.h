@@ -5,8 +5,8 @@
 //     curves.bleeding_strength = {{.time = 2.0, .value = 0.0}, {.time = 4.0, .value = 1.5}};  // 0, from 2 s rising
 //     effects.set_curves(curves);
 //
-// Straight between two points; before the first and after the last one, their values. No points: 1 all the time. Plain
-// data.
+// A curve is straight between two points and constant before the first and after the last one. Without points it is 1.
+// Plain data.
 #pragma once
 
 #include <span>
@@ -21,20 +21,20 @@ struct CurvePoint {
     friend bool operator==(const CurvePoint&, const CurvePoint&) = default;
 };
 
-/// Points in ascending order of time. Left out is a point that is not finite, below 0, or not after the one before.
+/// Points in ascending order of time. A point that is not finite, below 0, or not after the one before is left out.
 struct Curves {
-    /// On the power of a hot contact at that moment: heat and smoke follow. 0..1, because power has a maximum.
+    /// Factor on the power of a hot contact at that moment; heat and smoke follow. 0..1, because power has a maximum.
     std::vector<CurvePoint> cautery_power;
-    /// On the rate at which the blood of open wounds spreads: at 0 it stands still, and it never goes back. Pulse and
-    /// clotting keep their times.
+    /// Factor on the rate at which the blood of open wounds spreads: at 0 it stands still, and it never goes back.
+    /// Pulse and clotting keep their times.
     std::vector<CurvePoint> bleeding_strength;
-    /// On the smoke that heat makes: density of the plume, and what goes into the haze.
+    /// Factor on the smoke that heat makes: the density of the plume and the emission into the haze.
     std::vector<CurvePoint> emission;
 
     friend bool operator==(const Curves&, const Curves&) = default;
 };
 
-/// The factor at `time`; the points as in Curves.
+/// The factor at `time`. `points` follow the rules of Curves.
 double curve_at(std::span<const CurvePoint> points, double time) noexcept;
 
 }  // namespace lapfx

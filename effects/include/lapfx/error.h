@@ -27,7 +27,7 @@ struct Fault {
 
 /// What kind of failure it is.
 enum class Failure {
-    runtime,    ///< it failed while running: disk full, driver lost
+    runtime,    ///< a failure while running: disk full, driver lost
     bad_input,  ///< wrong usage or input: the file has to change
     no_gl,      ///< no usable OpenGL on this machine
 };

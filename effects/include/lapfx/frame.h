@@ -1,5 +1,5 @@
-// The frame that a preset is tuned in, for a host that has none of its own: linear light with four samples a pixel,
-// smoke over the resolved picture, then the camera's response. A host that draws into it shows the pixels of the
+// The frame in which the editor shows a preset, for a host that has none of its own: linear light with four samples a
+// pixel, smoke over the resolved picture, then the camera's response. A host that draws into it shows the pixels of the
 // editor.
 //
 //     lapfx::Frame frame;
@@ -9,9 +9,9 @@
 //     effects.draw_smoke(view, frame.depth());
 //     frame.finish(0, {.exposure = 1.9});                            // into the window
 //
-// samples/host/host.cpp is a whole program that does so. One thread: that of the context. Binds its own framebuffers,
-// program, vertex array and texture (unit 0), sets the viewport, and leaves them so; also scissor test, blending, depth
-// test and GL_FRAMEBUFFER_SRGB off, multisampling on.
+// samples/host/host.cpp is a whole program that does so. One thread: that of the context. It binds its own
+// framebuffers, program, vertex array and texture (unit 0), sets the viewport, turns scissor test, blending, depth test
+// and GL_FRAMEBUFFER_SRGB off and multisampling on, and leaves all that so.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -33,10 +33,11 @@ class Frame {
     Frame& operator=(Frame&&) noexcept;
     ~Frame();
 
-    /// Of `size` pixels; what another size has taken is given back. Throws Error: bad_input beyond the driver's largest
-    /// size, runtime when it cannot make the frame.
+    /// Begins a frame of `size` pixels; memory for another size is freed. Throws Error: bad_input beyond the driver's
+    /// largest size, runtime when it cannot make the frame.
     void begin(glm::ivec2 size);
-    /// All tissue and instruments have been drawn: their picture is bound, without a depth, which depth() gives.
+    /// Call this when all tissue and instruments are drawn. It binds their resolved picture, without a depth buffer:
+    /// depth() has that as a texture.
     void begin_smoke() noexcept;
     /// The depth texture for Effects::draw_smoke(). Valid until a begin() of another size.
     unsigned depth() const noexcept;

@@ -3,10 +3,10 @@
 //     lapfx::Organ organ = lapfx::load_organ("stomach.glb");    // throws lapfx::Error
 //     for (const auto& warning : organ.warnings) std::cerr << warning << '\n';
 //
-// glTF 2.0 (.glb, .gltf), OBJ (with its MTL), PLY, STL and OFF. Every vertex has a normal, a tangent, UVs and
-// a colour: what the file lacks is made. Input that cannot be drawn (degenerate or duplicate triangles, NaN,
-// indices out of range, unreferenced vertices) is left out, with a warning that names and counts it. Plain
-// data; load from any thread.
+// glTF 2.0 (.glb, .gltf), OBJ (with its MTL), PLY, STL and OFF. Every vertex has a normal, a tangent, UVs and a colour;
+// lapfx computes those that the file lacks. Input that cannot be drawn (degenerate or duplicate triangles, NaN, indices
+// out of range, unreferenced vertices) is left out, with a warning that names and counts it. Plain data; load from any
+// thread.
 #pragma once
 
 #include <cstdint>
@@ -45,14 +45,14 @@ struct Part {
 
 /// What became of the triangles of a file: read == kept + dropped(). A polygon of n corners counts as n - 2 triangles.
 struct TriangleCounts {
-    std::size_t read = 0;          ///< that the file's faces make
-    std::size_t kept = 0;          ///< that are drawn
-    std::size_t unreadable = 0;    ///< left out: corners are missing, or no numbers
+    std::size_t read = 0;          ///< triangles that the faces of the file make
+    std::size_t kept = 0;          ///< triangles that are drawn
+    std::size_t unreadable = 0;    ///< left out: corners are missing or are not numbers
     std::size_t out_of_range = 0;  ///< left out: corners are vertices that the file does not have
     std::size_t not_finite = 0;    ///< left out: coordinates are NaN, infinite, or beyond 1e9 mm
     std::size_t without_area = 0;  ///< left out: the corners lie on a line
-    std::size_t repeated = 0;      ///< left out: the same triangle was there before
-    std::size_t sewn = 0;  ///< repaired: vertices that were moved to the other side of a seam which rounding had torn
+    std::size_t repeated = 0;      ///< left out: the file already had the same triangle
+    std::size_t sewn = 0;          ///< repaired: vertices moved to the other side of a seam that rounding had torn
 
     std::size_t dropped() const { return unreadable + out_of_range + not_finite + without_area + repeated; }
 };
@@ -68,20 +68,21 @@ struct Organ {
     std::vector<Part> parts;             ///< cover all indices, in order
     std::vector<Material> materials;     ///< at least one
     std::vector<Image> images;
-    std::vector<std::string> warnings;         ///< what was repaired or left out, a line each
-    std::vector<std::filesystem::path> files;  ///< that it was read from, the mesh first; all in its folder or below
+    std::vector<std::string> warnings;  ///< what was repaired or left out, a line each
     std::vector<std::filesystem::path>
-        unread_files;         ///< named in it and there too, but missing or not what they should be
-    bool has_uvs = false;     ///< the file had texture coordinates (else they were made)
+        files;  ///< the files that it was read from, the mesh first; all are in its folder or below
+    std::vector<std::filesystem::path>
+        unread_files;      ///< files that it names inside that folder, but that are missing or not what they should be
+    bool has_uvs = false;  ///< the file had texture coordinates (else they were made)
     bool has_colors = false;  ///< the file had vertex colours
     double scale = 1.0;       ///< mm per unit of the file, as it was applied
-    TriangleCounts counts;    ///< of the file; all 0 when it came from none
+    TriangleCounts counts;    ///< triangles of the file; all 0 for an organ that was not read from one
 
     std::size_t triangle_count() const { return indices.size() / 3; }
 };
 
 struct OrganOptions {
-    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
+    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: 1000 for glTF (metres), 1 for others
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z, applied after the scale
 };
 

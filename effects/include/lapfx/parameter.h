@@ -38,28 +38,28 @@ enum class Scale { linear, logarithmic };
 /// A value on its own, for generic code (undo, fit, `--set`). A choice is an int: the index into `choices`.
 using Value = std::variant<double, int, bool, glm::dvec3, std::string>;
 
-/// What has to be done again, beside drawing, when a value changes: bits of Parameter::redo. A row says it once, where
-/// it is declared; who keeps something that was worked out from values asks which bits differ (authoring/compare.h).
+/// What has to be done again, besides drawing, when a value changes: bits of Parameter::redo. A row declares them once.
+/// Code that keeps results computed from values asks which bits differ (authoring/compare.h).
 namespace redo {
 enum : unsigned {
-    picture = 1U << 0,      ///< drawing: every row
-    organ = 1U << 1,        ///< organ and tool are loaded
-    clips = 1U << 2,        ///< clips are opened, and what is played of each is planned
-    amounts = 1U << 3,      ///< amounts over time are worked out
-    fronts = 1U << 4,       ///< the ways that blood takes over the organ
-    bleed = 1U << 5,        ///< bleed values
-    blood_sums = 1U << 6,   ///< area and volume of blood
-    keyed_frame = 1U << 7,  ///< a frame of a clip is keyed
+    picture = 1U << 0,      ///< drawing; every row has it
+    organ = 1U << 1,        ///< loading organ and tool
+    clips = 1U << 2,        ///< opening clips, and planning what is played of each
+    amounts = 1U << 3,      ///< computing amounts over time
+    fronts = 1U << 4,       ///< computing the ways of blood over the organ
+    bleed = 1U << 5,        ///< computing bleed values
+    blood_sums = 1U << 6,   ///< summing area and volume of blood
+    keyed_frame = 1U << 7,  ///< keying a frame of a clip
 };
 }
 
-/// One row: all that is known of one parameter.
+/// One row: everything about one parameter.
 struct Parameter {
     std::string_view key;   ///< JSON key, snake_case
     std::string_view name;  ///< human name, as the UI shows it
     Kind kind = Kind::number;
     double minimum = 0;  ///< inclusive; number, integer, and each component of a vector or color
-    double maximum = 0;  ///< inclusive; of text and path the greatest length
+    double maximum = 0;  ///< inclusive; for text and path the greatest length
     double step = 0;     ///< what one notch of a slider changes
     std::string_view unit = {};
     Scale scale = Scale::linear;
@@ -74,22 +74,22 @@ struct Parameter {
     Value get(const void* owner) const;
     /// The value must be of this row's type and within its range (assert): check() what comes from outside.
     void set(void* owner, const Value& value) const;
-    /// Empty when `value` is allowed; else why not: "-3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)".
-    /// NaN and infinity never are.
+    /// Empty when `value` is allowed; otherwise the reason: "-3 is below the minimum 0 mm/s (allowed: 0 to 60 mm/s)".
+    /// NaN and infinity are never allowed.
     std::string check(const Value& value) const;
     /// What is allowed, as a noun: "a number from 0 to 60 mm/s".
     std::string expected() const;
 };
 
-/// What has to hold between values of one struct: luma_low below luma_high.
+/// A rule between the values of one struct: luma_low is below luma_high.
 struct Rule {
     std::string_view key;                     ///< the row that is blamed
     std::string (*check)(const void* owner);  ///< empty, or what is wrong
 };
 
-/// What has to hold between an element of a list and the one before: ascending times.
+/// A rule between an element of a list and the one before: times ascend.
 struct OrderRule {
-    std::string_view key;                                           ///< the row that is blamed, of the later one
+    std::string_view key;                                           ///< the row of the later element that is blamed
     std::string (*check)(const void* before, const void* element);  ///< empty, or what is wrong
 };
 
@@ -111,11 +111,12 @@ struct Table {
     };
     const List* list = nullptr;        ///< set when `member` is a std::vector
     const OrderRule* order = nullptr;  ///< of a list; checked once its elements are allowed by themselves
-    /// Set for an object that may be left out: whether it is there, a bool in the parent's struct. Where it is not, its
-    /// values mean nothing and are neither written nor checked.
+    /// Set for an object that may be left out: a bool in the parent's struct that says whether the object exists. Where
+    /// it does not, its values mean nothing and are neither written nor checked.
     bool* (*present)(void* owner) = nullptr;
-    unsigned redo = 0;         ///< of all that is in it
-    unsigned redo_length = 0;  ///< of a list that gets longer or shorter, and of an object that comes or goes
+    unsigned redo = 0;  ///< bits for a change of anything in it
+    unsigned redo_length =
+        0;  ///< bits for a list that gets longer or shorter, and for an object that is added or removed
 
     const Parameter* find_row(std::string_view row_key) const;
     const Table* find(std::string_view table_key) const;
@@ -127,17 +128,16 @@ struct FoundParameter {
     void* owner = nullptr;
     std::string pointer;  ///< JSON pointer, "/bleeding/speed"
     bool* present =
-        nullptr;  ///< where the row's object may be left out: whether it is there; set it when you set a value
+        nullptr;  ///< for a row whose object may be left out: whether it exists; set it when you set a value
 };
 
 /// Follows a key; '.' and '/' both separate, a leading '/' is allowed.
 /// Throws Error (bad_input) with the nearest known key.
 FoundParameter find_parameter(const Table& root, void* document, std::string_view key);
 
-/// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3".
-/// Throws Error (bad_input), and leaves the document as it was, when the key is unknown or the value is not
-/// allowed. Rules between values are not looked at, since a series of calls may break one on its way: check()
-/// at the end.
+/// Sets one value from text, as `--set KEY=VALUE` does: "4.5", "true", "light", "#5d0f11", "1,2,3". Throws Error
+/// (bad_input), and leaves the document as it was, when the key is unknown or the value is not allowed. Rules between
+/// values are not checked, because a series of calls may break one for a moment: call check() at the end.
 void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
 
 /// All that is wrong with the values of a document: ranges, and rules between values. Places are pointers.

@@ -1,4 +1,4 @@
-// A preset: the tuned parameters of bleeding and smoke, as JSON: all that a simulator takes from the editor.
+// A preset: the tuned parameters of bleeding and smoke, as JSON. It is all that a simulator takes from the editor.
 //
 //     lapfx::Preset preset = lapfx::load_preset("brisk_bleed.json");  // throws lapfx::Error: every fault
 //     preset.bleeding.speed = 6.0;                                    // mm/s
@@ -45,8 +45,8 @@ struct BleedingParameters {
     double clot_darkening = 0.85;
 };
 
-/// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are any, the more the
-/// denser. Formulas: effects/bleeding/vessel_parameters.cpp.
+/// Where the organ's texture shows vessels (paper: figure 9). By default a cut bleeds where there are vessels, and more
+/// strongly where they are denser. Formulas: effects/bleeding/vessel_parameters.cpp.
 struct VesselParameters {
     double vessel_low = 0.2;
     double vessel_high = 0.4;
@@ -113,15 +113,14 @@ struct ClipCrop {
     friend bool operator==(const ClipCrop&, const ClipCrop&) = default;
 };
 
-/// A rectangle of a clip's frame where nothing is smoke: a garbage mask. Fractions of the frame, from its upper left
-/// corner.
+/// A rectangle of a clip's frame without smoke: a garbage mask. Fractions of the frame, from its upper left corner.
 struct ClipMask {
     double x = 0.0, y = 0.0, width = 0.1, height = 0.1;
     friend bool operator==(const ClipMask&, const ClipMask&) = default;
 };
 inline constexpr std::size_t most_masks = 12;  ///< of a clip
 
-/// One smoke video and how it is used. Places are those of its whole frame, whatever is cropped.
+/// One smoke video and how it is used. Places refer to its whole frame, whatever is cropped.
 struct SmokeClip {
     std::string file;
     ClipRole role = ClipRole::plume;
@@ -135,9 +134,9 @@ struct SmokeClip {
     double crossfade = 0.0;  ///< s
     ClipStart start = ClipStart::seeded;
     ClipMirror mirror = ClipMirror::seeded;
-    double rotation = 0.0;    ///< degrees, at most, either way; the angle is seeded
-    double edge_fade = 0.0;   ///< of the frame's smaller side: how far smoke fades at cropped edges and masks
-    bool own_keying = false;  ///< `keying` takes the place of the preset's for this clip
+    double rotation = 0.0;    ///< greatest angle to either side, degrees; the angle itself is seeded
+    double edge_fade = 0.0;   ///< how far smoke fades at cropped edges and masks, as a part of the frame's smaller side
+    bool own_keying = false;  ///< `keying` replaces the preset's for this clip
     KeyingParameters keying{};
     ClipCrop crop{};
     std::vector<ClipMask> masks{};

@@ -1,4 +1,4 @@
-// How far long work has come, and whether to go on with it.
+// How far a long task has come, and whether to continue it.
 //
 //     auto organ = lapfx::prepare_organ(scene, preset.vessels, [&](double share) { bar = share; return !cancelled; });
 #pragma once
@@ -7,8 +7,8 @@
 
 namespace lapfx {
 
-/// Called on the thread that works, with 0 to 1, never less than before. False stops the work as soon as it can be. May
-/// be empty.
+/// Called on the working thread with a share from 0 to 1, never less than before. Returning false stops the work as
+/// soon as possible. May be empty.
 using Progress = std::function<bool(double share)>;
 
 }  // namespace lapfx

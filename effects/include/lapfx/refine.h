@@ -1,8 +1,8 @@
 // Coarse organs made fine enough for blood.
 //
-// Blood, burns and densities are carried by an organ's vertices: on triangles larger than a pool there would be none to
-// carry it. So Effects, PreparedOrgan and AmountsModel split long triangles for themselves. A host that draws a coarse
-// organ with a shader of its own splits it first, so as to draw the vertices that Effects::bleed_buffer() has:
+// The vertices of an organ carry blood, burns and densities. A triangle larger than a pool would have no vertex inside
+// the pool, so Effects, PreparedOrgan and AmountsModel split long triangles. A host that draws a coarse organ with its
+// own shader splits it first, so that it draws the vertices of Effects::bleed_buffer():
 //
 //     const lapfx::Organ organ = lapfx::refine(lapfx::load_organ("liver.obj")).organ;
 //     lapfx::Effects effects(organ, preset);                    // finds nothing left to split
@@ -14,15 +14,15 @@
 
 namespace lapfx {
 
-/// An organ whose long triangles have been split, without a change of its shape.
+/// An organ whose long triangles are split; its shape is the same.
 struct RefinedOrgan {
     Organ organ;  ///< the vertices of the given organ come first, in their order
-    /// Of each vertex after those: the two that it lies midway between, which come before it. Empty: nothing was too
-    /// long.
+    /// For each further vertex, the two vertices that it is midway between; both come before it. Empty when no edge was
+    /// too long.
     std::vector<glm::uvec2> midpoints;
 };
 
-/// Splits edges longer than 4.5 mm, conforming: no cracks, also along texture seams. It adds at most 400,000 triangles;
+/// Splits edges longer than 4.5 mm without making cracks, also along texture seams. It adds at most 400,000 triangles;
 /// where that is not enough (a room, a wrong unit) only longer edges are split.
 RefinedOrgan refine(Organ organ);
 

@@ -1,5 +1,5 @@
-// A scene: what a preset is previewed on. Organ, camera, light, tool events, the reference video. JSON like a
-// preset; the editor, `lapfx render` and the sample host read it, a simulator never needs it.
+// A scene: what a preset is previewed on. Organ, camera, light, tool events, the reference video. It is JSON like a
+// preset. The editor, `lapfx render` and the sample host read it; a simulator never needs it.
 //
 //     lapfx::Scene scene = lapfx::load_scene("samples/lagb.scene.json");
 //
@@ -20,7 +20,7 @@ namespace lapfx {
 
 struct SceneOrgan {
     std::string file;
-    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: glTF 1000 (metres), others 1
+    double scale = 0.0;        ///< mm per unit of the file; 0 = by format: 1000 for glTF (metres), 1 for others
     glm::dvec3 rotation{0.0};  ///< degrees about x, then y, then z
     glm::dvec3 color{1.0};     ///< sRGB; multiplies the organ's own colours in linear light
 };
@@ -43,7 +43,7 @@ struct SceneCamera {
 
 /// The endoscope's lamp, at the camera.
 struct SceneLight {
-    double intensity = 1.0;  ///< 1 lights white at the focus distance to 1
+    double intensity = 1.0;  ///< at 1, white at the focus distance has the value 1
     double focus_distance = 100.0;
     double beam_angle = 75.0;
     glm::dvec3 color{1.0, 0.97, 0.92};
@@ -57,7 +57,7 @@ struct SceneReference {
 
 struct Scene {
     std::string name;
-    std::string preset;  ///< the preset it opens with
+    std::string preset;  ///< the preset that the scene opens with
     int seed = 1;
     double duration = 12.0;
     glm::dvec3 gravity{0.0, -1.0, 0.0};  ///< direction only
@@ -72,7 +72,7 @@ struct Scene {
     std::filesystem::path folder;  ///< where it was loaded from; not written
 };
 
-/// As for presets (preset.h).
+/// These work like those of presets (preset.h).
 const Table& scene_table();
 Scene parse_scene(std::string_view json, const std::string& name, const std::filesystem::path& folder = {});
 Scene load_scene(const std::filesystem::path& path);

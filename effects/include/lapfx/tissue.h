@@ -8,8 +8,8 @@ namespace lapfx {
 struct TissueSample {
     double vessels = 0.0;  ///< 0..1, share of the region that is vessel; 1 where the organ has no colour
     double fat = 0.0;      ///< 0..1, share of the region that is fat; 0 where the organ has no colour
-    double bleeds = 0.0;   ///< 0..4, how strongly a cut here bleeds, times the preset's speed; 0: not at all. 1 on what
-                           ///< has no colour and on textures that show no vessels
+    double bleeds = 0.0;   ///< 0..4, how strongly a cut here bleeds, times the preset's speed; 0: not at all. 1 where
+                           ///< the organ has no colour or shows no vessels
 };
 
 }  // namespace lapfx

@@ -11,20 +11,20 @@ namespace lapfx {
 
 enum class ToolAction { cauterise, cut, coagulate, tear, suction, irrigation, clip };
 
-/// All that is known of an action, for what reads and writes scenes and for user interfaces: one row each, in the order
-/// of the enumerators. What an action does is where its flag is asked for, or its enumerator.
+/// Everything about an action, for reading and writing scenes and for user interfaces: one row each, in the order of
+/// the enumerators. Code that acts asks for a flag of the row, or for the enumerator.
 struct ToolActionRow {
     ToolAction action;
     std::string_view key;    ///< in JSON: "cauterise"
     std::string_view title;  ///< "Cauterise"
-    std::string_view help;   ///< what it does, in a few words that go on behind a colon
+    std::string_view help;   ///< what it does, in a few words for behind a colon
     std::string_view
         reach;  ///< the preset's parameter that says how far around the tip it works, mm: "cautery.tip_radius"
     bool divides = false;  ///< opens wounds, with the strength of the contact
     bool hot = false;      ///< heats, with the power of the contact, and smokes
-    bool clears = false;   ///< takes blood away, also where the tip does not touch
+    bool clears = false;   ///< removes blood, also where the tip does not touch
     char shortcut = 0;     ///< in the editor
-    int color = 0;         ///< of its track on a timeline: 0 to 7, of a theme's series
+    int color = 0;         ///< colour of its track on a timeline: 0 to 7, index into the series of a theme
 };
 
 inline constexpr ToolActionRow tool_actions[] = {
@@ -98,10 +98,10 @@ constexpr bool divides(ToolAction action) noexcept {
 }
 
 /// The tool touches the organ from `time` for `duration`, its tip moving straight from `position` to `to`. Contacts
-/// that go on from each other (goes_on) are one stroke: what one tool does from press to release, a polyline whose
-/// power and strength may change. Where the tip is farther than 5 mm from the organ's surface it touches nothing. What
-/// is not finite, or absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a time beyond 1e7 s, less than nothing),
-/// does nothing; of one longer than 600 s the beginning counts.
+/// that continue each other (goes_on) form one stroke: what one tool does from press to release, a polyline whose power
+/// and strength may change. A tip farther than 5 mm from the organ's surface touches nothing. A contact with values
+/// that are not finite or absurd (a path over 1000 mm, a coordinate beyond 1e5 mm, a time beyond 1e7 s, a negative
+/// duration) does nothing. Only the first 600 s of a contact count.
 struct ToolContact {
     ToolAction action = ToolAction::cauterise;
     double time = 0.0;
@@ -109,11 +109,11 @@ struct ToolContact {
     glm::dvec3 position{0.0};
     glm::dvec3 to{0.0};
     double power = 1.0;     ///< cautery power, 0..1
-    double strength = 1.0;  ///< of the wound, times the preset's speed
+    double strength = 1.0;  ///< strength of the wound, a factor on the preset's speed
 
     friend bool operator==(const ToolContact&, const ToolContact&) = default;
     double end() const { return time + duration; }
-    /// Where the tip is at `t`; before and after the contact, its first and last place.
+    /// Where the tip is at `t`; before the contact its first place, after the contact its last.
     glm::dvec3 tip(double t) const {
         const double share = duration > 0.0 ? glm::clamp((t - time) / duration, 0.0, 1.0) : 1.0;
         return glm::mix(position, to, share);
@@ -121,12 +121,12 @@ struct ToolContact {
     bool hot() const { return row_of(action).hot; }
 };
 
-/// mm between two contacts of one stroke: where only the power changes, the next one starts where the tip is a sample
-/// (1 ms) later, and a tip at 500 mm/s gets this far. No other tool can be there at that very moment.
+/// Greatest distance between two contacts of one stroke, mm. When only the power changes, the next contact starts where
+/// the tip is one sample (1 ms) later, and a tip at 500 mm/s moves this far. No other tool can be there at that moment.
 inline constexpr double stroke_joint = 0.5;
 
-/// Whether `next` goes on where `contact` ends, so that both are of one stroke. Times that went through a file are
-/// rounded.
+/// Whether `next` continues where `contact` ends, so that both belong to one stroke. Times that were read from a file
+/// are rounded.
 inline bool goes_on(const ToolContact& contact, const ToolContact& next) noexcept {
     return contact.action == next.action && std::abs(contact.end() - next.time) <= 1e-6 &&
            glm::distance(contact.to, next.position) <= stroke_joint;

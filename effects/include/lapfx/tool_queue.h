@@ -5,9 +5,9 @@
 //     queue.push({.time = now, .position = tip, .touching = pedal, .action = lapfx::ToolAction::cauterise});
 //     // render thread: effects.seek(now) takes what has come
 //
-// Samples that touch make a contact, which grows while they go on with the same action, power and strength, at most 0.1
-// s apart: a slower host sets contacts instead. Dropped, and counted in Amounts::lost_samples, are samples that are not
-// finite, not later than the one before, or beyond 1e5 mm or 1e7 s; those of hands off the organ cost nothing.
+// Samples that touch make a contact, which grows while they continue with the same action, power and strength, at most
+// 0.1 s apart; a slower host sets contacts instead. Samples that are not finite, not later than the one before, or
+// beyond 1e5 mm or 1e7 s are dropped and counted in Amounts::lost_samples. Samples that do not touch cost nothing.
 //
 // One thread pushes, one thread pops; both are wait-free and allocate nothing. Lengths mm in organ space, times s on
 // the clock of Effects::seek().
@@ -76,12 +76,12 @@ class ToolQueue {
 
   private:
     static constexpr std::size_t largest = std::size_t{1} << 24;
-    static constexpr std::size_t line = 64;  // bytes of a cache line: each side writes lines of its own
+    static constexpr std::size_t line = 64;  // bytes of a cache line: each side writes its own lines
 
     std::vector<ToolSample> ring_;
     std::size_t mask_;
     alignas(line) std::atomic<std::size_t> written_{0};
-    std::size_t known_read_ = 0;  // producer's: no need to look at the consumer's line while there is room
+    std::size_t known_read_ = 0;  // the producer's copy: it need not read the consumer's line while there is room
     std::atomic<std::uint64_t> missed_{0};
     alignas(line) std::atomic<std::size_t> read_{0};
     std::size_t known_written_ = 0;  // consumer's

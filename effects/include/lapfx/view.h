@@ -22,11 +22,11 @@ enum class Overlay { none, vessels, fat, bleed };
 /// OVERLAY_NONE and so on.
 struct OverlayRow {
     Overlay overlay;
-    std::string_view key;           ///< of `lapfx render --overlay`: "vessels"
+    std::string_view key;           ///< as `lapfx render --overlay` takes it: "vessels"
     std::string_view title;         ///< "Vessels"
-    std::string_view command = {};  ///< of the editor, which turns it on and off: "Vessel overlay"; none: empty
+    std::string_view command = {};  ///< command of the editor that turns it on and off: "Vessel overlay"; empty: none
     std::string_view help;          ///< what its colours mean
-    bool densities = false;         ///< shows the densities of vessels and fat, which are sent for it
+    bool densities = false;         ///< shows the densities of vessels and fat, so these are sent to the GPU
     char shortcut = 0;              ///< in the editor
 };
 

@@ -1,4 +1,4 @@
-// The command line of lapfx's own programs: words and exit codes.
+// The command line of the programs of lapfx: words and exit codes.
 //
 //     catch (const lapfx::Error& error) {
 //         return lapfx::exit_code(error.failure());
@@ -15,7 +15,7 @@ namespace lapfx {
 /// "egl", "osmesa" or "auto"; throws Error (bad_input) naming the allowed words.
 Backend parse_backend(const std::string& word);
 
-/// 1 it failed while running, 2 wrong usage or input, 77 no usable OpenGL.
+/// 1 failed while running, 2 wrong usage or input, 77 no usable OpenGL.
 constexpr int exit_code(Failure failure) noexcept {
     switch (failure) {
         case Failure::bad_input:

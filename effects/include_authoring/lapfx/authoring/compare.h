@@ -1,5 +1,5 @@
 // What differs between two structs of a parameter table, row by row: equality, and what has to be done again. Nothing
-// is allocated. Values are taken as they are, also those that no row allows. Pure; any thread.
+// is allocated. Values are compared as they are, also those that no row allows. Pure; any thread.
 //
 //     if (difference(preset_table(), &shown, &wanted) & redo::clips) open_clips(wanted);
 #pragma once
@@ -8,7 +8,7 @@
 
 namespace lapfx {
 
-/// Of one value. -0 is 0; two NaN are equal.
+/// Whether one value is equal. -0 equals 0; two NaN are equal.
 bool equal(const Parameter& row, const void* a, const void* b);
 /// Whether all rows, lists and parts are equal.
 bool equal(const Table& table, const void* a, const void* b);

@@ -15,8 +15,8 @@
 
 namespace lapfx {
 
-/// Writes beside the file, then renames: never half a file, and the old one stays when it fails. Throws
-/// Error: bad_input for values that could not be loaded again, runtime when the file cannot be written (a
+/// Writes a new file next to it, then renames that: there is never half a file, and the old one stays when writing
+/// fails. Throws Error: bad_input for values that could not be loaded again, runtime when the file cannot be written (a
 /// symbolic link is refused).
 void save_preset(const Preset& preset, const std::filesystem::path& path);
 void save_scene(const Scene& scene, const std::filesystem::path& path);

@@ -1,4 +1,4 @@
-// Files: whole plain files in, never half a file out, and the one way from a name in a file to a path.
+// Files: reads whole plain files, never leaves half a file behind, and is the only way from a name in a file to a path.
 //
 //     const fs::path skin = lapfx::named_path(folder_of_the_organ, "maps/skin.png", "liver.obj");  // none above
 //     lapfx::write_file("tuned.json", text);
@@ -19,22 +19,22 @@ std::string read_file(const std::filesystem::path& path, std::size_t longest);
 /// or is write-protected.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
-/// How far a name in a file may reach.
+/// Where a name in a file may lead.
 enum class Reach {
     inside,    ///< the folder of that file, or below it, once symbolic links are resolved: organs, presets
     anywhere,  ///< any place on this machine: a scene's organ, tool, preset and reference, which a person has chosen by
                ///< hand
 };
 
-/// Where the file is that a file in `folder` names. Whether it is there, and is what it should be, is for its reader to
-/// find out. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
+/// The path of a file that a file in `folder` names. Whether it exists, and is what it should be, is found out by
+/// whoever reads it. Throws Error (bad_input) at `file` and `place` for a name that is empty, a URL or out of reach.
 std::filesystem::path named_path(const std::filesystem::path& folder, std::string_view name,
                                  Reach reach = Reach::inside, const std::string& file = {},
                                  const std::string& place = {});
 
-/// A file or folder that is made next to `target` and then renamed to it. What is still there when this goes, goes,
-/// too; and what a process has left in that folder that was ended (killed) meanwhile goes when the next one is made
-/// there. Those of running processes stay: each holds a lock (flock) on its own, which the kernel gives back for it.
+/// A file or folder that is made next to `target` and then renamed to it. The destructor removes it if it still exists.
+/// What a killed process has left in that folder is removed when the next Beside is made there. Those of running
+/// processes stay: each holds a lock (flock), which the kernel releases when the process ends.
 class Beside {
   public:
     enum class Kind { file, folder };

@@ -1,11 +1,11 @@
-// The kinds of files that lapfx reads, one row each: meshes, presets and scenes (effects/organ/formats.cpp),
-// videos and pictures (effects/media/formats.cpp). What loads files, dialogs, drops, previews, exports, `lapfx inspect`
-// and help texts ask here.
+// The kinds of files that lapfx reads, one row each: meshes, presets and scenes (effects/organ/formats.cpp), videos and
+// pictures (effects/media/formats.cpp). Loading, dialogs, drops, previews, exports, `lapfx inspect` and help texts all
+// use these rows.
 //
 //     if (lapfx::is_named_as(lapfx::Content::mesh, "liver.STL")) open_organ("liver.STL");
 //     help("A surface: " + lapfx::listed(lapfx::Content::mesh));        // ".glb, .gltf, .obj, .ply, .stl or .off"
 //
-// Names of extensions are lower case and begin with a dot; those of files may be either. Any thread.
+// Extensions are in lower case and begin with a dot; file names may use either case. Any thread.
 #pragma once
 
 #include <filesystem>
@@ -29,8 +29,9 @@ struct FileFormat {
     std::string_view name;  ///< "STL"
     Content content;
     std::span<const std::string_view> extensions;  ///< the first one is the usual one
-    std::span<const Signature> signatures = {};    ///< any of them; none: such files begin with nothing of their own
-    std::string_view holds;                        ///< what lapfx takes from it
+    std::span<const Signature> signatures =
+        {};                  ///< a file begins with one of them; empty when the format has no signature
+    std::string_view holds;  ///< what lapfx takes from it
     bool texture =
         false;  ///< a picture that the materials of an organ may name, and that `lapfx inspect` decodes whole
     bool written = false;  ///< an export may be one
@@ -38,15 +39,15 @@ struct FileFormat {
 
 std::span<const FileFormat> formats(Content content);
 
-/// By the extension of its name; null: none of them.
+/// By the extension of the file name; null when no row has it.
 const FileFormat* format_named(const std::filesystem::path& file);
 bool is_named_as(Content content, const std::filesystem::path& file);
-/// By what it begins with, 16 bytes at least; null: nothing that is known.
+/// By the first bytes of a file, at least 16; null when no row has such a signature.
 const FileFormat* format_beginning(std::string_view bytes);
 
-/// All of a content, for the filter of a dialog; `written`: only those of exports.
+/// All extensions of a content, for the filter of a dialog; with `written` only those of exports.
 std::vector<std::string> extensions(Content content, bool written = false);
-/// The usual ones, for a sentence: ".mp4, .mov, .mkv or .avi".
+/// The usual extensions, for a sentence: ".mp4, .mov, .mkv or .avi".
 std::string listed(Content content, std::string_view before_last = " or ", bool written = false);
 
 }  // namespace lapfx

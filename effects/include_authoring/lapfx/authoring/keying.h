@@ -1,5 +1,5 @@
-// A frame of a clip on its way to smoke, on the CPU: what the editor's keying bench shows. The same formulas as the
-// shader's (smoke/keying_pixel.h, tests/parity/smoke/keying_test.cpp); without noise.
+// How a frame of a clip becomes smoke, computed on the CPU for the editor's keying bench, with the formulas of the
+// shader (smoke/keying_pixel.h, tests/parity/smoke/keying_test.cpp) but without noise.
 //
 //     lapfx::KeyingReader reader(lapfx::find_clip("plume.mp4", preset.folder, {}));  // throws lapfx::Error: not a clip
 //     lapfx::KeyingFrame frame;
@@ -34,16 +34,16 @@ inline float luma(glm::vec3 code) {
 struct KeyingFrame {
     glm::ivec2 size{0};
     std::vector<float> luma, cb, cr;  ///< code values, not rounded; Cb and Cr around 0
-    std::vector<float> opacity;       ///< 0..1; empty for a clip that does not bring its own
+    std::vector<float> opacity;       ///< 0..1; empty for a clip without its own opacity
 
-    /// R'G'B' code values, not rounded; beyond 0..255 where the clip's are.
+    /// R'G'B' code values, not rounded; outside 0..255 where the clip's are.
     glm::vec3 code(glm::ivec2 pixel) const;
 };
 
 class KeyingReader {
   public:
-    /// Opens and looks through the file. Throws Error (bad_input) as report_clip() does. `stop`, if given, ends that
-    /// early: Error (runtime).
+    /// Opens and looks through the file. Throws Error (bad_input) as report_clip() does. If given, `stop` ends that
+    /// early with Error (runtime).
     explicit KeyingReader(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
     KeyingReader(KeyingReader&&) noexcept;
     KeyingReader& operator=(KeyingReader&&) noexcept;
@@ -52,9 +52,9 @@ class KeyingReader {
     const ClipReport& report() const;
     int frame_at(double time) const;  ///< shown at `time`, s of the clip; clamped
     double time_of(int frame) const;  ///< s
-    /// 0 .. report().frames - 1, clamped. False when the file cannot give it: then it is the last good one before it,
-    /// or black; without memory for it, a frame of no size. `stop`, if given, ends a long way to a frame early: false,
-    /// and it is any frame or black.
+    /// `frame` is clamped to 0 .. report().frames - 1. Gives false when the file does not have it: then `into` is the
+    /// last good frame before it, or black, or without memory a frame of size 0. If given, `stop` ends a long search
+    /// early: then the answer is false and `into` is any frame or black.
     bool read(int frame, KeyingFrame& into, const std::atomic<bool>* stop = nullptr) noexcept;
 
   private:
@@ -62,7 +62,7 @@ class KeyingReader {
     std::unique_ptr<State> state_;
 };
 
-/// What smoke is made of it.
+/// How smoke is made from a frame.
 struct KeyingLook {
     KeyingParameters keying{};
     SmokeClip clip{};  ///< its polarity, crop, fade at the edges and masks are used; its own keying is not
@@ -71,21 +71,21 @@ struct KeyingLook {
     double density = 1.0;                   ///< 1 is as keyed
 };
 
-/// 0..1 for each pixel, choke and feather done: a clip's own opacity, else keyed; nothing where crop and masks of
-/// `clip` are.
+/// Opacity of each pixel, 0..1, after choke and feather: the clip's own opacity, otherwise the keyed one; 0 where crop
+/// and masks of `clip` are.
 void keyed_opacity(const KeyingFrame& frame, const KeyingParameters& keying, const SmokeClip& clip,
                    std::vector<float>& opacity);
-/// Light of the smoke itself in a pixel, linear, 1 where it is grey: the clip's tint, and its shading where it brings
-/// its opacity.
+/// Light of the smoke in a pixel, linear, 1 where it is grey: the tint of the clip, and its shading if it has its own
+/// opacity.
 glm::vec3 smoke_light(const KeyingFrame& frame, const KeyingLook& look, glm::ivec2 pixel);
 
-/// The clip as it is, code values rounded; opaque.
+/// The clip as it is, with rounded code values; opaque.
 Image source_picture(const KeyingFrame& frame);
 /// The opacity as grey; opaque.
 Image matte_picture(glm::ivec2 size, std::span<const float> opacity);
 /// The smoke alone, straight alpha: its colour, and how much green it holds back.
 Image keyed_picture(const KeyingFrame& frame, const KeyingLook& look, std::span<const float> opacity);
-/// The smoke over `background`, of which the middle is taken that has the clip's shape; sRGB. An empty one counts as
+/// The smoke over `background`, cropped around its middle to the shape of the clip; sRGB. An empty background counts as
 /// black.
 Image composite_picture(const KeyingFrame& frame, const KeyingLook& look, std::span<const float> opacity,
                         const Image& background);

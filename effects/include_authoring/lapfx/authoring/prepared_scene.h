@@ -16,14 +16,14 @@
 
 namespace lapfx {
 
-/// The scene's organ and instrument; the rest as for an organ alone. Throws Error (bad_input).
+/// The scene's organ and instrument; everything else is as for an organ alone. Throws Error (bad_input).
 std::shared_ptr<const PreparedOrgan> prepare_organ(const Scene& scene, const VesselParameters& vessels = {},
                                                    const Progress& progress = {});
 
-/// Whether prepare_organ(scene) would make the same of files that have not changed since: organ and instrument are
-/// those, as large and turned the same way.
+/// Whether prepare_organ(scene) would give the same result if no file has changed: same organ and instrument, with the
+/// same scale and rotation.
 bool made_for(const PreparedOrgan& organ, const Scene& scene);
-/// Every file that was read for it or looked for: organ, textures, materials, the instrument.
+/// Every file that was read or looked for: organ, textures, materials, the instrument.
 std::vector<std::filesystem::path> files_of(const PreparedOrgan& organ);
 /// The files that the instrument was read from, the mesh first.
 std::vector<std::filesystem::path> tool_files_of(const PreparedOrgan& organ);

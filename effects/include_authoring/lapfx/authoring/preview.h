@@ -1,12 +1,12 @@
-// A scene as a picture: what `lapfx render` and the editor's viewport show. For one scene, preset, seed, size and time
-// the pixels are the same, whoever asks; also where a host draws them with Effects (samples/host/host.cpp).
+// A scene as a picture: what `lapfx render` and the editor's viewport show. One scene, preset, seed, size and time
+// always give the same pixels, also when a host draws them with Effects (samples/host/host.cpp).
 //
 //     auto context = lapfx::Context::create(lapfx::Backend::automatic);
 //     lapfx::Preview preview(scene, preset, {.clip_folders = {"samples/clips"}, .wait_for_clips = true});
 //     lapfx::Image image = preview.image(6.0, {1280, 1024});
 //
 // Render thread only, context current. draw() binds its own framebuffers, programs and textures and leaves them bound:
-// a host that cares uses Effects, which puts everything back.
+// a host that needs its state uses Effects, which restores everything.
 #pragma once
 
 #include <memory>
@@ -30,8 +30,8 @@ class Preview {
   public:
     /// Loads the scene's organ and tool and the preset's clips. Throws Error.
     Preview(const Scene& scene, const Preset& preset, const PreviewOptions& options = {});
-    /// The same with an organ that prepare_organ(scene, ...) has prepared: it has to be sent to the GPU (as Effects'),
-    /// and the clips opened. Throws Error (bad_input) when it is another scene's.
+    /// The same with an organ that prepare_organ(scene, ...) has prepared: only sending it to the GPU and opening the
+    /// clips remain. Throws Error (bad_input) when it was prepared for another scene.
     Preview(const Scene& scene, const Preset& preset, std::shared_ptr<const PreparedOrgan> organ,
             const PreviewOptions& options);
     Preview(Preview&&) noexcept;
@@ -45,32 +45,33 @@ class Preview {
 
     void set_preset(const Preset& preset);
     void set_parameters(const Preset& preset);  ///< as Effects::set_parameters
-    /// Live: colour of the organ, camera, light, gravity, seed, events, port of the tool. The next frame is that of a
-    /// new Preview of this scene. Throws Error (bad_input), and changes nothing, when its organ or tool are others:
-    /// those need a new one; and when gravity has no direction.
+    /// Changes colour of the organ, camera, light, gravity, seed, events and port of the tool. The next frame is that
+    /// of a new Preview of this scene. Throws Error (bad_input), and changes nothing, when gravity has no direction or
+    /// when organ or tool differ: those need a new Preview.
     void set_scene(const Scene& scene);
-    /// Whether set_scene() takes it: organ and tool are the same.
+    /// Whether set_scene() accepts this scene: organ and tool are the same.
     bool takes(const Scene& scene) const;
     void reload_shaders(const std::filesystem::path& folder);  ///< as Effects::reload_shaders
     void set_overlay(Overlay overlay);
     void set_camera(const SceneCamera& camera);
     void set_curves(const Curves& curves);
-    /// As Effects: all contacts at once, or samples of a tool as it moves; and what has happened so far.
+    /// These work as in Effects: all contacts at once, or samples of a tool as it moves, and what has happened so far.
     void set_contacts(std::span<const ToolContact> contacts);
     ToolQueue& tool_queue();
     std::span<const ToolContact> contacts() const;
     const SceneCamera& camera() const;
-    const Organ& organ() const;  ///< as PreparedOrgan::organ(): its images have sizes and no pixels
+    const Organ& organ() const;  ///< like PreparedOrgan::organ(): its images have sizes but no pixels
     Amounts amounts() const;
     std::vector<ClipStatus> clips() const;
     StreamingTimes streaming_times() const;
     bool late() const;  ///< as Effects::late
-    /// As Effects', with what a picture is drawn into, the instrument, and the organ's own data, which may be shared.
+    /// Memory of the Effects, of the targets that are drawn into, of the instrument, and of the organ's data, which may
+    /// be shared.
     MemoryUse memory_use() const;
     std::size_t memory() const { return memory_use().total(); }
     TissueSample tissue(const glm::dvec3& position) const;  ///< as Effects::tissue
 
-    /// Where the organ is under a pixel (origin top left) of a frame of `size`.
+    /// The point of the organ under a pixel (origin top left) of a frame of `size`.
     std::optional<OrganHit> pick(glm::dvec2 pixel, glm::ivec2 size) const;
 
   private:

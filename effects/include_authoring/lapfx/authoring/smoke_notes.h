@@ -1,4 +1,4 @@
-// Which smoke of a preset will not look as expected, for a person who tunes it: smoke is shown by clips.
+// Says which smoke of a preset will not look as expected. Smoke needs clips.
 #pragma once
 
 #include <string>

@@ -1,5 +1,4 @@
-// Which contacts are one stroke: what the core's log (tool/log.h) and tools that show strokes to people both go by.
-// Pure; any thread.
+// Which contacts form one stroke, for the core's log (tool/log.h) and for programs that show strokes. Pure; any thread.
 #pragma once
 
 #include <algorithm>
@@ -10,9 +9,9 @@
 
 namespace lapfx {
 
-/// Which contact the one with this number goes on from: of those before it in the order of time, the nearest that it
-/// goes on from (goes_on) and that no other does yet. Only the last 16 are looked at: few tools work at once.
-/// `contact_of(i)`: a ToolContact; `is_continued(i)`: whether one between i and `number` goes on from it.
+/// The contact that contact `number` continues: the nearest one before it in time that it continues (goes_on) and that
+/// no other contact continues yet. Only the last 16 are considered, because few tools work at once. `contact_of(i)`
+/// gives a ToolContact; `is_continued(i)` says whether a contact between i and `number` continues it.
 template <class ContactOf, class IsContinued>
 std::optional<std::size_t> goes_on_from(std::size_t number, ContactOf contact_of, IsContinued is_continued) {
     constexpr std::size_t looked_at = 16;

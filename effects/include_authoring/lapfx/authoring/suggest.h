@@ -18,41 +18,41 @@
 namespace lapfx {
 
 struct KeyingSuggestion {
-    KeyingParameters keying{};  ///< luma, chroma, key colour and spill as suggested; the rest as by default
+    KeyingParameters keying{};  ///< suggested luma, chroma, key colour and spill; everything else has its default
     ClipPolarity polarity = ClipPolarity::light;
     bool alpha = false;             ///< the clip has its own opacity: keying is not used
     double confidence = 0.0;        ///< 0..1; below 0.5 a person should check it
     double background_noise = 0.0;  ///< levels (0 to 255) within which 99 % of the background stays
-    double background_share = 0.0;  ///< of the clip's area over time, 0..1
+    double background_share = 0.0;  ///< share of the clip's area over time, 0..1
     bool whole_smoke_seen =
-        false;  ///< much of the smoke is of one opacity, perhaps whole; otherwise its luma is assumed
-    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keyed by luma, the value
-    /// that is used is in the middle between this and 1. 1 where it is known: keyed by colour.
+        false;  ///< much of the smoke has one opacity, perhaps 1; otherwise it is assumed from its luma
+    /// Least opacity that the thickest smoke can have, 0..1: that of smoke as bright as white. Keying by luma uses the
+    /// middle between this and 1. It is 1 for keying by colour, where the opacity is known.
     double least_opacity = 1.0;
-    ClipCrop crop{};                ///< bars at the picture's edges, where smoke would end in a straight line
+    ClipCrop crop{};                ///< bars at the edges of the picture, where smoke would end in a straight line
     double edge_fade = 0.0;         ///< more than 0 where smoke reaches the picture's edges
     std::vector<ClipMask> masks{};  ///< logos and other marks, placed where smoke is rare
     std::string reason;             ///< what was found, one line for people
 
-    /// Sets the clip's own keying, polarity, crop, fade and masks. Choke, feather and noise stay, and so do the masks
-    /// that it has; a clip of haze gets no fade.
+    /// Sets the clip's own keying, polarity, crop, fade and masks. Choke, feather, noise and existing masks stay; a
+    /// haze clip gets no fade.
     void apply(SmokeClip& clip) const;
 };
 
-/// From about 24 frames over the whole clip. Throws Error: bad_input for what is not a clip, runtime when `stop` ended
-/// it early.
+/// Looks at about 24 frames of the whole clip. Throws Error: bad_input for what is not a clip, runtime when `stop`
+/// ended it early.
 KeyingSuggestion suggest_keying(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 struct SourceSuggestion {
     glm::dvec2 place{0.5, 0.92};  ///< for source_x and source_y of the clip: fractions of its frame
-    bool found = false;           ///< there is smoke; otherwise `place` is the default
+    bool found = false;           ///< smoke was found; otherwise `place` is the default
     bool begins =
-        false;  ///< the clip begins without smoke and shows where it comes from; otherwise the plume's root is taken
+        false;  ///< the clip begins without smoke and shows where it comes from; otherwise it is the root of the plume
 };
 
-/// Where a clip's smoke starts, the point that is placed at the tool tip: with keying as suggested, from about 56
-/// frames. How: effects/smoke/find_source.h. Throws Error (bad_input) for what is not a clip. `stop`, if given, ends it
-/// early: Error (runtime), or any place.
+/// Finds where the smoke of a clip starts, which is the point that is placed at the tool tip. It keys about 56 frames
+/// as suggested (effects/smoke/find_source.h). Throws Error (bad_input) for what is not a clip. If given, `stop` ends
+/// it early, with Error (runtime) or any place.
 SourceSuggestion suggest_source(const std::filesystem::path& clip, const std::atomic<bool>* stop = nullptr);
 
 }  // namespace lapfx

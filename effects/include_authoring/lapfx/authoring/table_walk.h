@@ -7,12 +7,12 @@
 
 namespace lapfx {
 
-/// The object or list that `table` is of, in its parent's struct.
+/// The object or list that `table` describes, in its parent's struct.
 inline const void* member_of(const Table& table, const void* owner) {
     return table.member(const_cast<void*>(owner));  // only the address is taken
 }
 
-/// Whether it is there: only some objects may be left out.
+/// Whether the object exists: only some may be left out.
 inline bool present(const Table& table, const void* owner) {
     return table.present == nullptr || *table.present(const_cast<void*>(owner));
 }

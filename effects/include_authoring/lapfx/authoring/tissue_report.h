@@ -1,4 +1,4 @@
-// What was found of vessels and fat over a whole organ: for people who set the bands that find them.
+// Vessels and fat found on a whole organ, for people who set the bands that find them.
 //
 //     const lapfx::TissueReport found = lapfx::report_tissue(organ, preset.vessels);
 //     if (found.vessels == 0.0) log("every cut bleeds equally");
@@ -22,17 +22,17 @@ struct TissueReport {
     double alike = 1.0;  ///< share of the surface where every cut bleeds equally, 0..1: no colour, or no vessels found
     double vessels = 0.0;        ///< share that is vessel, 0..1
     double fat = 0.0;            ///< share that is fat, 0..1
-    double texels_per_mm = 0.0;  ///< of the finest texture that was looked at; 0: vertex colours, or none
+    double texels_per_mm = 0.0;  ///< mm per pixel of the finest texture; 0: vertex colours, or none
 };
 
-/// What the band passes of vessels and fat are applied to, as counts over the texels (or coloured vertices) of the
-/// surface: for setting the bands by looking. Outside the range nothing is counted.
+/// Histograms of the values that the band passes of vessels and fat look at, over the texels (or coloured vertices) of
+/// the surface, so that a person can set the bands by looking. Values outside the range are not counted.
 struct TissueHistogram {
     static constexpr std::size_t bins = 96;
     static constexpr double least_contrast = 0.0, most_contrast = 0.96;  ///< of vessel_low and vessel_high
     static constexpr double least_hue = 0.0, most_hue = 96.0;            ///< of fat_low and fat_high, degrees
-    std::array<std::uint32_t, bins> contrast{};  ///< of what can be blood by its hue, at this vessel_width
-    std::array<std::uint32_t, bins> hue{};       ///< of what has a colour
+    std::array<std::uint32_t, bins> contrast{};  ///< contrast at this vessel_width, where the hue can be that of blood
+    std::array<std::uint32_t, bins> hue{};       ///< hue, where there is a colour
 
     void add_contrast(double value) { add(contrast, (value - least_contrast) / (most_contrast - least_contrast)); }
     void add_hue(double degrees) { add(hue, (degrees - least_hue) / (most_hue - least_hue)); }
@@ -45,7 +45,7 @@ struct TissueHistogram {
 
 /// As report_tissue().
 TissueHistogram tissue_histogram(const Organ& organ, const VesselParameters& parameters = {});
-/// Of a prepared organ (prepared_organ.h): only counting remains.
+/// For a prepared organ (prepared_organ.h) only counting remains.
 TissueHistogram tissue_histogram(const PreparedOrgan& organ, const VesselParameters& parameters = {});
 
 /// Throws nothing but std::bad_alloc. `parameters` must be in range (they are when they come from a preset).

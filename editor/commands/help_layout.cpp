@@ -1,0 +1,105 @@
+#include "commands/help_layout.h"
+
+#include <algorithm>
+
+namespace lapfx::commands {
+
+namespace {
+
+constexpr std::size_t columns = 100;
+constexpr std::size_t name_column = 26;  // where what is said of a name begins
+
+/// Characters of UTF-8, as a terminal counts them: all but the bytes that continue one.
+std::size_t width(std::string_view text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; }));
+}
+
+/// "  name      meaning"; on a line of its own where the name is long.
+std::string listed(const std::string& name, std::string_view meaning) {
+    const std::string head = "  " + name;
+    const std::string lines = wrapped(meaning, name_column);
+    if (width(head) + 2 > name_column) return head + '\n' + lines;
+    return head + std::string(name_column - width(head), ' ') + lines.substr(std::min(name_column, lines.size()));
+}
+
+/// What is inside a cell of a Markdown table.
+std::string cell(std::string_view text) {
+    std::string out;
+    for (const char c : text) out += c == '|' ? std::string("\\|") : std::string(1, c);
+    return out;
+}
+
+std::string code(const std::string& text) {
+    return text.empty() ? "" : '`' + text + '`';
+}
+
+}  // namespace
+
+std::string wrapped(std::string_view text, std::size_t indent) {
+    std::string out, line;
+    const auto end_line = [&] {
+        if (!line.empty()) out += std::string(indent, ' ') + line + '\n';
+        line.clear();
+    };
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find(' '), text.size());
+        const std::string_view word = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        if (!line.empty() && indent + width(line) + 1 + width(word) > columns) end_line();
+        if (!line.empty()) line += ' ';
+        line += word;
+    }
+    end_line();
+    return out;
+}
+
+std::string terminal_text(const HelpSection& section) {
+    std::string out = section.title + '\n' + std::string(width(section.title), '-') + '\n';
+    for (const std::string& paragraph : section.paragraphs) out += '\n' + wrapped(paragraph, 0);
+    if (!section.rows.empty()) out += '\n';
+    for (const HelpRow& row : section.rows) {
+        out += listed(row.name, row.facts.empty() ? row.meaning : row.facts);
+        if (!row.facts.empty()) out += wrapped(row.meaning, name_column + 2);
+    }
+    return out;
+}
+
+std::string markdown(const HelpSection& section) {
+    std::string out = "### " + section.title + "\n\n";
+    for (const std::string& paragraph : section.paragraphs) out += paragraph + "\n\n";
+    if (section.rows.empty()) return out;
+    const bool facts = !section.facts_title.empty();
+    out += facts ? "| name | " + section.facts_title + " | meaning |\n| --- | --- | --- |\n"
+                 : std::string("| name | meaning |\n| --- | --- |\n");
+    for (const HelpRow& row : section.rows)
+        out +=
+            "| " + code(cell(row.name)) + " | " + (facts ? cell(row.facts) + " | " : "") + cell(row.meaning) + " |\n";
+    return out + '\n';
+}
+
+std::string CommandFormatter::make_usage(const CLI::App* app, std::string name) const {
+    std::string out = "\nUsage: " + (name.empty() ? app->get_name() : name);
+    for (const CLI::Option* option : app->get_options())
+        if (option->get_positional())
+            out += ' ' + make_option_usage(option);
+        else if (option->get_required())
+            out += ' ' + option->get_name() + ' ' + option->get_option_text();
+    if (!app->get_subcommands({}).empty()) out += app->get_parent() == nullptr ? " COMMAND ..." : " PART";
+    return out + " [OPTIONS]\n";
+}
+
+std::string CommandFormatter::make_option(const CLI::Option* option, bool is_positional) const {
+    std::string name = make_option_name(option, is_positional);
+    if (name == "-h,--help") return listed(name, "Print this help");
+    if (!is_positional && option->get_type_size() != 0) name += ' ' + option->get_option_text();
+    std::string meaning = option->get_description();
+    if (!option->get_default_str().empty()) meaning += "; default: " + option->get_default_str();
+    return listed(name, meaning);
+}
+
+std::string CommandFormatter::make_subcommand(const CLI::App* command) const {
+    return listed(command->get_name(), command->get_description());
+}
+
+}  // namespace lapfx::commands
