@@ -66,8 +66,7 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
 /// The editor as a picture, and the tree of its widgets.
 void write_files(const Options& o) {
     const glm::ivec2 size = size_of(o);
-    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
-        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is not a .png");
+    if (!o.screenshot.empty()) check_picture_name("--screenshot", o.screenshot);
     for (const std::string& file : {o.screenshot, o.dump}) {
         if (!file.empty()) check_folder(file);
     }

@@ -94,8 +94,7 @@ void make_files(const Options& o) {
     for (const std::string& file : {o.screenshot, o.dump}) {
         if (!file.empty()) check_folder(file);
     }
-    if (!o.screenshot.empty() && !o.screenshot.ends_with(".png"))
-        throw wrong_option("--screenshot", "\"" + o.screenshot + "\" is not a .png");
+    if (!o.screenshot.empty()) check_picture_name("--screenshot", o.screenshot);
     Still still(o, size);
     if (!o.dump.empty()) write_dump(o.dump, still.tree());
     if (o.screenshot.empty()) return;

@@ -5,6 +5,7 @@
 #include <iostream>
 #include <regex>
 
+#include "lapfx/authoring/formats.h"
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/authoring/smoke_notes.h"
 
@@ -33,6 +34,12 @@ CLI::Validator finite_number() {
                            : "\"" + text + "\" is not a number";
             },
             "NUMBER"};
+}
+
+void check_picture_name(const std::string& option, const std::string& file) {
+    const FileFormat* const format = format_named(file);
+    if (format == nullptr || format->content != Content::picture || !format->written)
+        throw wrong_option(option, "\"" + file + "\" is not a .png");
 }
 
 void check_folder(const std::filesystem::path& output) {

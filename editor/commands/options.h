@@ -17,6 +17,9 @@ glm::ivec2 parse_size(const std::string& text);
 /// Lets no "nan" and no "inf" through, which CLI::Range does.
 CLI::Validator finite_number();
 
+/// Throws Error (bad_input) where a picture cannot have that name: it is a PNG.
+void check_picture_name(const std::string& option, const std::string& file);
+
 /// Whether the file's folder is there, before the work and not after it. Throws Error (runtime).
 void check_folder(const std::filesystem::path& output);
 

@@ -66,7 +66,7 @@ Image picture_of_scene(const std::string& file, app::FileKind kind, glm::ivec2 s
 void run(const Options& o) {
     const glm::ivec2 size = parse_size(o.size);
     const Backend backend = parse_backend(o.backend);
-    if (!o.output.ends_with(".png")) throw wrong_option("-o", "\"" + o.output + "\" is not a .png");
+    check_picture_name("-o", o.output);
     check_folder(o.output);
     app::ThumbnailMaker::limit_process(0);
     try {

@@ -112,7 +112,7 @@ Image draw_sheet(Preview& preview, const std::vector<Row>& rows, const std::vect
 void run(const Options& o) {
     const glm::ivec2 cell = parse_size(o.size);
     const Backend backend = parse_backend(o.backend);
-    if (!o.output.ends_with(".png")) throw wrong_option("-o", "\"" + o.output + "\" is not a .png");
+    check_picture_name("-o", o.output);
     check_folder(o.output);
     const Scene scene = load_scene(o.scene);
     const std::vector<Row> rows = rows_of(o, scene);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "lapfx/authoring/formats.h"
 #include "output/files.h"
 #include "output/kinds.h"
 
@@ -77,12 +78,14 @@ class VideoFrames : public FrameFiles {
 }  // namespace
 
 bool is_sequence_name(const fs::path& path) {
-    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)");
+    static const std::regex pattern(R"([^%]*%0?\d{0,2}d[^%]*\.png)", std::regex::icase);
     return std::regex_match(path.filename().string(), pattern);
 }
 
 bool is_picture_name(const fs::path& path) {
-    return path.extension() == ".png" && path.filename().native().find('%') == fs::path::string_type::npos;
+    const FileFormat* const format = format_named(path);
+    return format != nullptr && format->content == Content::picture && format->written &&
+           path.filename().native().find('%') == fs::path::string_type::npos;
 }
 
 fs::path sequence_name(const fs::path& pattern, int index) {
