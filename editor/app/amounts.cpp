@@ -5,7 +5,7 @@
 #include <mutex>
 #include <optional>
 
-#include "app/editor.h"
+#include "app/preview_host.h"
 #include "lapfx/authoring/compare.h"
 
 namespace lapfx::app {
@@ -62,13 +62,14 @@ struct AmountsOverTime::Model {
     }
 };
 
-AmountsOverTime::AmountsOverTime(Editor& editor) : editor_(editor), model_(std::make_shared<Model>()) {}
+AmountsOverTime::AmountsOverTime(const document::Document& document, const PreviewHost& preview, Jobs& jobs, bool exact)
+    : document_(document), preview_(preview), jobs_(jobs), exact_(exact), model_(std::make_shared<Model>()) {}
 AmountsOverTime::~AmountsOverTime() {
     if (job_) job_->cancel();
 }
 
 bool AmountsOverTime::stale() const {
-    return followed_ != editor_.document.version() || known_ != wanted_content_;
+    return followed_ != document_.version() || known_ != wanted_content_;
 }
 
 void AmountsOverTime::lay_over(AmountSeries series) {
@@ -94,16 +95,16 @@ void AmountsOverTime::update(double now) {
 }
 
 void AmountsOverTime::follow(double now) {
-    const std::uint64_t organ = editor_.preview.organ_version();
-    if (followed_ != editor_.document.version() || organ_ != organ) {
-        const document::Content& content = editor_.document.content();
+    const std::uint64_t organ = preview_.organ_version();
+    if (followed_ != document_.version() || organ_ != organ) {
+        const document::Content& content = document_.content();
         if (wanted_content_ == 0 || organ_ != organ || !same_amounts(of_, content))
             of_ = content, ++wanted_content_, changed_at_ = now;
-        followed_ = editor_.document.version(), organ_ = organ;
+        followed_ = document_.version(), organ_ = organ;
     }
     if (wanted_content_ == known_ || (job_ && asked_ == wanted_content_)) return;
     if (job_) job_->cancel(), job_.reset();
-    const bool settled = scene_ == nullptr || editor_.options().exact || now >= changed_at_ + settled_after;
+    const bool settled = scene_ == nullptr || exact_ || now >= changed_at_ + settled_after;
     if (settled)
         start();
     else
@@ -113,8 +114,8 @@ void AmountsOverTime::follow(double now) {
 
 /// It is on its way, or the preview tells what keeps it.
 void AmountsOverTime::without_organ() {
-    const std::vector<Fault>& faults = editor_.preview.organ_faults();
-    if (editor_.preview.loading() || faults.empty()) return;
+    const std::vector<Fault>& faults = preview_.organ_faults();
+    if (preview_.loading() || faults.empty()) return;
     known_ = asked_, scene_.reset(), ++version_;
     faults_ = faults;
 }
@@ -122,14 +123,14 @@ void AmountsOverTime::without_organ() {
 void AmountsOverTime::start() {
     asked_ = wanted_content_;
     stopped_ = false;
-    const Scene& scene = editor_.document.scene();
+    const Scene& scene = document_.scene();
     if (scene.organ.file.empty()) {
         known_ = asked_, scene_.reset(), faults_.clear(), ++version_;
         return;
     }
-    const std::shared_ptr<const PreparedOrgan> organ = editor_.preview.organ_of(scene);
+    const std::shared_ptr<const PreparedOrgan> organ = preview_.organ_of(scene);
     if (organ == nullptr) return without_organ();
-    const auto work = [model = model_, content = editor_.document.content(), asked = asked_, organ,
+    const auto work = [model = model_, content = document_.content(), asked = asked_, organ,
                        this](Job& job) -> Jobs::Apply {
         const std::lock_guard lock(model->mutex);
         auto series = std::make_shared<AmountSeries>();
@@ -148,7 +149,7 @@ void AmountsOverTime::start() {
             scene_ = series, known_ = asked, ++version_;
         };
     };
-    job_ = editor_.jobs.start("Amounts", work, [this, asked = asked_](const std::vector<Fault>& faults) {
+    job_ = jobs_.start("Amounts", work, [this, asked = asked_](const std::vector<Fault>& faults) {
         job_.reset(), scene_.reset();
         faults_ = faults, known_ = asked, ++version_;
     });

@@ -1,7 +1,6 @@
 // The core's own amounts over the scene's time, worked out beside the UI whenever what they depend on has settled, and
 // only while somebody looks at them.
 //
-//     AmountsOverTime& amounts = editor.amounts();
 //     amounts.want();                                     // in each build that shows them
 //     if (const AmountSeries* scene = amounts.scene()) plot(scene->times, scene->of(AmountKind::haze));
 //
@@ -22,8 +21,9 @@
 
 namespace lapfx::app {
 
-class Editor;
 class Job;
+class Jobs;
+class PreviewHost;
 
 enum class AmountKind : std::uint8_t { blood_area, blood_volume, haze, bleeding_wounds };
 
@@ -52,7 +52,8 @@ struct AmountSeries {
 
 class AmountsOverTime {
   public:
-    explicit AmountsOverTime(Editor& editor);
+    /// `exact`: nothing waits for changes to settle. All must outlive it.
+    AmountsOverTime(const document::Document& document, const PreviewHost& preview, Jobs& jobs, bool exact);
     ~AmountsOverTime();
     AmountsOverTime(const AmountsOverTime&) = delete;
     AmountsOverTime& operator=(const AmountsOverTime&) = delete;
@@ -69,6 +70,9 @@ class AmountsOverTime {
     bool stale() const;
     bool stopped() const { return stopped_; }  ///< by the person: again() or a change goes on
     void again() { known_ = 0, stopped_ = false; }
+    /// A panel that shows them wants another frame, at due(): nothing else would make what it shows new.
+    bool wants_frame() const { return stale() && (!busy() || exact_); }
+    bool has_organ() const { return !document_.scene().organ.file.empty(); }  ///< without one there are none
     bool busy() const { return job_ != nullptr; }  ///< a job is at it; it wakes the UI at its end
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
@@ -86,7 +90,10 @@ class AmountsOverTime {
     void start();
     void without_organ();
 
-    Editor& editor_;
+    const document::Document& document_;
+    const PreviewHost& preview_;
+    Jobs& jobs_;
+    bool exact_;
     bool wanted_ = false, stopped_ = false;
     bool held_ = false;                    // the model may hold something
     std::uint64_t followed_ = 0;           // version of the document

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "app/editor.h"
 #include "app/files.h"
+#include "app/notices.h"
 #include "app/snapshots.h"
 
 namespace lapfx::app {
@@ -45,15 +45,21 @@ bool read_newest(Autosave::Offer& offer) {
 
 }  // namespace
 
-Autosave::Autosave(Editor& editor)
-    : editor_(editor), folder_(folder_in(editor.options().folders.state)), writer_({}, 1) {}
+Autosave::Autosave(document::Document& document, Snapshots& snapshots, Notices& notices,
+                   std::filesystem::path state_folder)
+    : document_(document),
+      snapshots_(snapshots),
+      notices_(notices),
+      state_folder_(std::move(state_folder)),
+      folder_(folder_in(state_folder_)),
+      writer_({}, 1) {}
 
 Autosave::~Autosave() {
     writer_.finish();
 }
 
 std::uint64_t Autosave::state() const {
-    return editor_.document.version() + (editor_.snapshots().version() << 40U);
+    return document_.version() + (snapshots_.version() << 40U);
 }
 
 void Autosave::soon() {
@@ -61,7 +67,7 @@ void Autosave::soon() {
 }
 
 document::Kept Autosave::kept() const {
-    const document::Document& d = editor_.document;
+    const document::Document& d = document_;
     return {.time = now_utc(),
             .content = d.content(),
             .scene_file = d.scene_file(),
@@ -70,15 +76,15 @@ document::Kept Autosave::kept() const {
             .preset_disk = d.preset_on_disk(),
             .scene_unsaved = d.scene_unsaved(),
             .preset_unsaved = d.preset_unsaved(),
-            .snapshots = editor_.snapshots().kept()};
+            .snapshots = snapshots_.kept()};
 }
 
 void Autosave::update(double now) {
-    if (editor_.options().folders.state.empty()) return;
+    if (state_folder_.empty()) return;
     writer_.take();
     if (const std::uint64_t state = this->state(); state != seen_) {
         seen_ = state;
-        const bool unsaved = editor_.document.unsaved();
+        const bool unsaved = document_.unsaved();
         if (unsaved) {
             if (std::isinf(due_)) latest_ = now + wait;
             due_ = std::min(now + pause, latest_);
@@ -98,6 +104,7 @@ void Autosave::update(double now) {
         }
         unsaved_ = unsaved;
     }
+    soon_ |= std::exchange(faults_seen_, notices_.faults()) != notices_.faults();
     if (std::exchange(soon_, false) && unsaved_) due_ = latest_ = now;
     if (now >= due_) write(now);
 }
@@ -123,15 +130,14 @@ void Autosave::write(double now) {
 
 void Autosave::failed(const std::string& reason) {
     if (!told_)
-        editor_.toasts.add(
-            {.kind = ui::ToastKind::warning,
-             .text = "Unsaved work cannot be kept for a crash: " + reason + ". The editor keeps trying."});
+        notices_.add({.kind = ui::ToastKind::warning,
+                      .text = "Unsaved work cannot be kept for a crash: " + reason + ". The editor keeps trying."});
     told_ = true;
 }
 
 void Autosave::write_now() noexcept {
     try {
-        if (editor_.options().folders.state.empty() || !editor_.document.unsaved()) return;
+        if (state_folder_.empty() || !document_.unsaved()) return;
         writer_.finish();
         folder_.write(kept());
     } catch (const std::exception&) {
@@ -140,7 +146,7 @@ void Autosave::write_now() noexcept {
 }
 
 void Autosave::end() {
-    if (editor_.options().folders.state.empty()) return;
+    if (state_folder_.empty()) return;
     writer_.finish();
     folder_.remove();
     for (document::LeftBehind& left : recovered_) {
@@ -157,8 +163,8 @@ void Autosave::end() {
 
 void Autosave::find() {
     offers_.clear();
-    if (editor_.options().folders.state.empty()) return;
-    for (document::LeftBehind& left : document::find_left_behind(folder_in(editor_.options().folders.state))) {
+    if (state_folder_.empty()) return;
+    for (document::LeftBehind& left : document::find_left_behind(folder_in(state_folder_))) {
         Offer offer{.left = std::move(left), .kept = {}, .name = {}, .unsaved = {}, .notes = {}};
         if (!read_newest(offer)) continue;  // of another version: it stays for that
         const document::Kept& k = offer.kept;
@@ -190,7 +196,7 @@ void Autosave::recover(std::size_t index) {
     Offer offer = std::move(offers_[index]);
     offers_.clear();
     document::Kept& k = offer.kept;
-    editor_.document.recover(
+    document_.recover(
         {.content = std::move(k.content),
          .scene_in_file = in_file(k.scene_file, k.scene_disk, load_scene),
          .preset_in_file = in_file(k.preset_file, k.preset_disk, [](const auto& f) { return load_preset(f); }),
@@ -200,12 +206,10 @@ void Autosave::recover(std::size_t index) {
          .preset_disk = k.preset_disk,
          .scene_unsaved = k.scene_unsaved,
          .preset_unsaved = k.preset_unsaved});
-    editor_.snapshots().restore(k.snapshots);
-    editor_.forget_document();
+    snapshots_.restore(k.snapshots);
     for (const std::string& note : offer.notes)
-        editor_.toasts.add({.kind = ui::ToastKind::warning, .text = "Not recovered: " + note});
+        notices_.add({.kind = ui::ToastKind::warning, .text = "Not recovered: " + note});
     recovered_.push_back(std::move(offer.left));
-    editor_.files().note_opened();
     // It is kept as this editor's own from now on, too.
     unsaved_ = true;
     soon_ = true;
@@ -217,7 +221,7 @@ void Autosave::discard(std::size_t index) {
     try {
         document::discard(std::move(offer.left));
     } catch (const Error& fault) {
-        editor_.tell(fault);
+        notices_.tell(fault);
     }
 }
 

@@ -12,25 +12,28 @@
 #include <vector>
 
 #include "app/jobs.h"
+#include "document/document.h"
 #include "document/keep.h"
 
 namespace lapfx::app {
 
-class Editor;
+class Notices;
+class Snapshots;
 
 class Autosave {
   public:
     static constexpr double pause = 2;  ///< s without another change until it is kept
     static constexpr double wait = 5;   ///< s from a change until it is kept at the latest
 
-    explicit Autosave(Editor& editor);
+    /// `state_folder`: of the user; empty: nothing is kept. All must outlive it.
+    Autosave(document::Document& document, Snapshots& snapshots, Notices& notices, std::filesystem::path state_folder);
     ~Autosave();
 
     /// Once before each frame. `now`: s.
     void update(double now);
     /// When update() is wanted at the latest, s; infinite: nothing has to be kept.
     double due() const { return due_; }
-    /// With the next update(): something has gone wrong.
+    /// With the next update(): something has gone wrong. What notices tell of faults does the same.
     void soon();
     /// At once, and waits for it: the editor is about to end by a fault. Never throws.
     void write_now() noexcept;
@@ -49,7 +52,7 @@ class Autosave {
     /// Looks for it. For the start of the program; reads files.
     void find();
     const std::vector<Offer>& offers() const { return offers_; }
-    /// Becomes the document; the others wait for the next start.
+    /// Becomes the document; the others wait for the next start. Only a part of what that takes: Files::recover().
     void recover(std::size_t offer);
     void discard(std::size_t offer);
     void keep_for_later() { offers_.clear(); }
@@ -60,9 +63,13 @@ class Autosave {
     void write(double now);
     void failed(const std::string& reason);
 
-    Editor& editor_;
-    document::KeepFolder folder_;  ///< of the writer's thread, but when nothing runs there
-    std::uint64_t seen_ = 0;       ///< state() when it was last looked at
+    document::Document& document_;
+    Snapshots& snapshots_;
+    Notices& notices_;
+    std::filesystem::path state_folder_;
+    std::uint64_t faults_seen_ = 0;  ///< of notices_
+    document::KeepFolder folder_;    ///< of the writer's thread, but when nothing runs there
+    std::uint64_t seen_ = 0;         ///< state() when it was last looked at
     bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;
     double due_ = std::numeric_limits<double>::infinity(), latest_ = due_;  ///< s; of what changes again and again
     std::vector<Offer> offers_;

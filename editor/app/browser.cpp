@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <map>
 
-#include "app/editor.h"
 #include "app/files.h"
+#include "app/jobs.h"
+#include "app/notices.h"
+#include "app/screen.h"
 #include "app/settings.h"
 #include "lapfx/authoring/file.h"
 #include "ui/core/id.h"
@@ -99,14 +101,21 @@ bool read_preset(const fs::path& path, PresetFile& file) {
 
 }  // namespace
 
-Browser::Browser(Editor& editor) : editor_(editor) {}
+Browser::Browser(const EditorOptions& options, document::Document& document, Settings& settings, Jobs& jobs,
+                 ui::ImageStore& images, Notices& notices, Screen& screen)
+    : options_(options),
+      document_(document),
+      settings_(settings),
+      jobs_(jobs),
+      images_(images),
+      notices_(notices),
+      screen_(screen) {}
 Browser::~Browser() = default;
 
 std::vector<fs::path> Browser::folders() const {
-    std::vector<fs::path> all{editor_.options().data_folder / "presets"};
-    if (!editor_.document.preset_file().empty())
-        all.push_back(fs::absolute(editor_.document.preset_file()).parent_path());
-    for (const std::string& folder : editor_.settings().preset_folders) all.emplace_back(folder);
+    std::vector<fs::path> all{options_.data_folder / "presets"};
+    if (!document_.preset_file().empty()) all.push_back(fs::absolute(document_.preset_file()).parent_path());
+    for (const std::string& folder : settings_.preset_folders) all.emplace_back(folder);
     return all;
 }
 
@@ -135,11 +144,11 @@ Browser::Found Browser::look(const std::vector<fs::path>& folders) {
 
 void Browser::scan() {
     stale_ = false;
-    scanned_beside_ = editor_.document.preset_file();
+    scanned_beside_ = document_.preset_file();
     current_ = scanned_beside_.empty() ? fs::path() : fs::absolute(scanned_beside_).lexically_normal();
     current_key_ = key_of(current_);
-    scanned_saved_ = editor_.document.saved_preset();
-    scanning_ = editor_.jobs.start(
+    scanned_saved_ = document_.saved_preset();
+    scanning_ = jobs_.start(
         "Presets",
         [this, all = folders()](Job&) -> Jobs::Apply {
             auto found = std::make_shared<Found>(look(all));
@@ -147,7 +156,7 @@ void Browser::scan() {
         },
         [this](const std::vector<Fault>& faults) {
             scanning_.reset();
-            editor_.tell(faults);
+            notices_.tell(faults);
         });
 }
 
@@ -161,7 +170,7 @@ void Browser::take(Found found) {
         if (same != found.files.end()) {
             same->image = file.image;
         } else if (file.image != 0) {
-            editor_.images.remove(file.image);
+            images_.remove(file.image);
         }
     }
     files_ = std::move(found.files);
@@ -183,19 +192,19 @@ void Browser::count_tags() {
 
 void Browser::start_maker() {
     ThumbnailMaker::Options options;
-    options.cache = editor_.options().folders.cache;
-    options.clip_folders = editor_.options().clip_folders;
+    options.cache = options_.folders.cache;
+    options.clip_folders = options_.clip_folders;
     options.program = program_;
-    options.render = renders_ && !editor_.options().exact;
-    options.wake = [this] { editor_.ui().wake("thumbnail"); };
+    options.render = renders_ && !options_.exact;
+    options.wake = [this] { screen_.wake("thumbnail"); };
     maker_ = std::make_unique<ThumbnailMaker>(std::move(options));
 }
 
 void Browser::render_with(const fs::path& program) {
     program_ = program;
     ThumbnailMaker::Options options;
-    options.cache = editor_.options().folders.cache;
-    options.clip_folders = editor_.options().clip_folders;
+    options.cache = options_.folders.cache;
+    options.clip_folders = options_.clip_folders;
     options.program = program_;
     maker_ = std::make_unique<ThumbnailMaker>(std::move(options));
 }
@@ -203,15 +212,14 @@ void Browser::render_with(const fs::path& program) {
 /// On the scene that is open, as its file is, else on the sample.
 void Browser::want_thumbnails() {
     if (maker_ == nullptr) start_maker();
-    const fs::path& open = editor_.document.scene_file();
-    scene_ = open.empty() ? editor_.options().data_folder / "samples" / "lagb.scene.json" : fs::absolute(open);
+    const fs::path& open = document_.scene_file();
+    scene_ = open.empty() ? options_.data_folder / "samples" / "lagb.scene.json" : fs::absolute(open);
     std::vector<ThumbnailMaker::Request> requests;
     for (const PresetFile& file : files_)
         if (file.fault.empty())
-            requests.push_back(
-                {.file = file.file, .scene = scene_, .time = thumbnail_at * editor_.document.scene().duration});
+            requests.push_back({.file = file.file, .scene = scene_, .time = thumbnail_at * document_.scene().duration});
     maker_->want(std::move(requests));
-    if (editor_.options().exact) maker_->finish();
+    if (options_.exact) maker_->finish();
 }
 
 void Browser::take_thumbnails() {
@@ -223,16 +231,16 @@ void Browser::take_thumbnails() {
         if (!result.fault.empty()) file->tip += "\nNo picture: " + result.fault;
         if (result.rgba.empty()) continue;
         if (file->image == 0) {
-            file->image = editor_.images.add(result.size, result.rgba);
+            file->image = images_.add(result.size, result.rgba);
         } else {
-            editor_.images.update(file->image, result.size, result.rgba);
+            images_.update(file->image, result.size, result.rgba);
         }
     }
 }
 
 void Browser::show() {
     shown_ = true;
-    if (!seen_) editor_.ui().wake("presets are searched");  // from the next update() on
+    if (!seen_) screen_.wake("presets are searched");  // from the next update() on
 }
 
 void Browser::update(double) {
@@ -245,8 +253,7 @@ void Browser::update(double) {
         return;
     }
     const bool came = !std::exchange(seen_, true);
-    stale_ |=
-        came || scanned_beside_ != editor_.document.preset_file() || scanned_saved_ != editor_.document.saved_preset();
+    stale_ |= came || scanned_beside_ != document_.preset_file() || scanned_saved_ != document_.saved_preset();
     if (stale_ && !scanning_) scan();
 }
 
@@ -282,12 +289,12 @@ void Browser::choose_tag(std::string_view tag, bool on) {
 }
 
 bool Browser::starred(std::size_t file) const {
-    const std::vector<std::string>& stars = editor_.settings().preset_stars;
+    const std::vector<std::string>& stars = settings_.preset_stars;
     return std::find(stars.begin(), stars.end(), files_[file].file.native()) != stars.end();
 }
 
 void Browser::star(std::size_t file, bool on) {
-    std::vector<std::string>& stars = editor_.settings().preset_stars;
+    std::vector<std::string>& stars = settings_.preset_stars;
     std::erase(stars, files_[file].file.string());
     if (on) stars.push_back(files_[file].file.string());
     sorted_ = false;
@@ -297,19 +304,11 @@ bool Browser::current(std::size_t file) const {
     return files_[file].file == current_;
 }
 
-void Browser::open(std::size_t file) {
-    if (!files_[file].fault.empty()) {
-        editor_.toasts.add({.kind = ui::ToastKind::error, .text = files_[file].fault});
-        return;
-    }
-    editor_.files().open_anyway({files_[file].file.string()});
-}
-
 void Browser::take_values(std::size_t index) {
     const fs::path file = files_[index].file;
     try {
         Preset preset = load_preset(file);
-        const Preset& open = editor_.document.preset();
+        const Preset& open = document_.preset();
         std::error_code error;
         // Its own clips cannot be named from another folder: a preset's paths stay inside its own.
         const bool own_clips =
@@ -318,7 +317,7 @@ void Browser::take_values(std::size_t index) {
                         [&](const SmokeClip& c) { return fs::exists(preset.folder / c.file, error); });
         if (own_clips) {
             preset.smoke.clips = open.smoke.clips;
-            editor_.toasts.add(
+            notices_.add(
                 {.kind = ui::ToastKind::warning,
                  .text = "The clips of " + preset.name +
                          " are in its own folder, so the clips stay as they were: open the preset to use its clips"});
@@ -328,22 +327,26 @@ void Browser::take_values(std::size_t index) {
         preset.description = open.description;
         preset.tags = open.tags;
         preset.folder = open.folder;
-        editor_.document.change("Values of " + name, [&](document::Content& c) { c.preset = std::move(preset); });
+        document_.change("Values of " + name, [&](document::Content& c) { c.preset = std::move(preset); });
     } catch (const Error& failure) {
-        editor_.tell(failure);
+        notices_.tell(failure);
     }
 }
 
 void Browser::add_folder(const fs::path& folder) {
-    std::vector<std::string>& all = editor_.settings().preset_folders;
+    std::vector<std::string>& all = settings_.preset_folders;
     const std::string text = fs::absolute(folder).lexically_normal().string();
     if (std::find(all.begin(), all.end(), text) == all.end()) all.push_back(text);
     stale_ = true;
 }
 
 void Browser::remove_folder(const fs::path& folder) {
-    std::erase(editor_.settings().preset_folders, folder.string());
+    std::erase(settings_.preset_folders, folder.string());
     stale_ = true;
+}
+
+const std::vector<std::string>& Browser::own_folders() const {
+    return settings_.preset_folders;
 }
 
 bool Browser::busy() const {

@@ -1,10 +1,9 @@
 // Presets in folders: the shipped ones, those beside the preset that is open, and where the user keeps more; with
 // thumbnails.
 //
-//     Browser& browser = editor.browser();
 //     browser.show();                                  // by the panel, in each build: it is looked at
 //     for (std::size_t i : browser.found()) draw(browser.files()[i]);
-//     browser.open(i);
+//     browser.take_values(i);
 //
 // Folders are read in a job when the panel comes to be seen, when the preset was saved and by reload(); nothing is read
 // or rendered for a panel that is not seen. UI thread.
@@ -16,14 +15,19 @@
 #include <string>
 #include <vector>
 
+#include "app/editor_options.h"
 #include "app/thumbnail_maker.h"
-#include "lapfx/preset.h"
+#include "document/document.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/images.h"
 
 namespace lapfx::app {
 
-class Editor;
 class Job;
+class Jobs;
+class Notices;
+class Screen;
+class Settings;
 
 /// A preset that was found, or a file that could be one and is broken.
 struct PresetFile {
@@ -42,7 +46,9 @@ enum class PresetOrder { name, newest };
 
 class Browser {
   public:
-    explicit Browser(Editor& editor);
+    /// All must outlive it.
+    Browser(const EditorOptions& options, document::Document& document, Settings& settings, Jobs& jobs,
+            ui::ImageStore& images, Notices& notices, Screen& screen);
     ~Browser();
     /// Once before each frame. `now`: s.
     void update(double now);
@@ -64,14 +70,12 @@ class Browser {
     PresetOrder order = PresetOrder::name;
     bool stars_only = false;
 
-    /// As "Open" does: it takes the place of the preset, and what was done is forgotten. Ask first if the preset is
-    /// unsaved: it is given up.
-    void open(std::size_t file);
     /// Its parameters and clips in place of those that are open, as one undo step; name and file stay.
     void take_values(std::size_t file);
     /// A folder that presets are looked for in from now on.
     void add_folder(const std::filesystem::path& folder);
     void remove_folder(const std::filesystem::path& folder);
+    const std::vector<std::string>& own_folders() const;  ///< those that were added
 
     /// Another program than this one renders thumbnails, although pictures of the editor must not wait for them: for
     /// tests.
@@ -92,7 +96,13 @@ class Browser {
     void take_thumbnails();
     void count_tags();
 
-    Editor& editor_;
+    const EditorOptions& options_;
+    document::Document& document_;
+    Settings& settings_;
+    Jobs& jobs_;
+    ui::ImageStore& images_;
+    Notices& notices_;
+    Screen& screen_;
     std::vector<PresetFile> files_;
     std::vector<std::string> tags_, chosen_tags_;
     std::vector<std::size_t> found_;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <fstream>
 
-#include "app/editor.h"
 #include "app/keying_bench.h"
+#include "app/preview_host.h"
 #include "app/settings.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/file.h"
@@ -121,16 +121,16 @@ std::vector<std::uint8_t> shrunk(const Image& image, glm::ivec2 size) {
 // --- what is known ---------------------------------------------------------------------------------------------------
 
 ClipFacts& ClipShelf::find(const std::string& file) {
-    const std::string key = editor_.document.preset().folder.string() + '\n' + file;
+    const std::string key = document_.preset().folder.string() + '\n' + file;
     const auto [place, made] = known_.try_emplace(key);
     if (made) look(key, file);
     return place->second;
 }
 
 void ClipShelf::look(const std::string& key, const std::string& file) {
-    const fs::path folder = editor_.document.preset().folder;
+    const fs::path folder = document_.preset().folder;
     const auto found = std::make_shared<Found>();
-    const auto work = [=, folders = editor_.options().clip_folders, this](Job& job) -> Jobs::Apply {
+    const auto work = [=, folders = clip_folders_, this](Job& job) -> Jobs::Apply {
         found->path = find_clip(file, folder, folders);
         KeyingReader reader(found->path, &job.stop());
         found->report = reader.report();
@@ -147,9 +147,9 @@ void ClipShelf::look(const std::string& key, const std::string& file) {
                      .thumbnail = facts.thumbnail,
                      .job = {}};
             if (facts.thumbnail == 0)
-                facts.thumbnail = editor_.images.add(thumbnail_size, found->thumbnail);
+                facts.thumbnail = images_.add(thumbnail_size, found->thumbnail);
             else
-                editor_.images.update(facts.thumbnail, thumbnail_size, found->thumbnail);
+                images_.update(facts.thumbnail, thumbnail_size, found->thumbnail);
             ++grown_;
         };
     };
@@ -164,7 +164,7 @@ void ClipShelf::look(const std::string& key, const std::string& file) {
                  .job = {}};
         ++grown_;
     };
-    known_[key].job = editor_.jobs.start("Reading " + fs::path(file).filename().string(), work, failed);
+    known_[key].job = jobs_.start("Reading " + fs::path(file).filename().string(), work, failed);
 }
 
 void ClipShelf::look_again() {
@@ -179,29 +179,30 @@ const ClipStatus* ClipShelf::playing(std::size_t clip) const {
 }
 
 void ClipShelf::update(double now) {
+    const std::size_t count = document_.preset().smoke.clips.size();
+    if (count > 0 && selected >= count) selected = count - 1;  // one that is gone gives way to the last
     if (work_ && work_->cancelled()) work_.reset();
-    if (const bool changed = editor_.document.version() + grown_ != followed_;
-        changed || now - asked_ > between_asking) {
+    if (const bool changed = document_.version() + grown_ != followed_; changed || now - asked_ > between_asking) {
         asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it
-        playing_ = editor_.preview.ready() ? editor_.preview.preview()->clips() : std::vector<ClipStatus>{};
+        playing_ = preview_.ready() ? preview_.preview()->clips() : std::vector<ClipStatus>{};
     }
     follow();
-    if (!editor_.options().exact || !editor_.jobs.busy()) return;
-    editor_.jobs.finish();
+    if (!exact_ || !jobs_.busy()) return;
+    jobs_.finish();
     follow();
 }
 
 void ClipShelf::follow() {
-    const std::uint64_t version = editor_.document.version() + grown_;
+    const std::uint64_t version = document_.version() + grown_;
     if (version == followed_) return;
     followed_ = version;
-    const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
+    const std::vector<SmokeClip>& clips = document_.preset().smoke.clips;
     seen_ = {};
     seen_.faults.resize(clips.size());
     for (const SmokeClip& clip : clips) seen_.facts.push_back(&find(clip.file));
     for (const ClipFacts* facts : seen_.facts) seen_.outside.push_back(is_outside(*facts));
     constexpr std::string_view place = "/smoke/clips/";
-    for (const Fault& fault : editor_.document.preset_faults()) {
+    for (const Fault& fault : document_.preset_faults()) {
         if (!fault.place.starts_with(place)) continue;
         const std::size_t clip = static_cast<std::size_t>(std::atoi(fault.place.c_str() + place.size()));
         const std::size_t key = fault.place.find('/', place.size());
@@ -230,13 +231,13 @@ bool ClipShelf::any_outside() const {
 }
 
 fs::path ClipShelf::home() const {
-    const fs::path& file = editor_.document.preset_file();
-    return file.empty() ? editor_.document.preset().folder : fs::absolute(file).parent_path();
+    const fs::path& file = document_.preset_file();
+    return file.empty() ? document_.preset().folder : fs::absolute(file).parent_path();
 }
 
 bool ClipShelf::is_outside(const ClipFacts& facts) const {
     if (facts.path.empty()) return false;
-    for (const fs::path& folder : editor_.options().clip_folders)
+    for (const fs::path& folder : clip_folders_)
         if (facts.path.parent_path() == folder) return false;
     const auto real = [](const fs::path& path) {
         std::error_code error;
@@ -270,13 +271,13 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
         return [=, this] {
             work_.reset();
             refused_ = *faults;
-            editor_.settings().forget_missing(bad);
+            settings_.forget_missing(bad);
             take_found(good, sources, replace);
         };
     };
     const std::string name =
         files.size() == 1 ? fs::path(files[0]).filename().string() : std::to_string(files.size()) + " clips";
-    work_ = editor_.jobs.start("Reading " + name, work, [this](const std::vector<Fault>& told) {
+    work_ = jobs_.start("Reading " + name, work, [this](const std::vector<Fault>& told) {
         work_.reset();
         refused_ = told;
     });
@@ -285,8 +286,8 @@ void ClipShelf::add(const std::vector<std::string>& files, std::optional<std::si
 void ClipShelf::take_found(const std::vector<std::string>& files, const std::vector<SourceSuggestion>& sources,
                            std::optional<std::size_t> replace) {
     if (files.empty()) return;
-    for (auto file = files.rbegin(); file != files.rend(); ++file) editor_.settings().note_recent(*file);
-    document::Document& document = editor_.document;
+    for (auto file = files.rbegin(); file != files.rend(); ++file) settings_.note_recent(*file);
+    document::Document& document = document_;
     if (replace) {
         if (*replace >= document.preset().smoke.clips.size()) return;
         return document.change("Replace clip", [&](document::Content& c) {
@@ -308,7 +309,7 @@ void ClipShelf::take_found(const std::vector<std::string>& files, const std::vec
                         }
                         document.gather_clips(c.preset);
                     });
-    if (added > 0) editor_.clip = document.preset().smoke.clips.size() - 1;
+    if (added > 0) selected = document.preset().smoke.clips.size() - 1;
     if (added < files.size())
         refused_.push_back({.file = files[added],
                             .place = "",
@@ -318,31 +319,31 @@ void ClipShelf::take_found(const std::vector<std::string>& files, const std::vec
 void ClipShelf::copy_beside() {
     const fs::path to = home();
     std::map<std::string, fs::path> from;  // by name in the preset
-    const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
+    const std::vector<SmokeClip>& clips = document_.preset().smoke.clips;
     for (std::size_t i = 0; i < clips.size(); ++i)
         if (outside(i)) from[clips[i].file] = of(i).path;
     copy(from, to, [this, to](const std::map<std::string, std::string>& names) {
-        editor_.document.change("Copy clips next to the preset", [&](document::Content& c) {
+        document_.change("Copy clips next to the preset", [&](document::Content& c) {
             for (SmokeClip& clip : c.preset.smoke.clips)
                 if (const auto name = names.find(clip.file); name != names.end())
                     clip.file = (to / name->second).string();
-            editor_.document.gather_clips(c.preset);
+            document_.gather_clips(c.preset);
         });
     });
 }
 
 void ClipShelf::copy_to(const fs::path& folder, std::function<void()> then) {
-    const std::vector<std::string> needed = editor_.document.clips_outside(folder);
+    const std::vector<std::string> needed = document_.clips_outside(folder);
     std::map<std::string, fs::path> from;
-    const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
+    const std::vector<SmokeClip>& clips = document_.preset().smoke.clips;
     for (std::size_t i = 0; i < clips.size(); ++i)
         if (std::find(needed.begin(), needed.end(), clips[i].file) != needed.end()) from[clips[i].file] = of(i).path;
     copy(from, folder, [this, folder, then = std::move(then)](const std::map<std::string, std::string>& names) {
-        editor_.document.change("Copy clips", [&](document::Content& c) {
+        document_.change("Copy clips", [&](document::Content& c) {
             for (SmokeClip& clip : c.preset.smoke.clips)
                 if (const auto name = names.find(clip.file); name != names.end())
                     clip.file = (folder / name->second).string();
-            editor_.document.gather_clips(c.preset);
+            document_.gather_clips(c.preset);
         });
         then();
     });
@@ -372,7 +373,7 @@ void ClipShelf::copy(const std::map<std::string, fs::path>& from, const fs::path
             taken(names);
         };
     };
-    work_ = editor_.jobs.start("Copying clips", work, [this](const std::vector<Fault>& told) {
+    work_ = jobs_.start("Copying clips", work, [this](const std::vector<Fault>& told) {
         work_.reset();
         refused_ = told;
     });

@@ -2,7 +2,7 @@
 // replacing and copying them. Files are looked through by jobs, each once.
 //
 //     shelf.update(now);                                // once before each frame
-//     const ClipFacts& facts = shelf.of(editor.clip);   // while the UI is built
+//     const ClipFacts& facts = shelf.of(shelf.selected);  // while the UI is built
 //     shelf.add({"/videos/plume.mp4"});                 // looked through first; then one undo step
 //
 // UI thread.
@@ -17,15 +17,18 @@
 #include <vector>
 
 #include "app/jobs.h"
+#include "document/document.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/keying.h"
 #include "lapfx/authoring/suggest.h"
 #include "lapfx/streaming.h"
 #include "ui/draw/draw_list.h"
+#include "ui/draw/images.h"
 
 namespace lapfx::app {
 
-class Editor;
+class PreviewHost;
+class Settings;
 
 /// What is known of one clip's file.
 struct ClipFacts {
@@ -40,11 +43,22 @@ struct ClipFacts {
 
 class ClipShelf {
   public:
-    explicit ClipShelf(Editor& editor) : editor_(editor) {}
+    /// All must outlive it.
+    ClipShelf(document::Document& document, const PreviewHost& preview, Jobs& jobs, Settings& settings,
+              ui::ImageStore& images, std::vector<std::filesystem::path> clip_folders, bool exact)
+        : document_(document),
+          preview_(preview),
+          jobs_(jobs),
+          settings_(settings),
+          images_(images),
+          clip_folders_(std::move(clip_folders)),
+          exact_(exact) {}
     ClipShelf(const ClipShelf&) = delete;
     ClipShelf& operator=(const ClipShelf&) = delete;
 
-    /// `now`: s.
+    std::size_t selected = 0;  ///< of the preset's clips, the one that panels show
+
+    /// Once before each frame. `now`: s.
     void update(double now);
 
     /// Of the preset's clips, by number; of a number that is none, nothing is known.
@@ -93,7 +107,13 @@ class ClipShelf {
     bool is_outside(const ClipFacts& facts) const;
     void follow();
 
-    Editor& editor_;
+    document::Document& document_;
+    const PreviewHost& preview_;
+    Jobs& jobs_;
+    Settings& settings_;
+    ui::ImageStore& images_;
+    std::vector<std::filesystem::path> clip_folders_;
+    bool exact_;
     std::map<std::string, ClipFacts> known_;  ///< by folder and name
     Seen seen_;
     std::uint64_t grown_ = 1;  ///< with every result of a job

@@ -5,23 +5,23 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <thread>
 #include <tuple>
 
 #include "app/amounts.h"
 #include "app/autosave.h"
 #include "app/browser.h"
+#include "app/clip_shelf.h"
 #include "app/exports.h"
+#include "app/file_chooser.h"
 #include "app/file_previews.h"
 #include "app/files.h"
 #include "app/hot_reload.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "app/meter.h"
-#include "app/open.h"
-#include "app/orbit.h"
 #include "app/organ_choice.h"
 #include "app/reference.h"
+#include "app/saved.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "app/tuning.h"
@@ -30,123 +30,56 @@ namespace lapfx::app {
 
 namespace {
 
-/// A folder that hangs must not be waited for, not even at the end. Throws std::system_error: there are too many
-/// threads.
-void run_beside(std::function<void()> work) {
-    std::thread(std::move(work)).detach();
-}
-
-constexpr double still_longest = 0.5;  // s; a frame that took longer (a stopped process) does not make time jump
+constexpr double longest_step = 0.5;  // s; a frame that took longer (a stopped process) does not make time jump
 
 }  // namespace
 
 Editor::Editor(ui::ImageStore& image_store, EditorOptions options)
     : preview({.clip_folders = options.clip_folders, .wait_for_clips = options.exact}, jobs, std::move(options.early)),
-      file_dialog(options.files != nullptr ? *options.files : ui::system_files(),
-                  options.exact ? ui::RunBeside() : run_beside),
+      hold(document, preview, timeline, selected, toasts),
       images(image_store),
       options_(std::move(options)),
       settings_(std::make_unique<Settings>(options_.folders)),
-      tuning_(std::make_unique<Tuning>(*this)),
-      snapshots_(std::make_unique<Snapshots>(*this)),
-      amounts_(std::make_unique<AmountsOverTime>(*this)),
-      autosave_(std::make_unique<Autosave>(*this)),
+      chooser_(std::make_unique<FileChooser>(options_, *settings_, screen_)),
+      saved_(std::make_unique<Saved>(document)),
+      tuning_(std::make_unique<Tuning>(document, *saved_, preview, *settings_, toasts)),
+      snapshots_(std::make_unique<Snapshots>(document)),
+      amounts_(std::make_unique<AmountsOverTime>(document, preview, jobs, options_.exact)),
+      autosave_(std::make_unique<Autosave>(document, *snapshots_, toasts, options_.folders.state)),
       layouts_(std::make_unique<Layouts>()),
-      browser_(std::make_unique<Browser>(*this)),
-      keying_(std::make_unique<KeyingBench>(*this)),
-      organ_choice_(std::make_unique<OrganChoice>(*this)),
-      reference_(std::make_unique<Reference>(*this)),
-      exports_(std::make_unique<Exports>(*this)),
-      file_previews_(std::make_unique<FilePreviews>(*this)),
+      browser_(std::make_unique<Browser>(options_, document, *settings_, jobs, images, toasts, screen_)),
+      clips_(std::make_unique<ClipShelf>(document, preview, jobs, *settings_, images, options_.clip_folders,
+                                         options_.exact)),
+      keying_(std::make_unique<KeyingBench>(*clips_, document, preview, timeline, pace_, jobs, images, toasts,
+                                            options_.exact)),
+      organ_choice_(std::make_unique<OrganChoice>(document, jobs, *settings_, looking, selected)),
+      reference_(std::make_unique<Reference>(document, timeline, preview, jobs, *settings_, images, screen_, options_)),
       files_(std::make_unique<Files>(*this)),
-      hot_reload_(std::make_unique<HotReload>(*this)),
+      exports_(std::make_unique<Exports>(document, timeline, looking, preview, jobs, *settings_, *chooser_, toasts,
+                                         screen_, options_.clip_folders,
+                                         [this](const std::vector<std::string>& made) { files_->open(made); })),
+      file_previews_(std::make_unique<FilePreviews>(options_, document, images, screen_)),
+      hot_reload_(std::make_unique<HotReload>(document, preview, jobs, toasts, options_.data_folder)),
       meter_(std::make_unique<Meter>()) {
-    timeline.loop = true;
-    file_dialog.show_pictures(file_previews_.get());
+    chooser_->dialog().show_pictures(file_previews_.get());
     document.set_clip_folders(options_.clip_folders);
 }
 
 Editor::~Editor() = default;
 
 void Editor::set_ui(ui::Ui& ui) {
-    if (ui_ == &ui) return;
-    ui_ = &ui;
+    if (screen_.ui() == &ui) return;
+    screen_.show_on(ui);
     jobs.set_wake([&ui] { ui.wake("job"); });
     reference_->set_wake([&ui] { ui.wake("reference"); });
 }
 
-void Editor::open(const std::vector<std::string>& files) {
-    if (files.size() == 1 && is_organ_name(files.front())) return open_organ(files.front());
-    if (!files_->ready_to_open(files)) return;
-    Opened opened{.content = document.content(),
-                  .scene_file = document.scene_file(),
-                  .preset_file = document.preset_file(),
-                  .warnings = {}};
-    try {
-        open_files(opened, files);
-    } catch (const Error& error) {
-        settings_->forget_missing(files);
-        return tell(error);
-    }
-    files_->put(std::move(opened), files);
-}
-
-void Editor::bring(const std::vector<std::string>& files) {
-    std::vector<std::string> documents, organs, videos;
-    for (const std::string& file : files) {
-        const bool written = is_document_name(file);
-        std::vector<std::string>& kind = written ? documents : is_organ_name(file) ? organs : videos;
-        try {
-            if (&kind == &videos) kind_of(file);  // throws where it is neither a video nor a picture
-            kind.push_back(file);
-        } catch (const Error& error) {
-            tell(error);
-        }
-    }
-    if (!documents.empty()) open(documents);
-    if (!organs.empty()) open_organ(organs.front());
-    if (organs.size() > 1)
-        toasts.add({.kind = ui::ToastKind::warning, .text = "A scene has one organ: the first of them is opened"});
-    if (!videos.empty()) files_->ask_use(videos);
-}
-
-void Editor::open_organ(const std::filesystem::path& file) {
-    organ_choice_->open(file);
-}
-
-void Editor::ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then) {
-    // Each kind of file has its own place: organs lie elsewhere than presets.
-    if (request.folder.empty())
-        request.folder = request.task == ui::FileTask::save ? own_folder(request.title).string()
-                                                            : settings_->last_folder(request.title);
-    file_asked_ = [this, title = request.title, folder = request.task == ui::FileTask::folder,
-                   then = std::move(then)](const std::vector<std::string>& chosen) {
-        if (!chosen.empty()) settings_->note_folder(title, folder ? chosen.front() : ui::parent_of(chosen.front()));
-        then(chosen);
-    };
-    file_dialog.open(*ui_, std::move(request));
-}
-
-std::filesystem::path Editor::own_folder(const std::string& title, const std::filesystem::path& beside) const {
-    for (const std::filesystem::path& folder :
-         {std::filesystem::path(settings_->last_folder(title)), beside, options_.folders.documents})
-        if (files_->takes_files(folder)) return folder;
-    return (options_.files != nullptr ? *options_.files : ui::system_files()).home();
-}
-
-void Editor::build_file_dialog() {
-    const auto chosen = file_dialog.build(*ui_);
-    if (!chosen || !file_asked_) return;
-    const auto then = std::exchange(file_asked_, nullptr);
-    then(*chosen);
-}
-
 void Editor::forget_document(bool scene_too) {
-    hold.cancel(*this);
+    hold.cancel();
     eyedropper = {};
-    clip = 0;
-    keying_->shelf.cancel_work();
-    keying_->shelf.forget_refused();
+    clips_->selected = 0;
+    clips_->cancel_work();
+    clips_->forget_refused();
     keying_->cancel_suggesting();
     keying_->cancel_finding_source();
     keying_->forget_suggestion();
@@ -156,57 +89,21 @@ void Editor::forget_document(bool scene_too) {
     selected.clear();
     looking.camera = document.scene().camera;
     timeline.has_range = false;
-    seek(timeline.time);
-}
-
-void Editor::tell(const std::vector<Fault>& faults) {
-    for (const Fault& fault : faults) toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
-    autosave_->soon();
-}
-
-double Editor::duration() const {
-    return document.scene().duration;
-}
-
-void Editor::seek(double time) {
-    timeline.time = std::clamp(time, 0.0, duration());
+    timeline.seek(timeline.time);
 }
 
 Shot Editor::shot() const {
-    SceneCamera camera = document.scene().camera;
-    if (!looking.endoscope) {
-        // The lamp is at the camera: nearer than the scene's the picture would burn out, and an endoscope turns it
-        // down, too.
-        const double nearer = nearness(camera, looking.camera);
-        const double exposure = camera.exposure * std::clamp(nearer * nearer, 0.05, 4.0);
-        camera = looking.camera;
-        camera.exposure = exposure;
-        camera.vignette = 0;
-    }
-    return {.time = timeline.time, .camera = camera, .overlay = looking.overlay, .scale = scene_scale()};
-}
-
-/// A tool in the hand needs time, and may be held beyond the end; else play goes round, or stops.
-void Editor::advance(double seconds) {
-    if (!playing()) return;
-    double time = timeline.time + timeline.speed * seconds;
-    const double begin = timeline.has_range ? timeline.range.low : 0;
-    const double end = timeline.has_range ? timeline.range.high : duration();
-    if (!preview.tool_on() && (time >= end || time < begin)) {
-        if (timeline.loop && end > begin) {
-            time = begin + std::fmod(std::fmod(time - begin, end - begin) + (end - begin), end - begin);
-        } else {
-            time = std::clamp(time, begin, end);
-            timeline.speed = 0;
-        }
-    }
-    timeline.time = time;
+    return {.time = timeline.time,
+            .camera = looking.through(document.scene().camera),
+            .overlay = looking.overlay,
+            .scale = scene_scale()};
 }
 
 /// A widget that went away in the middle of its gesture reports nothing more.
 void Editor::tidy_gesture() {
-    if (!document.in_gesture() || ui_ == nullptr) return;
-    if (ui_->held() == 0 && ui_->focus() == 0) document.commit();
+    const ui::Ui* const ui = screen_.ui();
+    if (!document.in_gesture() || ui == nullptr) return;
+    if (ui->held() == 0 && ui->focus() == 0) document.commit();
 }
 
 /// Places among the events mean others once there are more or fewer, unless whoever made them so has selected anew.
@@ -222,36 +119,65 @@ void Editor::tidy_eyedropper() {
     if (std::exchange(picked_before_, eyedropper.picked.has_value()) && eyedropper.picked) eyedropper = {};
 }
 
-void Editor::update(double now) {
-    if (options_.exact) jobs.finish();
-    jobs.take();
-    if (now_ >= 0) advance(std::clamp(now - now_, 0.0, still_longest));
+bool Editor::frame(double now, const std::function<void()>& build, const FrameOptions& options) {
+    const auto taken = [&](FrameStep step) {
+        if (options.after) options.after(step);
+    };
+    const double passed = now_ >= 0 ? std::clamp(now - now_, 0.0, longest_step) : 0;
     now_ = now;
-    const bool held = ui_ != nullptr && ui_->held() != 0;
-    if (held && playing()) touch(now);  // also while the pointer rests: the next movement is to be seen at once
-    hold.update(*this, held);
-    tidy_gesture();
-    tidy_selection();
+
+    // 1. Update: all that has happened since the last frame, before anybody looks at it.
+    if (options_.exact) jobs.finish();
+    jobs.take();                                  // results of jobs first: all that follows works with them
+    timeline.advance(passed, preview.tool_on());  // then time, which the tool and all that plays go by
+    use_tool();        // writes what the tool has done until now; it may end, as an undo step
+    tidy_gesture();    // after the tool, whose step is not left open
+    tidy_selection();  // the tool's step has selected its events
     tidy_eyedropper();
-    if (!preview.tool_on()) timeline.time = std::clamp(timeline.time, 0.0, duration());
-    settings_->update(*this, now);
-    if (!options_.exact) autosave_->update(now);
-    amounts_->update(now);
+    if (!preview.tool_on()) timeline.seek(timeline.time);  // the scene may have become shorter
+    amounts_->update(now);  // those that only start jobs come first: with `exact` the clips wait for all of them
     browser_->update(now);
+    clips_->update(now);  // before the bench, which shows one of the clips
     keying_->update(now);
     reference_->update(now);
-    exports_->update(now);
+    exports_->update(now);  // draws: after all that is quick
     file_previews_->update();
-    hot_reload_->update(now);
-    if (options_.exact) return;  // pictures of the editor do not depend on the machine
-    if (const auto fault = preview.check_driver(now)) {
-        tell({*fault});
-        autosave_->update(now);
-    }
+    hot_reload_->update(now);  // what it puts into the document is as new as what a person does next
+    check_driver(now);         // after all that uses it
+    settings_->update(now);
+    if (!options_.exact) autosave_->update(now);  // last: keeps what was changed until here, and at once after a fault
+    taken(FrameStep::updated);
+
+    // 2. The panels, with the events that have come: a person changes the document here.
+    build();
+    taken(FrameStep::built);
+    if (!options.visible) return false;
+
+    // 3. The preview takes those changes, so that a picture is never a frame behind its panel.
+    follow();
+    taken(FrameStep::followed);
+
+    // 4. Pictures, into the textures that the list of the panels shows; the window draws that list next.
+    const bool changed = options_.exact ? draw_pictures() : draw_in_turn();
+    taken(FrameStep::drawn);
+    return changed;
+}
+
+void Editor::use_tool() {
+    const bool held = screen_.held();
+    if (held && timeline.playing())
+        touch(now_);  // also while the pointer rests: the next movement is to be seen at once
+    hold.update(held);
+}
+
+/// Pictures of the editor do not depend on the machine: with `exact` nobody looks.
+void Editor::check_driver(double now) {
+    if (options_.exact) return;
+    if (const auto fault = preview.check_driver(now)) toasts.tell({*fault});
 }
 
 bool Editor::draw_pictures() {
-    const bool compared = reference_->draw();
+    const bool compared = reference_->draw(scene_scale());
     // What nobody sees is not drawn, as long as something is: amounts follow what was drawn last.
     if (reference_->compares() && !layouts_->seen("View")) return compared;
     return preview.draw(shot()) || compared;
@@ -266,7 +192,7 @@ void Editor::follow() {
     };
     const auto before = told();
     preview.follow(document);
-    if (told() != before && ui_ != nullptr) ui_->wake("the preview");
+    if (told() != before) screen_.wake("the preview");
 }
 
 double Editor::clock() const {
@@ -274,23 +200,18 @@ double Editor::clock() const {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-bool Editor::draw() {
-    follow();
-    return options_.exact ? draw_pictures() : draw_in_turn();
-}
-
 bool Editor::draw_in_turn() {
     const bool working = pace_.touched(now_);
     if (!working && options_.software) pace_.expect(meter_->scene.seconds());
     if (!pace_.due(now_)) {
-        if (ui_ != nullptr) ui_->wake("the scene's turn");
+        screen_.wake("the scene's turn");
         return false;
     }
     const double begin = clock();
     meter_->scene.begin();
     const bool drawn = draw_pictures();
     meter_->scene.end();
-    meter_->frame(now_, playing(), drawn);
+    meter_->frame(now_, timeline.playing(), drawn);
     if (!drawn) {
         pace_.left_out(now_);
         return false;
@@ -303,7 +224,7 @@ bool Editor::draw_in_turn() {
 }
 
 bool Editor::wants_frame() const {
-    return playing() || preview.tool_on() || preview.late() || exports_->running();
+    return timeline.playing() || preview.tool_on() || preview.late() || exports_->running();
 }
 
 }  // namespace lapfx::app

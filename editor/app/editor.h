@@ -1,33 +1,32 @@
-// The editor without its panels: the document, what is shown of it, and everything that panels share. Panels
-// (editor/panels) are functions on this; a test drives them without a window.
+// The editor without its panels: the document, what is shown of it, and the parts that panels work on. Panels
+// (editor/panels) are functions on those parts; panels/workspace.cpp hands them out. A test drives them without a
+// window.
 //
 //     ui::ImageStore images;
 //     app::Editor editor(images, {.data_folder = "..."});
-//     editor.open({"samples/lagb.scene.json"});
-//     each frame:  editor.update(now);  ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); });
-//         editor.draw();
+//     panels::set_up(editor);
+//     editor.files().open({"samples/lagb.scene.json"});
+//     each frame:  editor.frame(now, [&] { ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); }); });
 //
 // UI thread, context current.
 #pragma once
 
-#include <filesystem>
+#include <cstdint>
 #include <functional>
 #include <memory>
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
+#include "app/editor_options.h"
 #include "app/jobs.h"
+#include "app/looking.h"
+#include "app/notices.h"
 #include "app/preview_host.h"
 #include "app/scene_pace.h"
+#include "app/screen.h"
+#include "app/timeline.h"
 #include "app/tool_hold.h"
 #include "document/document.h"
-#include "document/folders.h"
-#include "ui/canvas/timeline.h"
 #include "ui/shell/commands.h"
-#include "ui/shell/file_dialog.h"
-#include "ui/shell/toast.h"
 #include "ui/widgets/color_field.h"
 
 namespace lapfx::app {
@@ -35,7 +34,9 @@ namespace lapfx::app {
 class AmountsOverTime;
 class Autosave;
 class Browser;
+class ClipShelf;
 class Exports;
+class FileChooser;
 class FilePreviews;
 class Files;
 class HotReload;
@@ -44,36 +45,17 @@ class Layouts;
 class Meter;
 class OrganChoice;
 class Reference;
+class Saved;
 class Settings;
 class Snapshots;
 class Tuning;
 
-struct EditorOptions {
-    std::filesystem::path data_folder;                ///< of the shipped presets, samples and shaders
-    std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
-    document::Folders folders;                        ///< of the user: settings, state, cache
-    /// For pictures and tests: clips and references are decoded exactly, jobs waited for, nothing is autosaved.
-    bool exact = false;
-    std::string renderer;                        ///< GL_RENDERER, for the status bar
-    bool software = false;                       ///< no GPU
-    std::function<double()> clock{};             ///< s, for what pictures cost; empty: this computer's
-    ui::FileSystem* files = nullptr;             ///< of file dialogs; null: this computer's
-    std::shared_ptr<EarlyLoad> early = nullptr;  ///< of the document that will be opened first
-};
+/// The steps of a frame that Editor::frame() takes, in their order.
+enum class FrameStep : std::uint8_t { updated, built, followed, drawn };
 
-/// How the organ is looked at.
-struct Looking {
-    /// True: through the scene's camera, with its vignette, and fixed: what `lapfx render` shows. False: freely, by
-    /// `camera`.
-    bool endoscope = true;
-    SceneCamera camera;
-    Overlay overlay = Overlay::none;
-};
-
-/// What the left button does on the organ.
-struct ToolInHand {
-    std::optional<ToolAction> action;  ///< none: it looks around
-    double power = 1, strength = 1;
+struct FrameOptions {
+    bool visible = true;                        ///< false: nobody sees it, so nothing is drawn
+    std::function<void(FrameStep)> after = {};  ///< called when each has been taken; to measure what they cost
 };
 
 class Editor {
@@ -87,28 +69,29 @@ class Editor {
     document::Document document;
     Looking looking;
     ToolInHand tool;
-    ToolHold hold;                      ///< while the tool works on the organ
-    ui::TimelineState timeline;         ///< time, speed, range of play
-    double play_speed = 1;              ///< of play.toggle
+    Timeline timeline{document};
     std::vector<std::size_t> selected;  ///< of the scene's events, ascending
-    std::size_t clip = 0;               ///< of the preset's clips, the one that panels show
     ui::Eyedropper eyedropper;          ///< while wanted_by, pictures give a colour for a click (app/pick_color.h)
 
     // --- parts ------------------------------------------------------------------------------------------------------
+    // Each is constructed with what it works on, and knows of no other part; only Files has the whole editor.
     Jobs jobs;
     PreviewHost preview;
     ui::CommandTable commands;
-    ui::Toasts toasts;
-    ui::FileDialog file_dialog;
+    Notices toasts;
+    ToolHold hold;  ///< while the tool works on the organ
     ui::ImageStore& images;
 
     Settings& settings() { return *settings_; }       ///< what the user chose: theme, recent files, keys
+    FileChooser& chooser() { return *chooser_; }      ///< asks for files
+    Saved& saved() { return *saved_; }                ///< the document as it was opened or saved
     Tuning& tuning() { return *tuning_; }             ///< locks, favourites, randomise, copied groups
     Snapshots& snapshots() { return *snapshots_; }    ///< A to D
     AmountsOverTime& amounts() { return *amounts_; }  ///< of the whole scene
     Autosave& autosave() { return *autosave_; }
     Layouts& layouts() { return *layouts_; }
     Browser& browser() { return *browser_; }  ///< presets with thumbnails
+    ClipShelf& clips() { return *clips_; }    ///< of the preset, as files; and which one panels show
     KeyingBench& keying() { return *keying_; }
     Reference& reference() { return *reference_; }
     OrganChoice& organ_choice() { return *organ_choice_; }  ///< of the organ dialog
@@ -119,64 +102,33 @@ class Editor {
     HotReload& hot_reload() { return *hot_reload_; }
     const EditorOptions& options() const { return options_; }
 
-    // --- files ------------------------------------------------------------------------------------------------------
-    /// Scenes, presets, organs, clips, whatever they are (editor/app/open.h). What is wrong is told by toasts. Asks
-    /// first when work would be lost, or another editor has the file (app/files.h).
-    void open(const std::vector<std::string>& files);
-    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference,
-    /// and is asked about.
-    void bring(const std::vector<std::string>& files);
-    /// An organ, by the dialog that sets its unit and orientation.
-    void open_organ(const std::filesystem::path& file);
-    /// Opens the file dialog; `then` gets the paths that were chosen, of save one that may exist (the person was
-    /// asked). While the UI is built: ui() must be there.
-    void ask_file(ui::FileRequest request, std::function<void(const std::vector<std::string>&)> then);
-    /// Where something is written unless the person says otherwise: where it was last (`title` of the dialog), in
-    /// `beside`, among the user's documents; never among the files that came with the program.
-    std::filesystem::path own_folder(const std::string& title, const std::filesystem::path& beside = {}) const;
-    /// Once a frame, by the workspace.
-    void build_file_dialog();
-    /// A toast for each fault, and a line in the log of faults.
-    void tell(const std::vector<Fault>& faults);
-    void tell(const Error& error) { tell(error.faults()); }
-
     /// Another document, or preset alone, has been opened: what was selected, held or on its way for the former one
     /// goes.
     void forget_document(bool scene_too = true);
 
     // --- a frame ----------------------------------------------------------------------------------------------------
-    /// Once before each frame: time goes on, results of jobs are applied. `now`: s, any origin.
-    void update(double now);
-    /// A person does something, at the `now` of the update() that follows: what is drawn without a GPU makes room.
+    /// One frame from beginning to end. `now`: s, any origin. `build` takes the events that have come and builds the
+    /// panels (ui::Ui::frame with panels::workspace). Gives whether a picture has changed, so that the window has to be
+    /// drawn although its list is the same.
+    bool frame(double now, const std::function<void()>& build, const FrameOptions& options = {});
+    /// A person does something, at the `now` of the frame() that follows: what is drawn without a GPU makes room.
     void touch(double now) { pace_.touch(now); }
     /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
     void set_ui(ui::Ui& ui);
-    ui::Ui& ui() { return *ui_; }
-    /// The preview takes what has changed in the document. draw() begins with it; again, it does nothing.
-    void follow();
-    /// Once after each frame: draws what the panels asked for. Gives whether a picture has changed, so that the window
-    /// has to be drawn although its list is the same.
-    bool draw();
-    Shot shot() const;                                                             ///< of the viewport, as it is now
-    double scene_scale() const { return options_.exact ? 1 : pace_.scale(now_); }  ///< Shot::scale
+    ui::Ui& ui() { return *screen_.ui(); }
+    ui::Clipboard* clipboard() const { return screen_.clipboard(); }  ///< null: there is none
+    Shot shot() const;                                                ///< of the viewport, as it is now
     /// When a scene that was drawn coarsely, to make room, is to be drawn whole, s; infinite: it is.
     double whole_at() const { return pace_.whole_at(); }
-    bool playing() const { return timeline.speed != 0; }
-    double duration() const;  ///< s, of the scene
-    void seek(double time);
     /// The next frame comes at once: something moves by itself.
     bool wants_frame() const;
 
-    /// Closing: the workspace then asks what is not saved (Files::close), or closes.
-    void ask_to_close() { closing_ = true; }
-    bool closing() const { return closing_; }
-    void stay() { closing_ = false; }
-    void close() { closed_ = true; }
-    bool closed() const { return closed_; }  ///< the window is to close
-
   private:
-    void advance(double seconds);
+    void use_tool();
+    void check_driver(double now);
+    void follow();
     bool draw_pictures();
+    double scene_scale() const { return options_.exact ? 1 : pace_.scale(now_); }  ///< Shot::scale
     bool draw_in_turn();
     double clock() const;
     void tidy_gesture();
@@ -184,27 +136,28 @@ class Editor {
     void tidy_eyedropper();
 
     EditorOptions options_;
-    ui::Ui* ui_ = nullptr;
+    Screen screen_;
+    ScenePace pace_;
     std::unique_ptr<Settings> settings_;
+    std::unique_ptr<FileChooser> chooser_;
+    std::unique_ptr<Saved> saved_;
     std::unique_ptr<Tuning> tuning_;
     std::unique_ptr<Snapshots> snapshots_;
     std::unique_ptr<AmountsOverTime> amounts_;
     std::unique_ptr<Autosave> autosave_;
     std::unique_ptr<Layouts> layouts_;
     std::unique_ptr<Browser> browser_;
+    std::unique_ptr<ClipShelf> clips_;
     std::unique_ptr<KeyingBench> keying_;
     std::unique_ptr<OrganChoice> organ_choice_;
     std::unique_ptr<Reference> reference_;
+    std::unique_ptr<Files> files_;
     std::unique_ptr<Exports> exports_;
     std::unique_ptr<FilePreviews> file_previews_;
-    std::unique_ptr<Files> files_;
     std::unique_ptr<HotReload> hot_reload_;
     std::unique_ptr<Meter> meter_;
-    std::function<void(const std::vector<std::string>&)> file_asked_;
     double now_ = -1;
-    ScenePace pace_;
-    bool closing_ = false, closed_ = false;
-    // As they were at the last update().
+    // As they were at the last frame.
     std::size_t events_before_ = 0;
     std::vector<std::size_t> selected_before_;
     bool picked_before_ = false;

@@ -6,9 +6,15 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/editor.h"
+#include "app/file_chooser.h"
 #include "app/files.h"
+#include "app/jobs.h"
+#include "app/looking.h"
+#include "app/notices.h"
+#include "app/preview_host.h"
+#include "app/screen.h"
 #include "app/settings.h"
+#include "app/timeline.h"
 #include "lapfx/authoring/prepared_scene.h"
 #include "output/files.h"
 
@@ -87,7 +93,20 @@ struct Exports::Running {
     }
 };
 
-Exports::Exports(Editor& editor) : editor_(editor) {}
+Exports::Exports(const document::Document& document, const Timeline& timeline, const Looking& looking,
+                 PreviewHost& preview, Jobs& jobs, Settings& settings, FileChooser& chooser, Notices& notices,
+                 Screen& screen, std::vector<fs::path> clip_folders, Open open)
+    : document_(document),
+      timeline_(timeline),
+      looking_(looking),
+      preview_(preview),
+      jobs_(jobs),
+      settings_(settings),
+      chooser_(chooser),
+      notices_(notices),
+      screen_(screen),
+      clip_folders_(std::move(clip_folders)),
+      open_(std::move(open)) {}
 
 Exports::~Exports() {
     if (running_) running_->stop_jobs();
@@ -99,16 +118,16 @@ glm::ivec2 ExportForm::px() const {
 }
 
 void Exports::propose(OutputKind kind) {
-    const document::Document& document = editor_.document;
+    const document::Document& document = document_;
     form.kind = static_cast<int>(kind);
     form.outside_agreed = false;
-    form.at = editor_.timeline.time;
-    if (editor_.timeline.has_range) {
-        form.from = editor_.timeline.range.low;
-        form.to = editor_.timeline.range.high;
+    form.at = timeline_.time;
+    if (timeline_.has_range) {
+        form.from = timeline_.range.low;
+        form.to = timeline_.range.high;
     } else {
         form.from = 0;
-        form.to = editor_.duration();
+        form.to = timeline_.duration();
     }
     const fs::path& file = document.preset_file();
     const std::string proposed_for = file.string() + "\n" + document.preset().name;
@@ -125,22 +144,22 @@ std::string Exports::title(OutputKind kind) {
 }
 
 std::string Exports::proposed(OutputKind kind, std::string_view ending) const {
-    const document::Document& document = editor_.document;
+    const document::Document& document = document_;
     const fs::path& file = document.preset_file().empty() ? document.scene_file() : document.preset_file();
     std::error_code error;
     const fs::path beside = file.empty() ? fs::path() : fs::weakly_canonical(document::folder_of(file), error);
     const std::string name =
         document.preset_file().empty() ? file_name(document.preset().name) : document.preset_file().stem().string();
-    return (editor_.own_folder(title(kind), beside) / (name + std::string(ending))).string();
+    return (chooser_.own_folder(title(kind), beside) / (name + std::string(ending))).string();
 }
 
 output::RenderOptions Exports::render_options() const {
     const ExportForm& f = form;
     output::RenderOptions options{.size = f.px(),
                                   .fps = f.fps,
-                                  .overlay = f.overlay ? editor_.looking.overlay : Overlay::none,
+                                  .overlay = f.overlay ? looking_.overlay : Overlay::none,
                                   .output = f.file(),
-                                  .clip_folders = editor_.options().clip_folders};
+                                  .clip_folders = clip_folders_};
     if (f.what() == OutputKind::picture) {
         options.at = f.at;
     } else {
@@ -158,14 +177,22 @@ int Exports::frames() const {
     return count > 0 && count < 1e9 ? static_cast<int>(count) : 0;
 }
 
+double Exports::duration() const {
+    return timeline_.duration();
+}
+
+bool Exports::overlaid() const {
+    return looking_.overlay != Overlay::none;
+}
+
 void Exports::check_preset_file(std::vector<Fault>& faults) const {
-    const document::Document& document = editor_.document;
+    const document::Document& document = document_;
     for (const Fault& found : document.preset_faults()) faults.push_back(fault("preset", found.text()));
     const fs::path file = form.file();
     if (form.what() == OutputKind::preset) {
         if (file.extension() != ".json") return faults.push_back(fault("-o", "a preset is a .json file"));
         std::vector<Fault> clips;
-        output::preset_in(fs::absolute(file).parent_path(), document.preset(), editor_.options().clip_folders, clips);
+        output::preset_in(fs::absolute(file).parent_path(), document.preset(), clip_folders_, clips);
         for (const Fault& clip : clips) faults.push_back(fault("clips", clip.place + ": " + clip.reason));
         return;
     }
@@ -173,8 +200,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
         faults.push_back(fault("-o", reason));
     for (std::size_t i = 0; i < document.preset().smoke.clips.size(); ++i) {
         const std::string& clip = document.preset().smoke.clips[i].file;
-        const output::ClipFiles found =
-            output::clip_files(clip, document.preset().folder, editor_.options().clip_folders);
+        const output::ClipFiles found = output::clip_files(clip, document.preset().folder, clip_folders_);
         if (found.files.empty()) faults.push_back(fault("clips", found.fault));
     }
     if (!outside_.empty() && !form.outside_agreed)
@@ -182,7 +208,7 @@ void Exports::check_preset_file(std::vector<Fault>& faults) const {
 }
 
 fs::path Exports::home() const {
-    const document::Document& document = editor_.document;
+    const document::Document& document = document_;
     const fs::path& file = form.with_scene ? document.scene_file() : document.preset_file();
     return file.empty() ? fs::path() : document::folder_of(file);
 }
@@ -190,13 +216,13 @@ fs::path Exports::home() const {
 void Exports::look_outside() {
     std::vector<output::SourceFile> found;
     if (form.what() == OutputKind::bundle) {
-        const document::Document& document = editor_.document;
+        const document::Document& document = document_;
         const Scene* scene = form.with_scene ? &document.scene() : nullptr;
-        const auto organ = scene != nullptr ? editor_.preview.organ_of(*scene) : nullptr;
-        found = output::outside_files(document.preset(), scene, home(), editor_.options().clip_folders,
+        const auto organ = scene != nullptr ? preview_.organ_of(*scene) : nullptr;
+        found = output::outside_files(document.preset(), scene, home(), clip_folders_,
                                       organ ? std::span(organ->organ().files) : std::span<const fs::path>(),
                                       organ ? tool_files_of(*organ) : std::vector<fs::path>());
-        std::erase_if(found, [&](const output::SourceFile& s) { return editor_.files().shipped(s.file); });
+        std::erase_if(found, [&](const output::SourceFile& s) { return chooser_.shipped(s.file); });
     }
     if (found == outside_) return;
     outside_ = std::move(found);
@@ -205,13 +231,12 @@ void Exports::look_outside() {
 
 /// A form may be looked at many times a frame, its files only when something is new.
 void Exports::look_at_form() {
-    if (checked_ == form && checked_version_ == editor_.document.version() &&
-        checked_organ_ == editor_.preview.organ_version())
+    if (checked_ == form && checked_version_ == document_.version() && checked_organ_ == preview_.organ_version())
         return;
     look_outside();
     checked_ = form;
-    checked_version_ = editor_.document.version();
-    checked_organ_ = editor_.preview.organ_version();
+    checked_version_ = document_.version();
+    checked_organ_ = preview_.organ_version();
     faults_.clear();
     replaces_ = false;
     const fs::path file = form.file();
@@ -232,13 +257,13 @@ void Exports::look_at_form() {
     }
     if (!form.renders()) return check_preset_file(faults_);
     if (output::kind_named(file) != form.what()) faults_.push_back(fault("-o", wanted_name(form.what())));
-    for (Fault& found : check(render_options(), editor_.duration()))
+    for (Fault& found : check(render_options(), timeline_.duration()))
         if (found.place != "-o") faults_.push_back(std::move(found));
     std::error_code error;
     if (form.amounts && !document::is_writable_folder(fs::absolute(form.amounts_file, error).parent_path()))
         faults_.push_back(fault("--amounts", "its folder is missing or cannot be written to"));
-    if (editor_.document.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
-    for (const Fault& found : editor_.document.preset_faults()) faults_.push_back(fault("preset", found.text()));
+    if (document_.scene().organ.file.empty()) faults_.push_back(fault("scene", "there is no organ to draw"));
+    for (const Fault& found : document_.preset_faults()) faults_.push_back(fault("preset", found.text()));
 }
 
 const std::vector<Fault>& Exports::faults() {
@@ -261,8 +286,8 @@ void Exports::start() {
     if (!faults().empty() || waits()) return;
     if (form.what() == OutputKind::preset) return export_preset();
     running_ = std::make_unique<Running>(Running{.form = form,
-                                                 .scene = editor_.document.scene(),
-                                                 .preset = editor_.document.preset(),
+                                                 .scene = document_.scene(),
+                                                 .preset = document_.preset(),
                                                  .options = render_options(),
                                                  .loaded = {},
                                                  .loading = nullptr,
@@ -275,27 +300,26 @@ void Exports::start() {
 void Exports::export_preset() {
     checked_version_ = 0;
     try {
-        output::export_preset(editor_.document.preset(), form.file(), editor_.options().clip_folders);
+        output::export_preset(document_.preset(), form.file(), clip_folders_);
         tell_made(form, "Exported " + std::string(ui::name_of_path(form.file())));
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
     } catch (const std::exception& error) {
-        editor_.tell({{.file = form.file(), .place = "", .reason = error.what()}});
+        notices_.tell({{.file = form.file(), .place = "", .reason = error.what()}});
     }
 }
 
 /// What the view has is taken from there, the rest is read beside the UI.
 void Exports::load() {
     Running& running = *running_;
-    const std::vector<fs::path>& folders = editor_.options().clip_folders;
-    const output::Loaded loaded{.organ = editor_.preview.organ_of(running.scene),
-                                .clips = editor_.preview.clip_cache()};
+    const std::vector<fs::path>& folders = clip_folders_;
+    const output::Loaded loaded{.organ = preview_.organ_of(running.scene), .clips = preview_.clip_cache()};
     running.loaded.clips = loaded.clips;
     if (loaded.organ && loaded.clips->knows(running.preset, folders)) {
         running.loaded.organ = loaded.organ;
         return begin();
     }
-    running.loading = editor_.jobs.start(
+    running.loading = jobs_.start(
         "Loading for " + std::string(name()),
         [this, scene = running.scene, preset = running.preset, loaded, folders](Job& job) -> Jobs::Apply {
             const auto goes_on = [&](double share) {
@@ -316,7 +340,7 @@ void Exports::load() {
 void Exports::begin() {
     output::RenderOptions options = running_->options;
     if (running_->form.what() == OutputKind::bundle)
-        options = {.size = thumbnail_size, .at = editor_.timeline.time, .clip_folders = editor_.options().clip_folders};
+        options = {.size = thumbnail_size, .at = timeline_.time, .clip_folders = clip_folders_};
     running_->began = now_;  // loading told of itself
     running_->render =
         std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
@@ -325,11 +349,11 @@ void Exports::begin() {
 void Exports::begin_copying() {
     auto bundle = std::make_shared<output::Bundle>(output::Bundle{.preset = running_->preset,
                                                                   .folder = fs::absolute(running_->form.file()),
-                                                                  .clip_folders = editor_.options().clip_folders,
+                                                                  .clip_folders = clip_folders_,
                                                                   .thumbnail = running_->render->image()});
     if (running_->form.with_scene) bundle->scene = running_->scene;
     running_->render.reset();
-    running_->copying = editor_.jobs.start(
+    running_->copying = jobs_.start(
         "Exporting " + bundle->folder.filename().string(),
         [this, bundle](Job& job) -> Jobs::Apply {
             const output::BundleContent made = write_bundle(*bundle, [&](double share) {
@@ -344,7 +368,7 @@ void Exports::begin_copying() {
 void Exports::cancel() {
     if (!running_) return;
     running_->stop_jobs();
-    editor_.toasts.add({.text = "Export of " + std::string(name()) + " cancelled: nothing was written"});
+    notices_.add({.text = "Export of " + std::string(name()) + " cancelled: nothing was written"});
     running_.reset();
 }
 
@@ -428,29 +452,29 @@ void Exports::tell_made(const ExportForm& made, const std::string& text) {
     checked_version_ = 0;
     std::error_code error;
     const fs::path path = fs::absolute(made.file(), error);
-    editor_.settings().note_folder(title(made.what()), path.parent_path().string());
+    settings_.note_folder(title(made.what()), path.parent_path().string());
     ui::Toast toast{.kind = ui::ToastKind::good, .text = text + ", checked"};
     if (made.what() == OutputKind::bundle) {
         toast.action = "Open the bundle";
         const std::string name = path.filename().string() + (made.with_scene ? ".scene.json" : ".json");
-        toast.act = [this, file = (path / name).string()] { editor_.open({file}); };
+        toast.act = [this, file = (path / name).string()] { open_({file}); };
     } else {
         toast.action = "Copy path";
         toast.act = [this, path = path.string()] {
-            if (ui::Clipboard* clipboard = editor_.ui().clipboard()) clipboard->set(path);
+            if (ui::Clipboard* clipboard = screen_.clipboard()) clipboard->set(path);
         };
     }
-    editor_.toasts.add(std::move(toast));
+    notices_.add(std::move(toast));
 }
 
 void Exports::fail(const std::vector<Fault>& faults) {
     running_.reset();
     checked_version_ = 0;
-    editor_.tell(faults);
+    notices_.tell(faults);
 }
 
 std::string Exports::command() const {
-    const document::Document& document = editor_.document;
+    const document::Document& document = document_;
     std::vector<Fault> faults;
     if (!form.renders()) faults.push_back(fault("", "lapfx render makes pictures, sequences and videos"));
     if (document.scene_file().empty() || document.scene_unsaved())
@@ -469,8 +493,8 @@ std::string Exports::command() const {
         line += " --at " + number(form.at);
     else
         line += " --fps " + number(form.fps) + " --from " + number(form.from) + " --to " + number(form.to);
-    if (form.overlay && editor_.looking.overlay != Overlay::none)
-        line += " --overlay " + std::string(row_of(editor_.looking.overlay).key);
+    if (form.overlay && looking_.overlay != Overlay::none)
+        line += " --overlay " + std::string(row_of(looking_.overlay).key);
     if (form.amounts) line += " --amounts " + path(form.amounts_file);
     return line + " -o " + path(form.file());
 }

@@ -17,6 +17,7 @@
 #include <string_view>
 #include <vector>
 
+#include "document/document.h"
 #include "lapfx/error.h"
 #include "output/bundle.h"
 #include "output/bundle_sources.h"
@@ -24,8 +25,15 @@
 
 namespace lapfx::app {
 
-class Editor;
+class FileChooser;
 class Job;
+class Jobs;
+class Notices;
+class PreviewHost;
+class Screen;
+class Settings;
+class Timeline;
+struct Looking;
 
 using output::OutputKind;
 
@@ -68,7 +76,13 @@ struct ExportForm {
 
 class Exports {
   public:
-    explicit Exports(Editor& editor);
+    /// Opens what was exported, where a person asks for that.
+    using Open = std::function<void(const std::vector<std::string>& files)>;
+
+    /// All must outlive it.
+    Exports(const document::Document& document, const Timeline& timeline, const Looking& looking, PreviewHost& preview,
+            Jobs& jobs, Settings& settings, FileChooser& chooser, Notices& notices, Screen& screen,
+            std::vector<std::filesystem::path> clip_folders, Open open);
     ~Exports();
     Exports(const Exports&) = delete;
     Exports& operator=(const Exports&) = delete;
@@ -91,6 +105,8 @@ class Exports {
     const std::vector<output::SourceFile>& outside() const { return outside_; }
     std::filesystem::path home() const;  ///< that folder; empty: it was never saved, so everything is outside
     int frames() const;
+    double duration() const;  ///< s, of the scene
+    bool overlaid() const;    ///< the view shows something over the tissue, which can be drawn, too
 
     /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is
     /// written at once, whatever is running; of the rest there is one at a time.
@@ -128,7 +144,17 @@ class Exports {
     void tell_made(const ExportForm& made, const std::string& text);
     void fail(const std::vector<Fault>& faults);
 
-    Editor& editor_;
+    const document::Document& document_;
+    const Timeline& timeline_;
+    const Looking& looking_;
+    PreviewHost& preview_;
+    Jobs& jobs_;
+    Settings& settings_;
+    FileChooser& chooser_;
+    Notices& notices_;
+    Screen& screen_;
+    std::vector<std::filesystem::path> clip_folders_;
+    Open open_;
     std::unique_ptr<Running> running_;
     ExportForm checked_;  ///< what faults_ is of
     std::uint64_t checked_version_ = 0, checked_organ_ = 0;

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
-#include "app/editor.h"
+#include "app/editor_options.h"
 #include "app/open.h"
+#include "app/screen.h"
+#include "document/document.h"
 #include "lapfx/authoring/formats.h"
 
 namespace lapfx::app {
@@ -31,20 +33,20 @@ bool has_picture(std::string_view path) {
 FilePreviews::~FilePreviews() = default;
 
 FilePreviews::Kept& FilePreviews::kept_for(const std::string& path, const ui::FileEntry& file) {
-    const fs::path& scene = editor_.document.scene_file();
+    const fs::path& scene = document_.scene_file();
     const double time = time_in_scene();
     const auto same = std::find_if(kept_.begin(), kept_.end(), [&](const Kept& each) { return each.path == path; });
     if (same != kept_.end()) {
         const bool on_same = !path.ends_with(".json") || (same->scene == scene && same->time == time);
         if (on_same && same->bytes == file.size && same->changed == file.changed) return *same;
-        if (same->image != 0) editor_.images.remove(same->image);
+        if (same->image != 0) images_.remove(same->image);
         kept_.erase(same);
         give_up();
     }
     if (kept_.size() >= most_kept) {
         const auto oldest =
             std::min_element(kept_.begin(), kept_.end(), [](const Kept& a, const Kept& b) { return a.used < b.used; });
-        if (oldest->image != 0) editor_.images.remove(oldest->image);
+        if (oldest->image != 0) images_.remove(oldest->image);
         kept_.erase(oldest);
     }
     return kept_.emplace_back(
@@ -52,7 +54,7 @@ FilePreviews::Kept& FilePreviews::kept_for(const std::string& path, const ui::Fi
 }
 
 double FilePreviews::time_in_scene() const {
-    return thumbnail_at * editor_.document.scene().duration;
+    return thumbnail_at * document_.scene().duration;
 }
 
 /// What is being made, and what has been and was not taken yet, is of a file that is another by now.
@@ -68,7 +70,7 @@ void FilePreviews::give_up() {
 void FilePreviews::begin() {
     give_up();
     for (const Kept& each : kept_)
-        if (each.image != 0) editor_.images.remove(each.image);
+        if (each.image != 0) images_.remove(each.image);
     kept_.clear();
     looked_at_.clear();
 }
@@ -77,24 +79,24 @@ void FilePreviews::begin() {
 void FilePreviews::make(const std::string& path) {
     if (maker_ == nullptr) {
         ThumbnailMaker::Options options;
-        options.cache = editor_.options().folders.cache;
-        options.clip_folders = editor_.options().clip_folders;
+        options.cache = options_.folders.cache;
+        options.clip_folders = options_.clip_folders;
         if (!program_.empty()) options.program = program_;
         options.size = size;
         options.longest = longest;
         options.niceness = niceness;
-        options.wake = [this] { editor_.ui().wake("a file's picture"); };
+        options.wake = [this] { screen_.wake("a file's picture"); };
         maker_ = std::make_unique<ThumbnailMaker>(std::move(options));
     }
-    const fs::path& open = editor_.document.scene_file();
-    const fs::path sample = editor_.options().data_folder / "samples" / "lagb.scene.json";
+    const fs::path& open = document_.scene_file();
+    const fs::path sample = options_.data_folder / "samples" / "lagb.scene.json";
     maker_->want({{.file = path, .scene = open.empty() ? sample : fs::absolute(open), .time = time_in_scene()}});
     begun_ = path;
 }
 
 ui::FilePicture FilePreviews::picture(ui::Ui& ui, const std::string& path, const ui::FileEntry& file) {
     using State = ui::FilePicture::State;
-    if (!has_picture(path) || (editor_.options().exact && program_.empty())) return {};
+    if (!has_picture(path) || (options_.exact && program_.empty())) return {};
     asked_ = true;
     if (looked_at_ != path) looked_at_ = path, since_ = ui.time();
     Kept& kept = kept_for(path, file);
@@ -116,7 +118,7 @@ void FilePreviews::take(ThumbnailMaker::Result&& result) {
     if (kept == kept_.end() || kept->made) return;
     kept->made = true;
     kept->size = result.size;
-    if (!result.rgba.empty()) kept->image = editor_.images.add(result.size, result.rgba);
+    if (!result.rgba.empty()) kept->image = images_.add(result.size, result.rgba);
     kept->fault = result.fault.empty() ? "there is no folder to make pictures in" : reason_in(result.fault, path);
 }
 

@@ -2,7 +2,7 @@
 // Each is made by a child process (app/thumbnail_maker.h), once it has been looked at for a moment; the newest are
 // kept.
 //
-//     editor.file_dialog.show_pictures(&previews);
+//     file_dialog.show_pictures(&previews);
 //     each frame:  previews.update();
 //
 // UI thread.
@@ -12,11 +12,14 @@
 #include <vector>
 
 #include "app/thumbnail_maker.h"
+#include "document/document.h"
+#include "ui/draw/images.h"
 #include "ui/shell/file_preview.h"
 
 namespace lapfx::app {
 
-class Editor;
+class Screen;
+struct EditorOptions;
 
 class FilePreviews : public ui::FilePictures {
   public:
@@ -26,7 +29,10 @@ class FilePreviews : public ui::FilePictures {
     static constexpr std::chrono::seconds longest{60};  ///< then there is none
     static constexpr int niceness = 5;                  ///< of what makes one: a person waits for it
 
-    explicit FilePreviews(Editor& editor) : editor_(editor) {}
+    /// All must outlive it.
+    FilePreviews(const EditorOptions& options, const document::Document& document, ui::ImageStore& images,
+                 Screen& screen)
+        : options_(options), document_(document), images_(images), screen_(screen) {}
     ~FilePreviews() override;
 
     void begin() override;
@@ -57,7 +63,10 @@ class FilePreviews : public ui::FilePictures {
     double time_in_scene() const;
     void take(ThumbnailMaker::Result&& result);
 
-    Editor& editor_;
+    const EditorOptions& options_;
+    const document::Document& document_;
+    ui::ImageStore& images_;
+    Screen& screen_;
     std::vector<Kept> kept_;
     std::unique_ptr<ThumbnailMaker> maker_;
     std::filesystem::path program_;  ///< empty: this one

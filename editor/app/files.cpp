@@ -3,12 +3,11 @@
 #include <algorithm>
 
 #include "app/autosave.h"
+#include "app/clip_shelf.h"
 #include "app/editor.h"
 #include "app/exports.h"
-#include "app/file_filters.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
-#include "app/reference.h"
+#include "app/file_chooser.h"
+#include "app/file_words.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "document/words.h"
@@ -44,11 +43,6 @@ std::string name_of_file(const fs::path& file) {
     return name;
 }
 
-/// Of a document that nobody has called anything yet.
-std::string_view new_name(bool scene) {
-    return scene ? "New scene" : "New preset";
-}
-
 /// What the document on the disk is called; empty: there is none.
 std::string name_in(const fs::path& file, bool scene) {
     if (file.empty()) return {};
@@ -57,18 +51,6 @@ std::string name_in(const fs::path& file, bool scene) {
     } catch (const Error&) {
         return {};
     }
-}
-
-std::string in_marks(const fs::path& file) {
-    return '"' + file.filename().string() + '"';
-}
-
-bool inside(const fs::path& file, const fs::path& folder) {
-    if (folder.empty()) return false;
-    std::error_code error;
-    const fs::path whole = fs::weakly_canonical(file, error), above = fs::weakly_canonical(folder, error);
-    const auto [end, ignored] = std::mismatch(above.begin(), above.end(), whole.begin(), whole.end());
-    return !error && end == above.end();
 }
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -81,13 +63,8 @@ const fs::path& Files::file(Kind kind) const {
     return kind == Kind::scene ? editor_.document.scene_file() : editor_.document.preset_file();
 }
 
-bool Files::shipped(const fs::path& file) const {
-    const fs::path& data = editor_.options().data_folder;
-    return !data.empty() && (inside(file, data / "presets") || inside(file, data / "samples"));
-}
-
-bool Files::takes_files(const fs::path& folder) const {
-    return document::is_writable_folder(folder) && !shipped(folder);
+bool Files::needs_name(Kind kind) const {
+    return file(kind).empty() || editor_.chooser().shipped(file(kind));
 }
 
 // --- questions -------------------------------------------------------------------------------------------------------
@@ -125,8 +102,8 @@ std::vector<std::string> Files::unsaved_words() const {
 /// What saving will do with files that came with the program; empty: there are none among them.
 std::string Files::shipped_words(bool scene_too) const {
     const document::Document& d = editor_.document;
-    const bool preset = d.preset_unsaved() && shipped(d.preset_file());
-    const bool scene = scene_too && d.scene_unsaved() && shipped(d.scene_file());
+    const bool preset = d.preset_unsaved() && editor_.chooser().shipped(d.preset_file());
+    const bool scene = scene_too && d.scene_unsaved() && editor_.chooser().shipped(d.scene_file());
     if (!preset && !scene) return {};
     const std::string names = preset && scene ? in_marks(d.preset_file()) + " and " + in_marks(d.scene_file())
                               : preset        ? in_marks(d.preset_file())
@@ -191,19 +168,20 @@ void Files::ask_outside(const fs::path& file, const std::vector<std::string>& cl
         .answers = {},
         .serial = 0};
     const fs::path folder = document::folder_of(file);
-    const bool copies = takes_files(folder);
+    const bool copies = editor_.chooser().takes_files(folder);
     if (copies)
         question.answers.push_back({.label = "Copy clips and save",
                                     .tip = "Copies them next to the preset, which then uses the copies.",
                                     .act =
                                         [this, folder, file, then] {
-                                            editor_.keying().shelf.copy_to(
+                                            editor_.clips().copy_to(
                                                 folder, [this, file, then] { save_to(Kind::preset, file, then); });
                                         },
                                     .standard = true});
     else
-        question.text += " (Nothing can be copied into this folder: " +
-                         std::string(shipped(folder) ? "it came with lapfx" : "it cannot be written to") + ".)";
+        question.text +=
+            " (Nothing can be copied into this folder: " +
+            std::string(editor_.chooser().shipped(folder) ? "it came with lapfx" : "it cannot be written to") + ".)";
     const bool bundles = editor_.commands.contains("export.bundle");
     if (bundles)
         question.answers.push_back({.label = "Export as a bundle...",
@@ -267,11 +245,11 @@ void Files::save_as(Kind kind, Then then) {
     const document::Document& d = editor_.document;
     const bool scene = kind == Kind::scene;
     const fs::path now = file(kind);
-    const bool ours = !now.empty() && !shipped(now);
+    const bool ours = !now.empty() && !editor_.chooser().shipped(now);
     std::string name = now.empty() ? file_name_of(scene ? d.scene().name : d.preset().name, "untitled") +
                                          (scene ? ".scene.json" : ".json")
                                    : now.filename().string();
-    editor_.ask_file(
+    editor_.chooser().ask(
         {.task = ui::FileTask::save,
          .title = scene ? "Save scene as" : "Save preset as",
          .folder = ours ? document::folder_of(now).string() : "",  // else the user's own
@@ -341,7 +319,7 @@ void Files::write(Kind kind, const fs::path& to, const Then& then) {
 bool Files::lock(Kind kind, const fs::path& file) {
     std::optional<document::Lock>& held = locks_[kind == Kind::scene ? 0 : 1];
     const fs::path& state = editor_.options().folders.state;
-    if (file.empty() || state.empty() || shipped(file)) {
+    if (file.empty() || state.empty() || editor_.chooser().shipped(file)) {
         held.reset();
         return true;
     }
@@ -353,7 +331,7 @@ bool Files::lock(Kind kind, const fs::path& file) {
         held = std::move(taken);
     } catch (const Error& error) {
         held.reset();
-        if (!lock_told_) editor_.tell(error);
+        if (!lock_told_) editor_.toasts.tell(error);
         lock_told_ = true;
     }
     return true;
@@ -370,176 +348,14 @@ std::string Files::holder(const fs::path& file) const {
     return who.empty() ? "an unknown process" : who;
 }
 
-// --- opening ---------------------------------------------------------------------------------------------------------
-
-void Files::make_new() {
-    const auto begin = [this] {
-        Opened fresh;
-        try {
-            const Opened sample = open_sample(editor_.options().data_folder);
-            fresh.content.scene = sample.content.scene;
-        } catch (const Error& error) {
-            editor_.tell(error);  // an empty scene then: an organ is loaded into it
-        }
-        fresh.content.scene.name = new_name(true);
-        fresh.content.scene.preset.clear();
-        fresh.content.scene.reference = {};
-        fresh.content.scene.events.clear();
-        fresh.content.preset.name = new_name(false);
-        become(std::move(fresh), {}, {.scene = true});
-    };
-    if (editor_.document.unsaved()) return ask_unsaved("Save changes before starting a new scene?", begin, {});
-    begin();
-}
-
-void Files::open_dialog() {
-    editor_.ask_file({.task = ui::FileTask::open_many, .title = "Open", .filters = open_filters()},
-                     [this](const std::vector<std::string>& chosen) { editor_.bring(chosen); });
-}
-
-Files::Kinds Files::kinds_of(const std::vector<std::string>& files) {
-    Kinds kinds;
-    for (const std::string& file : files) {
-        try {
-            const FileKind kind = kind_of(file);
-            kinds.scene |= kind == FileKind::scene;
-            kinds.preset |= kind == FileKind::preset;
-        } catch (const Error&) {
-            continue;  // opening tells what is wrong with it, and changes nothing
-        }
-    }
-    return kinds;
-}
-
-bool Files::ready_to_open(const std::vector<std::string>& files) {
-    if (std::exchange(agreed_, false)) return true;
-    const Kinds kinds = kinds_of(files);
-    const document::Document& d = editor_.document;
-    const bool goes = kinds.scene ? d.unsaved() : kinds.preset && d.preset_unsaved();
-    if (!goes) return true;
-    ask_unsaved(
-        "Save changes before opening " + in_marks(files.front()) + '?', [this, files] { open_anyway(files); }, {},
-        kinds.scene);
-    return false;
-}
-
-void Files::open_anyway(const std::vector<std::string>& files) {
-    agreed_ = true;
-    editor_.open(files);
-    agreed_ = false;
-}
-
-void Files::put(Opened opened, const std::vector<std::string>& files) {
-    const Kinds kinds = kinds_of(files);
-    std::vector<Kind> used;
-    std::vector<fs::path> names;
-    const auto check = [&](Kind kind, const fs::path& opens) {
-        if (lock(kind, opens)) return;
-        used.push_back(kind);
-        names.push_back(opens);
-    };
-    // What is open already is ours, or was agreed to.
-    if (kinds.scene && opened.scene_file != file(Kind::scene)) check(Kind::scene, opened.scene_file);
-    if ((kinds.scene || kinds.preset) && opened.preset_file != file(Kind::preset))
-        check(Kind::preset, opened.preset_file);
-    const auto shared = std::make_shared<Opened>(std::move(opened));
-    const auto go_on = [this, shared, files, kinds] { become(std::move(*shared), files, kinds); };
-    if (used.empty()) return go_on();
-    ask_in_use(used, names, go_on, [this] { relock(); });
-}
-
-void Files::ask_use(const std::vector<std::string>& videos) {
-    const bool one = videos.size() == 1;
-    const auto clips = [this, videos] {
-        editor_.layouts().shown.show("Clips");
-        editor_.keying().shelf.add(videos);
-    };
-    const auto reference = [this, video = videos.front()] {
-        editor_.layouts().shown.show("Reference");
-        editor_.reference().choose(video);
-    };
-    ask({.title = one ? "What is " + in_marks(videos.front()) + '?' : "What are these videos?",
-         .text = "Smoke on a plain background becomes a clip of the preset. A surgery video becomes the reference, "
-                 "with which the preview is compared.",
-         .answers = {{.label = one ? "Smoke clip" : "Smoke clips",
-                      .tip = "Adds to the clips of the preset",
-                      .act = clips,
-                      .standard = true},
-                     {.label = "Reference", .tip = "Compares the preview with the first of them", .act = reference},
-                     {.label = "Cancel", .cancel = true}}});
-}
-
-void Files::note_opened() {
-    std::vector<Kind> used;
-    std::vector<fs::path> names;
-    for (const Kind kind : {Kind::scene, Kind::preset}) {
-        if (lock(kind, file(kind))) continue;
-        used.push_back(kind);
-        names.push_back(file(kind));
-    }
-    if (!used.empty()) ask_in_use(used, names, {}, {});
-}
-
-void Files::ask_in_use(const std::vector<Kind>& used, const std::vector<fs::path>& files, Then go_on, Then otherwise) {
-    std::vector<std::string> lines;
-    for (const fs::path& file : files) lines.push_back(in_marks(file) + ": " + holder(file));
-    const auto copy = [this, used, go_on] {
-        if (go_on) go_on();
-        for (const Kind kind : used)
-            kind == Kind::scene ? editor_.document.forget_scene_file() : editor_.document.forget_preset_file();
-        relock();
-    };
-    Question question{.title = "Open in another editor",
-                      .text = "Two editors would overwrite each other's work in one file.",
-                      .lines = std::move(lines),
-                      .answers = {},
-                      .serial = 0};
-    question.answers.push_back(
-        {.label = "Open anyway",
-         .tip = "Both save to the same file; the second is asked before it replaces what the first wrote.",
-         .act = go_on});
-    question.answers.push_back({.label = "Open a copy",
-                                .tip = "The same content without a file: saving asks for a name.",
-                                .act = copy,
-                                .standard = true,
-                                .cancel = !otherwise});
-    if (otherwise)
-        question.answers.push_back(
-            {.label = "Cancel", .tip = "What is open now stays open.", .act = otherwise, .cancel = true});
-    ask(std::move(question));
-}
-
-void Files::become(Opened opened, const std::vector<std::string>& files, Kinds kinds) {
-    document::Document& d = editor_.document;
-    const bool another_organ = !kinds.scene && opened.content.scene.organ.file != d.scene().organ.file;
-    if (kinds.scene) {
-        d.open(std::move(opened.content), opened.scene_file, opened.preset_file);
-    } else {
-        if (kinds.preset) d.open_preset(opened.content.preset, opened.preset_file);
-        // Organs and clips are changes like others: they are undone.
-        if (!kinds.preset && !document::same(opened.content.preset, d.preset())) d.gather_clips(opened.content.preset);
-        d.change("Open " + fs::path(files.front()).filename().string(),
-                 [&](document::Content& c) { c = std::move(opened.content); });
-    }
-    if (kinds.scene || kinds.preset) editor_.forget_document(kinds.scene);
-    if (another_organ) {
-        editor_.selected.clear();
-        editor_.looking.camera = d.scene().camera;
-    }
-    relock();
-    for (const std::string& name : files) editor_.settings().note_recent(name);
-    for (const std::string& warning : opened.warnings)
-        editor_.toasts.add({.kind = ui::ToastKind::warning, .text = warning});
-}
-
 // --- closing ---------------------------------------------------------------------------------------------------------
 
 void Files::close() {
     if (question_) return;  // that one comes first
     const auto end = [this] {
         editor_.autosave().end();
-        editor_.settings().write(editor_);
-        editor_.close();
+        editor_.settings().write();
+        closed_ = true;
     };
     const auto stop_export = [this, end] { editor_.exports().running() ? ask_running(end) : end(); };
     if (!editor_.document.unsaved()) return stop_export();

@@ -25,6 +25,7 @@ class Files {
   public:
     using Then = std::function<void()>;
 
+    /// The one part that has the whole editor: what is opened, saved and closed concerns all of its parts.
     explicit Files(Editor& editor) : editor_(editor) {}
 
     // --- commands: each asks what it has to --------------------------------------------------------------------------
@@ -36,15 +37,21 @@ class Files {
     void save_scene(Then then = {});
     void save_scene_as(Then then = {});
     void save_all(Then then = {});
+    /// Ends the editor, or asks what is not saved.
     void close();
+    bool closed() const { return closed_; }  ///< the window is to close
 
-    // --- for Editor::open() ----------------------------------------------------------------------------------------
-    /// False: there is unsaved work that would go; it is asked, and Editor::open() called again after the answer.
-    bool ready_to_open(const std::vector<std::string>& files);
-    /// What is not saved is given up: the person has been asked.
+    // --- opening -----------------------------------------------------------------------------------------------------
+    /// Scenes, presets, organs, clips, whatever they are (app/open.h). What is wrong is told by notices. Asks first
+    /// when work would be lost, or another editor has the file.
+    void open(const std::vector<std::string>& files);
+    /// The same for files that a person brings (dropped, chosen, recent): a video may be a smoke clip or the reference,
+    /// and is asked about; an organ is opened by the dialog that sets its unit and orientation.
+    void bring(const std::vector<std::string>& files);
+    /// As open(), but what is not saved is given up: the person has been asked.
     void open_anyway(const std::vector<std::string>& files);
-    /// What was opened becomes the document; asks first when it is open in another editor.
-    void put(Opened opened, const std::vector<std::string>& files);
+    /// What an editor left that ended by a fault (Autosave::offers) becomes the document.
+    void recover(std::size_t offer);
     /// The program has put something into the document by itself, at start or recovered: the same question, after the
     /// fact.
     void note_opened();
@@ -68,18 +75,17 @@ class Files {
     const Question* question() const { return question_ ? &*question_ : nullptr; }
     void answer(std::size_t index);
 
-    /// What came with the program: Save does not write over it, nor is anything proposed there.
-    bool shipped(const std::filesystem::path& file) const;
-    /// A folder that files of the user may be put into: writable, and not among those that came with the program.
-    bool takes_files(const std::filesystem::path& folder) const;
-
     /// "my_bleed.json* - lagb.scene.json - lapfx"; an asterisk: not saved.
     const std::string& title();
 
   private:
     enum class Kind { scene, preset };
     const std::filesystem::path& file(Kind kind) const;
-    bool needs_name(Kind kind) const { return file(kind).empty() || shipped(file(kind)); }
+    bool needs_name(Kind kind) const;
+    /// False: there is unsaved work that would go; it is asked, and open() called again after the answer.
+    bool ready_to_open(const std::vector<std::string>& files);
+    /// What was opened becomes the document; asks first when it is open in another editor.
+    void put(Opened opened, const std::vector<std::string>& files);
     void ask(Question question);
     void ask_unsaved(std::string title, Then then, Then otherwise, bool scene_too = true);
     void ask_running(Then then);
@@ -107,7 +113,7 @@ class Files {
     Editor& editor_;
     std::optional<Question> question_;
     std::uint64_t serial_ = 0;
-    bool agreed_ = false, lock_told_ = false;
+    bool agreed_ = false, lock_told_ = false, closed_ = false;
     std::optional<document::Lock> locks_[2];
     std::string title_;
     std::uint64_t title_version_ = 0;

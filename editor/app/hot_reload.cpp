@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <fstream>
 
-#include "app/editor.h"
+#include "app/jobs.h"
+#include "app/notices.h"
+#include "app/preview_host.h"
 #include "lapfx/authoring/compare.h"
 #include "ui/core/ui.h"
 
@@ -35,10 +37,14 @@ bool contains(const std::vector<fs::path>& paths, const fs::path& path) {
 
 }  // namespace
 
-HotReload::HotReload(Editor& editor) : editor_(editor), watch_([&editor] { editor.jobs.wake(); }) {}
+HotReload::HotReload(document::Document& document, PreviewHost& preview, Jobs& jobs, Notices& notices,
+                     const fs::path& data_folder)
+    : document_(document), preview_(preview), notices_(notices), data_folder_(data_folder), watch_([&jobs] {
+          jobs.wake();
+      }) {}
 
 fs::path HotReload::shader_folder() const {
-    return normal(editor_.options().data_folder / "shaders");
+    return normal(data_folder_ / "shaders");
 }
 
 void HotReload::update(double) {
@@ -48,16 +54,16 @@ void HotReload::update(double) {
 
 /// Watches what is open now.
 void HotReload::follow() {
-    const bool loading = editor_.preview.loading().has_value();
-    const document::Document& document = editor_.document;
+    const bool loading = preview_.loading().has_value();
+    const document::Document& document = document_;
     if (document.version() == followed_ && loading == was_loading_) return;
     followed_ = document.version();
     was_loading_ = loading;
     std::vector<fs::path> paths{shader_folder()};
     for (const fs::path& file : {document.preset_file(), document.scene_file()})
         if (!file.empty()) paths.push_back(normal(file));
-    const std::vector<fs::path> clips = editor_.preview.clip_files(document.preset());
-    const std::vector<fs::path> organ = editor_.preview.organ_files(document.scene());
+    const std::vector<fs::path> clips = preview_.clip_files(document.preset());
+    const std::vector<fs::path> organ = preview_.organ_files(document.scene());
     paths.insert(paths.end(), clips.begin(), clips.end());
     paths.insert(paths.end(), organ.begin(), organ.end());
     if (paths == watched_) return;
@@ -73,15 +79,15 @@ bool HotReload::is_gone(const fs::path& file) {
         return false;
     }
     if (gone_.insert(file).second)
-        editor_.toasts.add({.kind = ui::ToastKind::warning,
-                            .text = file.filename().string() + " no longer exists on the disk; what is shown stays"});
+        notices_.add({.kind = ui::ToastKind::warning,
+                      .text = file.filename().string() + " no longer exists on the disk; what is shown stays"});
     return true;
 }
 
 void HotReload::take(const std::vector<fs::path>& changed) {
-    const document::Document& document = editor_.document;
-    const std::vector<fs::path> clips = editor_.preview.clip_files(document.preset());
-    const std::vector<fs::path> organ = editor_.preview.organ_files(document.scene());
+    const document::Document& document = document_;
+    const std::vector<fs::path> clips = preview_.clip_files(document.preset());
+    const std::vector<fs::path> organ = preview_.organ_files(document.scene());
     const fs::path shaders = shader_folder();
     std::vector<fs::path> changed_clips;
     bool shader = false, organ_changed = false;
@@ -96,22 +102,23 @@ void HotReload::take(const std::vector<fs::path>& changed) {
         else if (of_clips && (contains(clips, path.parent_path()) || !is_gone(path)))
             changed_clips.push_back(path);
         else if (of_clips)
-            editor_.preview.look_for_clips();
+            preview_.look_for_clips();
         else if (contains(organ, path) && !is_gone(path))
             organ_changed = true;
     }
     if (shader) reload_shaders();
-    if (!changed_clips.empty()) editor_.preview.reload_clips(changed_clips);
-    if (organ_changed) editor_.preview.reload_organ();
+    if (!changed_clips.empty()) preview_.reload_clips(changed_clips);
+    if (organ_changed) preview_.reload_organ();
 }
 
 void HotReload::reload_all() {
     gone_.clear();
     reload_shaders();
-    editor_.preview.reload_clips();
-    editor_.preview.reload_organ();
-    if (!editor_.document.preset_file().empty() && !is_gone(normal(editor_.document.preset_file()))) reload_preset();
-    if (!editor_.document.scene_file().empty() && !is_gone(normal(editor_.document.scene_file()))) reload_scene();
+    preview_.reload_clips();
+    preview_.reload_organ();
+    if (!document_.preset_file().empty() && !is_gone(normal(document_.preset_file()))) reload_preset();
+    if (!document_.scene_file().empty() && !is_gone(normal(document_.scene_file()))) reload_scene();
+    notices_.add({.text = "Everything that is open is read again from the disk"});
 }
 
 void HotReload::reload_shaders() {
@@ -120,15 +127,15 @@ void HotReload::reload_shaders() {
     if (!fs::is_directory(shader_folder(), error)) return;  // installed without: those that were built in serve
     try {
         shader_faults_.clear();
-        editor_.preview.reload_shaders(shader_folder());
+        preview_.reload_shaders(shader_folder());
         reload_ui_shaders();
     } catch (const Error& fault) {
         shader_faults_ = fault.faults();
     }
     if (!shader_faults_.empty())
-        editor_.toasts.add({.kind = ui::ToastKind::error, .text = told(shader_faults_)});
+        notices_.add({.kind = ui::ToastKind::error, .text = told(shader_faults_)});
     else if (were_broken)
-        editor_.toasts.add({.kind = ui::ToastKind::good, .text = "Shaders compile again"});
+        notices_.add({.kind = ui::ToastKind::good, .text = "Shaders compile again"});
 }
 
 void HotReload::reload_ui_shaders() {
@@ -146,18 +153,18 @@ void HotReload::take_or_ask(const fs::path& file, bool unsaved, const std::funct
     const std::string name = file.filename().string();
     if (!unsaved) {
         take();
-        editor_.toasts.add({.text = name + " has changed on disk and was reloaded"});
+        notices_.add({.text = name + " has changed on disk and was reloaded"});
         return;
     }
-    editor_.toasts.add({.kind = ui::ToastKind::warning,
-                        .text = name + " has changed on disk, and here it has unsaved changes",
-                        .action = "Reload",
-                        .act = std::move(give_in),
-                        .seconds = 0});
+    notices_.add({.kind = ui::ToastKind::warning,
+                  .text = name + " has changed on disk, and here it has unsaved changes",
+                  .action = "Reload",
+                  .act = std::move(give_in),
+                  .seconds = 0});
 }
 
 void HotReload::reload_preset() {
-    document::Document& d = editor_.document;
+    document::Document& d = document_;
     const fs::path file = d.preset_file();
     // What differs from the disk here and not there are the changes of this editor.
     if (document::OnDisk::of(file) == d.preset_on_disk()) return;
@@ -167,12 +174,12 @@ void HotReload::reload_preset() {
         take_or_ask(
             file, d.preset_unsaved(), [&] { d.reload(preset); }, [this, file] { give_in_to_preset(file); });
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
     }
 }
 
 void HotReload::reload_scene() {
-    document::Document& d = editor_.document;
+    document::Document& d = document_;
     const fs::path file = d.scene_file();
     if (document::OnDisk::of(file) == d.scene_on_disk()) return;
     try {
@@ -181,26 +188,26 @@ void HotReload::reload_scene() {
         take_or_ask(
             file, d.scene_unsaved(), [&] { d.reload(scene); }, [this, file] { give_in_to_scene(file); });
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
     }
 }
 
 /// The answer to a notice: by then another document may be open, and the file another one once more.
 void HotReload::give_in_to_preset(const fs::path& file) {
-    if (editor_.document.preset_file() != file) return;
+    if (document_.preset_file() != file) return;
     try {
-        editor_.document.reload(load_preset(file));
+        document_.reload(load_preset(file));
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
     }
 }
 
 void HotReload::give_in_to_scene(const fs::path& file) {
-    if (editor_.document.scene_file() != file) return;
+    if (document_.scene_file() != file) return;
     try {
-        editor_.document.reload(load_scene(file));
+        document_.reload(load_scene(file));
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
     }
 }
 

@@ -2,8 +2,8 @@
 // and scene. What cannot be read, or is gone, leaves what is shown and is told once; edited work is never lost: then it
 // asks.
 //
-//     editor.hot_reload().update(now);      // once before each frame
-//     editor.hot_reload().reload_all();     // "Reload from disk"
+//     hot_reload.update(now);      // once before each frame
+//     hot_reload.reload_all();     // "Reload from disk"
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,20 @@
 #include <vector>
 
 #include "app/file_watch.h"
+#include "document/document.h"
 #include "lapfx/error.h"
 
 namespace lapfx::app {
 
-class Editor;
+class Jobs;
+class Notices;
+class PreviewHost;
 
 class HotReload {
   public:
-    explicit HotReload(Editor& editor);
+    /// All must outlive it. `data_folder`: of the shaders.
+    HotReload(document::Document& document, PreviewHost& preview, Jobs& jobs, Notices& notices,
+              const std::filesystem::path& data_folder);
 
     /// Once before each frame. `now`: s.
     void update(double now);
@@ -52,7 +57,10 @@ class HotReload {
     void give_in_to_scene(const std::filesystem::path& file);
     std::filesystem::path shader_folder() const;
 
-    Editor& editor_;
+    document::Document& document_;
+    PreviewHost& preview_;
+    Notices& notices_;
+    std::filesystem::path data_folder_;
     std::uint64_t followed_ = 0;  // version of the document
     bool was_loading_ = false;
     std::vector<std::filesystem::path> watched_;

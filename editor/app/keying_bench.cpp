@@ -5,9 +5,12 @@
 #include <tuple>
 #include <utility>
 
-#include "app/editor.h"
+#include "app/notices.h"
 #include "app/parameters.h"
 #include "app/pick_color.h"
+#include "app/preview_host.h"
+#include "app/scene_pace.h"
+#include "app/timeline.h"
 #include "document/tables.h"
 #include "lapfx/authoring/compare.h"
 
@@ -164,22 +167,31 @@ glm::vec4 BenchPixels::pixel(glm::ivec2 at) const {
     return pixel_of(image, at);
 }
 
-KeyingBench::KeyingBench(Editor& editor)
-    : shelf(editor),
-      editor_(editor),
+KeyingBench::KeyingBench(ClipShelf& shelf, document::Document& document, const PreviewHost& preview,
+                         const Timeline& timeline, const ScenePace& pace, Jobs& jobs, ui::ImageStore& images,
+                         Notices& notices, bool exact)
+    : shelf_(shelf),
+      document_(document),
+      preview_(preview),
+      timeline_(timeline),
+      pace_(pace),
+      jobs_(jobs),
+      images_(images),
+      notices_(notices),
+      exact_(exact),
       work_(std::make_shared<BenchWork>()),
       requested_(std::make_unique<Request>()),
-      vectors_(editor.images),
-      waves_(editor.images) {}
+      vectors_(images),
+      waves_(images) {}
 
 KeyingBench::~KeyingBench() {
     for (const ui::ImageHandle handle : handles_)
-        if (handle != 0) editor_.images.remove(handle);
+        if (handle != 0) images_.remove(handle);
 }
 
 const SmokeClip* KeyingBench::clip() const {
-    const auto& clips = editor_.document.preset().smoke.clips;
-    return editor_.clip < clips.size() ? &clips[editor_.clip] : nullptr;
+    const auto& clips = document_.preset().smoke.clips;
+    return shelf_.selected < clips.size() ? &clips[shelf_.selected] : nullptr;
 }
 
 const KeyingParameters& KeyingBench::keying_of(const SmokeParameters& smoke, std::size_t clip) {
@@ -187,7 +199,7 @@ const KeyingParameters& KeyingBench::keying_of(const SmokeParameters& smoke, std
 }
 
 const KeyingParameters& KeyingBench::keying() const {
-    return keying_of(editor_.document.preset().smoke, editor_.clip);
+    return keying_of(document_.preset().smoke, shelf_.selected);
 }
 
 KeyingParameters& KeyingBench::keying_of(document::Content& content, std::size_t clip) {
@@ -201,16 +213,16 @@ void KeyingBench::set_eyedropper(bool on) {
 }
 
 double KeyingBench::standing_at() const {
-    const double duration = shelf.of(editor_.clip).report.duration;
+    const double duration = shelf_.of(shelf_.selected).report.duration;
     return std::min(look.time.value_or(0.4 * duration), duration);
 }
 
 const KeyingBench::Request& KeyingBench::request() const {
     Request& wanted = *requested_;
     const SmokeClip* one = clip();
-    const ClipFacts& facts = shelf.of(editor_.clip);
+    const ClipFacts& facts = shelf_.of(shelf_.selected);
     if (one == nullptr || !facts.known) return wanted = {};
-    const SmokeParameters& smoke = editor_.document.preset().smoke;
+    const SmokeParameters& smoke = document_.preset().smoke;
     const bool plume = one->role == ClipRole::plume;
     wanted.path = facts.path;
     wanted.look.keying = keying();
@@ -221,7 +233,7 @@ const KeyingBench::Request& KeyingBench::request() const {
     if (look.follow) {
         const double end = one->out > one->in ? std::min(one->out, facts.report.duration) : facts.report.duration;
         const double length = std::max(end - one->in, 1e-3);
-        wanted.time = one->in + std::fmod(editor_.timeline.time * one->speed, length);
+        wanted.time = one->in + std::fmod(timeline_.time * one->speed, length);
     }
     wanted.behind = look.behind;
     wanted.backdrop = look.behind == Behind::preview ? backdrop_ : nullptr;
@@ -231,35 +243,31 @@ const KeyingBench::Request& KeyingBench::request() const {
 bool KeyingBench::stale() const {
     if (job_) return false;
     return !shown_ || !asked_ || !(*asked_ == request()) ||
-           (look.behind == Behind::preview && backdrop_time_ != editor_.timeline.time && !editor_.playing() &&
-            editor_.preview.picture() != 0);
+           (look.behind == Behind::preview && backdrop_time_ != timeline_.time && !timeline_.playing() &&
+            preview_.picture() != 0);
 }
 
 /// The picture of the frame before is that of now once time has stood still for a frame. One that was drawn with fewer
 /// pixels is not taken: it is drawn whole in a moment.
 void KeyingBench::follow_backdrop() {
-    const double now = editor_.timeline.time;
-    const bool stands = now == time_before_ && !editor_.playing();
-    const bool whole = std::isinf(editor_.whole_at());
+    const double now = timeline_.time;
+    const bool stands = now == time_before_ && !timeline_.playing();
+    const bool whole = std::isinf(pace_.whole_at());
     time_before_ = now;
-    if (look.behind != Behind::preview || !stands || !whole || backdrop_time_ == now || editor_.preview.picture() == 0)
-        return;
-    backdrop_ = std::make_shared<const Image>(editor_.preview.read());
+    if (look.behind != Behind::preview || !stands || !whole || backdrop_time_ == now || preview_.picture() == 0) return;
+    backdrop_ = std::make_shared<const Image>(preview_.read());
     backdrop_time_ = now;
 }
 
-void KeyingBench::update(double now) {
-    shelf.update(now);
+void KeyingBench::update(double) {
     if (job_ && job_->cancelled()) {  // by whoever lists jobs; its thread may still be at work
         job_.reset();
         work_ = std::make_shared<BenchWork>();
     }
     if (suggesting_ && suggesting_->cancelled()) suggesting_.reset();
     if (finding_source_ && finding_source_->cancelled()) finding_source_.reset();
-    const auto& clips = editor_.document.preset().smoke.clips;
-    if (!clips.empty() && editor_.clip >= clips.size()) editor_.clip = clips.size() - 1;
     if (const SmokeClip* one = clip();
-        suggestion_ && (one == nullptr || editor_.clip != suggested_clip_ || one->file != suggested_for_))
+        suggestion_ && (one == nullptr || shelf_.selected != suggested_clip_ || one->file != suggested_for_))
         forget_suggestion();
     shown_ = std::exchange(wanted_, false);
     if (job_) return;
@@ -279,7 +287,7 @@ void KeyingBench::let_go() {
     backdrop_time_ = -1;
     frames_ = 0;
     for (ui::ImageHandle& handle : handles_)
-        if (handle != 0) editor_.images.remove(std::exchange(handle, 0));
+        if (handle != 0) images_.remove(std::exchange(handle, 0));
     for (BenchPixels& pixels : pixels_) pixels.image = {};
 }
 
@@ -290,7 +298,7 @@ void KeyingBench::start(const Request& request) {
         faults_.clear();
         return;
     }
-    if (editor_.options().exact || work_->quick(request)) {
+    if (exact_ || work_->quick(request)) {
         try {
             Result result = work_->run(request);
             take(result);
@@ -301,7 +309,7 @@ void KeyingBench::start(const Request& request) {
         return;
     }
     const auto result = std::make_shared<Result>();
-    job_ = editor_.jobs.start(
+    job_ = jobs_.start(
         "Keying " + request.path.filename().string(),
         [=, work = work_, this](Job&) -> Jobs::Apply {
             *result = work->run(request);
@@ -331,9 +339,9 @@ void KeyingBench::show_pictures(Result& result) {
         const Image& image = pixels_[i].image;
         const glm::ivec2 size(image.width, image.height);
         if (handles_[i] == 0)
-            handles_[i] = editor_.images.add(size, image.pixels);
+            handles_[i] = images_.add(size, image.pixels);
         else
-            editor_.images.update(handles_[i], size, image.pixels);
+            images_.update(handles_[i], size, image.pixels);
     }
     if (!result.new_frame) return;
     const Image& source = pixels_[0].image;
@@ -374,7 +382,7 @@ void KeyingBench::forget_suggestion() {
 }
 
 std::size_t KeyingBench::sharing() const {
-    const auto& clips = editor_.document.preset().smoke.clips;
+    const auto& clips = document_.preset().smoke.clips;
     return static_cast<std::size_t>(
         std::count_if(clips.begin(), clips.end(), [](const SmokeClip& clip) { return !clip.own_keying; }));
 }
@@ -395,15 +403,15 @@ std::string KeyingBench::clip_changes(const SmokeClip& before, const SmokeClip& 
 }
 
 void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t number, For whose) {
-    suggestion_version_ = editor_.document.version();
+    suggestion_version_ = document_.version();
     suggestion_undoes_ = false;
     suggestion_changes_ = "Nothing changed: this clip has its own opacity";
     if (found.alpha) return;
-    const SmokeParameters& now = editor_.document.preset().smoke;
+    const SmokeParameters& now = document_.preset().smoke;
     const KeyingParameters before = keying_of(now, number);
     const SmokeClip clip_before = now.clips[number];
     const bool only = now.clips.size() == 1 && !clip_before.own_keying;
-    editor_.document.change("Suggest keying", [&](document::Content& c) {
+    document_.change("Suggest keying", [&](document::Content& c) {
         SmokeParameters& smoke = c.preset.smoke;
         SmokeClip& clip = smoke.clips[number];
         if (!clip.own_keying) clip.keying = smoke.keying;  // what is not suggested goes on from what is seen
@@ -424,7 +432,7 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
                                  : many == all   ? "For all clips (" + std::to_string(all) + "): "
                                                  : "For " + std::to_string(many) + " of " + std::to_string(all) +
                                                      " clips, which share their keying: ";
-    suggestion_version_ = editor_.document.version();
+    suggestion_version_ = document_.version();
     suggestion_undoes_ = !changes.empty() || clip.own_keying != clip_before.own_keying;
     suggestion_changes_ = !changes.empty()     ? for_whom + changes
                           : suggestion_undoes_ ? for_whom + "the same values"
@@ -432,37 +440,35 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
 }
 
 void KeyingBench::suggest_for_all() {
-    if (!suggestion_ || suggested_clip_ != editor_.clip) return;
+    if (!suggestion_ || suggested_clip_ != shelf_.selected) return;
     const KeyingSuggestion found = *suggestion_;
-    put_suggestion(found, editor_.clip, For::all);
+    put_suggestion(found, shelf_.selected, For::all);
 }
 
 /// Nobody looks at that clip any more: what the panel would say is said by a notice.
 void KeyingBench::tell_suggestion(const KeyingSuggestion& found, const std::string& file) {
     const bool unsure = found.confidence < sure_from;
-    editor_.toasts.add({.kind = unsure ? ui::ToastKind::warning : ui::ToastKind::info,
-                        .text = "Keying for " + fs::path(file).filename().string() + ", " + (unsure ? "only " : "") +
-                                std::to_string(std::lround(100 * found.confidence)) + " % sure. " +
-                                suggestion_changes_});
+    notices_.add({.kind = unsure ? ui::ToastKind::warning : ui::ToastKind::info,
+                  .text = "Keying for " + fs::path(file).filename().string() + ", " + (unsure ? "only " : "") +
+                          std::to_string(std::lround(100 * found.confidence)) + " % sure. " + suggestion_changes_});
     forget_suggestion();
 }
 
 std::string_view KeyingBench::suggestion_changes() const {
-    return suggestion_version_ == editor_.document.version() ? std::string_view(suggestion_changes_)
-                                                             : std::string_view();
+    return suggestion_version_ == document_.version() ? std::string_view(suggestion_changes_) : std::string_view();
 }
 
 void KeyingBench::suggest(For whose) {
     const SmokeClip* one = clip();
-    const ClipFacts& facts = shelf.of(editor_.clip);
+    const ClipFacts& facts = shelf_.of(shelf_.selected);
     if (one == nullptr || !facts.known) return;
     cancel_suggesting();
     forget_suggestion();
     const std::string file = one->file;
-    const std::size_t number = editor_.clip;
+    const std::size_t number = shelf_.selected;
     const auto apply = [this, file, number, whose](const KeyingSuggestion& found) {
         suggesting_.reset();
-        const auto& clips = editor_.document.preset().smoke.clips;
+        const auto& clips = document_.preset().smoke.clips;
         if (number >= clips.size() || clips[number].file != file) return;
         suggestion_ = found;
         suggestion_->reason = found.reason;
@@ -470,9 +476,9 @@ void KeyingBench::suggest(For whose) {
         suggested_clip_ = number;
         put_suggestion(found, number, whose);
         // One that is gone gives way to the last: update() does it after this.
-        if (std::min(editor_.clip, clips.size() - 1) != number) tell_suggestion(found, file);
+        if (std::min(shelf_.selected, clips.size() - 1) != number) tell_suggestion(found, file);
     };
-    suggesting_ = editor_.jobs.start(
+    suggesting_ = jobs_.start(
         "Suggesting keying for " + facts.path.filename().string(),
         [=, path = facts.path](Job&) -> Jobs::Apply {
             const KeyingSuggestion found = suggest_keying(path);
@@ -486,24 +492,23 @@ void KeyingBench::suggest(For whose) {
 
 void KeyingBench::find_source() {
     const SmokeClip* one = clip();
-    const ClipFacts& facts = shelf.of(editor_.clip);
+    const ClipFacts& facts = shelf_.of(shelf_.selected);
     if (one == nullptr || !facts.known || finding_source_) return;
-    const auto apply = [this, file = one->file, number = editor_.clip](const SourceSuggestion& found) {
+    const auto apply = [this, file = one->file, number = shelf_.selected](const SourceSuggestion& found) {
         finding_source_.reset();
-        const auto& clips = editor_.document.preset().smoke.clips;
+        const auto& clips = document_.preset().smoke.clips;
         if (number >= clips.size() || clips[number].file != file) return;
         const std::string name = fs::path(file).filename().string();
         if (!found.found) {
-            editor_.toasts.add({.kind = ui::ToastKind::warning, .text = "No smoke was found in " + name});
+            notices_.add({.kind = ui::ToastKind::warning, .text = "No smoke was found in " + name});
             return;
         }
-        editor_.document.change("Source",
-                                [&](document::Content& c) { take_source(c.preset.smoke.clips[number], found); });
-        editor_.toasts.add({.text = found.begins ? "The source is where the smoke of " + name + " begins"
-                                                 : "The source is where the plume starts in " + name +
-                                                       "; the clip does not show how the smoke begins"});
+        document_.change("Source", [&](document::Content& c) { take_source(c.preset.smoke.clips[number], found); });
+        notices_.add({.text = found.begins ? "The source is where the smoke of " + name + " begins"
+                                           : "The source is where the plume starts in " + name +
+                                                 "; the clip does not show how the smoke begins"});
     };
-    finding_source_ = editor_.jobs.start(
+    finding_source_ = jobs_.start(
         "Looking for the source in " + facts.path.filename().string(),
         [=, path = facts.path](Job& job) -> Jobs::Apply {
             const SourceSuggestion found = suggest_source(path, &job.stop());
@@ -511,7 +516,7 @@ void KeyingBench::find_source() {
         },
         [this](const std::vector<Fault>& faults) {
             finding_source_.reset();
-            for (const Fault& fault : faults) editor_.toasts.add({.kind = ui::ToastKind::error, .text = fault.text()});
+            for (const Fault& fault : faults) notices_.add({.kind = ui::ToastKind::error, .text = fault.text()});
         });
 }
 

@@ -1,9 +1,9 @@
 // A frame of a clip on its way to smoke: source, matte, keyed, composite; and what of it is counted. It follows the
-// clip that is selected (Editor::clip), its keying, and the bench's own time or the timeline's.
+// clip that is selected (ClipShelf::selected), its keying, and the bench's own time or the timeline's.
 //
-//     editor.keying().update(now);                               // once before each frame
-//     editor.keying().show();                                    // by the panel: the pictures are wanted
-//     ui::image_view(ui, "Matte", editor.keying().picture(BenchView::matte), view);
+//     bench.update(now);                               // once before each frame
+//     bench.show();                                    // by the panel: the pictures are wanted
+//     ui::image_view(ui, "Matte", bench.picture(BenchView::matte), view);
 //
 // Frames are read by a job, never waited for: pictures are late by it, and the newest wish is the next that is met.
 // Once a frame is there a changed threshold is seen in the next frame. In exact mode everything is done at once. UI
@@ -21,11 +21,15 @@
 #include "lapfx/authoring/suggest.h"
 #include "ui/canvas/image_view.h"
 #include "ui/canvas/scope.h"
+#include "ui/draw/images.h"
 
 namespace lapfx::app {
 
-class Editor;
 class BenchWork;
+class Notices;
+class PreviewHost;
+class ScenePace;
+class Timeline;
 
 enum class BenchView { source, matte, keyed, composite };
 inline constexpr std::array<std::string_view, 4> view_titles = {"Source", "Matte", "Keyed", "Composite"};
@@ -58,12 +62,13 @@ struct BenchPixels : ui::PickSource {
 
 class KeyingBench {
   public:
-    explicit KeyingBench(Editor& editor);
+    /// All must outlive it. `pace`: what was drawn coarsely is no backdrop.
+    KeyingBench(ClipShelf& shelf, document::Document& document, const PreviewHost& preview, const Timeline& timeline,
+                const ScenePace& pace, Jobs& jobs, ui::ImageStore& images, Notices& notices, bool exact);
     ~KeyingBench();
+    /// Once before each frame. `now`: s.
     void update(double now);
-    Editor& editor() { return editor_; }
 
-    ClipShelf shelf;
     BenchLook look;
 
     /// While the UI is built: update() makes the pictures from now on, as long as this is called.
@@ -138,7 +143,15 @@ class KeyingBench {
     static std::string clip_changes(const SmokeClip& before, const SmokeClip& after);
     void tell_suggestion(const KeyingSuggestion& found, const std::string& file);
 
-    Editor& editor_;
+    ClipShelf& shelf_;
+    document::Document& document_;
+    const PreviewHost& preview_;
+    const Timeline& timeline_;
+    const ScenePace& pace_;
+    Jobs& jobs_;
+    ui::ImageStore& images_;
+    Notices& notices_;
+    bool exact_;
     bool wanted_ = false, shown_ = false;
     std::shared_ptr<BenchWork> work_;
     std::shared_ptr<Job> job_;

@@ -2,55 +2,15 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 #include <utility>
 
 namespace lapfx::app {
 
 namespace {
 
-using ui::Axis;
-using ui::dock_split;
 using ui::dock_tabs;
 using ui::DockLayout;
-
-struct Standard {
-    const char* name;
-    DockLayout (*make)();
-};
-
-DockLayout tune() {
-    return dock_split(Axis::x, 0.70F,
-                      dock_split(Axis::y, 0.73F, dock_tabs({"View", "Reference"}),
-                                 dock_tabs({"Timeline", "Amounts", "Curves", "Presets"})),
-                      dock_tabs({"Preset", "Clips", "Scene", "Keying", "Snapshots", "History"}));
-}
-
-DockLayout key() {
-    return dock_split(Axis::x, 0.64F,
-                      dock_split(Axis::y, 0.82F, dock_tabs({"Keying", "Reference"}),
-                                 dock_tabs({"Timeline", "Amounts", "Curves", "Presets"})),
-                      dock_split(Axis::y, 0.45F, dock_tabs({"View"}),
-                                 dock_tabs({"Clips", "Preset", "Scene", "Snapshots", "History"})));
-}
-
-DockLayout compare() {
-    return dock_split(
-        Axis::x, 0.72F,
-        dock_split(Axis::y, 0.67F, dock_tabs({"Reference", "View", "Keying"}),
-                   dock_split(Axis::x, 0.5F, dock_tabs({"Timeline", "Curves", "Presets"}), dock_tabs({"Amounts"}))),
-        dock_split(Axis::y, 0.66F, dock_tabs({"Preset", "Clips", "Scene"}), dock_tabs({"Snapshots", "History"})));
-}
-
-DockLayout stage() {
-    return dock_split(
-        Axis::x, 0.70F,
-        dock_split(Axis::y, 0.62F, dock_tabs({"View", "Reference", "Keying"}),
-                   dock_split(Axis::x, 0.55F, dock_tabs({"Timeline", "Presets"}), dock_tabs({"Curves", "Amounts"}))),
-        dock_tabs({"Scene", "Preset", "Clips", "Snapshots", "History"}));
-}
-
-constexpr std::array standards = {Standard{"Tune", tune}, Standard{"Key", key}, Standard{"Compare", compare},
-                                  Standard{"Stage", stage}};
 
 constexpr glm::vec2 least_window{42, 24};  // em, for panels beside each other
 
@@ -76,8 +36,24 @@ bool same_name(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-Layouts::Layouts() {
-    choose("Tune");
+void Layouts::set_panels(std::vector<std::string_view> names, std::vector<StandardLayout> standard) {
+    panels_ = std::move(names);
+    standard_ = std::move(standard);
+    for (const StandardLayout& layout : standard_) check(layout.make(), layout.name);
+    choose(standard_.front().name);
+}
+
+void Layouts::check(const DockLayout& layout, std::string_view name) const {
+    for (const ui::DockNode& node : layout.nodes)
+        for (const std::string& tab : node.tabs)
+            if (std::find(panels_.begin(), panels_.end(), tab) == panels_.end())
+                throw std::logic_error("layout " + std::string(name) + ": " + tab + " is no panel");
+}
+
+void Layouts::bring_to_front(std::string_view panel) {
+    if (std::find(panels_.begin(), panels_.end(), panel) == panels_.end())
+        throw std::logic_error(std::string(panel) + " is no panel");
+    shown.show(panel);
 }
 
 void Layouts::show(ui::DockLayout layout) {
@@ -115,13 +91,14 @@ const DockLayout& Layouts::arranged() const {
 
 std::vector<std::string> Layouts::names() const {
     std::vector<std::string> names;
-    for (const Standard& standard : standards) names.emplace_back(standard.name);
+    for (const StandardLayout& standard : standard_) names.emplace_back(standard.name);
     for (const ui::NamedLayout& own : own_) names.push_back(own.name);
     return names;
 }
 
 bool Layouts::standard(std::string_view name) const {
-    return std::any_of(standards.begin(), standards.end(), [&](const Standard& s) { return same_name(s.name, name); });
+    return std::any_of(standard_.begin(), standard_.end(),
+                       [&](const StandardLayout& s) { return same_name(s.name, name); });
 }
 
 bool Layouts::seen(std::string_view panel) const {
@@ -132,9 +109,11 @@ bool Layouts::seen(std::string_view panel) const {
 }
 
 bool Layouts::choose(std::string_view name) {
-    for (const Standard& standard : standards) {
+    for (const StandardLayout& standard : standard_) {
         if (!same_name(standard.name, name)) continue;
-        show(standard.make());
+        DockLayout layout = standard.make();
+        layout.fit(panels_);  // a panel that it does not name comes into its first group
+        show(std::move(layout));
         name_ = standard.name;
         return true;
     }

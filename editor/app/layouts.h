@@ -1,8 +1,9 @@
-// How panels are arranged: named layouts, the standard ones and the user's own.
+// How panels are arranged: named layouts, the standard ones and the user's own. Which panels and which standard layouts
+// there are is said by whoever has the panels (panels/workspace.cpp).
 #pragma once
 
-#include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -11,14 +12,19 @@
 
 namespace lapfx::app {
 
-/// Names of all panels; also their paths in the semantic tree, below "Workspace".
-inline constexpr std::array<std::string_view, 12> panel_names = {"View",      "Preset",    "Clips",   "Keying",
-                                                                 "Reference", "Timeline",  "Curves",  "Amounts",
-                                                                 "Presets",   "Snapshots", "History", "Scene"};
+/// One that comes with the program.
+struct StandardLayout {
+    std::string_view name;
+    ui::DockLayout (*make)();
+};
 
 class Layouts {
   public:
-    Layouts();
+    /// Once, before all else: what there is. The first layout is shown. A panel that a layout does not name comes into
+    /// its first group. Throws std::logic_error where one names a panel that is none: a mistake of the program.
+    void set_panels(std::vector<std::string_view> names, std::vector<StandardLayout> standard);
+    /// Names of all panels; also their paths in the semantic tree, below "Workspace".
+    std::span<const std::string_view> panels() const { return panels_; }
 
     ui::DockLayout shown;  ///< what is on the screen, and is changed by what the user does
     /// The window's size, in em. A small one has no room for panels beside each other: they are tabs of one group then,
@@ -30,6 +36,8 @@ class Layouts {
     const std::string& name() const { return name_; }
     /// Whether the panel is in front of its tabs.
     bool seen(std::string_view panel) const;
+    /// Brings it there, also if it was closed.
+    void bring_to_front(std::string_view panel);
     /// Of the standard ones ("Tune", "Key", "Compare", "Stage") and the user's own.
     std::vector<std::string> names() const;
     /// False: there is none of this name; case does not matter.
@@ -46,7 +54,10 @@ class Layouts {
 
   private:
     void show(ui::DockLayout layout);
+    void check(const ui::DockLayout& layout, std::string_view name) const;
 
+    std::vector<std::string_view> panels_;
+    std::vector<StandardLayout> standard_;
     mutable ui::DockLayout wide_;  ///< while it is stacked; arranged() brings it up to date
     bool stacked_ = false;
     std::uint32_t version_ = 0;

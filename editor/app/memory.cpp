@@ -4,7 +4,7 @@
 
 #include <cstdio>
 
-#include "app/editor.h"
+#include "app/preview_host.h"
 #include "app/reference.h"
 
 namespace lapfx::app {
@@ -19,18 +19,19 @@ ProcessMemory ProcessMemory::now() {
     return read == 3 ? ProcessMemory{.all = resident * page, .files = shared * page} : ProcessMemory{};
 }
 
-std::array<MemoryPart, 8> memory_parts(Editor& editor) {
-    const MemoryUse use = editor.preview.memory_use();
+std::array<MemoryPart, 8> memory_parts(const PreviewHost& preview, const Reference& reference,
+                                       const ui::ImageStore& images, const document::Document& document) {
+    const MemoryUse use = preview.memory_use();
     std::size_t pictures = 0;
-    for (const ui::StoredImage& image : editor.images.all()) pictures += image.pixels.size();
+    for (const ui::StoredImage& image : images.all()) pictures += image.pixels.size();
     return {{{"Smoke clips", use.clips, true},
              {"Organ's textures", use.textures, true},
              {"Their pixels, to be sent", use.pixels, false},
              {"Maps of vessels and fat", use.densities, false},
              {"Organ's surface", use.surface + use.geometry, false},
-             {"Pictures of the scene", use.targets + editor.reference().memory(), true},
+             {"Pictures of the scene", use.targets + reference.memory(), true},
              {"Keying, reference, thumbnails", 2 * pictures, false},  // here and as textures
-             {"Undo", editor.document.step_memory(), false}}};
+             {"Undo", document.step_memory(), false}}};
 }
 
 }  // namespace lapfx::app

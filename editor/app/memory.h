@@ -1,14 +1,23 @@
 // What holds the editor's memory: for the status bar, and for whoever wonders.
 //
-//     for (const MemoryPart& part : memory_parts(editor)) std::printf("%s: %.0f MB\n", part.name, part.bytes / 1e6);
+//     for (const MemoryPart& part : memory_parts(preview, reference, images, document))
+//         std::printf("%s: %.0f MB\n", part.name, part.bytes / 1e6);
 #pragma once
 
 #include <array>
 #include <cstddef>
 
+namespace lapfx::ui {
+class ImageStore;
+}
+namespace lapfx::document {
+class Document;
+}
+
 namespace lapfx::app {
 
-class Editor;
+class PreviewHost;
+class Reference;
 
 struct MemoryPart {
     const char* name;
@@ -25,6 +34,7 @@ struct ProcessMemory {
 };
 
 /// All that the editor knows of, the largest that depend on the document first. UI thread, context current.
-std::array<MemoryPart, 8> memory_parts(Editor& editor);
+std::array<MemoryPart, 8> memory_parts(const PreviewHost& preview, const Reference& reference,
+                                       const ui::ImageStore& images, const document::Document& document);
 
 }  // namespace lapfx::app

@@ -4,7 +4,8 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "app/editor.h"
+#include "app/jobs.h"
+#include "app/looking.h"
 #include "app/orbit.h"
 #include "app/paths.h"
 #include "app/settings.h"
@@ -73,11 +74,11 @@ void OrganChoice::open(const std::filesystem::path& file) {
     file_ = file;
     asked_ = true;
     other_unit = false;
-    const SceneOrgan& now = editor_.document.scene().organ;
-    const bool again = same_file(file, path_from(editor_.document.scene().folder, now.file));
+    const SceneOrgan& now = document_.scene().organ;
+    const bool again = same_file(file, path_from(document_.scene().folder, now.file));
     scale_ = again ? now.scale : 0;  // 0: the format's
     rotation_ = again ? now.rotation : glm::dvec3(0);
-    job_ = editor_.jobs.start(
+    job_ = jobs_.start(
         "Reading " + file.filename().string(),
         [this, file](Job& job) -> Jobs::Apply {
             auto organ = std::make_shared<Organ>(load_organ(file));
@@ -95,7 +96,7 @@ void OrganChoice::open(const std::filesystem::path& file) {
         [this, file](const std::vector<Fault>& faults) {
             job_.reset();
             faults_ = faults;
-            editor_.settings().forget_missing({file.string()});
+            settings_.forget_missing({file.string()});
         });
 }
 
@@ -149,14 +150,14 @@ std::optional<double> OrganChoice::likely() const {
 }
 
 bool OrganChoice::replaces() const {
-    const Scene& scene = editor_.document.scene();
+    const Scene& scene = document_.scene();
     return scene.organ.file.empty() || !same_file(file_, path_from(scene.folder, scene.organ.file));
 }
 
 void OrganChoice::load() {
     if (!organ_) return;
     SceneCamera seen = frame(turned());
-    editor_.document.change("Load organ", [&](document::Content& c) {
+    document_.change("Load organ", [&](document::Content& c) {
         Scene& scene = c.scene;
         if (replaces()) {
             scene.name = file_.stem().string();
@@ -172,9 +173,9 @@ void OrganChoice::load() {
         scene.tool.port = port_for(seen);
         scene.light.focus_distance = std::clamp(glm::distance(seen.eye, seen.target), 1.0, 2000.0);
     });
-    editor_.settings().note_recent(file_.string());
-    editor_.selected.clear();
-    editor_.looking.camera = seen;
+    settings_.note_recent(file_.string());
+    selected_.clear();
+    looking_.camera = seen;
     give_up();
 }
 

@@ -1,6 +1,6 @@
 // An organ that is about to be loaded: what its file holds, and the unit and orientation that make it right.
 //
-//     editor.open_organ("liver.stl");           // reads it beside the UI; the organ dialog shows this
+//     choice.open("liver.stl");                 // reads it beside the UI; the organ dialog shows this
 //     if (auto scale = choice.likely_scale()) choice.set_scale(*scale);
 //     choice.load();                            // into the scene: one undo step
 //
@@ -17,13 +17,15 @@
 #include <vector>
 
 #include "app/jobs.h"
+#include "document/document.h"
 #include "lapfx/authoring/organ_report.h"
 #include "lapfx/organ.h"
 #include "lapfx/scene.h"
 
 namespace lapfx::app {
 
-class Editor;
+class Settings;
+struct Looking;
 
 /// What one unit of a mesh can be.
 struct LengthUnit {
@@ -53,7 +55,10 @@ int up_axis_of(const glm::dvec3& rotation);
 
 class OrganChoice {
   public:
-    explicit OrganChoice(Editor& editor) : editor_(editor) {}
+    /// All must outlive it. An organ that is loaded is `looking` at whole, and no event is `selected`.
+    OrganChoice(document::Document& document, Jobs& jobs, Settings& settings, Looking& looking,
+                std::vector<std::size_t>& selected)
+        : document_(document), jobs_(jobs), settings_(settings), looking_(looking), selected_(selected) {}
 
     bool other_unit = false;  ///< in the dialog: a length is typed
 
@@ -81,6 +86,7 @@ class OrganChoice {
 
     /// Another organ than the scene has: its events go.
     bool replaces() const;
+    bool takes_events() const { return replaces() && !document_.scene().events.empty(); }  ///< there are some to go
     /// Into the scene, seen whole. What belonged to another organ goes: events, and where the tool came from.
     void load();
 
@@ -88,7 +94,11 @@ class OrganChoice {
     void take(const std::shared_ptr<const Organ>& organ, OrganReport report);
     OrganReport turned() const;
 
-    Editor& editor_;
+    document::Document& document_;
+    Jobs& jobs_;
+    Settings& settings_;
+    Looking& looking_;
+    std::vector<std::size_t>& selected_;
     std::filesystem::path file_;
     std::shared_ptr<Job> job_;
     std::shared_ptr<const Organ> organ_;  ///< in units of the file

@@ -6,10 +6,11 @@
 #include <set>
 #include <utility>
 
-#include "app/editor.h"
 #include "app/paths.h"
 #include "app/pick_color.h"
+#include "app/screen.h"
 #include "app/settings.h"
+#include "app/timeline.h"
 #include "lapfx/authoring/formats.h"
 
 namespace lapfx::app {
@@ -85,9 +86,17 @@ fs::path whole_sequence(const fs::path& file) {
     return file.parent_path() / (before + "%0" + std::to_string(digits) + "d" + extension);
 }
 
-Reference::Reference(Editor& editor)
-    : editor_(editor),
-      feed_(editor.options().exact),
+Reference::Reference(document::Document& document, const Timeline& timeline, PreviewHost& preview, Jobs& jobs,
+                     Settings& settings, ui::ImageStore& images, Screen& screen, const EditorOptions& options)
+    : document_(document),
+      timeline_(timeline),
+      preview_(preview),
+      jobs_(jobs),
+      settings_(settings),
+      images_(images),
+      screen_(screen),
+      data_folder_(options.data_folder),
+      feed_(options.exact),
       pixels_(std::make_unique<ReferencePixels>(feed_.image())),
       compared_pixels_(std::make_unique<ReferencePixels>(feed_.image())),
       preview_pixels_(std::make_unique<PreviewPixels>(copy_.target)) {
@@ -95,7 +104,7 @@ Reference::Reference(Editor& editor)
 }
 
 Reference::~Reference() {
-    if (image_ != 0) editor_.images.remove(image_);
+    if (image_ != 0) images_.remove(image_);
 }
 
 void Reference::give_up_choosing() {
@@ -107,42 +116,42 @@ void Reference::give_up_choosing() {
 void Reference::choose(const fs::path& file) {
     give_up_choosing();
     const fs::path whole = chosen_ = whole_sequence(file);
-    choosing_ = editor_.jobs.start(
+    choosing_ = jobs_.start(
         "Opening " + whole.filename().string(),
         [this, file, whole](Job& job) -> Jobs::Apply {
             auto reader = std::make_shared<VideoReader>(whole, &job.stop());
             return [this, file, whole, reader] {
                 choosing_.reset();
                 put(whole, reader);
-                editor_.settings().note_recent(file.string());
+                settings_.note_recent(file.string());
             };
         },
         [this, file](const std::vector<Fault>& faults) {
             choosing_.reset();
             refused_ = faults;
-            editor_.settings().forget_missing({file.string()});
+            settings_.forget_missing({file.string()});
         });
 }
 
 void Reference::put(const fs::path& file, std::shared_ptr<VideoReader> reader) {
-    const std::string name = named_in(editor_.document.scene().folder, file);
-    editor_.document.change("Reference video", [&](document::Content& c) { c.scene.reference = {.file = name}; });
+    const std::string name = named_in(document_.scene().folder, file);
+    document_.change("Reference video", [&](document::Content& c) { c.scene.reference = {.file = name}; });
     follow_scene(std::move(reader));
 }
 
 void Reference::choose_sample() {
-    choose(editor_.options().data_folder / sample);
+    choose(data_folder_ / sample);
 }
 
 void Reference::remove() {
     give_up_choosing();
-    editor_.document.change("Remove reference", [](document::Content& c) { c.scene.reference = {}; });
+    document_.change("Remove reference", [](document::Content& c) { c.scene.reference = {}; });
     follow_scene();
 }
 
 double Reference::time() const {
     if (held_ && video() != nullptr) return video()->time_of(std::min(*held_, video()->info().frames - 1));
-    return editor_.timeline.time + editor_.document.scene().reference.offset;
+    return timeline_.time + document_.scene().reference.offset;
 }
 
 int Reference::frame() const {
@@ -157,8 +166,8 @@ void Reference::hold(int frame) {
 
 void Reference::align() {
     if (!held_ || video() == nullptr) return;
-    const double offset = time() - editor_.timeline.time;
-    editor_.document.change("Align reference", [&](document::Content& c) {
+    const double offset = time() - timeline_.time;
+    document_.change("Align reference", [&](document::Content& c) {
         c.scene.reference.offset = std::round(offset * 1e4) / 1e4;  // far below a frame, and short in the file
     });
     held_.reset();
@@ -166,13 +175,13 @@ void Reference::align() {
 
 std::optional<ui::Span> Reference::span() const {
     if (video() == nullptr) return std::nullopt;
-    const double begin = -editor_.document.scene().reference.offset;
+    const double begin = -document_.scene().reference.offset;
     return ui::Span{begin, begin + video()->info().duration};
 }
 
 void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
-    if (std::exchange(followed_, editor_.document.version()) == editor_.document.version()) return;
-    const Scene& scene = editor_.document.scene();
+    if (std::exchange(followed_, document_.version()) == document_.version()) return;
+    const Scene& scene = document_.scene();
     const fs::path file = path_from(scene.folder, scene.reference.file);
     if (file == file_) return;
     file_ = file;
@@ -187,9 +196,9 @@ void Reference::show_newest() {
     const glm::ivec2 size(image.width, image.height);
     if (feed_.frame() < 0 || image.pixels.empty()) return;
     if (image_ == 0)
-        image_ = editor_.images.add(size, image.pixels);
+        image_ = images_.add(size, image.pixels);
     else
-        editor_.images.update(image_, size, image.pixels);
+        images_.update(image_, size, image.pixels);
 }
 
 void Reference::update(double) {
@@ -217,7 +226,7 @@ ui::Picture Reference::picture() const {
 /// In the aspect that the scene gives it: no pixel is lost.
 glm::ivec2 Reference::shown_size() const {
     const glm::dvec2 stored = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
-    const double aspect = editor_.document.scene().reference.aspect;
+    const double aspect = document_.scene().reference.aspect;
     if (!(aspect > 0)) return glm::ivec2(stored);
     return glm::max(glm::ivec2(glm::round(glm::max(stored, {stored.y * aspect, stored.x / aspect}))), glm::ivec2(1));
 }
@@ -231,7 +240,7 @@ glm::ivec2 Reference::drawn_size() const {
     const glm::ivec2 counted = compared_size();
     if (zoom_ <= 0 || zoom_ >= ui::grid_zoom || way == CompareWay::difference) return counted;
     const glm::dvec2 room = glm::dvec2(largest_compared) / glm::dvec2(counted);
-    const double scale = std::min({editor_.settings().half_resolution ? zoom_ / 2 : zoom_, room.x, room.y});
+    const double scale = std::min({settings_.half_resolution ? zoom_ / 2 : zoom_, room.x, room.y});
     return glm::max(glm::ivec2(glm::round(glm::dvec2(counted) * scale)), glm::ivec2(1));
 }
 
@@ -248,8 +257,7 @@ ui::Picture Reference::compared_preview() {
         copy_.target.resize(drawn_size());
         copy_.revision = 0;
     }
-    if (!editor_.preview.ready() && !editor_.preview.organ_faults().empty())
-        return {.image = 0, .size = compared_size()};
+    if (!preview_.ready() && !preview_.organ_faults().empty()) return {.image = 0, .size = compared_size()};
     preview_pixels_->size = compared_size();
     return {.image = copy_.target.texture(),
             .size = compared_size(),
@@ -261,15 +269,13 @@ ui::Picture Reference::compared_reference() const {
     return {.image = image_, .size = compared_size(), .pixels = compared_pixels_.get()};
 }
 
-bool Reference::draw() {
+bool Reference::draw(double scale) {
     if (!compares_ || copy_.target.texture() == 0) return false;
-    const Shot shot{.time = editor_.timeline.time,
-                    .camera = editor_.document.scene().camera,
-                    .overlay = Overlay::none,
-                    .scale = editor_.scene_scale()};
+    const Shot shot{
+        .time = timeline_.time, .camera = document_.scene().camera, .overlay = Overlay::none, .scale = scale};
     const bool first = copy_.revision == 0;
-    if (!editor_.preview.draw_into(copy_, shot)) return false;
-    if (first) editor_.ui().wake("the preview next to the reference");  // it may have been built without
+    if (!preview_.draw_into(copy_, shot)) return false;
+    if (first) screen_.wake("the preview next to the reference");  // it may have been built without
     preview_pixels_->forget();
     return true;
 }

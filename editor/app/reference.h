@@ -1,7 +1,7 @@
 // The surgery video that is to be matched, and how it is compared with the preview. The scene names it; here it is
 // opened, followed by the timeline, and shown.
 //
-//     editor.reference().choose("operation.mp4");  // the scene's reference from now on: an undo step
+//     reference.choose("operation.mp4");  // the scene's reference from now on: an undo step
 //     ...
 //     while the panel is built:  reference.follow();  ui::image_view(u, "Video", reference.picture(),
 //         reference.compare.view);
@@ -14,15 +14,20 @@
 #include <string>
 #include <vector>
 
+#include "app/editor_options.h"
 #include "app/preview_host.h"
 #include "app/video_feed.h"
+#include "document/document.h"
 #include "ui/canvas/axis.h"
 #include "ui/canvas/compare_view.h"
+#include "ui/draw/images.h"
 
 namespace lapfx::app {
 
-class Editor;
 class Job;
+class Screen;
+class Settings;
+class Timeline;
 
 enum class CompareWay : std::uint8_t { reference, beside, wipe, difference, onion };
 inline constexpr std::array<std::string_view, 5> way_titles = {"Reference", "Side by side", "Wipe", "Difference",
@@ -33,7 +38,9 @@ class Reference {
     /// px that the preview is drawn at for comparing, at most.
     static constexpr glm::ivec2 largest_compared{1280, 1024};
 
-    explicit Reference(Editor& editor);
+    /// All must outlive it.
+    Reference(document::Document& document, const Timeline& timeline, PreviewHost& preview, Jobs& jobs,
+              Settings& settings, ui::ImageStore& images, Screen& screen, const EditorOptions& options);
     ~Reference();
 
     // --- which ------------------------------------------------------------------------------------------------------
@@ -91,7 +98,8 @@ class Reference {
     /// Once before each frame. `now`: s.
     void update(double now);
     /// Once after each frame: draws the preview for comparing, if it is seen. Gives whether it differs.
-    bool draw();
+    /// `scale`: Shot::scale.
+    bool draw(double scale);
     std::size_t memory() const { return copy_.target.memory(); }  ///< bytes on the GPU
     bool compares() const { return compares_; }                   ///< that picture was asked for in the last build
 
@@ -105,7 +113,14 @@ class Reference {
     glm::ivec2 shown_size() const;
     glm::ivec2 compared_size() const;
 
-    Editor& editor_;
+    document::Document& document_;
+    const Timeline& timeline_;
+    PreviewHost& preview_;
+    Jobs& jobs_;
+    Settings& settings_;
+    ui::ImageStore& images_;
+    Screen& screen_;
+    std::filesystem::path data_folder_;
     VideoFeed feed_;
     std::filesystem::path file_;
     std::shared_ptr<Job> choosing_;  ///< opens `chosen_`

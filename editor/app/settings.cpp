@@ -4,8 +4,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "app/editor.h"
 #include "app/layouts.h"
+#include "app/notices.h"
 #include "lapfx/authoring/file.h"
 
 namespace lapfx::app {
@@ -169,11 +169,12 @@ void Settings::apply(const std::string& text) {
     for (const std::string& fault : faults) faults_.push_back(file.string() + ": " + fault);
 }
 
-void Settings::connect(Editor& editor) {
+void Settings::connect(ui::CommandTable& commands, Layouts& layouts, ui::FileDialog& dialog, Notices& notices) {
+    parts_ = {&commands, &layouts, &dialog, &notices};
     if (!keys_text_.empty())
-        for (const std::string& fault : editor.commands.from_json(keys_text_)) faults_.push_back("settings: " + fault);
+        for (const std::string& fault : commands.from_json(keys_text_)) faults_.push_back("settings: " + fault);
     if (!layouts_text_.empty()) try {
-            std::vector<ui::NamedLayout> all = ui::read_layouts(layouts_text_, panel_names);
+            std::vector<ui::NamedLayout> all = ui::read_layouts(layouts_text_, layouts.panels());
             const auto shown =
                 std::find_if(all.begin(), all.end(), [](const auto& l) { return l.name == shown_layout; });
             std::optional<ui::DockLayout> last;
@@ -181,20 +182,19 @@ void Settings::connect(Editor& editor) {
                 last = std::move(shown->layout);
                 all.erase(shown);
             }
-            editor.layouts().set_own(std::move(all));
-            editor.layouts().choose(layout_name_);
-            if (last) editor.layouts().shown = std::move(*last);
+            layouts.set_own(std::move(all));
+            layouts.choose(layout_name_);
+            if (last) layouts.shown = std::move(*last);
         } catch (const std::invalid_argument& fault) {
             faults_.push_back(std::string("settings: layouts: ") + fault.what());
         }
-    if (!file_folders_.empty()) editor.file_dialog.set_recent(file_folders_);
-    for (const std::string& fault : faults_) editor.toasts.add({.kind = ui::ToastKind::warning, .text = fault});
+    if (!file_folders_.empty()) dialog.set_recent(file_folders_);
+    for (const std::string& fault : faults_) notices.add({.kind = ui::ToastKind::warning, .text = fault});
     faults_.clear();
-    written_ = state(editor);
-    connected_ = true;
+    written_ = state();
 }
 
-Settings::State Settings::state(Editor& e) const {
+Settings::State Settings::state() const {
     return {.light = light,
             .reduced_motion = reduced_motion,
             .half_resolution = half_resolution,
@@ -203,19 +203,19 @@ Settings::State Settings::state(Editor& e) const {
             .window = window,
             .recent = recent,
             .favourites = favourites,
-            .file_folders = e.file_dialog.recent(),
+            .file_folders = parts_.dialog->recent(),
             .preset_folders = preset_folders,
             .preset_stars = preset_stars,
             .last_folders = last_folders_,
-            .layout_name = e.layouts().name(),
-            .shown = e.layouts().arranged(),
-            .commands = e.commands.version(),
-            .own_layouts = e.layouts().version()};
+            .layout_name = parts_.layouts->name(),
+            .shown = parts_.layouts->arranged(),
+            .commands = parts_.commands->version(),
+            .own_layouts = parts_.layouts->version()};
 }
 
-std::string Settings::text(Editor& e) const {
-    std::vector<ui::NamedLayout> layouts = e.layouts().own();
-    layouts.push_back({.name = std::string(shown_layout), .layout = e.layouts().arranged()});
+std::string Settings::text() const {
+    std::vector<ui::NamedLayout> layouts = parts_.layouts->own();
+    layouts.push_back({.name = std::string(shown_layout), .layout = parts_.layouts->arranged()});
     Json json = parsed_or(read_, Json::object());
     json["version"] = 1;
     json["light"] = light;
@@ -231,29 +231,29 @@ std::string Settings::text(Editor& e) const {
     json["hint_seen"] = hint_seen;
     json["recent"] = recent;
     json["favourites"] = favourites;
-    json["file_folders"] = e.file_dialog.recent();
+    json["file_folders"] = parts_.dialog->recent();
     json["last_folders"] = last_folders_;
     json["preset_folders"] = preset_folders;
     json["preset_stars"] = preset_stars;
-    json["layout"] = e.layouts().name();
+    json["layout"] = parts_.layouts->name();
     json["layouts"] = parsed_or(ui::write_layouts(layouts), Json::object());
-    json["keys"] = parsed_or(e.commands.to_json(), Json::object());
+    json["keys"] = parsed_or(parts_.commands->to_json(), Json::object());
     // Names of files are any bytes.
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + '\n';
 }
 
-void Settings::update(Editor& editor, double now) {
-    if (!connected_ || folders_.config.empty()) return;
-    if (now >= due_) return write(editor);
+void Settings::update(double now) {
+    if (!connected() || folders_.config.empty()) return;
+    if (now >= due_) return write();
     // Comparing costs next to nothing; copies are made when something has changed.
     const bool same = written_.light == light && written_.reduced_motion == reduced_motion &&
                       written_.half_resolution == half_resolution && written_.hint_seen == hint_seen &&
                       written_.scale == scale && written_.window == window && written_.recent == recent &&
-                      written_.favourites == favourites && written_.file_folders == editor.file_dialog.recent() &&
+                      written_.favourites == favourites && written_.file_folders == parts_.dialog->recent() &&
                       written_.last_folders == last_folders_ && written_.preset_folders == preset_folders &&
-                      written_.preset_stars == preset_stars && written_.layout_name == editor.layouts().name() &&
-                      written_.shown == editor.layouts().arranged() && written_.commands == editor.commands.version() &&
-                      written_.own_layouts == editor.layouts().version();
+                      written_.preset_stars == preset_stars && written_.layout_name == parts_.layouts->name() &&
+                      written_.shown == parts_.layouts->arranged() && written_.commands == parts_.commands->version() &&
+                      written_.own_layouts == parts_.layouts->version();
     if (same) {
         due_ = std::numeric_limits<double>::infinity();
     } else if (std::isinf(due_)) {
@@ -261,18 +261,18 @@ void Settings::update(Editor& editor, double now) {
     }
 }
 
-void Settings::write(Editor& editor) {
-    if (!connected_ || folders_.config.empty()) return;
+void Settings::write() {
+    if (!connected() || folders_.config.empty()) return;
     due_ = std::numeric_limits<double>::infinity();
-    State now = state(editor);
+    State now = state();
     if (now == written_) return;
     written_ = std::move(now);
     try {
         fs::create_directories(folders_.config);
-        write_file(folders_.config / "settings.json", text(editor));
+        write_file(folders_.config / "settings.json", text());
     } catch (const std::exception& fault) {
         if (!told_)
-            editor.toasts.add(
+            parts_.notices->add(
                 {.kind = ui::ToastKind::warning, .text = std::string("Settings are not kept: ") + fault.what()});
         told_ = true;
     }

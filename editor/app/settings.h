@@ -2,8 +2,8 @@
 // changed.
 //
 //     Settings settings(folders);         // as it was left; a broken file is put aside and told
-//     settings.connect(editor);           // once all commands are there: layouts, keys, folders of the file dialog
-//     each frame:  settings.update(editor, now);
+//     settings.connect(commands, layouts, file_dialog, notices);  // once all commands are there
+//     each frame:  settings.update(now);
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,14 @@
 
 #include "app/window_place.h"
 #include "document/folders.h"
+#include "ui/shell/commands.h"
+#include "ui/shell/file_dialog.h"
 #include "ui/widgets/dock_layout.h"
 
 namespace lapfx::app {
 
-class Editor;
+class Layouts;
+class Notices;
 
 class Settings {
   public:
@@ -47,14 +50,15 @@ class Settings {
     void note_folder(const std::string& title, std::string_view folder) { last_folders_[title] = folder; }
     const document::Folders& folders() const { return folders_; }
 
-    /// Applies what belongs to other parts of the editor, and tells what was wrong. Before it nothing is written.
-    void connect(Editor& editor);
+    /// Gives these what was kept of them (keys, layouts, folders), tells what was wrong, and from now on keeps what
+    /// they have. Before it nothing is written. All must outlive it.
+    void connect(ui::CommandTable& commands, Layouts& layouts, ui::FileDialog& dialog, Notices& notices);
     /// Once before each frame. `now`: s.
-    void update(Editor& editor, double now);
+    void update(double now);
     /// When update() is wanted at the latest, s; infinite: there is nothing to write.
     double due() const { return due_; }
     /// At once, if anything has changed. What fails is told once.
-    void write(Editor& editor);
+    void write();
 
   private:
     /// All that is written, to see whether it has changed without making a text of it each frame.
@@ -71,8 +75,8 @@ class Settings {
     };
     void read();
     void apply(const std::string& text);
-    State state(Editor& editor) const;
-    std::string text(Editor& editor) const;
+    State state() const;
+    std::string text() const;
 
     document::Folders folders_;
     std::map<std::string, std::string> last_folders_;
@@ -80,7 +84,15 @@ class Settings {
     std::string layouts_text_, keys_text_, layout_name_;
     std::vector<std::string> file_folders_, faults_;
     State written_;
-    bool connected_ = false, told_ = false;
+    struct Parts {
+        ui::CommandTable* commands = nullptr;
+        Layouts* layouts = nullptr;
+        ui::FileDialog* dialog = nullptr;
+        Notices* notices = nullptr;
+    };
+    bool connected() const { return parts_.commands != nullptr; }
+    Parts parts_;  ///< that have been connected
+    bool told_ = false;
     double due_ = std::numeric_limits<double>::infinity();
 };
 

@@ -2,8 +2,6 @@
 
 #include <chrono>
 
-#include "app/editor.h"
-
 namespace lapfx::app {
 
 namespace {
@@ -16,8 +14,8 @@ std::int64_t now_utc() {
 }  // namespace
 
 void Snapshots::keep(std::size_t slot) {
-    editor_.document.commit();
-    all_[slot] = {.preset = editor_.document.preset(), .time = now_utc(), .file = editor_.document.preset_file()};
+    document_.commit();
+    all_[slot] = {.preset = document_.preset(), .time = now_utc(), .file = document_.preset_file()};
     ++version_;
 }
 
@@ -28,7 +26,7 @@ void Snapshots::clear(std::size_t slot) {
 
 std::string Snapshots::other_file(std::size_t slot) const {
     const auto& snapshot = all_[slot];
-    return snapshot && snapshot->file != editor_.document.preset_file() ? snapshot->file.filename().string() : "";
+    return snapshot && snapshot->file != document_.preset_file() ? snapshot->file.filename().string() : "";
 }
 
 void Snapshots::move(const std::filesystem::path& from, const std::filesystem::path& to) {
@@ -44,30 +42,30 @@ Preset Snapshots::preset(std::size_t slot) const {
 
 void Snapshots::show(std::size_t slot) {
     if (!all_[slot]) return;
-    editor_.document.commit();
+    document_.commit();
     const std::string name = std::string("Snapshot ") + names[slot];
     if (shown(slot)) {
         if (!before_) return;
         const Preset back = *before_;
-        editor_.document.change("Back from snapshot " + std::string(names[slot]),
-                                [&](document::Content& c) { c.preset = back; });
+        document_.change("Back from snapshot " + std::string(names[slot]),
+                         [&](document::Content& c) { c.preset = back; });
         return;
     }
     bool any = false;
     for (std::size_t i = 0; i < count; ++i) any |= shown(i);
     // From one snapshot to the next, what was tuned before the first is still what one comes back to.
-    if (!any) before_ = editor_.document.preset();
-    editor_.document.change(name, [&](document::Content& c) { c.preset = preset(slot); });
+    if (!any) before_ = document_.preset();
+    document_.change(name, [&](document::Content& c) { c.preset = preset(slot); });
 }
 
 bool Snapshots::shown(std::size_t slot) const {
-    const std::uint64_t version = editor_.document.version();
+    const std::uint64_t version = document_.version();
     if (compared_document_ != version || compared_ != version_) {
         compared_document_ = version;
         compared_ = version_;
         same_.fill(false);
         for (std::size_t i = 0; i < count; ++i)
-            same_[i] = all_[i] && document::same(all_[i]->preset, editor_.document.preset());
+            same_[i] = all_[i] && document::same(all_[i]->preset, document_.preset());
     }
     return same_[slot];
 }

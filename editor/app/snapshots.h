@@ -11,19 +11,18 @@
 #include <string>
 #include <vector>
 
+#include "document/document.h"
 #include "document/keep.h"
 #include "lapfx/preset.h"
 
 namespace lapfx::app {
-
-class Editor;
 
 class Snapshots {
   public:
     static constexpr std::size_t count = 4;
     static constexpr std::array<const char*, count> names = {"A", "B", "C", "D"};
 
-    explicit Snapshots(Editor& editor) : editor_(editor) {}
+    explicit Snapshots(document::Document& document) : document_(document) {}
 
     struct Snapshot {
         Preset preset;
@@ -56,7 +55,7 @@ class Snapshots {
     std::uint64_t version() const { return version_; }
 
   private:
-    Editor& editor_;
+    document::Document& document_;
     std::array<std::optional<Snapshot>, count> all_;
     std::optional<Preset> before_;  ///< a snapshot was shown
     std::uint64_t version_ = 1;

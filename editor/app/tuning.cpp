@@ -4,8 +4,10 @@
 #include <cmath>
 #include <random>
 
-#include "app/editor.h"
+#include "app/notices.h"
 #include "app/parameter_text.h"
+#include "app/preview_host.h"
+#include "app/saved.h"
 #include "app/settings.h"
 
 namespace lapfx::app {
@@ -96,18 +98,25 @@ bool is_text(const ParameterEntry& entry) {
 
 }  // namespace
 
-Tuning::Tuning(Editor& editor)
-    : editor_(editor), states_(entries().size()), changed_in_(parameters().groups().size()) {}
+Tuning::Tuning(document::Document& document, Saved& saved, const PreviewHost& preview, Settings& settings,
+               Notices& notices)
+    : document_(document),
+      saved_(saved),
+      preview_(preview),
+      settings_(settings),
+      notices_(notices),
+      states_(entries().size()),
+      changed_in_(parameters().groups().size()) {}
 
 std::size_t Tuning::index_of(const ParameterGroup& group) {
     return static_cast<std::size_t>(&group - parameters().groups().data());
 }
 
 void Tuning::follow() {
-    if (editor_.settings().favourites != favourite_keys_) follow_favourites();
-    const document::Document& document = editor_.document;
+    if (settings_.favourites != favourite_keys_) follow_favourites();
+    const document::Document& document = document_;
     std::vector<std::string>& clips = clip_faults_;
-    const std::vector<Fault>& told = editor_.preview.preset_faults();
+    const std::vector<Fault>& told = preview_.preset_faults();
     const bool same_faults =
         std::equal(told.begin(), told.end(), clips.begin(), clips.end(),
                    [](const Fault& fault, const std::string& reason) { return fault.reason == reason; });
@@ -116,15 +125,13 @@ void Tuning::follow() {
     for (const Fault& fault : told) clips.push_back(fault.reason);
     if (followed_ != document.version()) {
         followed_ = document.version();
-        follow_saved();
-        follow_saved_clips();
         follow_values();
     }
     follow_faults();
 }
 
 void Tuning::follow_favourites() {
-    favourite_keys_ = editor_.settings().favourites;
+    favourite_keys_ = settings_.favourites;
     favourites_.clear();
     for (State& state : states_) state.favourite = false;
     for (const std::string& key : favourite_keys_) {
@@ -135,51 +142,17 @@ void Tuning::follow_favourites() {
     }
 }
 
-void Tuning::follow_saved() {
-    const document::Document& document = editor_.document;
-    if (const auto& saved = document.saved_preset(); saved != saved_preset_) {
-        saved_preset_ = saved;
-        saved_.preset = saved ? *saved : Preset{};
-    }
-    if (const auto& saved = document.saved_scene(); saved != saved_scene_) {
-        saved_scene_ = saved;
-        saved_.scene = saved ? *saved : Scene{};
-    }
-    if (!document.scene_unsaved()) saved_.scene = document.scene();  // its files may be named from another folder now
-}
-
-void Tuning::follow_saved_clips() {
-    const Preset &now = editor_.document.preset(), &saved = saved_.preset;
-    // Where both name them from one folder the disk need not be asked.
-    const auto files = [asks = now.folder != saved.folder](const Preset& preset) {
-        std::vector<std::filesystem::path> all;
-        for (const SmokeClip& clip : preset.smoke.clips)
-            all.push_back(asks ? document::real_clip(clip.file, preset.folder) : std::filesystem::path(clip.file));
-        return all;
-    };
-    const auto present = files(now);
-    auto before = files(saved);
-    saved_clips_.assign(present.size(), no_entry);
-    for (std::size_t i = 0; i < present.size(); ++i) {
-        const auto found = std::find(before.begin(), before.end(), present[i]);
-        if (found == before.end() || found->empty()) continue;
-        saved_clips_[i] = static_cast<std::size_t>(found - before.begin());
-        found->clear();  // the next one of that name is the next one saved
-    }
-}
-
-const SmokeClip* Tuning::saved_clip(std::size_t number) const {
-    if (number >= saved_clips_.size() || saved_clips_[number] == no_entry) return nullptr;
-    return &saved_.preset.smoke.clips[saved_clips_[number]];
+const Preset& Tuning::standard() const {
+    return saved_.content().preset;
 }
 
 void Tuning::follow_values() {
-    const Preset& preset = editor_.document.preset();
+    const Preset& preset = document_.preset();
     std::fill(changed_in_.begin(), changed_in_.end(), 0);
     changed_in_all_ = 0;
     for (std::size_t i = 0; i < states_.size(); ++i) {
         const ParameterEntry& entry = entries()[i];
-        states_[i].changed = !entry.same(preset, saved_.preset);
+        states_[i].changed = !entry.same(preset, standard());
         changed_in_[entry.group] += states_[i].changed ? 1 : 0;
         changed_in_all_ += states_[i].changed ? 1 : 0;
     }
@@ -188,8 +161,8 @@ void Tuning::follow_values() {
 void Tuning::follow_faults() {
     for (State& state : states_) state.fault.clear();
     other_faults_.clear();
-    std::vector<Fault> faults = editor_.document.preset_faults();
-    const std::vector<Fault>& shown = editor_.preview.preset_faults();
+    std::vector<Fault> faults = document_.preset_faults();
+    const std::vector<Fault>& shown = preview_.preset_faults();
     faults.insert(faults.end(), shown.begin(), shown.end());
     for (const Fault& fault : faults) {
         const std::size_t entry = parameters().find_pointer(fault.place);
@@ -202,7 +175,7 @@ void Tuning::follow_faults() {
 }
 
 void Tuning::mark_favourite(std::size_t entry, bool favourite) {
-    std::vector<std::string>& keys = editor_.settings().favourites;
+    std::vector<std::string>& keys = settings_.favourites;
     std::erase(keys, entries()[entry].key);
     if (favourite) keys.push_back(entries()[entry].key);
     follow_favourites();
@@ -226,21 +199,21 @@ void Tuning::lock(const ParameterGroup& group, bool locked) {
 
 void Tuning::reset(const ParameterGroup* group) {
     const std::string name = group == nullptr ? "Reset preset" : "Reset " + group->name;
-    editor_.document.change(name, [&](document::Content& c) {
+    document_.change(name, [&](document::Content& c) {
         for (const ParameterEntry& entry : entries()) {
             if (group != nullptr && index_of(*group) != entry.group) continue;
-            put(entry, c.preset, entry.row->get(entry.owner(saved_.preset)));
+            put(entry, c.preset, entry.row->get(entry.owner(standard())));
         }
     });
 }
 
 void Tuning::reset(std::size_t i) {
     const ParameterEntry& entry = entries()[i];
-    editor_.document.change("Reset " + entry.title, [&](document::Content& c) {
+    document_.change("Reset " + entry.title, [&](document::Content& c) {
         for (const std::size_t one : {i, entry.high}) {
             if (one == no_entry) continue;
             const ParameterEntry& e = entries()[one];
-            put(e, c.preset, e.row->get(e.owner(saved_.preset)));
+            put(e, c.preset, e.row->get(e.owner(standard())));
         }
     });
 }
@@ -249,7 +222,7 @@ int Tuning::randomise(const ParameterGroup* group) {
     Dice dice(seed++);
     int count = 0;
     const std::string name = group == nullptr ? "Randomise" : "Randomise " + group->name;
-    editor_.document.change(name, [&](document::Content& c) {
+    document_.change(name, [&](document::Content& c) {
         for (std::size_t i = 0; i < states_.size(); ++i) {
             const ParameterEntry& entry = entries()[i];
             if (states_[i].locked || is_text(entry) || (group != nullptr && index_of(*group) != entry.group)) continue;
@@ -274,7 +247,7 @@ void Tuning::want(std::size_t entry) {
 }
 
 std::string Tuning::copy(const ParameterGroup* group) const {
-    const Preset& preset = editor_.document.preset();
+    const Preset& preset = document_.preset();
     if (group == nullptr) return copy_parameters(preset, {});
     const std::string_view keys[] = {group->key};
     return copy_parameters(preset, keys);
@@ -282,20 +255,19 @@ std::string Tuning::copy(const ParameterGroup* group) const {
 
 bool Tuning::paste(const std::string& text, const ParameterGroup* group) {
     try {
-        Preset preset =
-            paste_parameters(editor_.document.preset(), text, group == nullptr ? std::string_view() : group->key);
-        editor_.document.change(group == nullptr ? "Paste parameters" : "Paste " + group->name,
-                                [&](document::Content& c) { c.preset = std::move(preset); });
+        Preset preset = paste_parameters(document_.preset(), text, group == nullptr ? std::string_view() : group->key);
+        document_.change(group == nullptr ? "Paste parameters" : "Paste " + group->name,
+                         [&](document::Content& c) { c.preset = std::move(preset); });
         return true;
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
         return false;
     }
 }
 
 std::string Tuning::copy(std::size_t i) const {
     const ParameterEntry& entry = entries()[i];
-    const Preset& preset = editor_.document.preset();
+    const Preset& preset = document_.preset();
     std::string text = text_of(*entry.row, entry.row->get(entry.owner(preset)));
     if (entry.high == no_entry) return text;
     const ParameterEntry& high = entries()[entry.high];
@@ -306,14 +278,14 @@ bool Tuning::paste(const std::string& text, std::size_t i) {
     const ParameterEntry& entry = entries()[i];
     const std::size_t cut = entry.high == no_entry ? std::string::npos : text.find(' ');
     try {
-        Preset preset = editor_.document.preset();
+        Preset preset = document_.preset();
         set_parameter(preset_table(), &preset, entry.key, std::string_view(text).substr(0, cut));
         if (cut != std::string::npos)
             set_parameter(preset_table(), &preset, entries()[entry.high].key, std::string_view(text).substr(cut + 1));
-        editor_.document.change("Paste " + entry.title, [&](document::Content& c) { c.preset = std::move(preset); });
+        document_.change("Paste " + entry.title, [&](document::Content& c) { c.preset = std::move(preset); });
         return true;
     } catch (const Error& error) {
-        editor_.tell(error);
+        notices_.tell(error);
         return false;
     }
 }

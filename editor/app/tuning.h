@@ -1,7 +1,6 @@
 // What the preset panel needs beside the values: locks, favourites, what differs from the file, what is wrong, and what
 // is done to many parameters at once.
 //
-//     Tuning& tuning = editor.tuning();
 //     tuning.follow();                                   // once a build: up to date with the document
 //     if (tuning.changed(entry)) ...                     // entry: index into app::parameters()
 //     tuning.randomise(&parameters().group("bleeding")); // one undo step, within locks and rules
@@ -20,7 +19,10 @@
 
 namespace lapfx::app {
 
-class Editor;
+class Notices;
+class PreviewHost;
+class Saved;
+class Settings;
 
 class Tuning {
   public:
@@ -28,7 +30,9 @@ class Tuning {
         double low, high;
     };
 
-    explicit Tuning(Editor& editor);
+    /// All must outlive it.
+    Tuning(document::Document& document, Saved& saved, const PreviewHost& preview, Settings& settings,
+           Notices& notices);
     void follow();
 
     // --- of one parameter --------------------------------------------------------------------------------------------
@@ -39,12 +43,7 @@ class Tuning {
     const std::vector<std::size_t>& favourites() const { return favourites_; }  ///< in the order they were marked
     /// Differs from standard(), the preset as it was opened or saved.
     bool changed(std::size_t entry) const { return states_[entry].changed; }
-    const Preset& standard() const { return saved_.preset; }
-    /// Scene and preset as they were opened or saved: what the dot of a row compares with and Backspace goes back to.
-    const document::Content& saved() const { return saved_; }
-    /// What was saved of this clip, wherever it stood in the list then: the same file, as often used before it, however
-    /// the folder of either names it. Null: it is new.
-    const SmokeClip* saved_clip(std::size_t number) const;
+    const Preset& standard() const;
     /// What is wrong with it; empty: nothing.
     const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
     /// Where bars and randomising go: what the user has set, else what the table allows.
@@ -92,22 +91,20 @@ class Tuning {
     };
     static std::size_t index_of(const ParameterGroup& group);
     void follow_favourites();
-    void follow_saved();
-    void follow_saved_clips();
     void follow_values();
     void follow_faults();
 
-    Editor& editor_;
+    document::Document& document_;
+    Saved& saved_;
+    const PreviewHost& preview_;
+    Settings& settings_;
+    Notices& notices_;
     std::vector<State> states_;  ///< of each entry
     std::vector<int> changed_in_;
     int changed_in_all_ = 0;
     std::vector<std::string> other_faults_, favourite_keys_;
     std::vector<std::size_t> favourites_;
     std::uint64_t followed_ = 0;
-    std::shared_ptr<const Preset> saved_preset_;  // that saved_ is of
-    std::shared_ptr<const Scene> saved_scene_;
-    document::Content saved_;
-    std::vector<std::size_t> saved_clips_;  ///< of each clip, its number among the saved ones; no_entry: it is new
     std::vector<std::string> clip_faults_;
 };
 

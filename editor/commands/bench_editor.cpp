@@ -49,16 +49,13 @@ Costs measure(HeadlessEditor& headless, const Extent& extent, Progress& progress
     for (int i = 0; i < extent.warm_up + extent.frames; ++i) {
         glFinish();
         const auto start = Clock::now();
-        editor.seek(3.0 + 0.05 * i);
+        editor.timeline.seek(3.0 + 0.05 * i);
         editor.document.change("Opacity", [&](document::Content& c) { c.preset.bleeding.opacity = 0.8 + 0.001 * i; });
-        headless.advance();
-        headless.build();
-        editor.follow();  // draw() finds it done
-        glFinish();
-        const double built = ms_since(start);
-        headless.draw();
-        glFinish();
-        const double drawn = ms_since(start);
+        double built = 0, drawn = 0;
+        headless.frame(1.0 / 60, {.after = [&](app::FrameStep step) {
+                           if (step == app::FrameStep::followed) glFinish(), built = ms_since(start);
+                           if (step == app::FrameStep::drawn) glFinish(), drawn = ms_since(start);
+                       }});
         headless.draw_ui();
         glFinish();
         const double all = ms_since(start);
@@ -79,13 +76,11 @@ double frame_cost(HeadlessEditor& headless, int frames, bool moves, glm::vec2 at
         glFinish();
         const double begin = thread_seconds();
         if (moves) headless.ui().push({.kind = ui::EventKind::pointer, .at = at + glm::vec2(i % 2 == 0 ? 4 : -4, 0)});
-        headless.advance();
-        headless.build();
-        headless.editor().follow();
-        const double built = thread_seconds();
-        headless.draw();
-        glFinish();
-        const double drawn = thread_seconds();
+        double built = 0, drawn = 0;
+        headless.frame(1.0 / 60, {.after = [&](app::FrameStep step) {
+                           if (step == app::FrameStep::followed) built = thread_seconds();
+                           if (step == app::FrameStep::drawn) glFinish(), drawn = thread_seconds();
+                       }});
         headless.draw_ui();
         seconds += thread_seconds() - drawn + built - begin;
     }

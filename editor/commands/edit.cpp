@@ -59,8 +59,8 @@ void set_up(app::Editor& editor, app::Opened opened, const Options& o) {
         for (const std::string& name : editor.layouts().names()) names += (names.empty() ? "" : ", ") + name;
         throw wrong_option("--layout", "\"" + o.layout + "\" is not one of " + names);
     }
-    if (o.at >= 0) editor.seek(o.at);
-    if (o.at < 0 && !o.screenshot.empty() && o.files.empty()) editor.seek(sample_moment);
+    if (o.at >= 0) editor.timeline.seek(o.at);
+    if (o.at < 0 && !o.screenshot.empty() && o.files.empty()) editor.timeline.seek(sample_moment);
 }
 
 /// The editor as a picture, and the tree of its widgets.
@@ -144,7 +144,7 @@ void show_window(const Options& o) {
                                                                  .software = window.context().software(),
                                                                  .files = nullptr,
                                                                  .early = early});
-    panels::add_commands(*editor);
+    panels::set_up(*editor);
     set_up(*editor, std::move(opened), o);
     window.ui().set_shortcuts(&editor->commands);
     editor->hot_reload().set_ui_shaders([&](std::string_view vertex, std::string_view fragment, std::string& fault) {
@@ -161,34 +161,32 @@ void show_window(const Options& o) {
     double touched = -1;                       // s: the last input that the editor knows of
     MemoryLog memory_log;
     HeapKeeper heap;
-    const window::UiProgram program{.update =
-                                        [&](double now) {
-                                            if (o.scale <= 0) follow_scale(window, settings, scale);
-                                            settings.window = window.place();
-                                            if (window.last_input() > touched) editor->touch(now);
-                                            touched = window.last_input();
-                                            editor->meter().ui = window.statistics().ui_seconds;
-                                            editor->update(now);
-                                            if (o.statistics) memory_log.tell(*editor, now);
-                                            window.set_title(editor->files().title());
-                                        },
-                                    .build =
-                                        [&](ui::Ui& u) {
-                                            panels::workspace(u, *editor);
-                                            if (editor->closed()) window.close();
-                                        },
-                                    .draw =
-                                        [&] {
-                                            const bool changed = editor->draw();
-                                            const bool busy = editor->jobs.busy();
-                                            window.set_busy(busy);
-                                            heap.tidy(busy);
+    const auto before = [&](double now) {
+        if (o.scale <= 0) follow_scale(window, settings, scale);
+        settings.window = window.place();
+        if (window.last_input() > touched) editor->touch(now);
+        touched = window.last_input();
+        editor->meter().ui = window.statistics().ui_seconds;
+        if (o.statistics) memory_log.tell(*editor, now);
+    };
+    const auto after = [&] {
+        window.set_title(editor->files().title());
+        window.set_busy(editor->jobs.busy());
+        heap.tidy(editor->jobs.busy());
+        if (editor->files().closed()) window.close();
+    };
+    const window::UiProgram program{.build = [&](ui::Ui& u) { panels::workspace(u, *editor); },
+                                    .frame =
+                                        [&](const window::UiFrame& f) {
+                                            before(f.now);
+                                            const bool changed = editor->frame(f.now, f.build, {.visible = f.visible});
+                                            after();
                                             return changed;
                                         },
                                     .may_close =
                                         [&] {
-                                            editor->ask_to_close();
-                                            return editor->closed();
+                                            editor->files().close();
+                                            return editor->files().closed();
                                         }};
     try {
         window.run(program);

@@ -26,7 +26,7 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
       ui_(std::make_unique<ui::Ui>(
           fonts_, ui::UiOptions{.images = &images_, .shortcuts = &editor_->commands, .reduced_motion = true})),
       target_(size) {
-    panels::add_commands(*editor_);
+    panels::set_up(*editor_);
     editor_->settings().reduced_motion = true;
     editor_->settings().hint_seen = true;
 }
@@ -36,20 +36,13 @@ HeadlessEditor::~HeadlessEditor() {
     editor_.reset();
 }
 
-void HeadlessEditor::advance(double seconds) {
+void HeadlessEditor::frame(double seconds, const app::FrameOptions& options) {
     time_ += seconds;
-    editor_->update(time_);
-}
-
-void HeadlessEditor::build() {
-    output_ = &ui_->frame({.size = size_, .scale = scale_, .time = time_},
-                          [this](ui::Ui& u) { panels::workspace(u, *editor_); });
-}
-
-void HeadlessEditor::frame(double seconds) {
-    advance(seconds);
-    build();
-    draw();
+    const auto build = [this] {
+        output_ = &ui_->frame({.size = size_, .scale = scale_, .time = time_},
+                              [this](ui::Ui& u) { panels::workspace(u, *editor_); });
+    };
+    drew_ = editor_->frame(time_, build, options);
 }
 
 void HeadlessEditor::settle() {

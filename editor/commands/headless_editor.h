@@ -28,11 +28,7 @@ class HeadlessEditor {
     const Context& context() const { return context_; }
 
     /// One, `seconds` after the last: the panels are built and the preview is drawn.
-    void frame(double seconds = 1.0 / 60);
-    /// The three parts of a frame: time goes on and results of jobs are taken, panels are built, the preview is drawn.
-    void advance(double seconds = 1.0 / 60);
-    void build();
-    void draw() { drew_ = editor_->draw(); }
+    void frame(double seconds = 1.0 / 60, const app::FrameOptions& options = {});
     /// Until no other frame is asked for soon; what asks for ever is left as it is then.
     void settle();
     /// Sends the UI of the last frame to the GPU.

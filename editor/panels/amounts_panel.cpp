@@ -47,15 +47,15 @@ std::string_view legend_text(ui::Ui& ui, std::string_view name, const ui::PlotDa
     return ui.join({text.view(), "###", name});
 }
 
-void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t kind) {
-    const app::AmountsOverTime& amounts = editor.amounts();
+void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& timeline, AmountPlots& plots,
+              std::size_t kind) {
     const app::AmountInfo& info = amount_infos[kind];
     AmountPlot& plot = plots.all[kind];
     std::array<ui::PlotSeries, 9> series;
     const std::size_t count = std::min(plot.data.size(), series.size());
     for (std::size_t i = 0; i < count; ++i) {
         const std::string_view name = i == 0 ? "Scene" : std::string_view(amounts.others()[i - 1].name);
-        series[i] = {.name = legend_text(ui, name, plot.data[i], info, editor.timeline.time, count > 1),
+        series[i] = {.name = legend_text(ui, name, plot.data[i], info, timeline.time, count > 1),
                      .data = &plot.data[i],
                      .kind = ui::PlotKind::line,
                      .color = static_cast<int>((kind + 2 * i) % 8),
@@ -72,8 +72,8 @@ void one_plot(ui::Ui& ui, app::Editor& editor, AmountPlots& plots, std::size_t k
                   .residual = nullptr,
                   .tip = ui.join({info.help, " Click: go to that time. Ctrl+C copies the visible values as CSV."}),
                   .state = &plot.state,
-                  .mark = editor.timeline.time});
-    if (result.clicked) editor.seek(result.x);
+                  .mark = timeline.time});
+    if (result.clicked) timeline.seek(result.x);
     if (!result.moved) return;
     for (AmountPlot& other : plots.all) {  // time is one for all
         if (&other == &plot) continue;
@@ -97,20 +97,18 @@ std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
     return best;
 }
 
-void nothing_known(ui::Ui& ui, app::Editor& editor) {
-    const app::AmountsOverTime& amounts = editor.amounts();
+void nothing_known(ui::Ui& ui, app::AmountsOverTime& amounts) {
     if (!amounts.faults().empty())
         return ui::label(ui, amounts.faults().front().text(),
                          {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
-    if (editor.document.scene().organ.file.empty())
+    if (!amounts.has_organ())
         return ui::label(ui, "No organ yet: open a mesh or a scene, and its blood and smoke are plotted here.",
                          {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     if (!amounts.stopped())
         return ui::label(ui, "The amounts of this scene are being computed.", {.tone = ui::Tone::dim});
     ui::label(ui, "Computing the amounts of this scene was stopped.", {.tone = ui::Tone::dim});
     const ui::Row row(ui);
-    if (ui::button(ui, "Compute again", {.tip = "Starts again; any change of the scene also does"}))
-        editor.amounts().again();
+    if (ui::button(ui, "Compute again", {.tip = "Starts again; any change of the scene also does"})) amounts.again();
 }
 
 /// It has its line whether the plots are new or not: they stay where they are.
@@ -122,9 +120,8 @@ void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
               {.tone = old ? ui::Tone::warning : ui::Tone::dim, .width = ui::grow()});
 }
 
-void all_plots(ui::Ui& ui, app::Editor& editor, ui::Id id) {
+void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& timeline, ui::Id id) {
     constexpr float gap = 0.4F;
-    const app::AmountsOverTime& amounts = editor.amounts();
     const float line = std::ceil(ui.em(1.5F)), part = std::ceil(ui.em(gap));
     how_new(ui, amounts, line);
     auto& plots = ui.memory<AmountPlots>(id);
@@ -138,27 +135,25 @@ void all_plots(ui::Ui& ui, app::Editor& editor, ui::Id id) {
     for (std::size_t first = 0; first < plots.all.size(); first += columns) {
         const ui::Row row(ui,
                           {.width = ui::grow(), .height = ui::px(std::max(height, ui.em(least_height))), .gap = gap});
-        for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, editor, plots, i);
+        for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, amounts, timeline, plots, i);
     }
 }
 
 }  // namespace
 
-void amounts_panel(ui::Ui& ui, app::Editor& editor) {
-    app::AmountsOverTime& amounts = editor.amounts();
+void amounts_panel(ui::Ui& ui, app::AmountsOverTime& amounts, app::Timeline& timeline) {
     amounts.want();
-    if (amounts.stale() && (!amounts.busy() || editor.options().exact))
-        ui.wake_at(std::isfinite(amounts.due()) ? amounts.due() : ui.time(), "amounts");
+    if (amounts.wants_frame()) ui.wake_at(std::isfinite(amounts.due()) ? amounts.due() : ui.time(), "amounts");
     ui::Node& room = ui.open(ui::Role::group, "Plots", ui::Axis::y);
     const ui::Id id = room.id;
     room.size[0] = room.size[1] = ui::grow();
     room.gap = ui.em(0.4F);
     ui.follow_size(room);
     if (amounts.scene() == nullptr) {
-        nothing_known(ui, editor);
+        nothing_known(ui, amounts);
         return ui.close();
     }
-    all_plots(ui, editor, id);
+    all_plots(ui, amounts, timeline, id);
     ui.close();
 }
 

@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "app/tuning.h"
 #include "lapfx/authoring/tissue_report.h"
 #include "lapfx/prepared_organ.h"
 #include "lapfx/tissue.h"
@@ -28,13 +27,13 @@ struct StripMemory {
     std::shared_ptr<Counts> counts = std::make_shared<Counts>();
 };
 
-void count(app::Editor& editor, const std::shared_ptr<Counts>& counts,
+void count(const document::Document& document, app::Jobs& jobs, const std::shared_ptr<Counts>& counts,
            const std::shared_ptr<const PreparedOrgan>& organ) {
-    const VesselParameters parameters = editor.document.preset().vessels;
+    const VesselParameters parameters = document.preset().vessels;
     if (counts->organ.lock() != organ) *counts = {};
     counts->organ = organ;
     counts->vessel_width = parameters.vessel_width;
-    counts->counting = editor.jobs.start(
+    counts->counting = jobs.start(
         "Counting colours of the organ",
         [counts, parameters, organ](app::Job&) -> app::Jobs::Apply {
             return [counts, histogram = tissue_histogram(*organ, parameters)] {
@@ -49,13 +48,13 @@ void count(app::Editor& editor, const std::shared_ptr<Counts>& counts,
         });
 }
 
-void follow(app::Editor& editor, StripMemory& memory) {
+void follow(const document::Document& document, const app::PreviewHost& preview, app::Jobs& jobs, StripMemory& memory) {
     Counts& counts = *memory.counts;
     if (counts.counting && counts.counting->cancelled()) counts.counting.reset();  // by whoever lists jobs
     if (counts.counting) return;
-    const std::shared_ptr<const PreparedOrgan> organ = editor.preview.organ_of(editor.document.scene());
-    if (organ && (counts.organ.lock() != organ || counts.vessel_width != editor.document.preset().vessels.vessel_width))
-        count(editor, memory.counts, organ);
+    const std::shared_ptr<const PreparedOrgan> organ = preview.organ_of(document.scene());
+    if (organ && (counts.organ.lock() != organ || counts.vessel_width != document.preset().vessels.vessel_width))
+        count(document, jobs, memory.counts, organ);
 }
 
 /// One of the two overlays.
@@ -95,10 +94,9 @@ void* vessels_of(document::Content& content) {
     return &content.preset.vessels;
 }
 
-void levels(ui::Ui& ui, app::Editor& editor, const Band& band, std::span<const std::uint32_t> bins) {
-    const V& now = editor.document.preset().vessels;
-    editor.tuning().follow();
-    const V& saved = editor.tuning().saved().preset.vessels;
+void levels(ui::Ui& ui, const Edited& edited, const Band& band, std::span<const std::uint32_t> bins) {
+    const V& now = edited.document.preset().vessels;
+    const V& saved = edited.saved.content().preset.vessels;
     ui::Levels levels{.low = now.*band.low, .high = now.*band.high};
     const ui::HistogramResult result =
         ui::histogram(ui, band.name, {.bins = bins, .minimum = band.minimum, .maximum = band.maximum}, &levels,
@@ -111,28 +109,27 @@ void levels(ui::Ui& ui, app::Editor& editor, const Band& band, std::span<const s
                        .width = ui::grow(1.2F),
                        .height = 4});
     const Table& table = *preset_table().find("vessels");
-    editor.document.take(result.low, table.find_row(band.low_key)->name,
+    edited.document.take(result.low, table.find_row(band.low_key)->name,
                          [&](document::Content& c) { c.preset.vessels.*band.low = levels.low; });
-    editor.document.take(result.high, table.find_row(band.high_key)->name,
+    edited.document.take(result.high, table.find_row(band.high_key)->name,
                          [&](document::Content& c) { c.preset.vessels.*band.high = levels.high; });
 }
 
-void rows(ui::Ui& ui, app::Editor& editor, std::initializer_list<std::string_view> keys, double maximum) {
+void rows(ui::Ui& ui, const Edited& edited, std::initializer_list<std::string_view> keys, double maximum) {
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.2F});
     static const V standard;
     for (const std::string_view key : keys)
-        table_row(ui, editor, *preset_table().find("vessels")->find_row(key), vessels_of,
+        table_row(ui, edited, *preset_table().find("vessels")->find_row(key), vessels_of,
                   {.standard = &standard, .maximum = maximum});
 }
 
 }  // namespace
 
-void band_strip(ui::Ui& ui, app::Editor& editor) {
-    const Overlay overlay = editor.looking.overlay;
+void band_strip(ui::Ui& ui, Overlay overlay, const Edited& edited, const app::PreviewHost& preview, app::Jobs& jobs) {
     if (overlay != Overlay::vessels && overlay != Overlay::fat) return;
     const bool vessels = overlay == Overlay::vessels;
     StripMemory& memory = ui.memory<StripMemory>(ui.id_of("band strip"));
-    follow(editor, memory);
+    follow(edited.document, preview, jobs, memory);
     const Counts& counts = *memory.counts;
     const ui::Row row(ui, {.width = ui::grow(), .gap = 0.8F, .padding = 0.4F, .cross = ui::ChildAlign::center});
     const auto& counted = counts.histogram;
@@ -150,14 +147,14 @@ void band_strip(ui::Ui& ui, app::Editor& editor) {
     }
     static const TissueHistogram none;
     const TissueHistogram& shown = counts.histogram ? *counts.histogram : none;
-    levels(ui, editor, vessels ? vessel_band : fat_band, vessels ? shown.contrast : shown.hue);
+    levels(ui, edited, vessels ? vessel_band : fat_band, vessels ? shown.contrast : shown.hue);
     if (vessels) {
-        rows(ui, editor, {"vessel_low", "vessel_high"}, TissueHistogram::most_contrast);
-        rows(ui, editor, {"vessel_width", "smoothing"}, 5);
-        rows(ui, editor, {"vessel_color", "vessel_tolerance"}, 40);
+        rows(ui, edited, {"vessel_low", "vessel_high"}, TissueHistogram::most_contrast);
+        rows(ui, edited, {"vessel_width", "smoothing"}, 5);
+        rows(ui, edited, {"vessel_color", "vessel_tolerance"}, 40);
     } else {
-        rows(ui, editor, {"fat_low", "fat_high"}, TissueHistogram::most_hue);
-        rows(ui, editor, {"smoothing"}, 5);
+        rows(ui, edited, {"fat_low", "fat_high"}, TissueHistogram::most_hue);
+        rows(ui, edited, {"smoothing"}, 5);
     }
     if (!counts.faults.empty())
         ui::label(ui, counts.faults.front().text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});

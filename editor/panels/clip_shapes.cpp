@@ -109,11 +109,11 @@ ui::Edit edit_place(ui::Ui& ui, const ui::View& view, const ui::HandleMoves& mov
 
 class Shapes {
   public:
-    Shapes(ui::Ui& ui, app::Editor& editor, const ui::View& view)
-        : ui_(ui), editor_(editor), view_(view), number_(editor.clip), clip_(*editor.keying().clip()) {}
+    Shapes(ui::Ui& ui, const ClipShapes& of, const ui::View& view)
+        : ui_(ui), bench_(of.bench), edited_(of.edited), view_(view), number_(of.number), clip_(*of.bench.clip()) {}
 
     void build() {
-        app::BenchLook& look = editor_.keying().look;
+        app::BenchLook& look = bench_.look;
         ShapesLook shown{
             .whole = view_.rect(), .kept = {}, .masks = {}, .count = 0, .cropped = clip_.crop != ClipCrop{}};
         shown.kept = rect_of(view_, {clip_.crop.left, clip_.crop.top}, {1 - clip_.crop.right, 1 - clip_.crop.bottom});
@@ -149,11 +149,11 @@ class Shapes {
     }
     template <typename F>
     void take(const ui::Edit& edit, std::string_view step, const F& set) {
-        editor_.document.take(edit, step, [&](Content& c) {
+        edited_.document.take(edit, step, [&](Content& c) {
             if (number_ < c.preset.smoke.clips.size()) set(c.preset.smoke.clips[number_]);
         });
     }
-    const SmokeClip& saved() const { return saved_clip(editor_, number_); }
+    const SmokeClip& saved() const { return edited_.saved.clip(number_); }
 
     void source_handle() {
         glm::dvec2 place = clip_.source;
@@ -236,7 +236,7 @@ class Shapes {
             ui_, view_, moves_of("", corner), [&](glm::dvec2 p) { return glm::clamp(p, half, 1.0 - half); }, corner);
         set(edit, corner - half, corner + half);
         if (removed)
-            editor_.document.change("Remove mask", [&](Content& c) {
+            edited_.document.change("Remove mask", [&](Content& c) {
                 auto& masks = c.preset.smoke.clips[number_].masks;
                 if (index < masks.size()) masks.erase(masks.begin() + static_cast<std::ptrdiff_t>(index));
             });
@@ -255,17 +255,18 @@ class Shapes {
             shown.masks[static_cast<std::size_t>(shown.count++)] = rect_of(view_, low, high);
             return;
         }
-        editor_.keying().look.draws_mask = false;
+        bench_.look.draws_mask = false;
         if (r.cancelled || high.x - low.x < least_side || high.y - low.y < least_side) return;
         if (clip_.count >= most_masks) return;
-        editor_.document.change("Add mask", [&](Content& c) {
+        edited_.document.change("Add mask", [&](Content& c) {
             c.preset.smoke.clips[number_].masks.push_back(
                 {rounded(low.x), rounded(low.y), rounded(high.x - low.x), rounded(high.y - low.y)});
         });
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
+    app::KeyingBench& bench_;
+    const Edited& edited_;
     const ui::View& view_;
     std::size_t number_;
     const ShapesBefore clip_;
@@ -276,9 +277,9 @@ struct MaskDrawing {
     std::size_t clip = 0;
 };
 
-void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
-    app::BenchLook& look = editor.keying().look;
-    const std::size_t count = editor.keying().clip()->masks.size();
+void mask_rows(ui::Ui& ui, app::KeyingBench& bench, const Edited& edited, std::size_t number) {
+    app::BenchLook& look = bench.look;
+    const std::size_t count = bench.clip()->masks.size();
     {
         const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
         ui.push_disabled(count >= most_masks && !look.draws_mask);  // what is on can always be switched off
@@ -293,21 +294,21 @@ void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
         ui.push_disabled(count >= most_masks);
         if (ui::button(ui, "Add mask",
                        {.icon = ui::Icon::plus, .tip = "Adds a mask in the middle; drag it into place"}))
-            editor.document.change("Add mask", [&](Content& c) {
+            edited.document.change("Add mask", [&](Content& c) {
                 c.preset.smoke.clips[number].masks.push_back({.x = 0.4, .y = 0.4, .width = 0.2, .height = 0.2});
             });
         ui.pop_disabled();
     }
     static const ClipMask standard;
     const Table& table = *clip_table().find("masks");
-    for (std::size_t i = 0; i < editor.keying().clip()->masks.size(); ++i) {
+    for (std::size_t i = 0; i < bench.clip()->masks.size(); ++i) {
         ui.push_seed(i);
         const std::string_view name = ui.join({"Mask ", ui.copy(std::to_string(i + 1))});
         {
             const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
             ui::label(ui, name, {.width = ui::grow()});
             if (ui::icon_button(ui, ui::Icon::cross, "Remove mask", {.quiet = true}))
-                editor.document.change("Remove mask", [&](Content& c) {
+                edited.document.change("Remove mask", [&](Content& c) {
                     auto& masks = c.preset.smoke.clips[number].masks;
                     masks.erase(masks.begin() + static_cast<std::ptrdiff_t>(i));
                 });
@@ -316,8 +317,8 @@ void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
             auto& clips = c.preset.smoke.clips;
             return number < clips.size() && i < clips[number].masks.size() ? &clips[number].masks[i] : nullptr;
         };
-        const auto& saved = saved_clip(editor, number).masks;
-        table_rows(ui, editor, table, owner,
+        const auto& saved = edited.saved.clip(number).masks;
+        table_rows(ui, edited, table, owner,
                    {.prefix = name, .standard = &standard, .saved = i < saved.size() ? &saved[i] : &standard});
         ui.pop_seed();
     }
@@ -326,25 +327,25 @@ void mask_rows(ui::Ui& ui, app::Editor& editor, std::size_t number) {
 }  // namespace
 
 void ClipShapes::build(ui::Ui& ui, const ui::View& view, void* with) {
-    app::Editor& editor = static_cast<ClipShapes*>(with)->editor;
-    if (editor.keying().clip() == nullptr || view.area.empty() || !editor.keying().look.shapes) return;
-    Shapes(ui, editor, view).build();
+    const ClipShapes& of = *static_cast<ClipShapes*>(with);
+    if (of.bench.clip() == nullptr || view.area.empty() || !of.bench.look.shapes) return;
+    Shapes(ui, of, view).build();
 }
 
-void follow_mask_drawing(ui::Ui& ui, app::Editor& editor) {
-    bool& on = editor.keying().look.draws_mask;
+void follow_mask_drawing(ui::Ui& ui, app::KeyingBench& bench, std::size_t number) {
+    bool& on = bench.look.draws_mask;
     std::size_t& clip = ui.memory<MaskDrawing>(ui.id_of("mask drawing")).clip;
-    on &= clip == editor.clip && !ui.key_down(ui::Key::escape);
-    clip = editor.clip;
+    on &= clip == number && !ui.key_down(ui::Key::escape);
+    clip = number;
 }
 
-void frame_rows(ui::Ui& ui, app::Editor& editor) {
+void frame_rows(ui::Ui& ui, app::KeyingBench& bench, const Edited& edited, std::size_t number,
+                ui::CommandTable& commands) {
     const ui::Section section(ui, "Frame");
     if (!section) return;
-    const std::size_t number = editor.clip;
     static const SmokeClip standard;
-    const SmokeClip& saved = saved_clip(editor, number);
-    ui::toggle(ui, "Handles on the source", editor.keying().look.shapes,
+    const SmokeClip& saved = edited.saved.clip(number);
+    ui::toggle(ui, "Handles on the source", bench.look.shapes,
                {.tip = "Source, crop and masks can be dragged on the source picture"});
     const OwnerOf clip = [number](Content& c) -> void* {
         return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
@@ -353,13 +354,13 @@ void frame_rows(ui::Ui& ui, app::Editor& editor) {
         return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number].crop : nullptr;
     };
     for (const char* key : {"source_x", "source_y"})
-        table_row(ui, editor, *clip_table().find_row(key), clip, {.standard = &standard, .saved = &saved});
-    ui::command_button(ui, editor.commands, "clip.source");
+        table_row(ui, edited, *clip_table().find_row(key), clip, {.standard = &standard, .saved = &saved});
+    ui::command_button(ui, commands, "clip.source");
     for (const Parameter& row : clip_table().find("crop")->rows)
-        table_row(ui, editor, row, crop,
+        table_row(ui, edited, row, crop,
                   {.name = ui.join({"Crop ", row.key}), .standard = &standard.crop, .saved = &saved.crop});
-    table_row(ui, editor, *clip_table().find_row("edge_fade"), clip, {.standard = &standard, .saved = &saved});
-    mask_rows(ui, editor, number);
+    table_row(ui, edited, *clip_table().find_row("edge_fade"), clip, {.standard = &standard, .saved = &saved});
+    mask_rows(ui, bench, edited, number);
 }
 
 }  // namespace lapfx::panels

@@ -2,23 +2,28 @@
 // picture of the keying bench, and as rows.
 #pragma once
 
-#include "app/editor.h"
+#include "app/keying_bench.h"
+#include "panels/edited.h"
 #include "ui/canvas/view.h"
+#include "ui/shell/commands.h"
 
 namespace lapfx::panels {
 
 /// For ImageViewOptions::over. Arrows move a handle by a pixel of the clip, Shift by ten; Delete, Backspace and a
 /// double click put the source or an edge back to what was saved, and take a mask out.
 struct ClipShapes {
-    app::Editor& editor;
+    app::KeyingBench& bench;
+    const Edited& edited;
+    std::size_t number;  ///< of the clip that the bench shows
     /// `with`: a ClipShapes.
     static void build(ui::Ui& ui, const ui::View& view, void* with);
 };
 
 /// Esc, or another clip, ends the drawing of a mask. Once a frame, by the keying panel.
-void follow_mask_drawing(ui::Ui& ui, app::Editor& editor);
+void follow_mask_drawing(ui::Ui& ui, app::KeyingBench& bench, std::size_t number);
 
 /// Crop, edge fade and masks as numbers, and what makes masks.
-void frame_rows(ui::Ui& ui, app::Editor& editor);
+void frame_rows(ui::Ui& ui, app::KeyingBench& bench, const Edited& edited, std::size_t number,
+                ui::CommandTable& commands);
 
 }  // namespace lapfx::panels

@@ -5,7 +5,8 @@
 #include <cctype>
 #include <cmath>
 
-#include "app/files.h"
+#include "app/editor.h"
+#include "app/file_chooser.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"
 #include "lapfx/authoring/smoke_notes.h"
@@ -28,8 +29,8 @@ using document::Content;
 using ui::Icon;
 using ui::Mods;
 
-const std::vector<SmokeClip>& clips_of(const app::Editor& editor) {
-    return editor.document.preset().smoke.clips;
+const std::vector<SmokeClip>& clips_of(const document::Document& document) {
+    return document.preset().smoke.clips;
 }
 
 std::string file_name(const std::string& file) {
@@ -49,40 +50,39 @@ std::string playing_text(const ClipStatus& status) {
 
 // --- changing the list -----------------------------------------------------------------------------------------------
 
-void remove_clip(app::Editor& editor) {
-    const std::size_t number = editor.clip;
-    editor.document.change("Remove clip", [&](Content& c) {
+void remove_clip(document::Document& document, app::ClipShelf& shelf) {
+    const std::size_t number = shelf.selected;
+    document.change("Remove clip", [&](Content& c) {
         c.preset.smoke.clips.erase(c.preset.smoke.clips.begin() + static_cast<std::ptrdiff_t>(number));
     });
-    if (editor.clip > 0 && editor.clip >= clips_of(editor).size()) --editor.clip;
+    if (shelf.selected > 0 && shelf.selected >= clips_of(document).size()) --shelf.selected;
 }
 
-void duplicate_clip(app::Editor& editor) {
-    const std::size_t number = editor.clip;
-    editor.document.change("Duplicate clip", [&](Content& c) {
+void duplicate_clip(document::Document& document, app::ClipShelf& shelf) {
+    const std::size_t number = shelf.selected;
+    document.change("Duplicate clip", [&](Content& c) {
         auto& clips = c.preset.smoke.clips;
         const SmokeClip copy = clips[number];
         clips.insert(clips.begin() + static_cast<std::ptrdiff_t>(number) + 1, copy);
     });
-    editor.clip = number + 1;
+    shelf.selected = number + 1;
 }
 
-void move_clip(app::Editor& editor, int by) {
-    const std::size_t from = editor.clip, to = from + static_cast<std::size_t>(by);
-    editor.document.change(by < 0 ? "Move clip up" : "Move clip down",
-                           [&](Content& c) { std::swap(c.preset.smoke.clips[from], c.preset.smoke.clips[to]); });
-    editor.clip = to;
+void move_clip(document::Document& document, app::ClipShelf& shelf, int by) {
+    const std::size_t from = shelf.selected, to = from + static_cast<std::size_t>(by);
+    document.change(by < 0 ? "Move clip up" : "Move clip down",
+                    [&](Content& c) { std::swap(c.preset.smoke.clips[from], c.preset.smoke.clips[to]); });
+    shelf.selected = to;
 }
 
-void ask_for_clips(app::Editor& editor) {
-    editor.ask_file(clip_request("Add smoke clips", true),
-                    [&editor](const std::vector<std::string>& files) { editor.keying().shelf.add(files); });
+void ask_for_clips(app::FileChooser& chooser, app::ClipShelf& shelf) {
+    chooser.ask(clip_request("Add smoke clips", true),
+                [&shelf](const std::vector<std::string>& files) { shelf.add(files); });
 }
 
-void ask_for_another(app::Editor& editor) {
-    editor.ask_file(
-        clip_request("Another file for this clip", false),
-        [&editor](const std::vector<std::string>& files) { editor.keying().shelf.add(files, editor.clip); });
+void ask_for_another(app::FileChooser& chooser, app::ClipShelf& shelf) {
+    chooser.ask(clip_request("Another file for this clip", false),
+                [&shelf](const std::vector<std::string>& files) { shelf.add(files, shelf.selected); });
 }
 
 // --- the list --------------------------------------------------------------------------------------------------------
@@ -120,11 +120,9 @@ void draw_clip(ui::Painter& painter, const ui::Node& node, const ClipLook& look)
     painter.text(rect, look.playing, painter.text_style(0.86F), t.text_dim);
 }
 
-ClipLook look_of(ui::Ui& ui, app::Editor& editor, std::size_t number) {
-    const app::ClipShelf& shelf = editor.keying().shelf;
+ClipLook look_of(ui::Ui& ui, const app::ClipShelf& shelf, const SmokeClip& clip, std::size_t number) {
     const ClipFacts& facts = shelf.of(number);
     const std::vector<std::string>& faults = shelf.faults(number);
-    const SmokeClip& clip = clips_of(editor)[number];
     ClipLook look{.image = facts.thumbnail, .title = ui.copy(file_name(clip.file)), .facts = {}, .playing = {}};
     look.wrong = !faults.empty();
     look.warned = shelf.outside(number) || !facts.report.warning.empty();
@@ -142,9 +140,10 @@ ClipLook look_of(ui::Ui& ui, app::Editor& editor, std::size_t number) {
     return look;
 }
 
-void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t number, float height) {
+void list_item(ui::Ui& ui, const app::ClipShelf& shelf, const Edited& edited, ui::RowList& list, std::size_t number,
+               float height) {
     ui.push_seed(number);
-    const ClipLook look = look_of(ui, editor, number);
+    const ClipLook look = look_of(ui, shelf, clips_of(edited.document)[number], number);
     ui::Node& node = ui.open(ui::Role::list_item, "##clip", ui::Axis::x, ui::RowList::item_sense);
     node.size[0] = ui::grow(), node.size[1] = ui::px(height);
     node.cross = ui::ChildAlign::center, node.main = ui::ChildAlign::end;
@@ -158,24 +157,24 @@ void list_item(ui::Ui& ui, app::Editor& editor, ui::RowList& list, std::size_t n
     ui.draw_with<draw_clip>(node, drawn);
 
     const Parameter& row = *clip_table().find_row("weight");
-    double weight = clips_of(editor)[number].weight;
+    double weight = clips_of(edited.document)[number].weight;
     ui::ParamOptions options = param_options(row);
-    options.standard = saved_clip(editor, number).weight;
+    options.standard = edited.saved.clip(number).weight;
     options.initial = SmokeClip{}.weight;
     options.width = ui::px(ui.em(weight_width));
     const ui::Edit edit = ui::number_field(ui, "Weight", weight, options);
-    editor.document.take(edit, "Weight", [&](Content& c) { c.preset.smoke.clips[number].weight = weight; });
+    edited.document.take(edit, "Weight", [&](Content& c) { c.preset.smoke.clips[number].weight = weight; });
     ui.close();
     ui.pop_seed();
 }
 
-void clip_list(ui::Ui& ui, app::Editor& editor) {
-    const std::size_t count = clips_of(editor).size();
+void clip_list(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::CommandTable& commands) {
+    const std::size_t count = clips_of(edited.document).size();
     const float height = ui.em(4.4F);
     const auto key = [](std::size_t i) { return static_cast<std::uint64_t>(i); };
     const ui::RowList::KeyOf key_of = key;
     auto& selection = ui.memory<ui::Selection>(ui.id_of("List"));
-    if (selection.current != editor.clip || selection.keys.size() != 1) selection.only(editor.clip);
+    if (selection.current != shelf.selected || selection.keys.size() != 1) selection.only(shelf.selected);
     const float shown = std::min(static_cast<float>(count), 4.5F);
     const ui::RowList::KeyOf& keys = key_of;
     ui::RowList list(ui, "List", selection, keys,
@@ -189,11 +188,12 @@ void clip_list(ui::Ui& ui, app::Editor& editor) {
     ui.events_of(list.area().id(), [&](const ui::Event& event) {
         removes |= event.kind == ui::EventKind::key && event.key == ui::Key::del;
     });
-    for (std::size_t i = list.first(); i < std::min(list.last(), count); ++i) list_item(ui, editor, list, i, height);
+    for (std::size_t i = list.first(); i < std::min(list.last(), count); ++i)
+        list_item(ui, shelf, edited, list, i, height);
     const ui::RowEvents& events = list.events();
-    if (events.selected && selection.current < count) editor.clip = selection.current;
-    if (events.opened != ui::no_row) editor.commands.run("clip.bench");
-    if (removes) editor.commands.run("clip.remove");
+    if (events.selected && selection.current < count) shelf.selected = selection.current;
+    if (events.opened != ui::no_row) commands.run("clip.bench");
+    if (removes) commands.run("clip.remove");
 }
 
 // --- what is wrong ---------------------------------------------------------------------------------------------------
@@ -221,13 +221,12 @@ void work_in_hand(ui::Ui& ui, app::ClipShelf& shelf) {
 }
 
 /// What is wrong with the selected clip, and the ways out.
-void clip_faults(ui::Ui& ui, app::Editor& editor) {
-    app::ClipShelf& shelf = editor.keying().shelf;
-    const std::size_t number = editor.clip;
+void clip_faults(ui::Ui& ui, app::ClipShelf& shelf, app::FileChooser& chooser, ui::CommandTable& commands) {
+    const std::size_t number = shelf.selected;
     for (const std::string& fault : shelf.faults(number)) fault_line(ui, fault, ui::Tone::error);
     const ClipFacts& facts = shelf.of(number);
     if (!facts.report.warning.empty()) fault_line(ui, facts.report.warning, ui::Tone::warning);
-    const bool outside = shelf.outside(number), can_copy = editor.files().takes_files(shelf.home());
+    const bool outside = shelf.outside(number), can_copy = chooser.takes_files(shelf.home());
     if (outside) {
         const std::string home = shelf.home().string();
         fault_line(ui,
@@ -244,18 +243,18 @@ void clip_faults(ui::Ui& ui, app::Editor& editor) {
     const bool lost = !facts.known && (!facts.faults.empty() || stopped);
     if (!outside && !lost) return;
     const ui::Row row(ui);
-    if (outside) ui::command_button(ui, editor.commands, can_copy ? "clip.copy" : "file.save_as");
+    if (outside) ui::command_button(ui, commands, can_copy ? "clip.copy" : "file.save_as");
     if (lost && ui::button(ui, "Choose file...", {.icon = Icon::folder, .tip = "Use another file instead"}))
-        ask_for_another(editor);
+        ask_for_another(chooser, shelf);
     if (lost && ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) shelf.look_again();
 }
 
 // --- the selected clip -----------------------------------------------------------------------------------------------
 
 /// Both ends of what is played, in one row; an end of 0 is the clip's.
-void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double duration, std::size_t number) {
+void in_and_out(ui::Ui& ui, const Edited& edited, const SmokeClip& clip, double duration, std::size_t number) {
     double low = std::min(clip.in, duration), high = clip.out > 0 ? std::min(clip.out, duration) : duration;
-    const SmokeClip& saved = saved_clip(editor, number);
+    const SmokeClip& saved = edited.saved.clip(number);
     const std::array<double, 2> initials{0, duration};
     const std::array<double, 2> standards{std::min(saved.in, duration),
                                           saved.out > 0 ? std::min(saved.out, duration) : duration};
@@ -269,56 +268,58 @@ void in_and_out(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, double d
                                            .initials = initials,
                                            .tip = "The part of the clip that is played in a loop"},
                                           standards);
-    editor.document.take(edit, "In and out", [&](Content& c) {
+    edited.document.take(edit, "In and out", [&](Content& c) {
         SmokeClip& to = c.preset.smoke.clips[number];
         to.in = low < high ? low : std::max(0.0, high - 0.1);
         to.out = high >= duration ? 0.0 : std::max(high, to.in + 1e-3);
     });
 }
 
-void file_row(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip) {
+void file_row(ui::Ui& ui, app::ClipShelf& shelf, app::FileChooser& chooser, const SmokeClip& clip) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // as the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
     ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
     if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Use another file instead of this one"}))
-        ask_for_another(editor);
+        ask_for_another(chooser, shelf);
 }
 
-void clip_rows(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size_t number) {
+void clip_rows(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::CommandTable& commands,
+               const SmokeClip& clip, std::size_t number) {
     static const SmokeClip standard;
     const auto in = [number](Content& c) -> void* {
         return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
     };
-    const double duration = editor.keying().shelf.of(number).report.duration;
+    const double duration = shelf.of(number).report.duration;
     const ui::Section section(ui, "Use");
     if (!section) return;
-    file_row(ui, editor, clip);
+    file_row(ui, shelf, edited.chooser, clip);
     for (const Parameter& row : clip_table().rows) {
         if (row.key == "out" && duration > 0) continue;  // with "in"
         if (row.key == "in" && duration > 0) {
-            in_and_out(ui, editor, clip, duration, number);
+            in_and_out(ui, edited, clip, duration, number);
             continue;
         }
         if (row.kind == Kind::path || row.kind == Kind::boolean) continue;  // the file above, own keying below
-        table_row(ui, editor, row, in, {.standard = &standard, .saved = &saved_clip(editor, number)});
+        table_row(ui, edited, row, in, {.standard = &standard, .saved = &edited.saved.clip(number)});
     }
-    ui::command_button(ui, editor.commands, "clip.source");
+    ui::command_button(ui, commands, "clip.source");
 }
 
-void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::size_t number) {
+void own_keying(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, const SmokeClip& clip,
+                std::size_t number) {
     const ui::Section section(ui, "Keying of this clip", {.open = false});
     if (!section) return;
     bool own = clip.own_keying;
     const ui::Edit edit =
         ui::checkbox(ui, "Own keying", own, "This clip has thresholds of its own; otherwise the preset's are used");
-    editor.document.take(edit, "Own keying", [&](Content& c) {
+    edited.document.take(edit, "Own keying", [&](Content& c) {
         SmokeClip& to = c.preset.smoke.clips[number];
         if (own) to.keying = c.preset.smoke.keying;  // goes on from what is seen
         to.own_keying = own;
     });
-    ui::command_button(ui, editor.commands, "clip.bench");
-    if (!own || !clips_of(editor)[number].own_keying) {
+    ui::command_button(ui, commands, "clip.bench");
+    if (!own || !clips_of(edited.document)[number].own_keying) {
         ui::label(ui, "This clip uses the preset's keying.", {.tone = ui::Tone::dim});
         return;
     }
@@ -327,7 +328,7 @@ void own_keying(ui::Ui& ui, app::Editor& editor, const SmokeClip& clip, std::siz
     };
     static const KeyingParameters standard;
     for (const Parameter& row : keying_table().rows)
-        table_row(ui, editor, row, in, {.standard = &standard, .saved = &saved_keying(editor, number)});
+        table_row(ui, edited, row, in, {.standard = &standard, .saved = &edited.saved.keying(number)});
 }
 
 void nothing_yet(ui::Ui& ui) {
@@ -337,57 +338,57 @@ void nothing_yet(ui::Ui& ui) {
 }
 
 /// Kinds of smoke that no clip shows.
-void left_out(ui::Ui& ui, const app::Editor& editor) {
-    for (std::string note : smoke_notes(editor.document.preset().smoke)) {
+void left_out(ui::Ui& ui, const document::Document& document) {
+    for (std::string note : smoke_notes(document.preset().smoke)) {
         note.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(note.front())));
         ui::label(ui, ui.copy(note + "."), {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
 }
 
 /// Files dropped anywhere on the panel.
-void take_drops(ui::Ui& ui, app::Editor& editor) {
+void take_drops(ui::Ui& ui, app::ClipShelf& shelf) {
     ui::Node& panel = ui.parent();
     panel.sense = panel.sense | ui::Sense::drop;
     ui.events_of(panel.id, [&](const ui::Event& event) {
         if (event.kind != ui::EventKind::drop) return;
-        editor.keying().shelf.add(dropped_files(event.paths));
+        shelf.add(dropped_files(event.paths));
     });
 }
 
 }  // namespace
 
-void clips_panel(ui::Ui& ui, app::Editor& editor) {
-    take_drops(ui, editor);
+void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::CommandTable& commands) {
+    take_drops(ui, shelf);
     {
         const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
-        ui::command_button(ui, editor.commands, "clip.add");
+        ui::command_button(ui, commands, "clip.add");
         ui::spacer(ui);
         for (const char* id : {"clip.up", "clip.down", "clip.duplicate", "clip.remove"})
-            ui::command_button(ui, editor.commands, id, true);
+            ui::command_button(ui, commands, id, true);
     }
-    app::ClipShelf& shelf = editor.keying().shelf;
     work_in_hand(ui, shelf);
     refused_files(ui, shelf);
-    if (clips_of(editor).empty()) return nothing_yet(ui);
-    clip_list(ui, editor);
-    left_out(ui, editor);
-    const std::size_t number = editor.clip;
-    if (number >= clips_of(editor).size()) return;
+    if (clips_of(edited.document).empty()) return nothing_yet(ui);
+    clip_list(ui, shelf, edited, commands);
+    left_out(ui, edited.document);
+    const std::size_t number = shelf.selected;
+    if (number >= clips_of(edited.document).size()) return;
     ui.push_seed(number);
     {
         const ui::ScrollArea area(ui, "Selected clip", {.gap = 0.3F});
-        clip_faults(ui, editor);
-        const SmokeClip clip = clips_of(editor)[number];
-        clip_rows(ui, editor, clip, number);
-        own_keying(ui, editor, clip, number);
+        clip_faults(ui, shelf, edited.chooser, commands);
+        const SmokeClip clip = clips_of(edited.document)[number];
+        clip_rows(ui, shelf, edited, commands, clip, number);
+        own_keying(ui, edited, commands, clip, number);
     }
     ui.pop_seed();
 }
 
 void add_clip_commands(app::Editor& editor) {
-    const auto any = [&editor] { return editor.clip < clips_of(editor).size(); };
+    app::ClipShelf& shelf = editor.clips();
+    const auto any = [&editor, &shelf] { return shelf.selected < clips_of(editor.document).size(); };
     const auto add = [&](std::string id, std::string title, ui::Chord chord, Icon icon, std::function<void()> run,
-                         std::function<bool()> enabled, std::string tip) {
+                         std::function<bool()> enabled, std::string missing, std::string tip) {
         editor.commands.add({.id = std::move(id),
                              .title = std::move(title),
                              .group = "Clip",
@@ -395,52 +396,57 @@ void add_clip_commands(app::Editor& editor) {
                              .icon = icon,
                              .run = std::move(run),
                              .enabled = std::move(enabled),
-                             .tip = std::move(tip)});
+                             .tip = std::move(tip),
+                             .missing = std::move(missing)});
     };
     add(
         "clip.add", "Add clip...", {ui::key_of('A'), Mods::command | Mods::shift}, Icon::plus,
-        [&editor] { ask_for_clips(editor); }, [] { return true; }, "Smoke videos for this preset");
+        [&editor, &shelf] { ask_for_clips(editor.chooser(), shelf); }, [] { return true; }, "",
+        "Smoke videos for this preset");
     add(
-        "clip.replace", "Replace file...", {}, Icon::folder, [&editor] { ask_for_another(editor); }, any,
+        "clip.replace", "Replace file...", {}, Icon::folder,
+        [&editor, &shelf] { ask_for_another(editor.chooser(), shelf); }, any, "no clip is selected",
         "Use another file for the selected clip");
     add(
-        "clip.duplicate", "Duplicate clip", {}, Icon::copy, [&editor] { duplicate_clip(editor); }, any,
+        "clip.duplicate", "Duplicate clip", {}, Icon::copy,
+        [&editor, &shelf] { duplicate_clip(editor.document, shelf); }, any, "no clip is selected",
         "Adds the selected clip once more; it starts elsewhere in the loop, so the two look different");
     add(
-        "clip.remove", "Remove clip", {}, Icon::cross, [&editor] { remove_clip(editor); }, any,
-        "Removes the selected clip from the preset; its file stays");
+        "clip.remove", "Remove clip", {}, Icon::cross, [&editor, &shelf] { remove_clip(editor.document, shelf); }, any,
+        "no clip is selected", "Removes the selected clip from the preset; its file stays");
     add(
-        "clip.up", "Move clip up", {}, Icon::chevron_up, [&editor] { move_clip(editor, -1); },
-        [&editor, any] { return any() && editor.clip > 0; },
+        "clip.up", "Move clip up", {}, Icon::chevron_up, [&editor, &shelf] { move_clip(editor.document, shelf, -1); },
+        [&shelf, any] { return any() && shelf.selected > 0; }, "there is no clip above the selected one",
         "The first clips of the list are kept in graphics memory first");
     add(
-        "clip.down", "Move clip down", {}, Icon::chevron_down, [&editor] { move_clip(editor, 1); },
-        [&editor] { return editor.clip + 1 < clips_of(editor).size(); },
-        "The first clips of the list are kept in graphics memory first");
+        "clip.down", "Move clip down", {}, Icon::chevron_down,
+        [&editor, &shelf] { move_clip(editor.document, shelf, 1); },
+        [&editor, &shelf] { return shelf.selected + 1 < clips_of(editor.document).size(); },
+        "there is no clip below the selected one", "The first clips of the list are kept in graphics memory first");
     add(
-        "clip.copy", "Copy clips next to the preset", {}, Icon::copy,
-        [&editor] { editor.keying().shelf.copy_beside(); },
-        [&editor] {
-            const app::ClipShelf& shelf = editor.keying().shelf;
-            return shelf.any_outside() && editor.files().takes_files(shelf.home());
-        },
+        "clip.copy", "Copy clips next to the preset", {}, Icon::copy, [&shelf] { shelf.copy_beside(); },
+        [&editor, &shelf] { return shelf.any_outside() && editor.chooser().takes_files(shelf.home()); },
+        "no clip lies outside the preset's folder, or nothing can be copied there",
         "Copies clips from elsewhere into the preset's folder, and uses the copies");
     add(
-        "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().shown.show("Keying"); }, any,
-        "Source, matte, keyed and composite picture of the selected clip");
+        "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().bring_to_front("Keying"); },
+        any, "no clip is selected", "Source, matte, keyed and composite picture of the selected clip");
     add(
         "clip.suggest", "Suggest keying", {ui::key_of('K'), Mods::command}, Icon::star,
         [&editor] { editor.keying().suggest(); },
-        [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
+        [&editor, &shelf] { return shelf.of(shelf.selected).known && !editor.keying().suggesting(); },
+        "no clip that could be read is selected, or thresholds are being looked for",
         "Finds thresholds, bars and logos for the selected clip");
     add(
         "clip.suggest_all", "Suggest keying for all clips", {}, Icon::star,
         [&editor] { editor.keying().suggest(app::KeyingBench::For::all); },
-        [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().suggesting(); },
+        [&editor, &shelf] { return shelf.of(shelf.selected).known && !editor.keying().suggesting(); },
+        "no clip that could be read is selected, or thresholds are being looked for",
         "Finds thresholds in the selected clip, and uses them for all clips without keying of their own");
     add(
         "clip.source", "Find the smoke's source", {}, Icon::star, [&editor] { editor.keying().find_source(); },
-        [&editor] { return editor.keying().shelf.of(editor.clip).known && !editor.keying().finding_source(); },
+        [&editor, &shelf] { return shelf.of(shelf.selected).known && !editor.keying().finding_source(); },
+        "no clip that could be read is selected, or its source is being looked for",
         "Where in the frame the selected clip's smoke starts: this point is placed at the tool tip");
     editor.commands.add({.id = "clip.eyedropper",
                          .title = "Eyedropper",
@@ -450,7 +456,8 @@ void add_clip_commands(app::Editor& editor) {
                          .run = [&editor] { editor.keying().set_eyedropper(!editor.keying().look.eyedropper); },
                          .enabled = [&editor] { return editor.keying().shown() && editor.keying().ready(); },
                          .checked = [&editor] { return editor.keying().look.eyedropper; },
-                         .tip = "Takes the key colour from the source picture"});
+                         .tip = "Takes the key colour from the source picture",
+                         .missing = "the Keying panel shows no picture"});
 }
 
 }  // namespace lapfx::panels

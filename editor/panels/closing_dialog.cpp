@@ -26,12 +26,7 @@ void content(ui::Ui& ui, const app::Files::Question& question) {
 
 }  // namespace
 
-void closing_dialog(ui::Ui& ui, app::Editor& editor) {
-    app::Files& files = editor.files();
-    if (editor.closing()) {
-        editor.stay();
-        files.close();
-    }
+void closing_dialog(ui::Ui& ui, app::Files& files) {
     Shown& shown = ui.memory<Shown>(ui::hash_bytes(0, name));
     const app::Files::Question* question = files.question();
     if (question != nullptr && question->serial != shown.serial) {

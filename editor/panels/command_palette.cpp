@@ -49,13 +49,13 @@ class Rows {
 
 }  // namespace
 
-void command_palette(ui::Ui& ui, app::Editor& editor) {
+void command_palette(ui::Ui& ui, ui::CommandTable& commands, app::Layouts& layouts, app::Tuning& tuning) {
     static const Rows rows;
-    ui::palette(ui, editor.commands, rows.items(), [&](std::size_t item) {
+    ui::palette(ui, commands, rows.items(), [&](std::size_t item) {
         const bool of_preset = item < app::parameters().entries().size();
-        editor.layouts().shown.show(of_preset ? "Preset" : "Scene");
+        layouts.bring_to_front(of_preset ? "Preset" : "Scene");
         if (of_preset)
-            editor.tuning().want(item);
+            tuning.want(item);
         else
             wanted_row(ui) = &rows.scene_row(item);
         ui.build_again();

@@ -1,8 +1,7 @@
 // What the program can do that belongs to no single panel: files, undo, the window.
+#include "app/editor.h"
+#include "app/files.h"
 #include "app/hot_reload.h"
-#include "app/layouts.h"
-#include "app/open.h"
-#include "app/settings.h"
 #include "panels/panels.h"
 #include "ui/shell/key_editor.h"
 #include "ui/shell/palette.h"
@@ -32,7 +31,7 @@ void add_commands(app::Editor& editor) {
                          .title = "Quit",
                          .group = "File",
                          .chord = {key_of('Q'), Mods::command},
-                         .run = [&editor] { editor.ask_to_close(); },
+                         .run = [&editor] { editor.files().close(); },
                          .tip = "Asks first when something is not saved."});
     add_window_commands(editor);
     editor.commands.add({.id = "view.reload",
@@ -41,7 +40,6 @@ void add_commands(app::Editor& editor) {
                          .chord = {key_of('R'), Mods::command | Mods::shift},
                          .run = [&editor] { editor.hot_reload().reload_all(); },
                          .tip = "Reads preset, scene, organ, clips and shaders again"});
-    editor.settings().connect(editor);  // keys of the user's
 }
 
 void add_edit_commands(app::Editor& editor) {
@@ -51,7 +49,8 @@ void add_edit_commands(app::Editor& editor) {
                          .chord = {key_of('Z'), Mods::command},
                          .run = [&editor] { editor.document.undo(); },
                          .enabled = [&editor] { return editor.document.can_undo(); },
-                         .tip = "Undoes the last step; during a drag it goes back to where the drag started"});
+                         .tip = "Undoes the last step; during a drag it goes back to where the drag started",
+                         .missing = "nothing was changed"});
     editor.commands.add({.id = "edit.redo",
                          .title = "Redo",
                          .group = "Edit",
@@ -59,7 +58,8 @@ void add_edit_commands(app::Editor& editor) {
                          .other = {key_of('Y'), Mods::command},
                          .run = [&editor] { editor.document.redo(); },
                          .enabled = [&editor] { return editor.document.can_redo(); },
-                         .tip = "Redoes what was undone last; Ctrl+Y as well"});
+                         .tip = "Redoes what was undone last; Ctrl+Y as well",
+                         .missing = "nothing was undone"});
 }
 
 }  // namespace lapfx::panels

@@ -93,13 +93,14 @@ std::size_t nearest_to(const Points& points, double time) {
 
 class CurveTools {
   public:
-    CurveTools(ui::Ui& ui, app::Editor& editor, const CurveKind& kind, const Table& table)
-        : ui_(ui), editor_(editor), kind_(kind), table_(table) {}
+    CurveTools(ui::Ui& ui, document::Document& document, double now, ui::Toasts& toasts, const CurveKind& kind,
+               const Table& table)
+        : ui_(ui), document_(document), now_(now), toasts_(toasts), kind_(kind), table_(table) {}
 
-    const Points& points() const { return editor_.document.scene().curves.*kind_.points; }
+    const Points& points() const { return document_.scene().curves.*kind_.points; }
 
     void build() {
-        const double now = editor_.timeline.time;
+        const double now = now_;
         const bool there = !points().empty() && std::abs(points()[nearest_to(points(), now)].time - now) < same_moment;
         ui_.push_disabled(there || points().size() >= table_.list->maximum);
         if (ui::icon_button(ui_, ui::Icon::plus, "Add point",
@@ -130,7 +131,7 @@ class CurveTools {
 
   private:
     void change(std::string name, Points made) {
-        editor_.document.change(std::move(name), [&](document::Content& c) { c.scene.curves.*kind_.points = made; });
+        document_.change(std::move(name), [&](document::Content& c) { c.scene.curves.*kind_.points = made; });
     }
     void add(double time) {
         Points made = points();
@@ -149,42 +150,43 @@ class CurveTools {
             change("Paste " + std::string(table_.name), document::parse_curve_text(ui_.clipboard()->get(), table_));
         } catch (const Error& error) {
             const Fault& fault = error.faults().front();
-            editor_.toasts.add(
-                {.kind = ui::ToastKind::error,
-                 .text = "The clipboard does not contain a curve: " + fault.place + ": " + fault.reason});
+            toasts_.add({.kind = ui::ToastKind::error,
+                         .text = "The clipboard does not contain a curve: " + fault.place + ": " + fault.reason});
         }
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
+    document::Document& document_;
+    double now_;  ///< s
+    ui::Toasts& toasts_;
     const CurveKind& kind_;
     const Table& table_;
 };
 
-void value_now(ui::Ui& ui, const app::Editor& editor, const Points& points) {
+void value_now(ui::Ui& ui, double now, const Points& points) {
     ui::ShortText text;
-    text.add("x ").add(curve_at(points, editor.timeline.time), 2).add(" at ").add(editor.timeline.time, 2).add(" s");
+    text.add("x ").add(curve_at(points, now), 2).add(" at ").add(now, 2).add(" s");
     ui::label(ui, text.view(), {.tone = ui::Tone::dim, .number = true});
 }
 
-void take(app::Editor& editor, const ui::Edit& edit, const CurveKind& kind, const Table& table, ShownCurve& shown) {
+void take(document::Document& document, ui::Toasts& toasts, const ui::Edit& edit, const CurveKind& kind,
+          const Table& table, ShownCurve& shown) {
     Points drawn = points_of(shown.curve);
     // Handles of other kinds are no change here: all goes straight.
     if (edit.changed) shown.stale = true;
     if (drawn.size() > table.list->maximum) {
-        editor.toasts.add({.kind = ui::ToastKind::warning,
-                           .text = std::string(table.name) + ": a curve has at most " +
-                                   std::to_string(table.list->maximum) + " points"});
+        toasts.add({.kind = ui::ToastKind::warning,
+                    .text = std::string(table.name) + ": a curve has at most " + std::to_string(table.list->maximum) +
+                            " points"});
         return;
     }
-    if (drawn == or_even(editor.document.scene().curves.*kind.points))
-        drawn = editor.document.scene().curves.*kind.points;
-    editor.document.take(edit, table.name, [&](document::Content& c) { c.scene.curves.*kind.points = drawn; });
+    if (drawn == or_even(document.scene().curves.*kind.points)) drawn = document.scene().curves.*kind.points;
+    document.take(edit, table.name, [&](document::Content& c) { c.scene.curves.*kind.points = drawn; });
 }
 
 }  // namespace
 
-void curves_panel(ui::Ui& ui, app::Editor& editor) {
+void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline& timeline, ui::Toasts& toasts) {
     static const ui::Curve even({{.x = 0, .y = 1, .handle = ui::CurveHandle::linear}});
     static const std::array tables = {document::curve_table(kinds[0].key), document::curve_table(kinds[1].key),
                                       document::curve_table(kinds[2].key)};
@@ -217,17 +219,17 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
         const ui::Row row(ui, {.width = ui::grow(), .gap = 0.3F, .cross = ui::ChildAlign::center});
         if (one_row) choose(), ui::space(ui, 0.6F);
         number = static_cast<std::size_t>(memory.kind);
-        CurveTools tools(ui, editor, kinds[number], *tables[number]);
-        if (!narrow) value_now(ui, editor, tools.points());  // the plot shows it as well
+        CurveTools tools(ui, document, timeline.time, toasts, kinds[number], *tables[number]);
+        if (!narrow) value_now(ui, timeline.time, tools.points());  // the plot shows it as well
         ui::spacer(ui);
         tools.build();
     }
     const CurveKind& kind = kinds[number];
     const Table& table = *tables[number];
-    const Points& points = editor.document.scene().curves.*kind.points;
+    const Points& points = document.scene().curves.*kind.points;
     ShownCurve& shown = memory.all[number];
-    follow(shown, points, table.find_row("value")->maximum, editor.document.in_gesture());
-    const double end = std::max(editor.duration(), points.empty() ? 0.0 : points.back().time);
+    follow(shown, points, table.find_row("value")->maximum, document.in_gesture());
+    const double end = std::max(timeline.duration(), points.empty() ? 0.0 : points.back().time);
     const ui::Edit edit = ui::curve_editor(ui, table.name, shown.curve,
                                            {.x = {0, std::max(end, 0.1)},
                                             .y = {0, shown.high},
@@ -238,12 +240,13 @@ void curves_panel(ui::Ui& ui, app::Editor& editor) {
                                             .y_name = {},
                                             .y_unit = {},
                                             .standard = &even,
-                                            .live = editor.timeline.time,
+                                            .live = timeline.time,
                                             .tools = false,
                                             .width = ui::grow(),
                                             .height = low ? ui::px(ui.em(curve_height)) : ui::grow(),
                                             .tip = table.help});
-    if (edit.began || edit.changed || edit.committed || edit.cancelled) take(editor, edit, kind, table, shown);
+    if (edit.began || edit.changed || edit.committed || edit.cancelled)
+        take(document, toasts, edit, kind, table, shown);
     ui.close();
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cstdio>
 
-#include "app/tuning.h"
 #include "panels/table_rows.h"
 #include "panels/titles.h"
 #include "ui/widgets/basic.h"
@@ -23,12 +22,12 @@ const Parameter& row_of(std::string_view key) {
 
 class EventForm {
   public:
-    EventForm(ui::Ui& ui, app::Editor& editor, const app::Stroke& stroke)
+    EventForm(ui::Ui& ui, const Edited& edited, const app::Stroke& stroke)
         : ui_(ui),
-          editor_(editor),
+          edited_(edited),
           stroke_(stroke),
-          first_(editor.document.scene().events[stroke.events.front()]),
-          last_(editor.document.scene().events[stroke.events.back()]) {}
+          first_(edited.document.scene().events[stroke.events.front()]),
+          last_(edited.document.scene().events[stroke.events.back()]) {}
 
     /// In pairs that belong together, side by side; in a narrow panel two and two.
     void build(bool narrow) {
@@ -69,7 +68,7 @@ class EventForm {
     }
     template <typename F>
     void take(const ui::Edit& edit, std::string_view name, F&& change) {
-        editor_.document.take(edit, name, [&](document::Content& c) { change(c.scene.events); });
+        edited_.document.take(edit, name, [&](document::Content& c) { change(c.scene.events); });
     }
     ui::ParamOptions options(std::string_view key, double most) const {
         ui::ParamOptions o = param_options(row_of(key));
@@ -88,7 +87,7 @@ class EventForm {
     void start() {
         double value = stroke_.start;
         const ui::Edit edit =
-            ui::param(ui_, "Start", value, ui::seconds(options("time", editor_.document.scene().duration)));
+            ui::param(ui_, "Start", value, ui::seconds(options("time", edited_.document.scene().duration)));
         take(edit, "Event time", [&](std::vector<ToolContact>& events) { app::move_stroke(events, stroke_, value); });
     }
     void length() {
@@ -100,8 +99,7 @@ class EventForm {
     }
     /// What was saved of it: events have no names, one of the same action and time is taken for it. Null: it is new.
     const ToolContact* saved() const {
-        editor_.tuning().follow();
-        const std::vector<ToolContact>& events = editor_.tuning().saved().scene.events;
+        const std::vector<ToolContact>& events = edited_.saved.content().scene.events;
         const auto found = std::find_if(events.begin(), events.end(), [&](const ToolContact& event) {
             return event.action == first_.action && event.time == first_.time;
         });
@@ -156,23 +154,23 @@ class EventForm {
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
+    const Edited& edited_;
     const app::Stroke& stroke_;
     const ToolContact first_, last_;
 };
 
 }  // namespace
 
-bool is_selected(const app::Editor& editor, const app::Stroke& stroke) {
-    return std::any_of(stroke.events.begin(), stroke.events.end(), [&](std::size_t i) {
-        return std::binary_search(editor.selected.begin(), editor.selected.end(), i);
-    });
+bool is_selected(std::span<const std::size_t> selected, const app::Stroke& stroke) {
+    return std::any_of(stroke.events.begin(), stroke.events.end(),
+                       [&](std::size_t i) { return std::binary_search(selected.begin(), selected.end(), i); });
 }
 
-void event_form(ui::Ui& ui, app::Editor& editor, std::span<const app::Stroke> strokes, bool narrow) {
+void event_form(ui::Ui& ui, const Edited& edited, std::span<const std::size_t> selected,
+                std::span<const app::Stroke> strokes, bool narrow) {
     const auto found =
-        std::find_if(strokes.begin(), strokes.end(), [&](const auto& stroke) { return is_selected(editor, stroke); });
-    if (found != strokes.end()) return EventForm(ui, editor, *found).build(narrow);
+        std::find_if(strokes.begin(), strokes.end(), [&](const auto& stroke) { return is_selected(selected, stroke); });
+    if (found != strokes.end()) return EventForm(ui, edited, *found).build(narrow);
     ui::label(ui,
               "Choose a tool and hold it on the organ: what it does is recorded here. Select an event to edit it here.",
               {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});

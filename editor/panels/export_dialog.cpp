@@ -1,6 +1,8 @@
 // What is exported, where to, and whether that will do: one dialog for all kinds. While an export runs it shows how far
 // it is; so does the status bar, for the dialog need not stay open.
+#include "app/editor.h"
 #include "app/exports.h"
+#include "app/file_chooser.h"
 #include "app/file_filters.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
@@ -48,16 +50,16 @@ ui::FileRequest request_for(const ExportForm& form) {
 }
 
 /// A path wants the whole width: its end tells most.
-void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::string& path, std::string_view tip,
-              bool invalid) {
+void path_row(ui::Ui& ui, const ExportForm& form, app::FileChooser& chooser, std::string_view label, std::string& path,
+              std::string_view tip, bool invalid) {
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.15F});
     const std::string_view lower = label == "Folder" ? "folder" : label == "Table" ? "table" : "file";
     ui::label(ui, ui.join({"To this ", lower}), {.tone = ui::Tone::dim});
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::text_field(ui, label, path, {.tip = tip, .invalid = invalid});
-    const bool amounts = &path == &editor.exports().form.amounts_file;
+    const bool amounts = &path == &form.amounts_file;
     if (!ui::icon_button(ui, ui::Icon::folder, ui.join({"Browse for ", label}))) return;
-    ui::FileRequest request = request_for(editor.exports().form);
+    ui::FileRequest request = request_for(form);
     if (amounts)
         request = {.task = ui::FileTask::save,
                    .title = "Amounts",
@@ -65,18 +67,17 @@ void path_row(ui::Ui& ui, app::Editor& editor, std::string_view label, std::stri
                    .name = std::string(ui::name_of_path(path)),
                    .filters = {{"Tables", {".csv"}}}};
     const bool folder = request.task == ui::FileTask::folder;
-    editor.ask_file(std::move(request), [&path, folder](const std::vector<std::string>& chosen) {
+    chooser.ask(std::move(request), [&path, folder](const std::vector<std::string>& chosen) {
         path = folder ? chosen.front() + "/" + std::string(ui::name_of_path(path)) : chosen.front();
     });
 }
 
-void file_rows(ui::Ui& ui, app::Editor& editor) {
-    Exports& exports = editor.exports();
+void file_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     ExportForm& form = exports.form;
     const std::string_view label = form.what() == OutputKind::bundle ? "Folder" : "File";
     std::string_view tip = output::row_of(form.what()).help;
     if (form.what() == OutputKind::video) tip = ui.join({tip, ": ", listed(Content::video, " or ", true)});
-    path_row(ui, editor, label, form.file(), tip, !exports.fault_at("-o").empty());
+    path_row(ui, form, chooser, label, form.file(), tip, !exports.fault_at("-o").empty());
     fault_line(ui, exports, "-o");
     if (exports.fault_at("-o").empty() && exports.replaces())
         ui::label(ui,
@@ -114,16 +115,15 @@ void time_param(ui::Ui& ui, std::string_view label, double& value, double durati
         {.maximum = duration, .hard_minimum = 0, .hard_maximum = longest_time, .step = 0.1, .unit = "s", .tip = tip});
 }
 
-void time_rows(ui::Ui& ui, app::Editor& editor) {
-    Exports& exports = editor.exports();
+void time_rows(ui::Ui& ui, Exports& exports) {
     ExportForm& form = exports.form;
     if (form.what() == OutputKind::picture) {
-        time_param(ui, "Time", form.at, editor.duration(), "Time in the scene; the view's time to start with");
+        time_param(ui, "Time", form.at, exports.duration(), "Time in the scene; the view's time to start with");
         return fault_line(ui, exports, "--at");
     }
-    time_param(ui, "From", form.from, editor.duration(), "Time of the first frame");
+    time_param(ui, "From", form.from, exports.duration(), "Time of the first frame");
     fault_line(ui, exports, "--from");
-    time_param(ui, "To", form.to, editor.duration(), "The end; the last frame is before it");
+    time_param(ui, "To", form.to, exports.duration(), "The end; the last frame is before it");
     fault_line(ui, exports, "--to");
     ui::param(ui, "Frame rate", form.fps,
               {.minimum = 1,
@@ -137,16 +137,15 @@ void time_rows(ui::Ui& ui, app::Editor& editor) {
     fault_line(ui, exports, "--fps");
 }
 
-void extra_rows(ui::Ui& ui, app::Editor& editor) {
-    Exports& exports = editor.exports();
+void extra_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     ExportForm& form = exports.form;
-    if (editor.looking.overlay != Overlay::none)
+    if (exports.overlaid())
         ui::checkbox(ui, "With the overlay", form.overlay, "With the colours that the view shows over the tissue");
     ui::checkbox(
         ui, "Amounts as a table", form.amounts,
         "A CSV file with blood area and volume, wounds and haze of each frame, by which a trainee could be scored");
     if (!form.amounts) return;
-    path_row(ui, editor, "Table", form.amounts_file, "The file for the amounts (.csv)",
+    path_row(ui, form, chooser, "Table", form.amounts_file, "The file for the amounts (.csv)",
              !exports.fault_at("--amounts").empty());
     fault_line(ui, exports, "--amounts");
 }
@@ -188,19 +187,18 @@ void outside_rows(ui::Ui& ui, Exports& exports) {
                  "Whoever gets the bundle gets these files. Not checked, nothing is exported");
 }
 
-void form_rows(ui::Ui& ui, app::Editor& editor) {
-    Exports& exports = editor.exports();
+void form_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     ExportForm& form = exports.form;
     const ui::ScrollArea area(ui, "Form", {.gap = ui.theme().gap});
-    file_rows(ui, editor);
+    file_rows(ui, exports, chooser);
     if (form.what() == OutputKind::bundle)
         ui::checkbox(ui, "With scene and organ", form.with_scene,
                      "Includes what is needed to open it in the editor as it is now; a simulator does not need it");
     outside_rows(ui, exports);
     if (form.renders()) {
         size_rows(ui, exports);
-        time_rows(ui, editor);
-        extra_rows(ui, editor);
+        time_rows(ui, exports);
+        extra_rows(ui, exports, chooser);
     }
     fault_line(ui, exports, "scene");
     fault_line(ui, exports, "preset");
@@ -211,13 +209,13 @@ void form_rows(ui::Ui& ui, app::Editor& editor) {
     ui::label(ui, summary(ui, exports), {.tone = ui::Tone::dim, .wrap = true});
 }
 
-void copy_command(ui::Ui& ui, app::Editor& editor) {
+void copy_command(ui::Ui& ui, const Exports& exports, app::Notices& notices) {
     try {
-        const std::string line = editor.exports().command();
+        const std::string line = exports.command();
         if (ui.clipboard() != nullptr) ui.clipboard()->set(line);
-        editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the command"});
+        notices.add({.kind = ui::ToastKind::good, .text = "Copied the command"});
     } catch (const Error& error) {
-        editor.tell(error);
+        notices.tell(error);
     }
 }
 
@@ -234,8 +232,7 @@ void running_rows(ui::Ui& ui, Exports& exports) {
     ui::separator(ui);
 }
 
-void ask_replace(ui::Ui& ui, app::Editor& editor) {
-    Exports& exports = editor.exports();
+void ask_replace(ui::Ui& ui, Exports& exports) {
     const std::string_view name = ui::name_of_path(exports.form.file());
     const auto answer =
         ui::ask(ui, replace_name, "Replace it?",
@@ -256,20 +253,19 @@ std::string_view why_not(ui::Ui& ui, Exports& exports) {
 
 }  // namespace
 
-void export_dialog(ui::Ui& ui, app::Editor& editor) {
-    ask_replace(ui, editor);
-    Exports& exports = editor.exports();
+void export_dialog(ui::Ui& ui, Exports& exports, app::FileChooser& chooser, app::Notices& notices) {
+    ask_replace(ui, exports);
     ui::Dialog dialog(ui, dialog_name, "New export", {.width = 38, .height = 36});
     if (!dialog) return;
     running_rows(ui, exports);
     ui::segmented(ui, "What", exports.form.kind, output::output_titles());
-    form_rows(ui, editor);
+    form_rows(ui, exports, chooser);
     const bool sound = exports.faults().empty() && !exports.waits();
     if (exports.form.renders() &&
         ui::button(
             ui, "Copy lapfx render command",
             {.icon = ui::Icon::copy, .tip = "A command line that makes the same files, for scripts", .quiet = true}))
-        copy_command(ui, editor);
+        copy_command(ui, exports, notices);
     const std::string_view leave = exports.running() ? "Close" : "Cancel";  // what runs goes on
     const auto pressed =
         dialog.buttons({{.label = leave, .cancel = true},
@@ -282,8 +278,7 @@ void export_dialog(ui::Ui& ui, app::Editor& editor) {
 }
 
 /// In short: the dialog tells all of it.
-void export_status(ui::Ui& ui, app::Editor& editor) {
-    Exports& exports = editor.exports();
+void export_status(ui::Ui& ui, Exports& exports) {
     if (exports.running() && ui::progress(ui, exports.name(), exports.progress(),
                                           {.seconds_left = exports.seconds_left(),
                                            .cancellable = true,
@@ -313,11 +308,12 @@ void add_export_commands(app::Editor& editor) {
                          .group = "File",
                          .run =
                              [&editor] {
-                                 if (ui::Clipboard* clipboard = editor.ui().clipboard())
-                                     clipboard->set(write_preset(editor.document.preset()));
+                                 editor.clipboard()->set(write_preset(editor.document.preset()));
                                  editor.toasts.add({.kind = ui::ToastKind::good, .text = "Copied the preset as JSON"});
                              },
-                         .tip = "For a mail or a text editor"});
+                         .enabled = [&editor] { return editor.clipboard() != nullptr; },
+                         .tip = "For a mail or a text editor",
+                         .missing = "there is no clipboard"});
 }
 
 }  // namespace lapfx::panels

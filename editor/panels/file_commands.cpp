@@ -1,6 +1,7 @@
 // Commands of files, and the menu of those opened last.
 #include <filesystem>
 
+#include "app/editor.h"
 #include "app/files.h"
 #include "app/settings.h"
 #include "panels/panels.h"
@@ -44,10 +45,10 @@ void add_file_commands(app::Editor& editor) {
         [](app::Files& f) { f.save_scene_as(); });
 }
 
-void recent_files_menu(ui::Ui& ui, app::Editor& editor) {
+void recent_files_menu(ui::Ui& ui, app::Settings& settings, app::Files& files) {
     const ui::Submenu menu(ui, "Open recent", ui::Icon::folder);
     if (!menu) return;
-    const std::vector<std::string>& recent = editor.settings().recent;
+    const std::vector<std::string>& recent = settings.recent;
     if (recent.empty()) ui::menu_item(ui, "Nothing opened yet", {.enabled = false});
     std::string chosen;
     for (std::size_t i = 0; i < recent.size(); ++i) {
@@ -60,8 +61,8 @@ void recent_files_menu(ui::Ui& ui, app::Editor& editor) {
     }
     ui::menu_separator(ui);
     if (ui::menu_item(ui, "Clear this list", {.tip = "The files stay.", .enabled = !recent.empty()}))
-        editor.settings().recent.clear();
-    if (!chosen.empty()) editor.bring({chosen});
+        settings.recent.clear();
+    if (!chosen.empty()) files.bring({chosen});
 }
 
 }  // namespace lapfx::panels

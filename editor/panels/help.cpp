@@ -23,7 +23,7 @@ constexpr SheetLine on_numbers[] = {
     {"By steps", "Ctrl+drag"},
     {"One step", "Ctrl+wheel"},
     {"Type: 12/2, 0.5 cm", "double click"},
-    {"Default value", "double click name"},
+    {"Saved value", "double click name"},
     {"Menu: copy, lock, range", "right click"},
     {"Cancel a drag", "right press, Esc"},
 };
@@ -33,9 +33,9 @@ constexpr SheetLine on_pictures[] = {
     {"Fit", "double click"},
 };
 constexpr SheetLine on_times[] = {
-    {"Go to a time", "drag ruler"},      {"Zoom", "wheel"},
-    {"Pan", "Shift+wheel, middle drag"}, {"Move, stretch an event", "drag it or its end"},
-    {"Add an event", "Shift+click"},     {"Move without snapping", "Ctrl+drag"},
+    {"Go to a time", "drag ruler"},           {"Zoom", "wheel"},
+    {"Pan", "Shift+wheel, middle drag"},      {"Move, stretch an event", "drag it or its end"},
+    {"Select one more event", "Shift+click"}, {"Move without snapping", "Ctrl+drag"},
 };
 constexpr SheetLine on_plots[] = {
     {"Pan", "drag"},
@@ -86,9 +86,9 @@ constexpr Library libraries[] = {
     {"fontconfig", "fonts", "MIT"},
 };
 
-std::string graphics_of(const app::Editor& editor) {
-    const std::string& name = editor.options().renderer;
-    return (name.empty() ? "unknown" : name) + (editor.options().software ? " (software)" : "");
+std::string graphics_of(const app::EditorOptions& options) {
+    const std::string& name = options.renderer;
+    return (name.empty() ? "unknown" : name) + (options.software ? " (software)" : "");
 }
 
 void about_line(ui::Ui& ui, std::string_view name, std::string_view text) {
@@ -99,14 +99,14 @@ void about_line(ui::Ui& ui, std::string_view name, std::string_view text) {
 
 }  // namespace
 
-void keys_sheet(ui::Ui& ui, app::Editor& editor) {
-    ui::cheat_sheet(ui, editor.commands, pointer_parts);
+void keys_sheet(ui::Ui& ui, const ui::CommandTable& commands) {
+    ui::cheat_sheet(ui, commands, pointer_parts);
 }
 
-void about_dialog(ui::Ui& ui, app::Editor& editor) {
+void about_dialog(ui::Ui& ui, const app::EditorOptions& options) {
     ui::Dialog dialog(ui, "about", "About lapfx", {.width = 46, .height = 43});
     if (!dialog) return;
-    const std::string graphics = graphics_of(editor);
+    const std::string graphics = graphics_of(options);
     {
         const ui::ScrollArea area(ui, "What it is", {.gap = 0.4F});
         ui::heading(ui, ui.join({"lapfx ", version}));

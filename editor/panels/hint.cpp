@@ -4,14 +4,14 @@
 
 namespace lapfx::panels {
 
-void first_hint(ui::Ui& ui, app::Editor& editor) {
-    if (editor.settings().hint_seen) return;
+void first_hint(ui::Ui& ui, app::Settings& settings, bool playing) {
+    if (settings.hint_seen) return;
     const ui::Panel panel(ui, "First steps", {.width = ui::grow(), .padding = 0.5F});
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.1F});
         ui::label(ui,
-                  ui.join({"1  Press Space to ", editor.playing() ? "stop" : "play",
+                  ui.join({"1  Press Space to ", playing ? "stop" : "play",
                            ". Drag any value under Preset: the next frame shows it. Ctrl+Z undoes it."}),
                   {.width = ui::grow()});
         ui::label(ui,
@@ -25,7 +25,7 @@ void first_hint(ui::Ui& ui, app::Editor& editor) {
             {.width = ui::grow()});
     }
     if (ui::button(ui, "Got it", {.tip = "Hides these lines; Help > First steps shows them again"}))
-        editor.settings().hint_seen = true;
+        settings.hint_seen = true;
 }
 
 }  // namespace lapfx::panels

@@ -40,25 +40,23 @@ ui::TableCell cell_of(HistoryState& state, const document::Document& document, s
     return {.text = change_of(state, step), .tone = tone};
 }
 
-void head(ui::Ui& ui, app::Editor& editor) {
-    const document::Document& document = editor.document;
+void head(ui::Ui& ui, const document::Document& document, ui::CommandTable& commands) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     const std::size_t count = document.steps().size();
     std::string text = std::to_string(count) + (count == 1 ? " step" : " steps");
     if (document.done() < count) text += ", " + std::to_string(count - document.done()) + " undone";
     ui::label(ui, text, {.tone = ui::Tone::dim, .number = true});
     ui::spacer(ui);
-    ui::command_button(ui, editor.commands, "edit.undo", true);
-    ui::command_button(ui, editor.commands, "edit.redo", true);
+    ui::command_button(ui, commands, "edit.undo", true);
+    ui::command_button(ui, commands, "edit.redo", true);
 }
 
 }  // namespace
 
-void history_panel(ui::Ui& ui, app::Editor& editor) {
-    document::Document& document = editor.document;
+void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& commands) {
     HistoryState& state = ui.memory<HistoryState>(ui::hash_bytes(0, "history"));
     const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
-    head(ui, editor);
+    head(ui, document, commands);
     const auto key_of = [&](std::size_t row) { return row == 0 ? 0 : document.steps()[row - 1].id; };
     if (const std::uint64_t newest = key_of(document.steps().size());
         state.done != document.done() || state.newest != newest) {

@@ -42,26 +42,30 @@ constexpr float clip_time_width = 9;  // em
 constexpr float low_bench = 36;       // em: a panel of less height has no room for pictures and thresholds
 constexpr float least_pictures = 7;   // em
 
-bool has_alpha(app::Editor& editor) {
-    return editor.keying().shelf.of(editor.clip).report.alpha;
-}
+/// What the panel works on.
+struct On {
+    KeyingBench& bench;
+    app::ClipShelf& shelf;
+    const Edited& edited;
+    ui::CommandTable& commands;
 
-app::KeyingBench& bench_of(app::Editor& editor) {
-    return editor.keying();
-}
+    document::Document& document() const { return edited.document; }
+    const ClipReport& report() const { return shelf.of(shelf.selected).report; }
+    bool has_alpha() const { return report().alpha; }
+};
 
 // --- above the pictures ----------------------------------------------------------------------------------------------
 
-void clip_choice(ui::Ui& ui, app::Editor& editor, ui::Size width) {
-    const auto& clips = editor.document.preset().smoke.clips;
+void clip_choice(ui::Ui& ui, const On& on, ui::Size width) {
+    const auto& clips = on.document().preset().smoke.clips;
     std::array<std::string_view, 64> names;
     const std::size_t count = std::min(clips.size(), names.size());
     for (std::size_t i = 0; i < count; ++i)
         names[i] = ui.copy(std::to_string(i + 1) + "  " + std::filesystem::path(clips[i].file).filename().string());
-    int chosen = static_cast<int>(editor.clip);
+    int chosen = static_cast<int>(on.shelf.selected);
     if (ui::combo(ui, "Clip", chosen, {names.data(), count},
                   {.tip = "The clip that is shown; it can also be chosen in the list of clips", .width = width}))
-        editor.clip = static_cast<std::size_t>(std::max(chosen, 0));
+        on.shelf.selected = static_cast<std::size_t>(std::max(chosen, 0));
 }
 
 /// One of a few: side by side, or a list where there is too little room.
@@ -97,8 +101,8 @@ void fit_button(ui::Ui& ui, KeyingBench& bench) {
 }
 
 /// `room`: px.
-void tools(ui::Ui& ui, app::Editor& editor, float room) {
-    KeyingBench& bench = bench_of(editor);
+void tools(ui::Ui& ui, const On& on, float room) {
+    KeyingBench& bench = on.bench;
     const bool lists = room < ui.em(62);
     const float clip = room < ui.em(34) ? 9 : 14, views = lists ? 8 : 25, behind = lists ? 7 : 19;  // em
     const std::array<ui::ToolItem, 4> items = {
@@ -107,7 +111,7 @@ void tools(ui::Ui& ui, app::Editor& editor, float room) {
          {.width = ui.em(behind), .rank = 2},
          {.width = bench.look.state.fitted ? 0 : ui::tool_width(ui, "Fit"), .rank = 3, .end = true}}};
     ui::toolbar(ui, "Keying tools", room, items, [&](std::size_t item) {
-        if (item == 0) clip_choice(ui, editor, ui::px(ui.em(clip)));
+        if (item == 0) clip_choice(ui, on, ui::px(ui.em(clip)));
         if (item == 1) view_choice(ui, bench, views, lists);
         if (item == 2) behind_choice(ui, bench, behind, lists);
         if (item == 3) fit_button(ui, bench);
@@ -116,12 +120,12 @@ void tools(ui::Ui& ui, app::Editor& editor, float room) {
 
 // --- the pictures ----------------------------------------------------------------------------------------------------
 
-void take_color(app::Editor& editor, const glm::vec4& value) {
-    const std::size_t number = editor.clip;
-    editor.document.change("Key colour", [&](Content& c) {
+void take_color(const On& on, const glm::vec4& value) {
+    const std::size_t number = on.shelf.selected;
+    on.document().change("Key colour", [&](Content& c) {
         KeyingBench::keying_of(c, number).key_color = glm::clamp(glm::dvec3(value) / 255.0, 0.0, 1.0);
     });
-    bench_of(editor).look.eyedropper = false;
+    on.bench.look.eyedropper = false;
 }
 
 std::string_view whole(ui::Ui& ui, float value) {
@@ -145,8 +149,8 @@ std::string_view composite_text(ui::Ui& ui, const glm::vec4& v) {
 }
 constexpr std::array pixel_texts = {source_text, matte_text, keyed_text, composite_text};
 
-void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
-    KeyingBench& bench = bench_of(editor);
+void one_view(ui::Ui& ui, const On& on, BenchView view) {
+    KeyingBench& bench = on.bench;
     const auto index = static_cast<std::size_t>(view);
     const bool picks = view == BenchView::source && bench.look.eyedropper;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
@@ -154,7 +158,7 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
               {.tone = picks ? ui::Tone::warning : ui::Tone::dim, .size = 0.86F});
     ui.last().tip = view_tips[index];
     ui.push_seed("view");
-    ClipShapes shapes{editor};
+    ClipShapes shapes{bench, on.edited, on.shelf.selected};
     const ui::ImageViewResult result =
         ui::image_view(ui, app::view_titles[index], bench.picture(view), bench.look.state,
                        {.magnifier = picks,
@@ -165,35 +169,35 @@ void one_view(ui::Ui& ui, app::Editor& editor, BenchView view) {
                         .over_with = &shapes,
                         .tip = view_tips[index]});
     ui.pop_seed();
-    if (result.picked) take_color(editor, result.value);
+    if (result.picked) take_color(on, result.value);
 }
 
 /// `all`: there is room for the four of them.
-void pictures(ui::Ui& ui, app::Editor& editor, bool all = true) {
-    const KeyingBench& bench = bench_of(editor);
+void pictures(ui::Ui& ui, const On& on, bool all = true) {
+    const KeyingBench& bench = on.bench;
     if (!bench.look.grid || !all) {
-        one_view(ui, editor, static_cast<BenchView>(std::clamp(bench.look.view, 0, 3)));
+        one_view(ui, on, static_cast<BenchView>(std::clamp(bench.look.view, 0, 3)));
         return;
     }
     for (const int line : {0, 2}) {
         const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .cross = ui::ChildAlign::stretch});
-        one_view(ui, editor, static_cast<BenchView>(line));
-        one_view(ui, editor, static_cast<BenchView>(line + 1));
+        one_view(ui, on, static_cast<BenchView>(line));
+        one_view(ui, on, static_cast<BenchView>(line + 1));
     }
 }
 
-void step_frame(app::Editor& editor, int by) {
-    KeyingBench& bench = bench_of(editor);
+void step_frame(const On& on, int by) {
+    KeyingBench& bench = on.bench;
     if (!bench.ready()) return;  // how many frames there are is not known yet
-    const ClipReport& report = bench.shelf.of(editor.clip).report;
+    const ClipReport& report = on.report();
     bench.look.follow = false;
     const double frame = std::clamp(bench.frame() + by, 0, std::max(bench.frames() - 1, 0));
     bench.look.time = (frame + 0.5) / std::max(report.frames_per_second, 1e-6);  // its middle: times are rounded
 }
 
-void clip_time(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
-    const double duration = bench.shelf.of(editor.clip).report.duration;
+void clip_time(ui::Ui& ui, const On& on) {
+    KeyingBench& bench = on.bench;
+    const double duration = on.report().duration;
     double time = bench.look.follow ? bench.time() : bench.standing_at();
     const bool moved = ui::number_field(ui, "Clip time", time,
                                         {.maximum = duration,
@@ -209,8 +213,8 @@ void clip_time(ui::Ui& ui, app::Editor& editor) {
 }
 
 /// `room`: px.
-void scrub(ui::Ui& ui, app::Editor& editor, float room) {
-    KeyingBench& bench = bench_of(editor);
+void scrub(ui::Ui& ui, const On& on, float room) {
+    KeyingBench& bench = on.bench;
     const std::string_view place =
         ui.copy("frame " + std::to_string(bench.frame() + 1) + " of " + std::to_string(bench.frames()) +
                 (bench.broken() ? ": cannot be decoded, the frame before is shown" : ""));
@@ -220,10 +224,9 @@ void scrub(ui::Ui& ui, app::Editor& editor, float room) {
                                                 {.width = ui.text_width(place) + ui.em(1), .rank = 2},
                                                 {.width = ui::tool_width(ui, "Follow"), .rank = 1}}};
     ui::toolbar(ui, "Clip time tools", room, items, [&](std::size_t item) {
-        if (item == 0 && ui::icon_button(ui, Icon::step_back, "Previous frame", {.quiet = true}))
-            step_frame(editor, -1);
-        if (item == 1 && ui::icon_button(ui, Icon::step_forward, "Next frame", {.quiet = true})) step_frame(editor, 1);
-        if (item == 2) clip_time(ui, editor);
+        if (item == 0 && ui::icon_button(ui, Icon::step_back, "Previous frame", {.quiet = true})) step_frame(on, -1);
+        if (item == 1 && ui::icon_button(ui, Icon::step_forward, "Next frame", {.quiet = true})) step_frame(on, 1);
+        if (item == 2) clip_time(ui, on);
         if (item == 3)
             ui::label(ui, place, {.tone = bench.broken() ? ui::Tone::warning : ui::Tone::dim, .number = true});
         if (item == 4)
@@ -236,13 +239,13 @@ void scrub(ui::Ui& ui, app::Editor& editor, float room) {
 // --- the thresholds --------------------------------------------------------------------------------------------------
 
 /// `height`: em.
-void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
-    KeyingBench& bench = bench_of(editor);
-    const std::size_t number = editor.clip;
+void luma_histogram(ui::Ui& ui, const On& on, float height) {
+    KeyingBench& bench = on.bench;
+    const std::size_t number = on.shelf.selected;
     const KeyingParameters& keying = bench.keying();
-    const bool dark = bench.clip()->polarity == ClipPolarity::dark, alpha = has_alpha(editor);
+    const bool dark = bench.clip()->polarity == ClipPolarity::dark, alpha = on.has_alpha();
     ui::Levels levels{.low = keying.luma_low, .high = keying.luma_high};
-    const KeyingParameters& saved = saved_keying(editor, number);
+    const KeyingParameters& saved = on.edited.saved.keying(number);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
     ui::label(ui, dark ? "Darkness of this frame (255 - luma)" : "Brightness (luma) of this frame",
               {.tone = ui::Tone::dim, .size = 0.86F});
@@ -257,39 +260,39 @@ void luma_histogram(ui::Ui& ui, app::Editor& editor, float height) {
                               "Luma low is background, above Luma high is fully smoke",
                        .height = height});
     ui.pop_seed();
-    editor.document.take(result.low, "Luma low",
-                         [&](Content& c) { KeyingBench::keying_of(c, number).luma_low = levels.low; });
-    editor.document.take(result.high, "Luma high",
-                         [&](Content& c) { KeyingBench::keying_of(c, number).luma_high = levels.high; });
+    on.document().take(result.low, "Luma low",
+                       [&](Content& c) { KeyingBench::keying_of(c, number).luma_low = levels.low; });
+    on.document().take(result.high, "Luma high",
+                       [&](Content& c) { KeyingBench::keying_of(c, number).luma_high = levels.high; });
 }
 
-void chroma_scope(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
-    const std::size_t number = editor.clip;
+void chroma_scope(ui::Ui& ui, const On& on) {
+    KeyingBench& bench = on.bench;
+    const std::size_t number = on.shelf.selected;
     const KeyingParameters& keying = bench.keying();
     ui::KeyCircles circles{.color = glm::vec3(255.0 * keying.key_color),
                            .chroma_low = keying.chroma_low,
                            .chroma_high = keying.chroma_high,
-                           .reset_low = saved_keying(editor, number).chroma_low,
-                           .reset_high = saved_keying(editor, number).chroma_high,
+                           .reset_low = on.edited.saved.keying(number).chroma_low,
+                           .reset_high = on.edited.saved.keying(number).chroma_high,
                            .initial_low = KeyingParameters{}.chroma_low,
                            .initial_high = KeyingParameters{}.chroma_high};
     const ui::VectorscopeResult result =
-        ui::vectorscope(ui, "Chroma", bench.vectors(), has_alpha(editor) ? nullptr : &circles,
+        ui::vectorscope(ui, "Chroma", bench.vectors(), on.has_alpha() ? nullptr : &circles,
                         {.tip = circles.chroma_high > 0 ? "Colours of this frame. Inside the inner circle is "
                                                           "background, outside the outer circle is fully smoke"
                                                         : "Colours of this frame. They are not used while Chroma high "
                                                           "is 0: only brightness (luma) decides what is smoke"});
-    editor.document.take(result.low, "Chroma low", [&](Content& c) {
+    on.document().take(result.low, "Chroma low", [&](Content& c) {
         KeyingBench::keying_of(c, number).chroma_low = std::clamp(circles.chroma_low, 0.0, 180.0);
     });
-    editor.document.take(result.high, "Chroma high", [&](Content& c) {
+    on.document().take(result.high, "Chroma high", [&](Content& c) {
         KeyingBench::keying_of(c, number).chroma_high = std::clamp(circles.chroma_high, 0.0, 180.0);
     });
 }
 
-void scope(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
+void scope(ui::Ui& ui, const On& on) {
+    KeyingBench& bench = on.bench;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
     {
         constexpr std::array<std::string_view, 2> kinds = {"Colours", "Waveform"};
@@ -303,34 +306,34 @@ void scope(ui::Ui& ui, app::Editor& editor) {
             ui, "Luma waveform", bench.waves(),
             {.tip = "Brightness of the frame: its columns from left to right, black at the bottom, white at the top"});
     else
-        chroma_scope(ui, editor);
+        chroma_scope(ui, on);
     ui.pop_seed();
 }
 
-void whose_and_suggest(ui::Ui& ui, app::Editor& editor, bool narrow) {
+void whose_and_suggest(ui::Ui& ui, const On& on, bool narrow) {
     constexpr std::array<std::string_view, 2> names = {"All clips", "This clip"};
-    const std::size_t number = editor.clip;
+    const std::size_t number = on.shelf.selected;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     ui::label(ui, "For", {.tone = ui::Tone::dim});
-    int own = bench_of(editor).clip()->own_keying ? 1 : 0;
+    int own = on.bench.clip()->own_keying ? 1 : 0;
     ui::Edit edit;
     {
         const Room room(ui, narrow ? 0 : 11);
         edit = ui::segmented(ui, "Thresholds for", own, names);
     }
-    editor.document.take(edit, "Own keying", [&](Content& c) {
+    on.document().take(edit, "Own keying", [&](Content& c) {
         SmokeClip& clip = c.preset.smoke.clips[number];
         if (own == 1) clip.keying = c.preset.smoke.keying;  // goes on from what is seen
         clip.own_keying = own == 1;
     });
     if (!narrow) ui::spacer(ui);
-    ui::command_button(ui, editor.commands, "clip.suggest", narrow);
+    ui::command_button(ui, on.commands, "clip.suggest", narrow);
 }
 
-void pick_color(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
+void pick_color(ui::Ui& ui, const On& on) {
+    KeyingBench& bench = on.bench;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
-    ui::command_button(ui, editor.commands, "clip.eyedropper");
+    ui::command_button(ui, on.commands, "clip.eyedropper");
     constexpr std::array<std::string_view, 4> names = {"1 px", "3 x 3", "5 x 5", "11 x 11"};
     constexpr std::array<int, 4> sides = {1, 3, 5, 11};
     int box = static_cast<int>(std::find(sides.begin(), sides.end(), bench.look.sample_box) - sides.begin());
@@ -339,19 +342,19 @@ void pick_color(ui::Ui& ui, app::Editor& editor) {
 }
 
 /// What changed, as long as it is so.
-void suggested_changes(ui::Ui& ui, app::Editor& editor, bool unsure) {
-    const KeyingBench& bench = bench_of(editor);
+void suggested_changes(ui::Ui& ui, const On& on, bool unsure) {
+    const KeyingBench& bench = on.bench;
     const std::string_view changes = bench.suggestion_changes();
     if (changes.empty()) return;
-    const std::string_view undo = chord_of(editor, "edit.undo");
+    const std::string_view undo = chord_of(on.commands, "edit.undo");
     ui::label(ui,
               bench.suggestion_undoes() ? ui.join({changes, ". ", undo.empty() ? "Undo" : undo, " undoes it."})
                                         : ui.join({changes, "."}),
               {.tone = unsure ? ui::Tone::warning : ui::Tone::good, .wrap = true, .width = ui::grow()});
 }
 
-void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
+void told_by_suggest(ui::Ui& ui, const On& on) {
+    KeyingBench& bench = on.bench;
     if (bench.suggesting()) {
         if (ui::progress(ui, "Suggesting", -1, {.cancellable = true})) bench.cancel_suggesting();
         return;
@@ -365,13 +368,13 @@ void told_by_suggest(ui::Ui& ui, app::Editor& editor) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::start});
     {
         const ui::Column lines(ui, {.width = ui::grow(), .gap = 0.2F});
-        suggested_changes(ui, editor, unsure);
+        suggested_changes(ui, on, unsure);
         ui::label(ui,
                   ui.join({unsure ? "Only " : "", percent, " % sure", unsure ? ", check it before you use it" : "",
                            ": ", found.reason}),
                   {.tone = ui::Tone::dim, .wrap = true, .width = ui::grow()});
     }
-    if (editor.document.preset().smoke.clips.size() > 1 && bench.clip()->own_keying && !found.alpha &&
+    if (on.document().preset().smoke.clips.size() > 1 && bench.clip()->own_keying && !found.alpha &&
         ui::button(ui, "Use for all", {.tip = "Uses these thresholds for all clips without keying of their own"}))
         return bench.suggest_for_all();
     if (ui::icon_button(ui, Icon::cross, "Dismiss", {.quiet = true})) bench.forget_suggestion();
@@ -381,12 +384,12 @@ bool is_threshold(std::string_view key) {
     return key.starts_with("luma_") || key.starts_with("chroma_") || key == "key_color";
 }
 
-void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
-    const std::size_t number = editor.clip;
-    whose_and_suggest(ui, editor, narrow);
-    told_by_suggest(ui, editor);
-    pick_color(ui, editor);
-    const bool alpha = has_alpha(editor);
+void rows(ui::Ui& ui, const On& on, bool narrow) {
+    const std::size_t number = on.shelf.selected;
+    whose_and_suggest(ui, on, narrow);
+    told_by_suggest(ui, on);
+    pick_color(ui, on);
+    const bool alpha = on.has_alpha();
     if (alpha)
         ui::label(ui, "This clip has its own opacity, which is used instead of thresholds.",
                   {.tone = ui::Tone::warning, .wrap = true, .width = ui::grow()});
@@ -396,57 +399,57 @@ void rows(ui::Ui& ui, app::Editor& editor, bool narrow) {
         return number < c.preset.smoke.clips.size() ? &c.preset.smoke.clips[number] : nullptr;
     };
     const auto keying = [number](Content& c) -> void* { return &KeyingBench::keying_of(c, number); };
-    table_row(ui, editor, *clip_table().find_row("polarity"), clip,
-              {.standard = &standard_clip, .saved = &saved_clip(editor, number)});
+    table_row(ui, on.edited, *clip_table().find_row("polarity"), clip,
+              {.standard = &standard_clip, .saved = &on.edited.saved.clip(number)});
     for (const Parameter& row : keying_table().rows) {
         ui.push_disabled(alpha && is_threshold(row.key));
-        table_row(ui, editor, row, keying, {.standard = &standard, .saved = &saved_keying(editor, number)});
+        table_row(ui, on.edited, row, keying, {.standard = &standard, .saved = &on.edited.saved.keying(number)});
         ui.pop_disabled();
     }
-    frame_rows(ui, editor);
+    frame_rows(ui, on.bench, on.edited, number, on.commands);
 }
 
 /// One below the other, for what scrolls.
-void thresholds_below(ui::Ui& ui, app::Editor& editor) {
+void thresholds_below(ui::Ui& ui, const On& on) {
     {
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(12))});
-        luma_histogram(ui, editor, 10);
+        luma_histogram(ui, on, 10);
     }
-    rows(ui, editor, true);
+    rows(ui, on, true);
     const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(ui.em(16))});
-    scope(ui, editor);
+    scope(ui, on);
 }
 
 /// `height`: em, that there is room for.
-void thresholds(ui::Ui& ui, app::Editor& editor, bool narrow, float height) {
+void thresholds(ui::Ui& ui, const On& on, bool narrow, float height) {
     if (narrow) {
         const ui::ScrollArea area(ui, "Thresholds", {.gap = 0.3F});
-        return thresholds_below(ui, editor);
+        return thresholds_below(ui, on);
     }
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.8F, .cross = ui::ChildAlign::stretch});
     {
         const ui::Column scopes(ui, {.width = ui::grow(1.15F), .height = ui::grow()});
-        luma_histogram(ui, editor, std::max(height - 2.2F, 5.0F));
+        luma_histogram(ui, on, std::max(height - 2.2F, 5.0F));
     }
     {
         const ui::Column held(ui, {.width = ui::grow(0.8F), .height = ui::grow()});
-        scope(ui, editor);
+        scope(ui, on);
     }
     const ui::ScrollArea area(ui, "Thresholds", {.width = ui::px(ui.em(27)), .gap = 0.3F});
-    rows(ui, editor, narrow);
+    rows(ui, on, narrow);
 }
 
 // --- without a picture -----------------------------------------------------------------------------------------------
 
-void nothing_to_show(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
-    const app::ClipFacts& facts = bench.shelf.of(editor.clip);
+void nothing_to_show(ui::Ui& ui, const On& on) {
+    KeyingBench& bench = on.bench;
+    const app::ClipFacts& facts = on.shelf.of(on.shelf.selected);
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow(), .padding = 1});
     if (bench.clip() == nullptr) {
         ui::label(ui, "There is no smoke clip to key. Add a video of smoke in front of a plain background.",
                   {.wrap = true, .width = ui::grow()});
         const ui::Row row(ui);
-        ui::command_button(ui, editor.commands, "clip.add");
+        ui::command_button(ui, on.commands, "clip.add");
         return;
     }
     if (facts.job && !facts.job->cancelled()) {
@@ -459,49 +462,50 @@ void nothing_to_show(ui::Ui& ui, app::Editor& editor) {
         ui::label(ui, ui.copy(fault.text()), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     if (facts.known && bench.faults().empty()) return ui::label(ui, "Reading the frame", {.tone = ui::Tone::dim});
     const ui::Row row(ui);
-    ui::command_button(ui, editor.commands, "clip.replace");
-    if (ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) bench.shelf.look_again();
+    ui::command_button(ui, on.commands, "clip.replace");
+    if (ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) on.shelf.look_again();
 }
 
 /// In a panel of little height the pictures have nearly all of it, and the thresholds come by scrolling.
-void low(ui::Ui& ui, app::Editor& editor, const ui::Rect& room) {
+void low(ui::Ui& ui, const On& on, const ui::Rect& room) {
     const float others = 2 * ui.row_height() + ui.em(2.4F), peek = ui.em(3);
     const float height = std::max(room.h - others - peek, ui.em(least_pictures));
     const ui::ScrollArea area(ui, "Bench", {.gap = 0.4F});
     {
         const ui::Column upper(ui, {.width = ui::grow(), .height = ui::px(height)});
-        pictures(ui, editor, height >= ui.em(2 * least_pictures));
+        pictures(ui, on, height >= ui.em(2 * least_pictures));
     }
-    scrub(ui, editor, std::max(1.0F, room.w - ui.em(2.2F)));
-    thresholds_below(ui, editor);
+    scrub(ui, on, std::max(1.0F, room.w - ui.em(2.2F)));
+    thresholds_below(ui, on);
 }
 
 }  // namespace
 
-void keying_panel(ui::Ui& ui, app::Editor& editor) {
-    KeyingBench& bench = bench_of(editor);
+void keying_panel(ui::Ui& ui, KeyingBench& bench, app::ClipShelf& shelf, const Edited& edited,
+                  ui::CommandTable& commands) {
+    const On on{bench, shelf, edited, commands};
     bench.show();
-    follow_mask_drawing(ui, editor);
+    follow_mask_drawing(ui, bench, shelf.selected);
     if (bench.stale()) ui.wake_at(ui.time(), "the keying bench follows");
     const ui::Rect room = ui.rect_before(ui.parent().id);
     const bool narrow = room.w < ui.em(52);
-    if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, editor);
+    if (!bench.ready() || bench.clip() == nullptr) return nothing_to_show(ui, on);
     const float width = room.w > 0 ? std::max(1.0F, room.w - 2 * ui.em(0.6F)) : 0.0F;
     if (room.h > 0 && room.h < ui.em(low_bench)) {
         const ui::Column close_together(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.1F});
-        tools(ui, editor, width);
-        return low(ui, editor, room);
+        tools(ui, on, width);
+        return low(ui, on, room);
     }
-    tools(ui, editor, width);
+    tools(ui, on, width);
     ui::Splitter split(ui, "Bench", ui::Axis::y, bench.look.scopes,
                        {.first_minimum = 8, .second_minimum = 8, .standard = 0.64F});
     {
         const ui::Column upper(ui, {.width = ui::grow(), .height = ui::grow()});
-        pictures(ui, editor);
-        scrub(ui, editor, width);
+        pictures(ui, on);
+        scrub(ui, on, width);
     }
     split.next();
-    thresholds(ui, editor, narrow, (1 - bench.look.scopes) * room.h / ui.em(1) - 2);
+    thresholds(ui, on, narrow, (1 - bench.look.scopes) * room.h / ui.em(1) - 2);
 }
 
 }  // namespace lapfx::panels

@@ -23,27 +23,26 @@ bool begins_part(std::string_view id) {
     return std::find(parts.begin(), parts.end(), id) != parts.end();
 }
 
-void items(ui::Ui& ui, app::Editor& editor, std::string_view group) {
-    ui::CommandTable& commands = editor.commands;
+void items(ui::Ui& ui, ui::CommandTable& commands, app::Settings& settings, app::Files& files, std::string_view group) {
     bool any = false;
     for (std::size_t i = 0; i < commands.size(); ++i) {
         if (commands[i].group != group) continue;
         if (any && begins_part(commands[i].id)) ui::menu_separator(ui);
         any = true;
         ui::command_item(ui, commands, commands[i].id);
-        if (commands[i].id == "file.open") recent_files_menu(ui, editor);
+        if (commands[i].id == "file.open") recent_files_menu(ui, settings, files);
     }
 }
 
 }  // namespace
 
-void menu_bar(ui::Ui& ui, app::Editor& editor) {
+void menu_bar(ui::Ui& ui, ui::CommandTable& commands, app::Settings& settings, app::Files& files) {
     const ui::MenuBar bar(ui);
     for (const std::string_view group : groups) {
         bool any = false;
-        for (std::size_t i = 0; i < editor.commands.size() && !any; ++i) any = editor.commands[i].group == group;
+        for (std::size_t i = 0; i < commands.size() && !any; ++i) any = commands[i].group == group;
         if (!any) continue;
-        if (const ui::BarMenu menu(ui, group); menu) items(ui, editor, group);
+        if (const ui::BarMenu menu(ui, group); menu) items(ui, commands, settings, files, group);
     }
 }
 

@@ -35,7 +35,7 @@ std::string_view text_of(ui::Ui& ui, const char* format, Values... values) {
 
 class OrganDialog {
   public:
-    OrganDialog(ui::Ui& ui, app::Editor& editor) : ui_(ui), editor_(editor), choice_(editor.organ_choice()) {}
+    OrganDialog(ui::Ui& ui, app::OrganChoice& choice) : ui_(ui), choice_(choice) {}
 
     void content() {
         ui::label(ui_, ui_.copy(choice_.file().filename().string()), {.weight = ui::Weight::bold});
@@ -53,7 +53,7 @@ class OrganDialog {
         ui::separator(ui_);
         unit();
         size();
-        if (choice_.replaces() && !editor_.document.scene().events.empty())
+        if (choice_.takes_events())
             ui::label(
                 ui_,
                 "The events on the timeline belong to the previous organ and will be removed. Undo brings both back.",
@@ -154,14 +154,12 @@ class OrganDialog {
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
     app::OrganChoice& choice_;
 };
 
 }  // namespace
 
-void organ_dialog(ui::Ui& ui, app::Editor& editor) {
-    app::OrganChoice& choice = editor.organ_choice();
+void organ_dialog(ui::Ui& ui, app::OrganChoice& choice, ui::CommandTable& commands) {
     if (choice.take_asked()) ui::open_dialog(ui, dialog_name);
     ui::Dialog dialog(ui, dialog_name, "Load organ",
                       {.width = 34, .height = 30});  // of one size: its buttons stay where they are
@@ -169,7 +167,7 @@ void organ_dialog(ui::Ui& ui, app::Editor& editor) {
     if (!dialog) return;
     {
         const ui::ScrollArea area(ui, "About it", {.gap = 0.4F});
-        OrganDialog(ui, editor).content();
+        OrganDialog(ui, choice).content();
     }
     const bool again = !choice.faults().empty();
     const auto answer =
@@ -177,7 +175,7 @@ void organ_dialog(ui::Ui& ui, app::Editor& editor) {
                         {.label = "Choose another...", .tip = "Choose another file"},
                         {.label = "Load", .standard = !again && choice.possible(), .enabled = choice.ready()}});
     if (answer == 0U || answer == 1U) choice.give_up();
-    if (answer == 1U) editor.commands.run("file.load_organ");
+    if (answer == 1U) commands.run("file.load_organ");
     if (answer == 2U) choice.load();
 }
 

@@ -1,47 +1,102 @@
-// The editor's window, put together from panels. Each panel is a function in a file of its own; what panels share is
-// the app::Editor.
+// The editor's window, put together from panels. Each panel and each dialog is a function in a file of its own, and
+// takes what it works on. workspace.cpp has the one table of panels, and hands out the parts of the app::Editor.
 //
-//     panels::add_commands(editor);  // once
+//     panels::set_up(editor);  // once
 //     ui.frame(input, [&](ui::Ui& u) { panels::workspace(u, editor); });
+//
+// A new panel is a function that is declared here, and a row of that table.
 #pragma once
 
-#include "app/editor.h"
+#include <cstddef>
+#include <vector>
+
+#include "app/looking.h"
+#include "app/timeline.h"
+#include "app/tool_hold.h"
+#include "panels/edited.h"
 #include "ui/core/ui.h"
+#include "ui/shell/commands.h"
+#include "ui/shell/toast.h"
+
+namespace lapfx::app {
+class AmountsOverTime;
+class Autosave;
+class Browser;
+class ClipShelf;
+class Editor;
+class Exports;
+class Files;
+class Jobs;
+class KeyingBench;
+class Layouts;
+class Notices;
+class OrganChoice;
+class PreviewHost;
+class Reference;
+class Settings;
+class Snapshots;
+class Tuning;
+}  // namespace lapfx::app
 
 namespace lapfx::panels {
 
-/// Every command of the program, with its standard keys.
-void add_commands(app::Editor& editor);
+/// Which panels and layouts there are, and every command of the program with its standard keys.
+void set_up(app::Editor& editor);
 
 /// The whole window: menus, panels as the user arranged them, status bar, dialogs, notices.
 void workspace(ui::Ui& ui, app::Editor& editor);
 
-// --- panels, by the names of app::panel_names ------------------------------------------------------------------------
-void view_panel(ui::Ui& ui, app::Editor& editor);
-void preset_panel(ui::Ui& ui, app::Editor& editor);
-void clips_panel(ui::Ui& ui, app::Editor& editor);
-void keying_panel(ui::Ui& ui, app::Editor& editor);
-void reference_panel(ui::Ui& ui, app::Editor& editor);
-void timeline_panel(ui::Ui& ui, app::Editor& editor);
-void curves_panel(ui::Ui& ui, app::Editor& editor);
-void amounts_panel(ui::Ui& ui, app::Editor& editor);
-void presets_panel(ui::Ui& ui, app::Editor& editor);
-void snapshots_panel(ui::Ui& ui, app::Editor& editor);
-void history_panel(ui::Ui& ui, app::Editor& editor);
-void scene_panel(ui::Ui& ui, app::Editor& editor);
+// --- panels ----------------------------------------------------------------------------------------------------------
+struct ViewParts {
+    Edited edited;
+    app::PreviewHost& preview;
+    app::Looking& looking;
+    app::ToolInHand& tool;
+    app::ToolHold& hold;
+    app::OrganChoice& organ_choice;
+    app::Jobs& jobs;
+    ui::CommandTable& commands;
+    ui::Toasts& toasts;
+    bool half_resolution;
+};
+void view_panel(ui::Ui& ui, const ViewParts& parts);
+void preset_panel(ui::Ui& ui, app::Tuning& tuning, const Edited& edited, const ui::CommandTable& commands,
+                  app::Layouts& layouts, ui::Toasts& toasts);
+void clips_panel(ui::Ui& ui, app::ClipShelf& shelf, const Edited& edited, ui::CommandTable& commands);
+void keying_panel(ui::Ui& ui, app::KeyingBench& bench, app::ClipShelf& shelf, const Edited& edited,
+                  ui::CommandTable& commands);
+void reference_panel(ui::Ui& ui, app::Reference& reference, const Edited& edited, app::Files& files);
+struct TimelineParts {
+    Edited edited;
+    app::Timeline& timeline;
+    std::vector<std::size_t>& selected;  ///< of the scene's events
+    const app::ToolInHand& tool;         ///< of events that are added
+    const app::ToolHold& hold;
+    const app::PreviewHost& preview;  ///< for their place
+    const app::Looking& looking;
+    ui::CommandTable& commands;
+    ui::Toasts& toasts;
+};
+void timeline_panel(ui::Ui& ui, const TimelineParts& parts);
+void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline& timeline, ui::Toasts& toasts);
+void amounts_panel(ui::Ui& ui, app::AmountsOverTime& amounts, app::Timeline& timeline);
+void presets_panel(ui::Ui& ui, app::Browser& browser, const document::Document& document, app::Files& files,
+                   app::FileChooser& chooser, ui::Toasts& notices);
+void snapshots_panel(ui::Ui& ui, app::Snapshots& snapshots, document::Document& document);
+void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& commands);
+void scene_panel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, ui::Toasts& toasts);
 
 // --- dialogs: nothing while they are closed --------------------------------------------------------------------------
-void organ_dialog(ui::Ui& ui, app::Editor& editor);
-void export_dialog(ui::Ui& ui, app::Editor& editor);
-void export_status(ui::Ui& ui, app::Editor& editor);  ///< in the status bar, while one runs
-void closing_dialog(ui::Ui& ui, app::Editor& editor);
-void recovery_dialog(ui::Ui& ui, app::Editor& editor);
-void settings_dialog(ui::Ui& ui, app::Editor& editor);
+void organ_dialog(ui::Ui& ui, app::OrganChoice& choice, ui::CommandTable& commands);
+void export_dialog(ui::Ui& ui, app::Exports& exports, app::FileChooser& chooser, app::Notices& notices);
+void export_status(ui::Ui& ui, app::Exports& exports);  ///< in the status bar, while one runs
+void closing_dialog(ui::Ui& ui, app::Files& files);
+void recovery_dialog(ui::Ui& ui, app::Autosave& autosave, app::Files& files);
+void settings_dialog(ui::Ui& ui, app::Settings& settings, ui::CommandTable& commands);
 
 // --- commands --------------------------------------------------------------------------------------------------------
+// They take the whole editor: a command may act on anything, and what it does is decided when it runs.
 void add_file_commands(app::Editor& editor);
-/// In the File menu: the files opened last.
-void recent_files_menu(ui::Ui& ui, app::Editor& editor);
 void add_edit_commands(app::Editor& editor);
 void add_view_commands(app::Editor& editor);
 void add_play_commands(app::Editor& editor);
@@ -52,5 +107,12 @@ void add_reference_commands(app::Editor& editor);
 void add_snapshot_commands(app::Editor& editor);
 void add_export_commands(app::Editor& editor);
 void add_window_commands(app::Editor& editor);
+void add_panel_commands(app::Editor& editor);  ///< in workspace.cpp: one for each panel
+void add_commands(app::Editor& editor);        ///< all of these
+
+// --- the parts that panels take, out of an editor --------------------------------------------------------------------
+Edited edited_in(app::Editor& editor);
+ViewParts view_parts(app::Editor& editor);
+TimelineParts timeline_parts(app::Editor& editor);
 
 }  // namespace lapfx::panels

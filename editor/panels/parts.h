@@ -5,8 +5,27 @@
 #include <string_view>
 #include <vector>
 
-#include "app/editor.h"
+#include "app/editor_options.h"
 #include "ui/core/ui.h"
+#include "ui/shell/commands.h"
+#include "ui/widgets/color_field.h"
+
+namespace lapfx::document {
+class Document;
+}
+
+namespace lapfx::app {
+class Exports;
+class Files;
+class HotReload;
+class Jobs;
+class Layouts;
+class Meter;
+class PreviewHost;
+class Reference;
+class Settings;
+class Tuning;
+}  // namespace lapfx::app
 
 namespace lapfx::panels {
 
@@ -19,26 +38,40 @@ struct Room : ui::Row {
 };
 
 /// The keys of a command as they are bound now: "Ctrl+Z"; empty: it has none.
-inline std::string_view chord_of(const app::Editor& editor, std::string_view command) {
-    return editor.commands.chord_text(editor.commands.index_of(command));
+inline std::string_view chord_of(const ui::CommandTable& commands, std::string_view command) {
+    return commands.chord_text(commands.index_of(command));
 }
 
 /// While a colour is wanted from a picture: what to do, over those that give one; of the panel's node that it lies in.
-void pick_hint(ui::Ui& ui, app::Editor& editor);
+void pick_hint(ui::Ui& ui, ui::Eyedropper& eyedropper);
 /// Esc leaves that; with no such picture in sight the view is shown. Once a frame.
-void follow_eyedropper(ui::Ui& ui, app::Editor& editor);
+void follow_eyedropper(ui::Ui& ui, ui::Eyedropper& eyedropper, app::Layouts& layouts);
 
-void menu_bar(ui::Ui& ui, app::Editor& editor);
-void status_bar(ui::Ui& ui, app::Editor& editor);
+void menu_bar(ui::Ui& ui, ui::CommandTable& commands, app::Settings& settings, app::Files& files);
+/// In the File menu: the files opened last.
+void recent_files_menu(ui::Ui& ui, app::Settings& settings, app::Files& files);
+struct StatusParts {
+    const document::Document& document;
+    const app::PreviewHost& preview;
+    const app::Reference& reference;
+    const ui::ImageStore& images;
+    const app::Jobs& jobs;
+    app::Exports& exports;
+    const app::HotReload& hot_reload;
+    const app::Layouts& layouts;
+    app::Meter& meter;
+    const app::EditorOptions& options;
+};
+void status_bar(ui::Ui& ui, const StatusParts& parts);
 /// Three lines for those who see it for the first time; until they are closed.
-void first_hint(ui::Ui& ui, app::Editor& editor);
+void first_hint(ui::Ui& ui, app::Settings& settings, bool playing);
 /// Commands and parameters by name: a command runs, a parameter's row comes into sight and has the keyboard.
-void command_palette(ui::Ui& ui, app::Editor& editor);
+void command_palette(ui::Ui& ui, ui::CommandTable& commands, app::Layouts& layouts, app::Tuning& tuning);
 /// All keys, and what the pointer does.
-void keys_sheet(ui::Ui& ui, app::Editor& editor);
+void keys_sheet(ui::Ui& ui, const ui::CommandTable& commands);
 /// Version, renderer, paper, licences.
-void about_dialog(ui::Ui& ui, app::Editor& editor);
+void about_dialog(ui::Ui& ui, const app::EditorOptions& options);
 /// Name for the layout that is kept.
-void layout_dialog(ui::Ui& ui, app::Editor& editor);
+void layout_dialog(ui::Ui& ui, app::Layouts& layouts);
 
 }  // namespace lapfx::panels

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <cmath>
 
+#include "app/editor.h"
 #include "app/layouts.h"
 #include "app/tuning.h"
 #include "panels/panels.h"
@@ -30,36 +31,43 @@ using ui::Mods;
 constexpr std::string_view found_by = "Find by name, key, effect or an everyday word, such as fog";
 constexpr std::string_view all_menu = "preset menu", group_menu = "group menu";
 
+/// What the panel works on.
+struct On {
+    Tuning& tuning;
+    const Edited& edited;
+    const ui::CommandTable& commands;
+    app::Layouts& layouts;
+    ui::Toasts& toasts;
+};
+
 const ParameterGroup* group_of(const Tuning& tuning) {
     if (tuning.current == no_entry) return nullptr;
     const ParameterGroup& group = app::parameters().groups()[app::parameters()[tuning.current].group];
     return group.key.empty() ? nullptr : &group;
 }
 
-void copy_group(app::Editor& editor, const ParameterGroup* group) {
-    ui::Clipboard* const clipboard = editor.ui().clipboard();
+void copy_group(const Tuning& tuning, ui::Clipboard* clipboard, ui::Toasts& toasts, const ParameterGroup* group) {
     if (clipboard == nullptr) return;
-    clipboard->set(editor.tuning().copy(group));
-    editor.toasts.add({.text = group == nullptr ? "Copied the whole preset as JSON"
-                                                : group->name + " was copied as JSON: paste it into another preset"});
+    clipboard->set(tuning.copy(group));
+    toasts.add({.text = group == nullptr ? "Copied the whole preset as JSON"
+                                         : group->name + " was copied as JSON: paste it into another preset"});
 }
 
-void paste_group(app::Editor& editor, const ParameterGroup* group) {
-    ui::Clipboard* const clipboard = editor.ui().clipboard();
-    if (clipboard != nullptr) editor.tuning().paste(clipboard->get(), group);
+void paste_group(Tuning& tuning, ui::Clipboard* clipboard, const ParameterGroup* group) {
+    if (clipboard != nullptr) tuning.paste(clipboard->get(), group);
 }
 
 /// Of the whole preset (null) or of a group.
-void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui::Id box_at) {
-    Tuning& tuning = editor.tuning();
+void menu_items(ui::Ui& ui, const On& on, const ParameterGroup* group, ui::Id box_at) {
+    Tuning& tuning = on.tuning;
     const bool clipboard = ui.clipboard() != nullptr;
     const int changed = group == nullptr ? tuning.changed_in_all() : tuning.changed_in(*group);
     if (ui::menu_item(ui, group == nullptr ? "Copy all" : "Copy group",
                       {.icon = Icon::copy, .tip = "As JSON, for another editor or a file", .enabled = clipboard}))
-        copy_group(editor, group);
+        copy_group(tuning, ui.clipboard(), on.toasts, group);
     if (ui::menu_item(ui, group == nullptr ? "Paste parameters" : "Paste group",
                       {.tip = "From JSON in the clipboard", .enabled = clipboard}))
-        paste_group(editor, group);
+        paste_group(tuning, ui.clipboard(), group);
     if (ui::menu_item(ui, group == nullptr ? "Reset all" : "Reset group",
                       {.icon = Icon::reset, .tip = "Back to the saved values", .enabled = changed > 0}))
         tuning.reset(group);
@@ -67,7 +75,7 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui
     const std::string percent = std::to_string(std::lround(100 * tuning.strength));
     if (ui::menu_item(ui, ui.join({"Randomise by ", percent, " %###Randomise"}),
                       {.icon = Icon::dice, .tip = "Changes everything that is not locked, in one undo step"}))
-        randomise(editor, group);
+        randomise(tuning, on.edited.document, on.toasts, group);
     if (ui::menu_item(ui, "Strength and seed...", {.tip = "How far randomising goes from the current values"}))
         open_randomise_box(ui, group, box_at);
     ui::menu_separator(ui);
@@ -81,14 +89,14 @@ void menu_items(ui::Ui& ui, app::Editor& editor, const ParameterGroup* group, ui
         if (group == nullptr || &one == group) tuning.lock(one, !locked);
 }
 
-void tool_row(ui::Ui& ui, app::Editor& editor) {
-    Tuning& tuning = editor.tuning();
+void tool_row(ui::Ui& ui, const On& on) {
+    Tuning& tuning = on.tuning;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
     if (tuning.wants_search) {
         tuning.wants_search = false;
         ui.set_focus(ui.id_of("Search"), true);
     }
-    const std::string_view find_keys = chord_of(editor, "preset.find");
+    const std::string_view find_keys = chord_of(on.commands, "preset.find");
     ui::search_field(ui, "Search", tuning.search,
                      {.placeholder = "Find a parameter",
                       .tip = find_keys.empty() ? found_by : ui.join({found_by, " (", find_keys, ")"})});
@@ -96,20 +104,20 @@ void tool_row(ui::Ui& ui, app::Editor& editor) {
                {.icon = Icon::dot, .tip = "Only what differs from the saved preset", .quiet = true});
     const ui::Id dice = ui.id_of("Randomise");
     constexpr std::string_view asks = "Randomises what is not locked; asks how far";
-    const std::string_view keys = chord_of(editor, "preset.randomise");
+    const std::string_view keys = chord_of(on.commands, "preset.randomise");
     if (ui::icon_button(ui, Icon::dice, "Randomise",
                         {.tip = keys.empty() ? asks : ui.join({asks, ". ", keys, " does it at once"}), .quiet = true}))
         open_randomise_box(ui, nullptr, dice);
-    randomise_box(ui, editor);
+    randomise_box(ui, tuning, on.edited.document, on.toasts);
     const ui::Id id = ui.id_of("More");
     if (ui::icon_button(ui, Icon::menu, "More", {.tip = "Copy, paste, reset, randomise, lock", .quiet = true}))
         ui::open_menu(ui, all_menu, {.side = ui::Placement::Side::below, .anchor = id});
-    if (const ui::Menu menu(ui, all_menu, "Preset menu"); menu) menu_items(ui, editor, nullptr, dice);
+    if (const ui::Menu menu(ui, all_menu, "Preset menu"); menu) menu_items(ui, on, nullptr, dice);
 }
 
 class Sections {
   public:
-    Sections(ui::Ui& ui, app::Editor& editor) : ui_(ui), editor_(editor), tuning_(editor.tuning()) {}
+    Sections(ui::Ui& ui, const On& on) : ui_(ui), on_(on), tuning_(on.tuning) {}
 
     void build() {
         bool clips = false;
@@ -138,7 +146,7 @@ class Sections {
     }
 
     void row(std::size_t index, bool with_group) {
-        parameter_row(ui_, editor_, index, with_group);
+        parameter_row(ui_, on_.edited, tuning_, index, with_group);
         ++shown_;
     }
 
@@ -201,7 +209,7 @@ class Sections {
         }
         if (menu_of == owner)
             if (const ui::Menu menu(ui_, group_menu, ui_.join({group.name, " menu"})); menu)
-                menu_items(ui_, editor_, &group, ui_.id_of("More"));
+                menu_items(ui_, on_, &group, ui_.id_of("More"));
         if (!section) return;
         for (std::size_t i = group.first; i < group.last; ++i)
             if (shows(i)) row(i, false);
@@ -213,31 +221,33 @@ class Sections {
 
     void put_clips() {
         if (searching() || tuning_.changed_only) return;
-        const std::size_t count = editor_.document.preset().smoke.clips.size();
+        const std::size_t count = on_.edited.document.preset().smoke.clips.size();
         char digits[8];
         const auto end = std::to_chars(digits, digits + sizeof digits, count).ptr;
         const std::string_view number(digits, static_cast<std::size_t>(end - digits));
         const std::string_view text =
             ui_.join({number, count == 1 ? " clip" : " clips", ": edit in Clips###Edit clips"});
         if (ui::button(ui_, text, {.icon = Icon::link, .tip = "Smoke videos have a panel of their own", .quiet = true}))
-            editor_.layouts().shown.show("Clips");
+            on_.layouts.bring_to_front("Clips");
     }
 
     static constexpr ui::Id menu_memory = 0x67726d656e75ULL;
     ui::Ui& ui_;
-    app::Editor& editor_;
+    const On& on_;
     Tuning& tuning_;
     std::size_t shown_ = 0;
 };
 
 }  // namespace
 
-void preset_panel(ui::Ui& ui, app::Editor& editor) {
-    editor.tuning().follow();
+void preset_panel(ui::Ui& ui, Tuning& tuning, const Edited& edited, const ui::CommandTable& commands,
+                  app::Layouts& layouts, ui::Toasts& toasts) {
+    tuning.follow();
+    const On on{tuning, edited, commands, layouts, toasts};
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
-    tool_row(ui, editor);
+    tool_row(ui, on);
     const ui::ScrollArea area(ui, "Parameters", {.gap = ui.theme().gap});
-    Sections(ui, editor).build();
+    Sections(ui, on).build();
 }
 
 void add_preset_commands(app::Editor& editor) {
@@ -251,36 +261,44 @@ void add_preset_commands(app::Editor& editor) {
                          .icon = Icon::search,
                          .run =
                              [&editor, &tuning] {
-                                 editor.layouts().shown.show("Preset");
+                                 editor.layouts().bring_to_front("Preset");
                                  tuning.wants_search = true;
                              },
                          .tip = std::string(found_by)});
     editor.commands.add({.id = "preset.changed_only",
                          .title = "Show changed parameters only",
                          .group = "Preset",
-                         .run = [&tuning] { tuning.changed_only = !tuning.changed_only; },
+                         .run =
+                             [&editor, &tuning] {
+                                 editor.layouts().bring_to_front("Preset");
+                                 tuning.changed_only = !tuning.changed_only;
+                             },
                          .checked = [&tuning] { return tuning.changed_only; },
                          .tip = "Only what differs from the saved preset"});
-    editor.commands.add({.id = "preset.copy_group",
-                         .title = "Copy group",
-                         .group = "Preset",
-                         .chord = {key_of('C'), Mods::command | Mods::shift},
-                         .icon = Icon::copy,
-                         .run = [&editor, &tuning] { copy_group(editor, group_of(tuning)); },
-                         .enabled = with_group,
-                         .tip = "Copies the whole section of the selected parameter, as JSON"});
+    editor.commands.add(
+        {.id = "preset.copy_group",
+         .title = "Copy group",
+         .group = "Preset",
+         .chord = {key_of('C'), Mods::command | Mods::shift},
+         .icon = Icon::copy,
+         .run = [&editor, &tuning] { copy_group(tuning, editor.clipboard(), editor.toasts, group_of(tuning)); },
+         .enabled = with_group,
+         .tip = "Copies the whole section of the selected parameter, as JSON",
+         .missing = "no parameter is selected in the Preset panel"});
     editor.commands.add({.id = "preset.paste",
                          .title = "Paste parameters",
                          .group = "Preset",
                          .chord = {key_of('V'), Mods::command | Mods::alt},
-                         .run = [&editor] { paste_group(editor, nullptr); },
-                         .tip = "Pastes groups or a whole preset from JSON in the clipboard"});
+                         .run = [&editor, &tuning] { paste_group(tuning, editor.clipboard(), nullptr); },
+                         .enabled = [&editor] { return editor.clipboard() != nullptr; },
+                         .tip = "Pastes groups or a whole preset from JSON in the clipboard",
+                         .missing = "there is no clipboard"});
     editor.commands.add({.id = "preset.randomise",
                          .title = "Randomise",
                          .group = "Preset",
                          .chord = {key_of('R'), Mods::command},
                          .icon = Icon::dice,
-                         .run = [&editor] { randomise(editor, nullptr); },
+                         .run = [&editor, &tuning] { randomise(tuning, editor.document, editor.toasts, nullptr); },
                          .tip = "Changes all parameters that are not locked"});
     editor.commands.add({.id = "preset.lock",
                          .title = "Lock parameter",
@@ -289,7 +307,8 @@ void add_preset_commands(app::Editor& editor) {
                          .run = [&tuning] { tuning.lock(tuning.current, !tuning.locked(tuning.current)); },
                          .enabled = with_row,
                          .checked = [&tuning, with_row] { return with_row() && tuning.locked(tuning.current); },
-                         .tip = "Randomising leaves it unchanged"});
+                         .tip = "Randomising leaves the selected parameter unchanged",
+                         .missing = "no parameter is selected in the Preset panel"});
     editor.commands.add({.id = "preset.favourite",
                          .title = "Favourite parameter",
                          .group = "Preset",
@@ -297,14 +316,16 @@ void add_preset_commands(app::Editor& editor) {
                          .run = [&tuning] { tuning.mark_favourite(tuning.current, !tuning.favourite(tuning.current)); },
                          .enabled = with_row,
                          .checked = [&tuning, with_row] { return with_row() && tuning.favourite(tuning.current); },
-                         .tip = "Lists it first in the Preset panel"});
+                         .tip = "Lists the selected parameter first in the Preset panel",
+                         .missing = "no parameter is selected in the Preset panel"});
     editor.commands.add({.id = "preset.reset",
                          .title = "Reset preset",
                          .group = "Preset",
                          .icon = Icon::reset,
                          .run = [&tuning] { tuning.reset(nullptr); },
                          .enabled = [&tuning] { return tuning.changed_in_all() > 0; },
-                         .tip = "Sets all parameters back to the saved values"});
+                         .tip = "Sets all parameters back to the saved values",
+                         .missing = "nothing differs from the saved preset"});
 }
 
 }  // namespace lapfx::panels

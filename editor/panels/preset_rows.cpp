@@ -25,11 +25,11 @@ constexpr ui::Id menu_memory = 0x70726d6d656e75ULL;
 /// One row while it is built.
 class RowBuilder {
   public:
-    RowBuilder(ui::Ui& ui, app::Editor& editor, std::size_t index, bool with_group)
+    RowBuilder(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t index, bool with_group)
         : ui_(ui),
           listed_apart_(with_group),
-          editor_(editor),
-          tuning_(editor.tuning()),
+          edited_(edited),
+          tuning_(tuning),
           index_(index),
           entry_(app::parameters()[index]),
           row_(*entry_.row),
@@ -59,7 +59,7 @@ class RowBuilder {
                (tuning_.wanted == index_ || tuning_.wanted == entry_.high);
     }
     bool has_own_menu() const { return !range() && (row_.kind == Kind::number || row_.kind == Kind::integer); }
-    const Preset& preset() const { return editor_.document.preset(); }
+    const Preset& preset() const { return edited_.document.preset(); }
     static const Preset& initial() {
         static const Preset defaults;
         return defaults;
@@ -80,7 +80,7 @@ class RowBuilder {
         const Tuning::Range soft = tuning_.range(index_);
         const bool locked = tuning_.locked(index_), favourite = tuning_.favourite(index_);
         ui::ParamActions actions;
-        table_row(ui_, editor_, row_, [&entry = entry_](document::Content& c) { return entry.owner(c.preset); },
+        table_row(ui_, edited_, row_, [&entry = entry_](document::Content& c) { return entry.owner(c.preset); },
                   {.name = label_,
                    .step = title_,
                    .tip = entry_.tip,
@@ -105,7 +105,7 @@ class RowBuilder {
         const double initials[] = {entry_.in<double>(initial()), upper.in<double>(initial())};
         o.initials = initials;
         const ui::Edit edit = ui::range_param(ui_, label_, low, high, o, standards);
-        editor_.document.take(edit, title_, [&](document::Content& c) {
+        edited_.document.take(edit, title_, [&](document::Content& c) {
             entry_.in<double>(c.preset) = low;
             upper.in<double>(c.preset) = high;
         });
@@ -156,7 +156,7 @@ class RowBuilder {
         const bool differs =
             !entry_.same(preset(), initial()) || (upper != nullptr && !upper->same(preset(), initial()));
         if (!ui::menu_item(ui_, "Default value", {.shortcut = "Shift+Backspace", .enabled = differs})) return;
-        editor_.document.change("Default of " + std::string(title_), [&](document::Content& c) {
+        edited_.document.change("Default of " + std::string(title_), [&](document::Content& c) {
             for (const ParameterEntry* entry : {&entry_, upper})
                 if (entry != nullptr) entry->row->set(entry->owner(c.preset), entry->row->get(entry->owner(initial())));
         });
@@ -171,7 +171,7 @@ class RowBuilder {
 
     ui::Ui& ui_;
     bool listed_apart_;  ///< as a favourite: its section has another row of it
-    app::Editor& editor_;
+    const Edited& edited_;
     Tuning& tuning_;
     std::size_t index_;
     const ParameterEntry& entry_;
@@ -181,8 +181,8 @@ class RowBuilder {
 
 }  // namespace
 
-void parameter_row(ui::Ui& ui, app::Editor& editor, std::size_t entry, bool with_group) {
-    RowBuilder(ui, editor, entry, with_group).build();
+void parameter_row(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t entry, bool with_group) {
+    RowBuilder(ui, edited, tuning, entry, with_group).build();
 }
 
 }  // namespace lapfx::panels

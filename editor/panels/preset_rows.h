@@ -1,15 +1,16 @@
 // Rows of the preset panel: one parameter each, made from its row of the parameter table.
 //
-//     parameter_row(ui, editor, app::parameters().find("bleeding.speed"), false);  // "Speed  4 mm/s"
+//     parameter_row(ui, edited, tuning, app::parameters().find("bleeding.speed"), false);  // "Speed  4 mm/s"
 //
 // A lower bound with its upper one is one row. What is wrong is told below the row.
 #pragma once
 
-#include "app/editor.h"
+#include "app/tuning.h"
+#include "panels/edited.h"
 
 namespace lapfx::panels {
 
 /// `with_group`: labelled "Bleeding: Speed", where no section says it.
-void parameter_row(ui::Ui& ui, app::Editor& editor, std::size_t entry, bool with_group);
+void parameter_row(ui::Ui& ui, const Edited& edited, app::Tuning& tuning, std::size_t entry, bool with_group);
 
 }  // namespace lapfx::panels

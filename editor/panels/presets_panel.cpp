@@ -1,6 +1,7 @@
 // Presets with thumbnails: found by name, tag and star, opened or taken over with one press.
 #include "app/browser.h"
-#include "app/settings.h"
+#include "app/file_chooser.h"
+#include "app/files.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/menu.h"
@@ -19,6 +20,14 @@ using ui::Icon;
 
 constexpr std::string_view item_menu = "preset file menu", view_menu = "presets menu", open_question = "open preset";
 
+/// What the panel works on.
+struct On {
+    Browser& browser;
+    const document::Document& document;
+    app::Files& files;
+    ui::Toasts& notices;
+};
+
 struct Browsing {
     ui::Selection selection;
     std::uint64_t current = ui::no_key;  ///< the one that is open, as it was selected last
@@ -33,25 +42,27 @@ std::size_t file_of(const Browser& browser, std::uint64_t key) {
     return ui::no_row;
 }
 
-void open(ui::Ui& ui, app::Editor& editor, Browsing& b, std::size_t file) {
-    const PresetFile& preset = editor.browser().files()[file];
-    if (preset.fault.empty() && editor.document.preset_unsaved()) {
+void open(ui::Ui& ui, const On& on, Browsing& b, std::size_t file) {
+    const PresetFile& preset = on.browser.files()[file];
+    if (!preset.fault.empty()) {
+        on.notices.add({.kind = ui::ToastKind::error, .text = preset.fault});
+    } else if (on.document.preset_unsaved()) {
         b.asked = preset.key;
         ui::open_dialog(ui, open_question);
     } else {
-        editor.browser().open(file);
+        on.files.open_anyway({preset.file.string()});
     }
 }
 
 /// What is not saved would be gone: its values can be had instead, which undo takes back.
-void question(ui::Ui& ui, app::Editor& editor, Browsing& b) {
+void question(ui::Ui& ui, const On& on, Browsing& b) {
     if (b.asked == ui::no_key) return;
-    const std::size_t file = file_of(editor.browser(), b.asked);
+    const std::size_t file = file_of(on.browser, b.asked);
     if (file == ui::no_row) {
         b.asked = ui::no_key;
         return;
     }
-    const std::string& name = editor.browser().files()[file].name;
+    const std::string& name = on.browser.files()[file].name;
     const auto answer =
         ui::ask(ui, open_question, "Open preset",
                 ui.join({"The preset that is open has unsaved changes. \"", name,
@@ -62,27 +73,26 @@ void question(ui::Ui& ui, app::Editor& editor, Browsing& b) {
                 ui::Tone::warning);
     if (!answer) return;
     b.asked = ui::no_key;
-    if (*answer == 1) editor.browser().open(file);
-    if (*answer == 2) editor.browser().take_values(file);
+    if (*answer == 1) on.files.open_anyway({on.browser.files()[file].file.string()});
+    if (*answer == 2) on.browser.take_values(file);
 }
 
-void ask_folder(app::Editor& editor) {
-    editor.ask_file({.task = ui::FileTask::folder, .title = "Add a folder of presets"},
-                    [&editor](const std::vector<std::string>& folders) {
-                        for (const std::string& folder : folders) editor.browser().add_folder(folder);
-                    });
+void ask_folder(Browser& browser, app::FileChooser& chooser) {
+    chooser.ask({.task = ui::FileTask::folder, .title = "Add a folder of presets"},
+                [&browser](const std::vector<std::string>& folders) {
+                    for (const std::string& folder : folders) browser.add_folder(folder);
+                });
 }
 
-void view_items(ui::Ui& ui, app::Editor& editor) {
-    Browser& browser = editor.browser();
+void view_items(ui::Ui& ui, Browser& browser, app::FileChooser& chooser) {
     if (ui::menu_item(ui, "By name", {.checked = browser.order == PresetOrder::name}))
         browser.order = PresetOrder::name;
     if (ui::menu_item(ui, "Newest first", {.checked = browser.order == PresetOrder::newest}))
         browser.order = PresetOrder::newest;
     ui::menu_separator(ui);
     if (ui::menu_item(ui, "Look again", {.icon = Icon::reset, .tip = "Reads the folders again"})) browser.reload();
-    if (ui::menu_item(ui, "Add folder...", {.icon = Icon::folder})) ask_folder(editor);
-    const std::vector<std::string>& folders = editor.settings().preset_folders;
+    if (ui::menu_item(ui, "Add folder...", {.icon = Icon::folder})) ask_folder(browser, chooser);
+    const std::vector<std::string>& folders = browser.own_folders();
     for (std::size_t i = 0; i < folders.size(); ++i) {
         if (!ui::menu_item(ui, ui.join({"Remove ", folders[i]}), {.tip = "Its files stay where they are"})) continue;
         browser.remove_folder(folders[i]);
@@ -113,8 +123,7 @@ void tag_chips(ui::Ui& ui, Browser& browser, float room) {
                 browser.choose_tag(tags[i], !browser.has_tag(tags[i]));
 }
 
-void tool_row(ui::Ui& ui, app::Editor& editor) {
-    Browser& browser = editor.browser();
+void tool_row(ui::Ui& ui, Browser& browser, app::FileChooser& chooser) {
     ui::Node& bar = ui.open(ui::Role::group, "Filter", ui::Axis::x);
     bar.size[0] = ui::grow();
     bar.gap = ui.em(ui.theme().gap);
@@ -131,15 +140,15 @@ void tool_row(ui::Ui& ui, app::Editor& editor) {
     const ui::Id id = ui.id_of("More");
     if (ui::icon_button(ui, Icon::menu, "More", {.tip = "Order and folders", .quiet = true}))
         ui::open_menu(ui, view_menu, {.side = ui::Placement::Side::below, .anchor = id});
-    if (const ui::Menu menu(ui, view_menu, "Presets menu"); menu) view_items(ui, editor);
+    if (const ui::Menu menu(ui, view_menu, "Presets menu"); menu) view_items(ui, browser, chooser);
     ui.close();
 }
 
-void item_items(ui::Ui& ui, app::Editor& editor, Browsing& b, std::size_t index) {
-    Browser& browser = editor.browser();
+void item_items(ui::Ui& ui, const On& on, Browsing& b, std::size_t index) {
+    Browser& browser = on.browser;
     const PresetFile& file = browser.files()[index];
     const bool usable = file.fault.empty(), starred = browser.starred(index);
-    if (ui::menu_item(ui, "Open", {.shortcut = "Enter", .enabled = usable})) open(ui, editor, b, index);
+    if (ui::menu_item(ui, "Open", {.shortcut = "Enter", .enabled = usable})) open(ui, on, b, index);
     if (ui::menu_item(
             ui, "Take its values",
             {.tip = "Uses its values in the open preset, in one undo step; name and file stay", .enabled = usable}))
@@ -150,8 +159,8 @@ void item_items(ui::Ui& ui, app::Editor& editor, Browsing& b, std::size_t index)
         ui.clipboard()->set(file.file.string());
 }
 
-void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
-    Browser& browser = editor.browser();
+void grid(ui::Ui& ui, const On& on, Browsing& b) {
+    Browser& browser = on.browser;
     const std::vector<std::size_t>& found = browser.found();
     if (b.current != browser.current_key()) {
         b.current = browser.current_key();
@@ -163,7 +172,7 @@ void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
         return {.label = file.fault.empty() ? std::string_view(file.name) : ui.join({"\u26A0 ", file.name}),
                 .image = file.image,
                 .star = browser.starred(index),
-                .changed = browser.current(index) && editor.document.preset_unsaved(),
+                .changed = browser.current(index) && on.document.preset_unsaved(),
                 .tip = file.tip,
                 .key = file.key};
     };
@@ -176,7 +185,7 @@ void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
         browser.star(file, !browser.starred(file));
         return;  // what was found may be other files now
     }
-    if (events.opened != ui::no_row) return open(ui, editor, b, found[events.opened]);
+    if (events.opened != ui::no_row) return open(ui, on, b, found[events.opened]);
     if (events.context != ui::no_row) {
         b.menu_of = browser.files()[found[events.context]].key;
         ui::open_menu(ui, item_menu,
@@ -186,22 +195,23 @@ void grid(ui::Ui& ui, app::Editor& editor, Browsing& b) {
 
 }  // namespace
 
-void presets_panel(ui::Ui& ui, app::Editor& editor) {
-    Browser& browser = editor.browser();
+void presets_panel(ui::Ui& ui, Browser& browser, const document::Document& document, app::Files& files,
+                   app::FileChooser& chooser, ui::Toasts& notices) {
+    const On on{browser, document, files, notices};
     browser.show();
     Browsing& b = ui.memory<Browsing>(ui.id_of("Browsing"));
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
-    tool_row(ui, editor);
-    grid(ui, editor, b);
+    tool_row(ui, browser, chooser);
+    grid(ui, on, b);
     if (browser.found().empty() && !browser.busy())
         ui::label(ui, browser.files().empty() ? "There is no preset in these folders" : "No preset matches",
                   {.tone = ui::Tone::dim});
     if (b.menu_of != ui::no_key) {
         const std::size_t file = file_of(browser, b.menu_of);
         if (const ui::Menu menu(ui, item_menu, "Preset file menu"); menu && file != ui::no_row)
-            item_items(ui, editor, b, file);
+            item_items(ui, on, b, file);
     }
-    question(ui, editor, b);
+    question(ui, on, b);
 }
 
 }  // namespace lapfx::panels

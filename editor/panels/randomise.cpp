@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "app/editor.h"
 #include "document/words.h"
 #include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
@@ -34,31 +33,30 @@ std::string told(const app::Tuning& tuning, std::uint64_t seed, const std::vecto
     return text;
 }
 
-void take_back(app::Editor& editor, std::uint64_t step) {
-    const document::Document& d = editor.document;
-    if (d.done() > 0 && d.steps()[d.done() - 1].id == step) return editor.document.undo();
+void take_back(document::Document& d, ui::Toasts& toasts, std::uint64_t step) {
+    if (d.done() > 0 && d.steps()[d.done() - 1].id == step) return d.undo();
     const bool done = std::any_of(d.steps().begin(), d.steps().begin() + static_cast<std::ptrdiff_t>(d.done()),
                                   [&](const document::Step& s) { return s.id == step; });
-    editor.toasts.add({.kind = ui::ToastKind::warning,
-                       .text = done
-                                   ? "Not undone: other changes were made after it. The History panel can go back to it"
-                                   : "It has been undone already"});
+    toasts.add({.kind = ui::ToastKind::warning,
+                .text = done ? "Not undone: other changes were made after it. The History panel can go back to it"
+                             : "It has been undone already"});
 }
 
 }  // namespace
 
-void randomise(app::Editor& editor, const app::ParameterGroup* group) {
-    const Preset before = editor.document.preset();
-    const std::uint64_t seed = editor.tuning().seed;
-    if (editor.tuning().randomise(group) == 0) {
-        editor.toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: everything is locked"});
+void randomise(app::Tuning& tuning, document::Document& document, ui::Toasts& toasts,
+               const app::ParameterGroup* group) {
+    const Preset before = document.preset();
+    const std::uint64_t seed = tuning.seed;
+    if (tuning.randomise(group) == 0) {
+        toasts.add({.kind = ui::ToastKind::warning, .text = "Nothing to randomise: everything is locked"});
         return;
     }
-    const std::uint64_t step = editor.document.steps()[editor.document.done() - 1].id;
-    editor.toasts.add({.text = told(editor.tuning(), seed, document::differences(before, editor.document.preset())),
-                       .action = "Undo",
-                       .act = [&editor, step] { take_back(editor, step); },
-                       .seconds = 8});
+    const std::uint64_t step = document.steps()[document.done() - 1].id;
+    toasts.add({.text = told(tuning, seed, document::differences(before, document.preset())),
+                .action = "Undo",
+                .act = [&document, &toasts, step] { take_back(document, toasts, step); },
+                .seconds = 8});
 }
 
 void open_randomise_box(ui::Ui& ui, const app::ParameterGroup* group, ui::Id anchor) {
@@ -66,10 +64,9 @@ void open_randomise_box(ui::Ui& ui, const app::ParameterGroup* group, ui::Id anc
     ui.open_overlay(box_name, ui::OverlayKind::popup, {.side = ui::Placement::Side::below, .anchor = anchor});
 }
 
-void randomise_box(ui::Ui& ui, app::Editor& editor) {
+void randomise_box(ui::Ui& ui, app::Tuning& tuning, document::Document& document, ui::Toasts& toasts) {
     ui::Node* const box = ui.open_overlay_node(box_name, ui::Role::dialog, "Randomise box", ui::Axis::y);
     if (box == nullptr) return;
-    app::Tuning& tuning = editor.tuning();
     box->size[0] = ui::px(std::min(ui.em(box_width), ui.window().x));
     box->gap = ui.em(ui.theme().gap);
     for (std::uint8_t& pad : box->padding) pad = static_cast<std::uint8_t>(std::min(ui.em(ui.theme().padding), 255.0F));
@@ -98,7 +95,7 @@ void randomise_box(ui::Ui& ui, app::Editor& editor) {
     if (ui::button(
             ui, ui.join({"Randomise ", whose}),
             {.icon = ui::Icon::dice, .tip = "In one undo step; the box stays open for another try", .primary = true}))
-        randomise(editor, group);
+        randomise(tuning, document, toasts, group);
     ui.close_overlay_node();
 }
 

@@ -1,6 +1,6 @@
 // After a crash: what the editor that ended had not saved.
 #include "app/autosave.h"
-#include "app/settings.h"
+#include "app/files.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/file_system.h"
@@ -47,10 +47,7 @@ std::size_t offers_table(ui::Ui& ui, app::Autosave& autosave, RecoveryState& sta
 
 }  // namespace
 
-void recovery_dialog(ui::Ui& ui, app::Editor& editor) {
-    app::Autosave& autosave = editor.autosave();
-    for (const double due : {autosave.due(), editor.settings().due()})
-        if (due < ui::never) ui.wake_at(due, "autosave");
+void recovery_dialog(ui::Ui& ui, app::Autosave& autosave, app::Files& files) {
     RecoveryState& state = ui.memory<RecoveryState>(ui::hash_bytes(0, name));
     if (autosave.offers().empty()) {
         state.asked = false;
@@ -82,7 +79,7 @@ void recovery_dialog(ui::Ui& ui, app::Editor& editor) {
         true);
     if (opened || chosen == 2U) {
         dialog.close();
-        autosave.recover(row);
+        files.recover(row);
     } else if (chosen == 1U) {
         dialog.close();
         autosave.keep_for_later();

@@ -5,11 +5,12 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/editor.h"
 #include "app/file_filters.h"
+#include "app/files.h"
 #include "app/layouts.h"
 #include "app/open.h"
 #include "app/pick_color.h"
-#include "app/tuning.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/canvas/image_view.h"
@@ -34,27 +35,27 @@ void choose_next_way(Reference& reference) {
     reference.way = static_cast<CompareWay>((static_cast<std::size_t>(reference.way) + 1) % ways.size());
 }
 
-void ask_for_video(app::Editor& editor) {
-    const std::filesystem::path now = editor.reference().file();
-    editor.ask_file(
+void ask_for_video(Reference& reference, app::FileChooser& chooser) {
+    const std::filesystem::path now = reference.file();
+    chooser.ask(
         {.title = "Open reference video", .folder = now.parent_path().string(), .filters = app::clip_filters("Videos")},
-        [&editor](const std::vector<std::string>& files) { editor.reference().choose(files.front()); });
+        [&reference](const std::vector<std::string>& files) { reference.choose(files.front()); });
 }
 
 /// A video becomes the reference; a scene, a preset or an organ is what it is anywhere in the window.
-void take_dropped(app::Editor& editor, std::string_view paths) {
+void take_dropped(Reference& reference, app::Files& opens, std::string_view paths) {
     const std::vector<std::string> files = dropped_files(paths);
     if (files.empty()) return;
     const std::filesystem::path first = files.front();
-    if (app::is_organ_name(first) || app::is_document_name(first)) return editor.bring(files);
-    editor.reference().choose(files.front());  // what is no video is told in its place
+    if (app::is_organ_name(first) || app::is_document_name(first)) return opens.bring(files);
+    reference.choose(files.front());  // what is no video is told in its place
 }
 
-void accept_drops(ui::Ui& ui, app::Editor& editor) {
+void accept_drops(ui::Ui& ui, Reference& reference, app::Files& files) {
     ui::Node& panel = ui.parent();
     panel.sense = panel.sense | ui::Sense::drop;
     ui.events_of(panel.id, [&](const ui::Event& event) {
-        if (event.kind == ui::EventKind::drop) take_dropped(editor, event.paths);
+        if (event.kind == ui::EventKind::drop) take_dropped(reference, files, event.paths);
     });
 }
 
@@ -72,7 +73,7 @@ class Notice {
     ui::Column ground_, text_;
 };
 
-void invite(ui::Ui& ui, app::Editor& editor) {
+void invite(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     const Notice notice(ui);
     ui::label(ui, "The video to match", {.size = 1.25F, .weight = ui::Weight::bold});
     ui::space(ui, 0.2F);
@@ -82,49 +83,47 @@ void invite(ui::Ui& ui, app::Editor& editor) {
     ui::space(ui, 0.4F);
     const ui::Row buttons(ui);
     if (ui::button(ui, "Open...", {.icon = ui::Icon::folder, .tip = "Opens a video or images", .primary = true}))
-        ask_for_video(editor);
+        ask_for_video(reference, chooser);
     if (ui::button(ui, "Sample reference",
                    {.tip = "A video that comes with lapfx, of another operation than the sample scene's"}))
-        editor.reference().choose_sample();
+        reference.choose_sample();
 }
 
-void ways_out(ui::Ui& ui, app::Editor& editor) {
+void ways_out(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     const ui::Row buttons(ui);
     if (ui::button(ui, "Choose another file...",
                    {.icon = ui::Icon::folder, .tip = "Use another video as the reference"}))
-        ask_for_video(editor);
-    if (ui::button(ui, "Remove", {.tip = "The scene then has no reference", .quiet = true}))
-        editor.reference().remove();
+        ask_for_video(reference, chooser);
+    if (ui::button(ui, "Remove", {.tip = "The scene then has no reference", .quiet = true})) reference.remove();
 }
 
-void tell_faults(ui::Ui& ui, app::Editor& editor, const std::vector<Fault>& faults) {
+void tell_faults(ui::Ui& ui, Reference& reference, app::FileChooser& chooser, const std::vector<Fault>& faults) {
     const Notice notice(ui);
     ui::label(ui, "This reference cannot be shown", {.size = 1.25F, .weight = ui::Weight::bold});
     for (const Fault& fault : faults)
         ui::label(ui, fault.text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     ui::space(ui, 0.4F);
-    ways_out(ui, editor);
+    ways_out(ui, reference, chooser);
 }
 
 /// Another one was chosen and cannot be opened: the one that is there stays.
-void warn_of_refused(ui::Ui& ui, app::Editor& editor) {
-    Reference& reference = editor.reference();
+void warn_of_refused(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     if (reference.refused().empty()) return;
     ui::label(ui, reference.refused().front().text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
     const ui::Row buttons(ui);
     if (ui::button(ui, "Choose another file...",
                    {.icon = ui::Icon::folder, .tip = "Use another video as the reference"}))
-        ask_for_video(editor);
+        ask_for_video(reference, chooser);
     if (ui::button(ui, "Keep this reference", {.tip = "Keeps the one that is shown", .quiet = true}))
         reference.forget_refused();
 }
 
 /// The last frame is still there.
-void warn_of_faults(ui::Ui& ui, app::Editor& editor) {
-    if (editor.reference().faults().empty() || !editor.reference().refused().empty()) return;
+void warn_of_faults(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
+    if (reference.faults().empty() || !reference.refused().empty()) return;
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
-    ui::label(ui, editor.reference().faults().front().text(), {.tone = ui::Tone::warning, .width = ui::grow()});
-    ways_out(ui, editor);
+    ui::label(ui, reference.faults().front().text(), {.tone = ui::Tone::warning, .width = ui::grow()});
+    ways_out(ui, reference, chooser);
 }
 
 struct Aspect {
@@ -134,8 +133,8 @@ struct Aspect {
 constexpr std::array<Aspect, 3> aspects = {{{"As stored", 0}, {"4:3", 4.0 / 3}, {"16:9", 16.0 / 9}}};
 
 /// Videos are often stored squeezed, and do not say so. What the scene has beside the usual ones is there, too.
-void aspect_choice(ui::Ui& ui, app::Editor& editor) {
-    const double now = editor.document.scene().reference.aspect;
+void aspect_choice(ui::Ui& ui, document::Document& document) {
+    const double now = document.scene().reference.aspect;
     std::array<std::string_view, aspects.size() + 1> names;
     int chosen = -1;
     for (std::size_t i = 0; i < aspects.size(); ++i) {
@@ -153,7 +152,7 @@ void aspect_choice(ui::Ui& ui, app::Editor& editor) {
                                      .width = ui::px(ui.em(aspect_width))});
     if (static_cast<std::size_t>(chosen) >= aspects.size()) return;
     const double ratio = std::round(aspects[static_cast<std::size_t>(chosen)].ratio * 1e4) / 1e4;
-    editor.document.take(edit, "Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = ratio; });
+    document.take(edit, "Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = ratio; });
 }
 
 /// Between them while `in_a_row`, else from a list.
@@ -192,8 +191,8 @@ void mix_field(ui::Ui& ui, Reference& reference) {
 }
 
 /// `room`: px.
-void way_of_comparing(ui::Ui& ui, app::Editor& editor, float room) {
-    Reference& reference = editor.reference();
+void way_of_comparing(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
+    app::FileChooser& chooser = edited.chooser;
     const bool two = reference.way != CompareWay::reference;
     const bool gain = reference.way == CompareWay::difference, mix = reference.way == CompareWay::onion;
     const std::string name = reference.file().filename().string();
@@ -215,13 +214,13 @@ void way_of_comparing(ui::Ui& ui, app::Editor& editor, float room) {
                 ui, "Swap", reference.compare.swapped,
                 {.tip =
                      "Swaps reference and preview (X over the picture). Hold F over it to see the second one alone"});
-        if (item == aspect) aspect_choice(ui, editor);
+        if (item == aspect) aspect_choice(ui, edited.document);
         if (item == title) {
             ui::label(ui, name, {.tone = ui::Tone::dim, .width = ui::px(items[title].width)});
             ui.last().tip = ui.copy(reference.file().string());
         }
         if (item == open && ui::icon_button(ui, ui::Icon::folder, "Open reference video", {.quiet = true}))
-            ask_for_video(editor);
+            ask_for_video(reference, chooser);
     });
 }
 
@@ -239,9 +238,8 @@ void frame_field(ui::Ui& ui, Reference& reference) {
         reference.hold(static_cast<int>(frame));
 }
 
-void offset_field(ui::Ui& ui, app::Editor& editor) {
-    double offset = editor.document.scene().reference.offset;
-    editor.tuning().follow();
+void offset_field(ui::Ui& ui, const Edited& edited) {
+    double offset = edited.document.scene().reference.offset;
     const ui::Edit edit = ui::number_field(ui, "Offset", offset,
                                            ui::seconds({.minimum = -10,
                                                         .maximum = 10,
@@ -249,11 +247,11 @@ void offset_field(ui::Ui& ui, app::Editor& editor) {
                                                         .hard_maximum = 86'400,
                                                         .step = 0.01,
                                                         .unit = "s",
-                                                        .standard = editor.tuning().saved().scene.reference.offset,
+                                                        .standard = edited.saved.content().scene.reference.offset,
                                                         .initial = SceneReference{}.offset,
                                                         .tip = "Time in the reference when the scene starts",
                                                         .width = ui::px(ui.em(offset_width))}));
-    editor.document.take(edit, "Reference offset", [&](document::Content& c) { c.scene.reference.offset = offset; });
+    edited.document.take(edit, "Reference offset", [&](document::Content& c) { c.scene.reference.offset = offset; });
 }
 
 void hold_toggle(ui::Ui& ui, Reference& reference) {
@@ -288,8 +286,7 @@ PlaceInTime place_in_time(ui::Ui& ui, const Reference& reference) {
 }
 
 /// `room`: px.
-void time_row(ui::Ui& ui, app::Editor& editor, float room) {
-    Reference& reference = editor.reference();
+void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
     const PlaceInTime place = place_in_time(ui, reference);
     enum : std::size_t { before, frame, after, hold, align, offset, warning, text, count };
     std::array<ui::ToolItem, count> items;
@@ -312,7 +309,7 @@ void time_row(ui::Ui& ui, app::Editor& editor, float room) {
             reference.step(1);
         if (item == hold) hold_toggle(ui, reference);
         if (item == align) align_button(ui, reference);
-        if (item == offset) offset_field(ui, editor);
+        if (item == offset) offset_field(ui, edited);
         if (item == warning) ui::label(ui, place.warning, {.tone = ui::Tone::warning});
         if (item == text) {
             ui::label(ui, place.text, {.tone = ui::Tone::dim, .number = true});
@@ -322,16 +319,14 @@ void time_row(ui::Ui& ui, app::Editor& editor, float room) {
 }
 
 /// Of the picture that is seen there; of the reference where both are mixed.
-void take_color(app::Editor& editor, const ui::CompareResult& result, const ui::Picture& preview,
+void take_color(ui::Eyedropper& eyedropper, CompareWay way, const ui::CompareResult& result, const ui::Picture& preview,
                 const ui::Picture& video) {
-    const app::CompareWay way = editor.reference().way;
     const bool mixed = way == CompareWay::onion || way == CompareWay::difference;
     const ui::Picture& picture = (mixed && !result.flicker) || result.under == 1 ? video : preview;
-    editor.eyedropper.picked = app::color_around(*picture.pixels, picture.size, result.pick);
+    eyedropper.picked = app::color_around(*picture.pixels, picture.size, result.pick);
 }
 
-void comparison(ui::Ui& ui, app::Editor& editor) {
-    Reference& reference = editor.reference();
+void comparison(ui::Ui& ui, Reference& reference, ui::Eyedropper& eyedropper) {
     constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
                                   ui::CompareKind::difference, ui::CompareKind::onion};
     reference.compare.kind = kinds[static_cast<std::size_t>(reference.way)];
@@ -340,7 +335,7 @@ void comparison(ui::Ui& ui, app::Editor& editor) {
         if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat)
             choose_next_way(reference);
     });
-    const bool picks = editor.eyedropper.wanted_by != 0;
+    const bool picks = eyedropper.wanted_by != 0;
     const ui::Picture preview = reference.compared_preview(), video = reference.compared_reference();
     const ui::CompareResult result =
         ui::compare_view(ui, "Comparison", preview, video, reference.compare,
@@ -349,19 +344,18 @@ void comparison(ui::Ui& ui, app::Editor& editor) {
                           .eyedropper = picks,
                           .sample_box = picks ? app::picked_side : 1,
                           .tip = "Wheel: zoom. Hold F: the second alone. X: swap. M: next way of comparing"});
-    if (result.picked) take_color(editor, result, preview, video);
+    if (result.picked) take_color(eyedropper, reference.way, result, preview, video);
     if (reference.show_at(result.zoom) || result.picked) ui.build_again();
 }
 
-void pictures(ui::Ui& ui, app::Editor& editor) {
-    Reference& reference = editor.reference();
+void pictures(ui::Ui& ui, Reference& reference, ui::Eyedropper& eyedropper) {
     if (reference.picture().image == 0) {
         const Notice notice(ui);
         ui::label(ui, "Decoding...", {.tone = ui::Tone::dim});
         return;
     }
-    if (reference.way != CompareWay::reference) return comparison(ui, editor);
-    const bool picks = editor.eyedropper.wanted_by != 0;
+    if (reference.way != CompareWay::reference) return comparison(ui, reference, eyedropper);
+    const bool picks = eyedropper.wanted_by != 0;
     const ui::Picture video = reference.picture();
     const ui::ImageViewResult result =
         ui::image_view(ui, "Video", video, reference.compare.view,
@@ -369,29 +363,28 @@ void pictures(ui::Ui& ui, app::Editor& editor) {
                         .sample_box = picks ? app::picked_side : 1,
                         .tip = "Wheel: zoom. 0: whole picture. 1: pixel by pixel. M: next way of comparing"});
     if (!result.picked) return;
-    editor.eyedropper.picked = app::color_around(*video.pixels, video.size, result.pick);
+    eyedropper.picked = app::color_around(*video.pixels, video.size, result.pick);
     ui.build_again();
 }
 
 /// In a panel of little height the pictures have nearly all of it, and the tools of time come by scrolling.
-void low(ui::Ui& ui, app::Editor& editor, float room) {
+void low(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
     ui::ScrollArea area(ui, "Compared", {.gap = 0.3F});
     {
         const float height = std::max(area.state().view.y - ui.em(0.3F), ui.em(least_pictures));
         const ui::Column held(ui, {.width = ui::grow(), .height = ui::px(height)});
-        pictures(ui, editor);
-        pick_hint(ui, editor);
+        pictures(ui, reference, edited.eyedropper);
+        pick_hint(ui, edited.eyedropper);
     }
-    time_row(ui, editor, std::max(1.0F, room - ui.em(1)));
-    warn_of_refused(ui, editor);
-    warn_of_faults(ui, editor);
+    time_row(ui, reference, edited, std::max(1.0F, room - ui.em(1)));
+    warn_of_refused(ui, reference, edited.chooser);
+    warn_of_faults(ui, reference, edited.chooser);
 }
 
 }  // namespace
 
-void reference_panel(ui::Ui& ui, app::Editor& editor) {
-    accept_drops(ui, editor);
-    Reference& reference = editor.reference();
+void reference_panel(ui::Ui& ui, Reference& reference, const Edited& edited, app::Files& files) {
+    accept_drops(ui, reference, files);
     reference.follow();
     if (reference.video() == nullptr) {
         if (reference.opening()) {
@@ -399,19 +392,20 @@ void reference_panel(ui::Ui& ui, app::Editor& editor) {
             return ui::label(ui, ui.join({"Opening ", reference.opens().filename().string(), "..."}),
                              {.tone = ui::Tone::dim});
         }
-        if (!reference.refused().empty()) return tell_faults(ui, editor, reference.refused());
-        return reference.named() ? tell_faults(ui, editor, reference.faults()) : invite(ui, editor);
+        if (!reference.refused().empty()) return tell_faults(ui, reference, edited.chooser, reference.refused());
+        return reference.named() ? tell_faults(ui, reference, edited.chooser, reference.faults())
+                                 : invite(ui, reference, edited.chooser);
     }
     const ui::Rect panel = ui.rect_before(ui.parent().id);
     const float room = panel.w > 0 ? std::max(1.0F, panel.w - 2 * ui.em(0.6F)) : 0.0F;
     const ui::Column column(ui, {.width = ui::grow(), .height = ui::grow()});
-    way_of_comparing(ui, editor, room);
-    if (panel.h > 0 && panel.h < ui.em(low_panel)) return low(ui, editor, room);
-    time_row(ui, editor, room);
-    warn_of_refused(ui, editor);
-    warn_of_faults(ui, editor);
-    pictures(ui, editor);
-    pick_hint(ui, editor);
+    way_of_comparing(ui, reference, edited, room);
+    if (panel.h > 0 && panel.h < ui.em(low_panel)) return low(ui, reference, edited, room);
+    time_row(ui, reference, edited, room);
+    warn_of_refused(ui, reference, edited.chooser);
+    warn_of_faults(ui, reference, edited.chooser);
+    pictures(ui, reference, edited.eyedropper);
+    pick_hint(ui, edited.eyedropper);
 }
 
 void add_reference_commands(app::Editor& editor) {
@@ -424,8 +418,8 @@ void add_reference_commands(app::Editor& editor) {
                          .chord = {key_of('V'), Mods::command | Mods::shift},
                          .run =
                              [&editor] {
-                                 editor.layouts().shown.show("Reference");
-                                 ask_for_video(editor);
+                                 editor.layouts().bring_to_front("Reference");
+                                 ask_for_video(editor.reference(), editor.chooser());
                              },
                          .tip = "The surgery video to match"});
     editor.commands.add({.id = "reference.sample",
@@ -433,7 +427,7 @@ void add_reference_commands(app::Editor& editor) {
                          .group = "Reference",
                          .run =
                              [&editor] {
-                                 editor.layouts().shown.show("Reference");
+                                 editor.layouts().bring_to_front("Reference");
                                  editor.reference().choose_sample();
                              },
                          .tip = "A video that comes with lapfx, of another operation than the sample scene's"});
@@ -444,22 +438,25 @@ void add_reference_commands(app::Editor& editor) {
                          .run =
                              [&editor] {
                                  if (editor.layouts().seen("Reference")) return choose_next_way(editor.reference());
-                                 editor.layouts().shown.show("Reference");
+                                 editor.layouts().bring_to_front("Reference");
                              },
                          .enabled = shown,
-                         .tip = "Reference, side by side, wipe, difference, onion; shows the panel first"});
+                         .tip = "Reference, side by side, wipe, difference, onion; shows the panel first",
+                         .missing = "there is no reference that can be shown"});
     editor.commands.add({.id = "reference.align",
                          .title = "Align start here",
                          .group = "Reference",
                          .run = [&editor] { editor.reference().align(); },
                          .enabled = [&editor] { return editor.reference().held(); },
-                         .tip = "The frame that is held belongs to the current time of the scene"});
+                         .tip = "The frame that is held belongs to the current time of the scene",
+                         .missing = "no frame of the reference is held"});
     editor.commands.add({.id = "reference.remove",
                          .title = "Remove reference",
                          .group = "Reference",
                          .run = [&editor] { editor.reference().remove(); },
                          .enabled = [&editor] { return editor.reference().named(); },
-                         .tip = "The scene then has no reference; its file stays"});
+                         .tip = "The scene then has no reference; its file stays",
+                         .missing = "the scene has no reference"});
 }
 
 }  // namespace lapfx::panels

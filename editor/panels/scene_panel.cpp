@@ -32,10 +32,10 @@ void* scene_of(Content& c) {
 
 class ScenePanel {
   public:
-    ScenePanel(ui::Ui& ui, app::Editor& editor)
-        : ui_(ui), editor_(editor), faults_(ui.memory<SceneFaults>(ui.id_of("scene faults"))) {
-        if (faults_.version == editor.document.version()) return;
-        faults_ = {.version = editor.document.version(), .all = editor.document.scene_faults()};
+    ScenePanel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands)
+        : ui_(ui), edited_(edited), commands_(commands), faults_(ui.memory<SceneFaults>(ui.id_of("scene faults"))) {
+        if (faults_.version == edited.document.version()) return;
+        faults_ = {.version = edited.document.version(), .all = edited.document.scene_faults()};
     }
 
     void build() {
@@ -58,7 +58,7 @@ class ScenePanel {
     static const Table& table(std::string_view key) { return *scene_table().find(key); }
 
     void row(const Table& table, std::string_view key, const OwnerOf& owner, TableRowOptions options = {}) {
-        table_row(ui_, editor_, *table.find_row(key), owner, options);
+        table_row(ui_, edited_, *table.find_row(key), owner, options);
         const std::string_view place = table.key.empty() ? ui_.join({"/", key}) : ui_.join({"/", table.key, "/", key});
         for (const Fault& fault : faults_.all)
             if (fault.place == place) ui::label(ui_, fault.reason, {.tone = ui::Tone::error, .wrap = true});
@@ -77,14 +77,14 @@ class ScenePanel {
         const Table& t = table("organ");
         if (ui::button(ui_, "Load organ...",
                        {.icon = ui::Icon::folder, .tip = "Use another surface, with its unit and orientation"}))
-            editor_.commands.run("file.load_organ");
+            commands_.run("file.load_organ");
         const TableRowOptions options{.prefix = "Organ", .standard = &standard_scene().organ};
-        if (editor_.document.scene().organ.file.empty()) {
+        if (edited_.document.scene().organ.file.empty()) {
             ui::label(ui_, "No organ yet: load one, or drop a mesh on the window.",
                       {.tone = ui::Tone::dim, .wrap = true});
             return;
         }
-        ui::label(ui_, editor_.document.scene().organ.file, {.tone = ui::Tone::dim});
+        ui::label(ui_, edited_.document.scene().organ.file, {.tone = ui::Tone::dim});
         row(t, "scale", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 1000});
         row(t, "rotation", owner, {.prefix = "Organ", .standard = options.standard, .maximum = 180, .minimum = -180});
         row(t, "color", owner, options);
@@ -95,7 +95,7 @@ class ScenePanel {
         const Table& t = table("tool");
         static const ui::FileFilter meshes = app::mesh_filter();
         row(t, "file", owner, {.prefix = "Tool", .files = &meshes});
-        if (editor_.document.scene().tool.file.empty()) return;
+        if (edited_.document.scene().tool.file.empty()) return;
         row(t, "scale", owner, {.prefix = "Tool", .standard = &standard_scene().tool, .maximum = 1000});
         row(t, "port", owner, {.prefix = "Tool", .standard = &standard_scene().tool, .maximum = 300, .minimum = -300});
     }
@@ -104,7 +104,7 @@ class ScenePanel {
         const OwnerOf owner = [](Content& c) -> void* { return &c.scene.camera; };
         const Table& t = table("camera");
         const SceneCamera& standard = standard_scene().camera;
-        ui::command_button(ui_, editor_.commands, "view.use_view");
+        ui::command_button(ui_, commands_, "view.use_view");
         row(t, "eye", owner, {.prefix = "Camera", .maximum = 300, .minimum = -300});
         row(t, "target", owner, {.prefix = "Camera", .maximum = 300, .minimum = -300});
         row(t, "up", owner, {.prefix = "Camera", .standard = &standard, .maximum = 1, .minimum = -1});
@@ -126,7 +126,7 @@ class ScenePanel {
     void reference() {
         const OwnerOf owner = [](Content& c) -> void* { return &c.scene.reference; };
         const Table& t = table("reference");
-        const std::string& file = editor_.document.scene().reference.file;
+        const std::string& file = edited_.document.scene().reference.file;
         ui::label(ui_, file.empty() ? std::string_view("No reference yet.") : file, {.tone = ui::Tone::dim});
         row(t, "offset", owner,
             {.prefix = "Reference", .standard = &standard_scene().reference, .maximum = 60, .minimum = -60});
@@ -134,17 +134,18 @@ class ScenePanel {
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
+    const Edited& edited_;
+    ui::CommandTable& commands_;
     SceneFaults& faults_;
 };
 
 }  // namespace
 
-void scene_panel(ui::Ui& ui, app::Editor& editor) {
-    ScenePanel(ui, editor).build();
+void scene_panel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, ui::Toasts& toasts) {
+    ScenePanel(ui, edited, commands).build();
     const Parameter*& wanted = wanted_row(ui);
     if (wanted == nullptr) return;
-    editor.toasts.add({.text = std::string(wanted->name) + " is not shown yet: load an organ or a tool first"});
+    toasts.add({.text = std::string(wanted->name) + " is not shown yet: load an organ or a tool first"});
     wanted = nullptr;
 }
 

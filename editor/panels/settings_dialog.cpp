@@ -37,7 +37,7 @@ void looks(ui::Ui& ui, app::Settings& settings) {
 
 }  // namespace
 
-void settings_dialog(ui::Ui& ui, app::Editor& editor) {
+void settings_dialog(ui::Ui& ui, app::Settings& settings, ui::CommandTable& commands) {
     ui::Dialog dialog(ui, "settings", "Settings", {.width = 44, .height = 34, .icon = ui::Icon::gear});
     if (!dialog) return;
     constexpr std::array<std::string_view, 2> pages = {"Looks", "Keys"};
@@ -45,9 +45,9 @@ void settings_dialog(ui::Ui& ui, app::Editor& editor) {
         int& page = ui.memory<int>(ui.id_of("page"));
         const ui::Tabs tabs(ui, "Pages", page, pages);
         if (page == 0)
-            looks(ui, editor.settings());
+            looks(ui, settings);
         else
-            ui::key_editor(ui, editor.commands);
+            ui::key_editor(ui, commands);
     }
     dialog.buttons({{.label = "Close", .standard = true, .cancel = true}});
 }

@@ -1,6 +1,7 @@
 // Snapshots A to D of the preset: kept, shown with one key, and compared in words.
 #include "app/snapshots.h"
 
+#include "app/editor.h"
 #include "app/layouts.h"
 #include "document/words.h"
 #include "panels/panels.h"
@@ -40,33 +41,32 @@ struct SnapshotsState {
     std::string text;
 };
 
-bool there(Snapshots& snapshots, int side) {
+bool there(const Snapshots& snapshots, int side) {
     return side == now || snapshots.at(static_cast<std::size_t>(side)).has_value();
 }
 
-Preset preset_of(app::Editor& editor, int side) {
-    return side == now ? editor.document.preset() : editor.snapshots().preset(static_cast<std::size_t>(side));
+Preset preset_of(const Snapshots& snapshots, const document::Document& document, int side) {
+    return side == now ? document.preset() : snapshots.preset(static_cast<std::size_t>(side));
 }
 
-void compare(app::Editor& editor, SnapshotsState& s) {
-    Snapshots& snapshots = editor.snapshots();
-    if (s.compared_left == s.left && s.compared_right == s.right && s.document == editor.document.version() &&
+void compare(const Snapshots& snapshots, const document::Document& document, SnapshotsState& s) {
+    if (s.compared_left == s.left && s.compared_right == s.right && s.document == document.version() &&
         s.snapshots == snapshots.version())
         return;
     s.compared_left = s.left;
     s.compared_right = s.right;
-    s.document = editor.document.version();
+    s.document = document.version();
     s.snapshots = snapshots.version();
     s.differences.clear();
     if (there(snapshots, s.left) && there(snapshots, s.right))
-        s.differences = document::differences(preset_of(editor, s.left), preset_of(editor, s.right));
+        s.differences =
+            document::differences(preset_of(snapshots, document, s.left), preset_of(snapshots, document, s.right));
 }
 
-void follow_names(app::Editor& editor, SlotNames& names) {
-    const Snapshots& snapshots = editor.snapshots();
-    if (names.snapshots == snapshots.version() && names.document == editor.document.version()) return;
+void follow_names(const Snapshots& snapshots, const document::Document& document, SlotNames& names) {
+    if (names.snapshots == snapshots.version() && names.document == document.version()) return;
     names.snapshots = snapshots.version();
-    names.document = editor.document.version();
+    names.document = document.version();
     for (std::size_t slot = 0; slot < Snapshots::count; ++slot) {
         if (!snapshots.at(slot)) continue;
         const std::string& name = snapshots.at(slot)->preset.name;
@@ -84,8 +84,7 @@ void name_of(ui::Ui& ui, const SlotNames& names, const Snapshots& snapshots, std
               {.tone = names.other[slot] ? ui::Tone::warning : ui::Tone::normal, .width = ui::grow()});
 }
 
-void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_t slot, float room) {
-    Snapshots& snapshots = editor.snapshots();
+void slot_row(ui::Ui& ui, Snapshots& snapshots, SnapshotsState& state, std::size_t slot, float room) {
     const auto& snapshot = snapshots.at(slot);
     const std::string letter = Snapshots::names[slot];
     const bool timed = room >= ui.em(whole_row), named = room >= ui.em(named_row);
@@ -123,13 +122,14 @@ void slot_row(ui::Ui& ui, app::Editor& editor, SnapshotsState& state, std::size_
 }
 
 /// Of the left side, into the preset; as one step.
-void take(app::Editor& editor, const SnapshotsState& state, const document::Difference& difference) {
-    const Preset source = preset_of(editor, state.left);
-    for (const document::Difference& d : document::differences(source, editor.document.preset())) {
+void take(const Snapshots& snapshots, document::Document& document, const SnapshotsState& state,
+          const document::Difference& difference) {
+    const Preset source = preset_of(snapshots, document, state.left);
+    for (const document::Difference& d : document::differences(source, document.preset())) {
         if (d.kind != difference.kind || d.before_at != difference.before_at) continue;
         const std::string from = std::string(sides[static_cast<std::size_t>(state.left)]);
-        editor.document.change(d.row + " of snapshot " + from,
-                               [&](document::Content& c) { document::take_back(c.preset, source, d); });
+        document.change(d.row + " of snapshot " + from,
+                        [&](document::Content& c) { document::take_back(c.preset, source, d); });
         return;
     }
 }
@@ -143,7 +143,8 @@ ui::TableCell cell_of(const document::Difference& d, std::size_t column) {
             .tone = missing ? ui::Tone::dim : ui::Tone::normal};
 }
 
-void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, ui::Size height) {
+void difference_table(ui::Ui& ui, const Snapshots& snapshots, document::Document& document, SnapshotsState& s,
+                      ui::Size height) {
     const auto left = static_cast<std::size_t>(s.left), right = static_cast<std::size_t>(s.right);
     const std::array columns = {
         ui::TableColumn{"Parameter", 13, ui::Align::start, false},
@@ -155,7 +156,7 @@ void difference_table(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, ui::Si
     std::size_t row = events.opened;
     if (events.selected && ui.held() != 0) row = events.hovered;  // arrows only look
     if (s.left == now || row == ui::no_row) return;
-    take(editor, s, s.differences[row]);
+    take(snapshots, document, s, s.differences[row]);
     s.table.selection.clear();
     ui.build_again();
 }
@@ -177,10 +178,10 @@ void sides_row(ui::Ui& ui, SnapshotsState& s, float room) {
     ui::segmented(ui, "Against", s.right, sides);
 }
 
-void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, float room, ui::Size table_height) {
+void comparison(ui::Ui& ui, const Snapshots& snapshots, document::Document& document, SnapshotsState& s, float room,
+                ui::Size table_height) {
     sides_row(ui, s, room);
-    compare(editor, s);
-    Snapshots& snapshots = editor.snapshots();
+    compare(snapshots, document, s);
     for (const int side : {s.left, s.right}) {
         if (there(snapshots, side)) continue;
         const std::string letter(sides[static_cast<std::size_t>(side)]);
@@ -193,30 +194,31 @@ void comparison(ui::Ui& ui, app::Editor& editor, SnapshotsState& s, float room, 
         s.left == now ? "" : "; click one to take the value of " + std::string(sides[static_cast<std::size_t>(s.left)]);
     ui::label(ui, std::to_string(count) + (count == 1 ? " difference" : " differences") + way,
               {.tone = ui::Tone::dim, .number = true, .width = ui::grow()});
-    difference_table(ui, editor, s, table_height);
+    difference_table(ui, snapshots, document, s, table_height);
 }
 
-void slots_and_comparison(ui::Ui& ui, app::Editor& editor, float room, ui::Size table_height) {
+void slots_and_comparison(ui::Ui& ui, Snapshots& snapshots, document::Document& document, float room,
+                          ui::Size table_height) {
     SnapshotsState& state = ui.memory<SnapshotsState>(ui::hash_bytes(0, "snapshots"));
-    follow_names(editor, state.names);
+    follow_names(snapshots, document, state.names);
     {
         const ui::Column slots(ui, {.width = ui::grow(), .gap = 0.15F});
-        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, editor, state, slot, room);
+        for (std::size_t slot = 0; slot < Snapshots::count; ++slot) slot_row(ui, snapshots, state, slot, room);
     }
     ui::separator(ui);
-    comparison(ui, editor, state, room, table_height);
+    comparison(ui, snapshots, document, state, room, table_height);
 }
 
 }  // namespace
 
-void snapshots_panel(ui::Ui& ui, app::Editor& editor) {
+void snapshots_panel(ui::Ui& ui, Snapshots& snapshots, document::Document& document) {
     const ui::Rect room = ui.rect_before(ui.parent().id);
     if (room.h > 0 && room.h < ui.em(whole_height)) {
         const ui::ScrollArea area(ui, "All snapshots", {.gap = 0.4F});
-        return slots_and_comparison(ui, editor, room.w, ui::px(ui.em(least_table)));
+        return slots_and_comparison(ui, snapshots, document, room.w, ui::px(ui.em(least_table)));
     }
     const ui::Column panel(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F});
-    slots_and_comparison(ui, editor, room.w, ui::grow());
+    slots_and_comparison(ui, snapshots, document, room.w, ui::grow());
 }
 
 void add_snapshot_commands(app::Editor& editor) {
@@ -231,7 +233,8 @@ void add_snapshot_commands(app::Editor& editor) {
                              .run = [&editor, slot] { editor.snapshots().show(slot); },
                              .enabled = [&editor, slot] { return editor.snapshots().at(slot).has_value(); },
                              .checked = [&editor, slot] { return editor.snapshots().shown(slot); },
-                             .tip = "Sets the preset to this snapshot; a second time goes back."});
+                             .tip = "Sets the preset to this snapshot; a second time goes back.",
+                             .missing = "nothing is kept as " + letter});
         editor.commands.add({.id = "snapshot.keep_" + small,
                              .title = "Keep as snapshot " + letter,
                              .group = "Preset",
@@ -248,7 +251,7 @@ void add_snapshot_commands(app::Editor& editor) {
                          .title = "History",
                          .group = "Edit",
                          .chord = {key_of('H'), Mods::command},
-                         .run = [&editor] { editor.layouts().shown.show("History"); },
+                         .run = [&editor] { editor.layouts().bring_to_front("History"); },
                          .tip = "Lists all that was done."});
 }
 

@@ -4,9 +4,11 @@
 
 #include "app/exports.h"
 #include "app/hot_reload.h"
+#include "app/jobs.h"
 #include "app/layouts.h"
 #include "app/memory.h"
 #include "app/meter.h"
+#include "app/preview_host.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "ui/shell/progress.h"
@@ -23,11 +25,11 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
 }
 
 /// What runs beside the UI and is shown nowhere else; the oldest, and how many more.
-void jobs(ui::Ui& ui, app::Editor& editor) {
-    auto running = editor.jobs.running();
-    std::erase_if(running, [exports = editor.exports().job()](const auto& job) { return job.get() == exports; });
-    const auto loading = editor.preview.loading();
-    if (loading && editor.layouts().seen("View"))
+void jobs(ui::Ui& ui, const StatusParts& parts) {
+    auto running = parts.jobs.running();
+    std::erase_if(running, [exports = parts.exports.job()](const auto& job) { return job.get() == exports; });
+    const auto loading = parts.preview.loading();
+    if (loading && parts.layouts.seen("View"))
         std::erase_if(running, [&](const auto& job) { return job.get() == loading->job; });
     if (running.empty()) return;
     app::Job& job = *running.front();
@@ -42,12 +44,13 @@ std::string_view megabytes(ui::Ui& ui, std::size_t bytes) {
 }
 
 /// What holds it, a line each.
-std::string_view memory_tip(ui::Ui& ui, app::Editor& editor) {
-    const app::ProcessMemory process = editor.meter().memory();
-    const bool software = editor.options().software;  // then textures are in main memory, too
+std::string_view memory_tip(ui::Ui& ui, const StatusParts& parts) {
+    const app::ProcessMemory process = parts.meter.memory();
+    const bool software = parts.options.software;  // then textures are in main memory, too
     std::string_view tip = "Main memory that the editor uses:";
     std::size_t known = process.files;
-    for (const app::MemoryPart& part : app::memory_parts(editor)) {
+    for (const app::MemoryPart& part :
+         app::memory_parts(parts.preview, parts.reference, parts.images, parts.document)) {
         if (part.bytes < 500'000) continue;
         const bool elsewhere = part.gpu && !software;
         if (!elsewhere) known += part.bytes;
@@ -57,42 +60,42 @@ std::string_view memory_tip(ui::Ui& ui, app::Editor& editor) {
                     megabytes(ui, process.all - std::min(process.all, known))});
 }
 
-void costs(ui::Ui& ui, app::Editor& editor) {
-    ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * editor.meter().scene.seconds()),
+void costs(ui::Ui& ui, const StatusParts& parts) {
+    ui::status_text(ui, "Scene time", formatted(ui, "scene %.1f ms", 1000 * parts.meter.scene.seconds()),
                     {.number = true, .width = 7.5F, .tip = "Time to draw one frame of the scene"});
-    ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * editor.meter().ui),
+    ui::status_text(ui, "UI time", formatted(ui, "UI %.1f ms", 1000 * parts.meter.ui),
                     {.number = true, .width = 5.5F, .tip = "Time to build and draw the panels, per frame"});
-    ui::status_text(ui, "Memory", megabytes(ui, editor.meter().memory().all),
-                    {.number = true, .width = 4.5F, .tip = memory_tip(ui, editor)});
+    ui::status_text(ui, "Memory", megabytes(ui, parts.meter.memory().all),
+                    {.number = true, .width = 4.5F, .tip = memory_tip(ui, parts)});
 }
 
 }  // namespace
 
-void status_bar(ui::Ui& ui, app::Editor& editor) {
+void status_bar(ui::Ui& ui, const StatusParts& parts) {
     const ui::StatusBar bar(ui);
-    const std::string& scene = editor.document.scene().name;
-    const std::string& preset = editor.document.preset().name;
+    const std::string& scene = parts.document.scene().name;
+    const std::string& preset = parts.document.preset().name;
     ui::status_text(ui, "Scene",
-                    ui.join({scene.empty() ? "Unnamed scene" : scene, editor.document.scene_unsaved() ? " *" : ""}),
+                    ui.join({scene.empty() ? "Unnamed scene" : scene, parts.document.scene_unsaved() ? " *" : ""}),
                     {.tip = "The scene: what the preset is previewed on. * marks changes that are not saved."});
     ui::status_text(
         ui, "Preset",
-        ui.join({preset.empty() ? "Unnamed preset" : preset, editor.document.preset_unsaved() ? " *" : ""}),
+        ui.join({preset.empty() ? "Unnamed preset" : preset, parts.document.preset_unsaved() ? " *" : ""}),
         {.tone = ui::Tone::normal, .tip = "The preset: what a simulator loads. * marks changes that are not saved."});
-    if (const std::vector<Fault>& faults = editor.hot_reload().shader_faults(); !faults.empty())
+    if (const std::vector<Fault>& faults = parts.hot_reload.shader_faults(); !faults.empty())
         ui::status_text(ui, "Shader fault", faults.front().text(),
                         {.tone = ui::Tone::error,
                          .icon = ui::Icon::error,
                          .tip = "The last working shaders are still used. Correct the file; it is then read again."});
     ui::spacer(ui);
-    export_status(ui, editor);
-    jobs(ui, editor);
-    app::Meter& meter = editor.meter();
+    export_status(ui, parts.exports);
+    jobs(ui, parts);
+    app::Meter& meter = parts.meter;
     if (meter.frames_per_second() > 0)
         ui::status_text(ui, "Frame rate", formatted(ui, "%.0f fps", meter.frames_per_second()),
                         {.number = true, .width = 4, .tip = "Pictures of the scene per second while it plays"});
-    if (meter.memory().all > 0) costs(ui, editor);  // pictures of the editor do not depend on the machine
-    const app::EditorOptions& o = editor.options();
+    if (meter.memory().all > 0) costs(ui, parts);  // pictures of the editor do not depend on the machine
+    const app::EditorOptions& o = parts.options;
     ui::status_text(ui, "Renderer", o.software ? "Software" : "GPU",
                     {.tip = ui.join({o.software ? "Drawn without a GPU, by " : "Drawn by ", o.renderer})});
 }

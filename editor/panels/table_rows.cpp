@@ -8,7 +8,6 @@
 #include "app/parameter_text.h"
 #include "app/parameters.h"
 #include "app/paths.h"
-#include "app/tuning.h"
 #include "document/tables.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/color_field.h"
@@ -48,7 +47,7 @@ struct TextShown {
 /// One row while it is built.
 struct RowBuild {
     ui::Ui& ui;
-    app::Editor& editor;
+    const Edited& edited;
     const Parameter& row;
     const OwnerOf& owner;
     const TableRowOptions& options;
@@ -56,7 +55,7 @@ struct RowBuild {
 
     void* find(document::Content& content) const { return owner(content); }
     /// To read from: a content that is edited through the document alone.
-    const void* now() const { return owner(const_cast<document::Content&>(editor.document.content())); }
+    const void* now() const { return owner(const_cast<document::Content&>(edited.document.content())); }
     template <typename T>
     const T& in(const void* of) const {
         return *static_cast<const T*>(row.member(const_cast<void*>(of)));  // only an address is taken
@@ -80,7 +79,7 @@ struct RowBuild {
     /// What is not allowed is not taken: the field says why already.
     ui::Edit take(ui::Edit edit, const Value& next) const {
         if (edit.changed && !row.check(next).empty()) edit.changed = false;
-        editor.document.take(edit, step(), [&](document::Content& content) {
+        edited.document.take(edit, step(), [&](document::Content& content) {
             if (void* const found = find(content)) row.set(found, next);
         });
         return edit;
@@ -89,7 +88,7 @@ struct RowBuild {
         if (from == nullptr || !differs(from)) return;
         const Value standard = row.get(from);
         if (!row.check(standard).empty()) return;
-        editor.document.change("Reset " + std::string(step()), [&](document::Content& content) {
+        edited.document.change("Reset " + std::string(step()), [&](document::Content& content) {
             if (void* const found = find(content)) row.set(found, standard);
         });
     }
@@ -152,7 +151,7 @@ ui::Edit color_field(const RowBuild& b) {
     ui::Color color{code(0), code(1), code(2), 255};
     // The background of a clip is picked in the keying panel: what other pictures show is not what the key is compared
     // with.
-    ui::Eyedropper* const dropper = b.row.key == "key_color" ? nullptr : &b.editor.eyedropper;
+    ui::Eyedropper* const dropper = b.row.key == "key_color" ? nullptr : &b.edited.eyedropper;
     const ui::Edit edit = ui::color_field(b.ui, "Colour", color, {.tip = b.tip(), .eyedropper = dropper});
     return b.take(edit, glm::dvec3(color.r, color.g, color.b) / 255.0);
 }
@@ -169,18 +168,18 @@ ui::Edit text_field(const RowBuild& b) {
     return taken;
 }
 
-/// The owner is asked for again when the answer comes: rows, tables and the editor outlive the dialog.
+/// The owner is asked for again when the answer comes: rows, tables and the document outlive the dialog.
 void choose_file(const RowBuild& b) {
     std::vector<ui::FileFilter> filters;
     if (b.options.files != nullptr) filters.push_back(*b.options.files);
-    b.editor.ask_file({.task = ui::FileTask::open, .title = "Choose a file", .filters = std::move(filters)},
-                      [&editor = b.editor, &row = b.row, owner = b.owner,
-                       name = std::string(b.step())](const std::vector<std::string>& files) {
-                          const std::string path = app::path_for(files.front(), editor.document.scene().folder);
-                          editor.document.change(name, [&](document::Content& content) {
-                              if (void* const found = owner(content)) row.set(found, path);
-                          });
-                      });
+    b.edited.chooser.ask({.task = ui::FileTask::open, .title = "Choose a file", .filters = std::move(filters)},
+                         [&document = b.edited.document, &row = b.row, owner = b.owner,
+                          name = std::string(b.step())](const std::vector<std::string>& files) {
+                             const std::string path = app::path_for(files.front(), document.scene().folder);
+                             document.change(name, [&](document::Content& content) {
+                                 if (void* const found = owner(content)) row.set(found, path);
+                             });
+                         });
 }
 
 /// Shown, not typed: a file half named would be looked for with every letter.
@@ -285,12 +284,11 @@ ui::ParamOptions param_options(const Parameter& row) {
     return options;
 }
 
-ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
+ui::Edit table_row(ui::Ui& ui, const Edited& edited, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options) {
-    editor.tuning().follow();
     const void* saved = options.saved;
-    if (saved == nullptr) saved = owner(const_cast<document::Content&>(editor.tuning().saved()));  // only read
-    const RowBuild b{ui, editor, row, owner, options, saved};
+    if (saved == nullptr) saved = owner(const_cast<document::Content&>(edited.saved.content()));  // only read
+    const RowBuild b{ui, edited, row, owner, options, saved};
     if (b.now() == nullptr) return {};
     const std::ptrdiff_t before = &ui.last() - &ui.parent();
     const ui::Edit edit = any_row(b);
@@ -315,10 +313,10 @@ void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth) {
     ui.reveal(id);
 }
 
-ui::Edit table_rows(ui::Ui& ui, app::Editor& editor, const Table& table, const OwnerOf& owner,
+ui::Edit table_rows(ui::Ui& ui, const Edited& edited, const Table& table, const OwnerOf& owner,
                     const TableRowOptions& options) {
     ui::Edit edit;
-    for (const Parameter& row : table.rows) edit |= table_row(ui, editor, row, owner, options);
+    for (const Parameter& row : table.rows) edit |= table_row(ui, edited, row, owner, options);
     return edit;
 }
 

@@ -1,8 +1,8 @@
 // Rows of the UI from a parameter table, over the document: one field for each parameter, every gesture one undo step.
 //
 //     const auto light = [](document::Content& c) -> void* { return &c.scene.light; };
-//     panels::table_rows(ui, editor, *scene_table().find("light"), light);
-//     panels::table_row(ui, editor, *scene_table().find_row("seed"), scene, {.name = "Seed"});
+//     panels::table_rows(ui, edited, *scene_table().find("light"), light);
+//     panels::table_row(ui, edited, *scene_table().find_row("seed"), scene, {.name = "Seed"});
 //
 // A row is called as the parameter is; its tooltip has the help and what is allowed. Where it starts a step of the
 // history, that is called after it, too, or "Camera: Eye" with a prefix. It has a dot while it differs from what was
@@ -14,7 +14,7 @@
 #include <initializer_list>
 #include <string_view>
 
-#include "app/editor.h"
+#include "panels/edited.h"
 #include "ui/core/ui.h"
 #include "ui/widgets/param.h"
 
@@ -39,7 +39,7 @@ struct TableRowOptions {
 };
 
 /// One parameter. Gives what came of it; the document has it already.
-ui::Edit table_row(ui::Ui& ui, app::Editor& editor, const Parameter& row, const OwnerOf& owner,
+ui::Edit table_row(ui::Ui& ui, const Edited& edited, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options = {});
 
 /// "Help. A number from 0 to 255 levels"; valid as long as the program runs.
@@ -56,7 +56,7 @@ void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth = 0);
 ui::ParamOptions param_options(const Parameter& row);
 
 /// All rows of a table, but not of the tables inside it.
-ui::Edit table_rows(ui::Ui& ui, app::Editor& editor, const Table& table, const OwnerOf& owner,
+ui::Edit table_rows(ui::Ui& ui, const Edited& edited, const Table& table, const OwnerOf& owner,
                     const TableRowOptions& options = {});
 
 }  // namespace lapfx::panels

@@ -3,8 +3,8 @@
 #include <array>
 #include <cmath>
 
+#include "app/editor.h"
 #include "app/events.h"
-#include "app/tuning.h"
 #include "panels/event_form.h"
 #include "panels/panels.h"
 #include "panels/table_rows.h"
@@ -45,10 +45,10 @@ struct TimelineMemory {
     ui::TimeUnit unit = ui::TimeUnit::timecode;
 };
 
-void make_tracks(TimelineMemory& memory, const app::Editor& editor) {
-    memory.version = editor.document.version();
-    memory.selected = editor.selected;
-    memory.strokes = app::strokes_of(editor.document.scene().events);
+void make_tracks(TimelineMemory& memory, const document::Document& document, const std::vector<std::size_t>& selected) {
+    memory.version = document.version();
+    memory.selected = selected;
+    memory.strokes = app::strokes_of(document.scene().events);
     memory.tracks.clear();
     memory.shown.clear();
     for (const ToolActionRow& row : tool_actions) {
@@ -62,7 +62,7 @@ void make_tracks(TimelineMemory& memory, const app::Editor& editor) {
                                    .start = stroke.start,
                                    .end = stroke.end,
                                    .color = row.color,
-                                   .selected = is_selected(editor, stroke)});
+                                   .selected = is_selected(selected, stroke)});
         }
         if (shown.empty()) continue;
         memory.tracks.push_back(std::move(track));
@@ -91,13 +91,14 @@ std::size_t item_count(const std::vector<ui::TimelineTrack>& tracks) {
 /// What an edit of the tracks means for the events.
 class ItemEdits {
   public:
-    ItemEdits(app::Editor& editor, TimelineMemory& memory) : editor_(editor), memory_(memory) {}
+    ItemEdits(document::Document& document, std::vector<std::size_t>& selected, TimelineMemory& memory)
+        : document_(document), selected_(selected), memory_(memory) {}
 
     void take(const ui::Edit& edit, std::size_t items_before) {
         if (item_count(memory_.tracks) < items_before) return erase();
         if (edit.began) name_ = stretched() ? "Stretch event" : "Move event";
-        editor_.document.take(edit, name_, [&](document::Content& c) { apply(c.scene.events); });
-        memory_.version = edit.committed || edit.cancelled ? 0 : editor_.document.version();
+        document_.take(edit, name_, [&](document::Content& c) { apply(c.scene.events); });
+        memory_.version = edit.committed || edit.cancelled ? 0 : document_.version();
     }
 
   private:
@@ -137,88 +138,90 @@ class ItemEdits {
                 if (!there) gone.insert(gone.end(), stroke.events.begin(), stroke.events.end());
             }
         }
-        erase_selected(editor_, gone);
+        erase_selected(document_, selected_, gone);
         memory_.version = 0;
     }
 
   public:
-    static void erase_selected(app::Editor& editor, const std::vector<std::size_t>& gone) {
+    static void erase_selected(document::Document& document, std::vector<std::size_t>& selected,
+                               const std::vector<std::size_t>& gone) {
         if (gone.empty()) return;
-        editor.document.change("Delete events", [&](document::Content& c) { app::erase_events(c.scene.events, gone); });
-        editor.selected.clear();
+        document.change("Delete events", [&](document::Content& c) { app::erase_events(c.scene.events, gone); });
+        selected.clear();
     }
 
   private:
-    app::Editor& editor_;
+    document::Document& document_;
+    std::vector<std::size_t>& selected_;
     TimelineMemory& memory_;
     std::string name_ = "Move event";
 };
 
 /// Where the tool last was before now; else what the middle of the view shows.
-glm::dvec3 place_for_new(const app::Editor& editor) {
+glm::dvec3 place_for_new(const TimelineParts& on) {
     const ToolContact* last = nullptr;
-    for (const ToolContact& event : editor.document.scene().events)
-        if (event.time <= editor.timeline.time && (last == nullptr || event.time > last->time)) last = &event;
+    for (const ToolContact& event : on.edited.document.scene().events)
+        if (event.time <= on.timeline.time && (last == nullptr || event.time > last->time)) last = &event;
     if (last != nullptr) return last->to;
-    const Preview* const preview = editor.preview.preview();
-    const glm::ivec2 size = editor.preview.size();
+    const Preview* const preview = on.preview.preview();
+    const glm::ivec2 size = on.preview.size();
     if (preview != nullptr && size.x > 0)
         if (const auto hit = preview->pick(glm::dvec2(size) / 2.0, size)) return hit->position;
-    return editor.shot().camera.target;
+    return on.looking.through(on.edited.document.scene().camera).target;
 }
 
-bool room_for(app::Editor& editor, std::size_t more) {
-    if (editor.document.scene().events.size() + more <= app::most_events) return true;
-    editor.toasts.add({.kind = ui::ToastKind::error, .text = "A scene has at most 4096 events; delete some first"});
+bool room_for(const TimelineParts& on, std::size_t more) {
+    if (on.edited.document.scene().events.size() + more <= app::most_events) return true;
+    on.toasts.add({.kind = ui::ToastKind::error, .text = "A scene has at most 4096 events; delete some first"});
     return false;
 }
 
-void add_events(app::Editor& editor, const char* name, const std::vector<ToolContact>& made) {
-    if (made.empty() || !room_for(editor, made.size())) return;
-    const std::size_t there = editor.document.scene().events.size();
-    editor.document.change(name, [&](document::Content& c) {
+void add_events(const TimelineParts& on, const char* name, const std::vector<ToolContact>& made) {
+    if (made.empty() || !room_for(on, made.size())) return;
+    const std::size_t there = on.edited.document.scene().events.size();
+    on.edited.document.change(name, [&](document::Content& c) {
         for (const ToolContact& event : made) {
             c.scene.events.push_back(event);
             c.scene.duration = std::max(c.scene.duration, std::min(event.end(), app::last_event_time));
         }
     });
-    editor.selected.clear();
-    for (std::size_t i = 0; i < made.size(); ++i) editor.selected.push_back(there + i);
+    on.selected.clear();
+    for (std::size_t i = 0; i < made.size(); ++i) on.selected.push_back(there + i);
 }
 
-void add_event(app::Editor& editor) {
-    const glm::dvec3 place = place_for_new(editor);
-    const ToolAction action = editor.tool.action.value_or(ToolAction::cauterise);
-    add_events(editor, "Add event",
+void add_event(const TimelineParts& on) {
+    const glm::dvec3 place = place_for_new(on);
+    const ToolAction action = on.tool.action.value_or(ToolAction::cauterise);
+    add_events(on, "Add event",
                {{.action = action,
-                 .time = std::round(editor.timeline.time * 1e4) / 1e4,
+                 .time = std::round(on.timeline.time * 1e4) / 1e4,
                  .duration = new_event_length,
                  .position = place,
                  .to = place,
-                 .power = row_of(action).hot ? editor.tool.power : 1.0,
-                 .strength = divides(action) ? editor.tool.strength : 1.0}});
+                 .power = row_of(action).hot ? on.tool.power : 1.0,
+                 .strength = divides(action) ? on.tool.strength : 1.0}});
 }
 
 /// At the playhead, unless they are there already: then behind themselves.
-void duplicate_events(app::Editor& editor) {
-    const std::vector<ToolContact>& events = editor.document.scene().events;
+void duplicate_events(const TimelineParts& on) {
+    const std::vector<ToolContact>& events = on.edited.document.scene().events;
     std::vector<ToolContact> made;
-    for (const std::size_t i : editor.selected)
+    for (const std::size_t i : on.selected)
         if (i < events.size()) made.push_back(events[i]);
     if (made.empty()) return;
     double start = made.front().time, end = made.front().end();
     for (const ToolContact& event : made) start = std::min(start, event.time), end = std::max(end, event.end());
-    const double now = editor.timeline.time, to = now < start || now > end ? now : end + 1 / frame_rate;
+    const double now = on.timeline.time, to = now < start || now > end ? now : end + 1 / frame_rate;
     for (ToolContact& event : made) event.time += to - start;
-    add_events(editor, "Duplicate event", made);
+    add_events(on, "Duplicate event", made);
 }
 
 class TimelinePanel {
   public:
-    TimelinePanel(ui::Ui& ui, app::Editor& editor)
-        : ui_(ui), editor_(editor), memory_(ui.memory<TimelineMemory>(ui.id_of("timeline memory"))) {
-        if (memory_.version != editor.document.version() || memory_.selected != editor.selected)
-            make_tracks(memory_, editor);
+    TimelinePanel(ui::Ui& ui, const TimelineParts& on)
+        : ui_(ui), on_(on), memory_(ui.memory<TimelineMemory>(ui.id_of("timeline memory"))) {
+        if (memory_.version != on.edited.document.version() || memory_.selected != on.selected)
+            make_tracks(memory_, on.edited.document, on.selected);
     }
 
     void build() {
@@ -234,9 +237,9 @@ class TimelinePanel {
         {
             const ui::ScrollArea area(ui_, "Events", {.gap = 0.5F});
             timeline();
-            if (!below) event_form(ui_, editor_, memory_.strokes, narrow_);
+            if (!below) event_form(ui_, on_.edited, on_.selected, memory_.strokes, narrow_);
         }
-        if (below) event_form(ui_, editor_, memory_.strokes, narrow_);
+        if (below) event_form(ui_, on_.edited, on_.selected, memory_.strokes, narrow_);
     }
 
   private:
@@ -252,9 +255,9 @@ class TimelinePanel {
         items[copy] = {.width = ui::tool_width(ui_, "Duplicate", true), .rank = 3};
         items[erase] = {.width = ui::tool_width(ui_, "Delete", true), .rank = 2};
         ui::toolbar(ui_, "Timeline tools", room, items, [&](std::size_t item) {
-            if (item == first) ui::command_button(ui_, editor_.commands, "play.start", true);
-            if (item == back) ui::command_button(ui_, editor_.commands, "play.frame_back", true);
-            if (item == on) ui::command_button(ui_, editor_.commands, "play.frame_on", true);
+            if (item == first) ui::command_button(ui_, on_.commands, "play.start", true);
+            if (item == back) ui::command_button(ui_, on_.commands, "play.frame_back", true);
+            if (item == on) ui::command_button(ui_, on_.commands, "play.frame_on", true);
             if (item == pace) speed();
             if (item == time_unit) unit();
             if (item == length) duration();
@@ -276,90 +279,92 @@ class TimelinePanel {
                     ui_, "Add event",
                     {.icon = ui::Icon::plus,
                      .tip = "At the current time, where the tool last was, otherwise in the middle of the view"}))
-                add_event(editor_);
+                add_event(on_);
             return;
         }
-        ui_.push_disabled(editor_.selected.empty());
+        ui_.push_disabled(on_.selected.empty());
         if (which == 1 && ui::button(ui_, "Duplicate",
                                      {.icon = ui::Icon::copy, .tip = "Copies the selected events to the current time"}))
-            duplicate_events(editor_);
+            duplicate_events(on_);
         if (which == 2 &&
             ui::button(ui_, "Delete", {.icon = ui::Icon::cross, .tip = "Removes the selected events (Delete)"}))
-            ItemEdits::erase_selected(editor_, editor_.selected);
+            ItemEdits::erase_selected(on_.edited.document, on_.selected, std::vector(on_.selected));
         ui_.pop_disabled();
     }
 
     void speed() {
         int chosen = 0;
         for (std::size_t i = 0; i < std::size(speeds); ++i)
-            if (std::abs(speeds[i].factor - editor_.play_speed) <
-                std::abs(speeds[static_cast<std::size_t>(chosen)].factor - editor_.play_speed))
+            if (std::abs(speeds[i].factor - on_.timeline.play_speed) <
+                std::abs(speeds[static_cast<std::size_t>(chosen)].factor - on_.timeline.play_speed))
                 chosen = static_cast<int>(i);
         if (!ui::combo(ui_, "Speed", chosen, speed_names,
                        {.tip = "How fast the scene plays", .width = ui::px(ui_.em(speed_width))}))
             return;
-        editor_.play_speed = speeds[static_cast<std::size_t>(chosen)].factor;
-        if (editor_.playing() && !editor_.hold.on()) editor_.timeline.speed = editor_.play_speed;
+        on_.timeline.play_speed = speeds[static_cast<std::size_t>(chosen)].factor;
+        if (on_.timeline.playing() && !on_.hold.on()) on_.timeline.speed = on_.timeline.play_speed;
     }
 
     void duration() {
-        double value = editor_.document.scene().duration;
+        double value = on_.edited.document.scene().duration;
         const Parameter& row = *scene_table().find_row("duration");
         ui::ParamOptions options = param_options(row);
         options.maximum = 60;
-        editor_.tuning().follow();
-        options.standard = editor_.tuning().saved().scene.duration;
+        options.standard = on_.edited.saved.content().scene.duration;
         options.initial = Scene{}.duration;
         options.width = ui::px(ui_.em(duration_width));
         const ui::Edit edit = ui::number_field(ui_, "Duration", value, ui::seconds(options));
-        editor_.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });
+        on_.edited.document.take(edit, "Duration", [&](document::Content& c) { c.scene.duration = value; });
     }
 
     void timeline() {
-        const double speed_before = editor_.timeline.speed;
+        const double speed_before = on_.timeline.speed;
         const std::size_t items_before = item_count(memory_.tracks);
-        double length = std::max(editor_.duration(), editor_.timeline.time);
+        double length = std::max(on_.timeline.duration(), on_.timeline.time);
         for (const app::Stroke& stroke : memory_.strokes) length = std::max(length, stroke.end);
-        const ui::TimelineEdit edit = ui::timeline(ui_, "Time", editor_.timeline, memory_.tracks,
+        const ui::TimelineEdit edit = ui::timeline(ui_, "Time", on_.timeline, memory_.tracks,
                                                    {.length = length, .rate = frame_rate, .unit = memory_.unit});
-        if (speed_before == 0 && editor_.timeline.speed == 1) editor_.timeline.speed = editor_.play_speed;
+        if (speed_before == 0 && on_.timeline.speed == 1) on_.timeline.speed = on_.timeline.play_speed;
         if (edit.items.began || edit.items.changed || edit.items.committed || edit.items.cancelled)
-            ItemEdits(editor_, memory_).take(edit.items, items_before);
-        if (memory_.version == 0) return make_tracks(memory_, editor_);
+            ItemEdits(on_.edited.document, on_.selected, memory_).take(edit.items, items_before);
+        if (memory_.version == 0) return make_tracks(memory_, on_.edited.document, on_.selected);
         std::vector<std::size_t> selected = selected_events(memory_);
         if (selected == memory_.selected) return;
         memory_.selected = selected;
-        editor_.selected = std::move(selected);
+        on_.selected = std::move(selected);
         ui_.build_again();
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
+    const TimelineParts& on_;
     TimelineMemory& memory_;
     bool narrow_ = false;
 };
 
 }  // namespace
 
-void timeline_panel(ui::Ui& ui, app::Editor& editor) {
-    TimelinePanel(ui, editor).build();
+void timeline_panel(ui::Ui& ui, const TimelineParts& parts) {
+    TimelinePanel(ui, parts).build();
 }
 
 void add_play_commands(app::Editor& editor) {
     const auto step = [&editor](double frames) {
         editor.timeline.speed = 0;
-        editor.seek((std::round(editor.timeline.time * frame_rate) + frames) / frame_rate);
+        editor.timeline.seek((std::round(editor.timeline.time * frame_rate) + frames) / frame_rate);
     };
+    const char* const in_use = "the tool is in use";
     const auto free = [&editor] { return !editor.hold.on(); };
-    editor.commands.add({.id = "play.toggle",
-                         .title = "Play/pause",
-                         .group = "Play",
-                         .chord = {ui::Key::space, Mods::none},
-                         .icon = ui::Icon::play,
-                         .run = [&editor] { editor.timeline.speed = editor.playing() ? 0 : editor.play_speed; },
-                         .enabled = free,
-                         .checked = [&editor] { return editor.playing(); },
-                         .tip = "Starts where it is, at the speed set on the timeline"});
+    editor.commands.add(
+        {.id = "play.toggle",
+         .title = "Play/pause",
+         .group = "Play",
+         .chord = {ui::Key::space, Mods::none},
+         .icon = ui::Icon::play,
+         .run = [&editor] { editor.timeline.speed = editor.timeline.playing() ? 0 : editor.timeline.play_speed; },
+         .enabled = free,
+         .checked = [&editor] { return editor.timeline.playing(); },
+         .tip = "Starts where it is, at the speed set on the timeline",
+         .missing = in_use});
     editor.commands.add({.id = "play.frame_back",
                          .title = "One frame back",
                          .group = "Play",
@@ -367,7 +372,8 @@ void add_play_commands(app::Editor& editor) {
                          .icon = ui::Icon::chevron_left,
                          .run = [step] { step(-1); },
                          .enabled = free,
-                         .tip = "Pauses at the frame before"});
+                         .tip = "Pauses at the frame before",
+                         .missing = in_use});
     editor.commands.add({.id = "play.frame_on",
                          .title = "One frame forward",
                          .group = "Play",
@@ -375,15 +381,18 @@ void add_play_commands(app::Editor& editor) {
                          .icon = ui::Icon::chevron_right,
                          .run = [step] { step(1); },
                          .enabled = free,
-                         .tip = "Pauses at the next frame"});
-    editor.commands.add({.id = "play.start",
-                         .title = "To the start",
-                         .group = "Play",
-                         .chord = {ui::Key::home, Mods::command},
-                         .icon = ui::Icon::step_back,
-                         .run = [&editor] { editor.seek(editor.timeline.has_range ? editor.timeline.range.low : 0); },
-                         .enabled = free,
-                         .tip = "Of the scene, or of the part that plays"});
+                         .tip = "Pauses at the next frame",
+                         .missing = in_use});
+    editor.commands.add(
+        {.id = "play.start",
+         .title = "To the start",
+         .group = "Play",
+         .chord = {ui::Key::home, Mods::command},
+         .icon = ui::Icon::step_back,
+         .run = [&editor] { editor.timeline.seek(editor.timeline.has_range ? editor.timeline.range.low : 0); },
+         .enabled = free,
+         .tip = "Of the scene, or of the part that plays",
+         .missing = in_use});
     editor.commands.add({.id = "play.loop",
                          .title = "Loop",
                          .group = "Play",
@@ -396,16 +405,18 @@ void add_play_commands(app::Editor& editor) {
                          .title = "Add event at the current time",
                          .group = "Play",
                          .icon = ui::Icon::plus,
-                         .run = [&editor] { add_event(editor); },
+                         .run = [&editor] { add_event(timeline_parts(editor)); },
                          .enabled = free,
-                         .tip = "Where the tool last was, otherwise in the middle of the view"});
+                         .tip = "Where the tool last was, otherwise in the middle of the view",
+                         .missing = in_use});
     editor.commands.add({.id = "event.duplicate",
                          .title = "Duplicate events",
                          .group = "Play",
                          .icon = ui::Icon::copy,
-                         .run = [&editor] { duplicate_events(editor); },
+                         .run = [&editor] { duplicate_events(timeline_parts(editor)); },
                          .enabled = [&editor] { return !editor.selected.empty(); },
-                         .tip = "Copies the selected events to the current time"});
+                         .tip = "Copies the selected events to the current time",
+                         .missing = "no event is selected"});
 }
 
 }  // namespace lapfx::panels

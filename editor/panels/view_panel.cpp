@@ -4,22 +4,18 @@
 #include <cstdio>
 #include <numbers>
 
+#include "app/editor.h"
 #include "app/events.h"
 #include "app/file_filters.h"
-#include "app/keying_bench.h"
-#include "app/layouts.h"
 #include "app/orbit.h"
+#include "app/organ_choice.h"
 #include "app/paths.h"
 #include "app/pick_color.h"
-#include "app/reference.h"
-#include "app/settings.h"
-#include "lapfx/authoring/organ_report.h"
 #include "panels/band_strip.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
 #include "panels/titles.h"
 #include "ui/canvas/viewport.h"
-#include "ui/core/tree.h"
 #include "ui/shell/progress.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/combo.h"
@@ -50,10 +46,10 @@ int tool_index(const app::ToolInHand& tool) {
     return tool.action ? 1 + static_cast<int>(*tool.action) : 0;
 }
 
-void take_tool(app::Editor& editor, int index) {
-    if (editor.hold.on()) editor.hold.end(editor);
-    editor.tool.action.reset();
-    if (index > 0) editor.tool.action = static_cast<ToolAction>(index - 1);
+void take_tool(app::ToolHold& hold, app::ToolInHand& tool, int index) {
+    if (hold.on()) hold.end();
+    tool.action.reset();
+    if (index > 0) tool.action = static_cast<ToolAction>(index - 1);
 }
 
 /// mm around the tip that the tool works on: a parameter of the preset.
@@ -82,73 +78,27 @@ struct ViewMemory {
     Under under;
 };
 
-void show_organ_whole(app::Editor& editor) {
-    const Preview* const preview = editor.preview.preview();
-    if (preview == nullptr || preview->organ().positions.empty()) return;
-    OrganReport bounds;
-    bounds.minimum = bounds.maximum = glm::dvec3(preview->organ().positions.front());
-    for (const glm::vec3& p : preview->organ().positions) {
-        bounds.minimum = glm::min(bounds.minimum, glm::dvec3(p));
-        bounds.maximum = glm::max(bounds.maximum, glm::dvec3(p));
-    }
-    editor.looking.camera = app::frame(bounds);
-    editor.looking.endoscope = false;
-}
-
-/// Of the workspace, the one that the pointer is over; empty: none.
-std::string panel_under_pointer(const ui::Ui& ui) {
-    const auto tree = ui.tree();
-    for (std::uint32_t i = 0; ui.hot() != 0 && i < tree.size(); ++i) {
-        if (tree[i].id != ui.hot()) continue;
-        const std::string path = ui::path_of(tree, i);
-        const std::size_t begin = path.find('/') + 1;
-        return path.starts_with("Workspace/") ? path.substr(begin, path.find('/', begin) - begin) : "";
-    }
-    return {};
-}
-
-/// What one looks at: the picture under the pointer, else the organ, else, where the view is not seen, the picture that
-/// is.
-void show_whole(app::Editor& editor) {
-    const std::string panel = panel_under_pointer(editor.ui());
-    const app::Layouts& layouts = editor.layouts();
-    const bool view = layouts.seen("View"), reference = layouts.seen("Reference");
-    if (panel == "Keying" || (!view && !reference && layouts.seen("Keying")))
-        editor.keying().look.state = {};
-    else if (panel == "Reference" || (!view && reference))
-        editor.reference().compare.view = {};
-    else
-        show_organ_whole(editor);
-}
-
-/// Of any picture that is seen; asked in every frame, so without looking for the pointer.
-bool can_show_whole(app::Editor& editor) {
-    const app::Layouts& layouts = editor.layouts();
-    return editor.preview.ready() || (layouts.seen("Keying") && editor.keying().ready()) ||
-           (layouts.seen("Reference") && editor.reference().video() != nullptr);
-}
-
 class ViewPanel {
   public:
-    ViewPanel(ui::Ui& ui, app::Editor& editor)
-        : ui_(ui), editor_(editor), memory_(ui.memory<ViewMemory>(ui.id_of("view memory"))) {}
+    ViewPanel(ui::Ui& ui, const ViewParts& on)
+        : ui_(ui), on_(on), memory_(ui.memory<ViewMemory>(ui.id_of("view memory"))) {}
 
     void build() {
         const float width = ui_.rect_before(ui_.id_of("Preview")).w;
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
         bar(width);
-        band_strip(ui_, editor_);
+        band_strip(ui_, on_.looking.overlay, on_.edited, on_.preview, on_.jobs);
         ui::Node& stage = ui_.open(ui::Role::none, {}, ui::Axis::y);
         stage.size[0] = stage.size[1] = ui::grow();
         stage.clips = true;
-        const ui::ViewportResult view = ui::viewport(ui_, "Preview", editor_.preview.picture());
-        const glm::ivec2 wanted = editor_.settings().half_resolution ? (view.size + 1) / 2 : view.size;
-        if (wanted != editor_.preview.size()) {
-            editor_.preview.resize(wanted);
+        const ui::ViewportResult view = ui::viewport(ui_, "Preview", on_.preview.picture());
+        const glm::ivec2 wanted = on_.half_resolution ? (view.size + 1) / 2 : view.size;
+        if (wanted != on_.preview.size()) {
+            on_.preview.resize(wanted);
             ui_.build_again();
         }
         look_under(view);
-        if (editor_.eyedropper.wanted_by != 0) {
+        if (on_.edited.eyedropper.wanted_by != 0) {
             pick_color(view);
         } else {
             work(view);
@@ -158,7 +108,7 @@ class ViewPanel {
         readout(view);
         loading();
         faults();
-        pick_hint(ui_, editor_);
+        pick_hint(ui_, on_.edited.eyedropper);
         ui_.close();
     }
 
@@ -169,15 +119,15 @@ class ViewPanel {
     void bar(float room) {
         const ui::Column padded(ui_, {.width = ui::grow(), .padding = bar_padding});
         room = room > 0 ? std::max(1.0F, room - 2 * ui_.em(bar_padding)) : 0.0F;
-        const bool hot = editor_.tool.action && row_of(*editor_.tool.action).hot;
-        const bool cutting = editor_.tool.action && divides(*editor_.tool.action);
+        const bool hot = on_.tool.action && row_of(*on_.tool.action).hot;
+        const bool cutting = on_.tool.action && divides(*on_.tool.action);
         const float choice = ui_.em(choice_width);
         std::array<ui::ToolItem, tool_count> items;
         items[power] = {.width = hot ? choice : 0, .rank = 1};
         items[strength] = {.width = cutting ? choice : 0, .rank = 2};
         items[overlay] = {.width = choice, .rank = 2, .end = true};
         items[endoscope] = {.width = ui::tool_width(ui_, "Endoscope view"), .rank = 1};
-        items[use] = {.width = editor_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 3};
+        items[use] = {.width = on_.looking.endoscope ? 0 : ui::tool_width(ui_, "Use view"), .rank = 3};
         items[whole] = {.width = ui::tool_width(ui_, "Frame the organ"), .rank = 4};
         float others = 0;
         for (const ui::ToolItem& item : items) others += item.width > 0 ? item.width + ui_.em(ui_.theme().gap) : 0;
@@ -197,12 +147,12 @@ class ViewPanel {
             case overlay:
                 return overlay_choice();
             case endoscope:
-                ui::command_button(ui_, editor_.commands, "view.endoscope");
+                ui::command_button(ui_, on_.commands, "view.endoscope");
                 return;
             case use:
                 return use_view_button();
             default:
-                ui::command_button(ui_, editor_.commands, "view.frame");
+                ui::command_button(ui_, on_.commands, "view.frame");
         }
     }
 
@@ -213,29 +163,29 @@ class ViewPanel {
     }
 
     void tool_choice(bool in_a_row) {
-        int chosen = tool_index(editor_.tool);
+        int chosen = tool_index(on_.tool);
         if (in_a_row) {
             const ui::Row box(ui_, {.width = ui::px(tools_width())});
-            if (ui::segmented(ui_, "Tool", chosen, tool_names)) take_tool(editor_, chosen);
+            if (ui::segmented(ui_, "Tool", chosen, tool_names)) take_tool(on_.hold, on_.tool, chosen);
         } else if (ui::combo(
                        ui_, "Tool", chosen, tool_names,
                        {.tip = "What the left button does on the organ", .width = ui::px(ui_.em(choice_width))})) {
-            take_tool(editor_, chosen);
+            take_tool(on_.hold, on_.tool, chosen);
         }
     }
 
     void overlay_choice() {
-        int chosen = static_cast<int>(editor_.looking.overlay);
+        int chosen = static_cast<int>(on_.looking.overlay);
         if (ui::combo(ui_, "Overlay", chosen, overlay_titles(),
                       {.tip = "Colours the organ by vessels, fat or bleeding tendency",
                        .width = ui::px(ui_.em(choice_width))}))
-            editor_.looking.overlay = static_cast<Overlay>(chosen);
+            on_.looking.overlay = static_cast<Overlay>(chosen);
     }
 
     void use_view_button() {
         if (ui::button(ui_, "Use view",
                        {.tip = "Moves the endoscope to where you look from: comparing and exporting use its view"}))
-            editor_.commands.run("view.use_view");
+            on_.commands.run("view.use_view");
     }
 
     void power_field() {
@@ -243,11 +193,11 @@ class ViewPanel {
         options.hard_minimum = 0, options.hard_maximum = 100, options.standard = 100;
         options.tip = "Cautery power of the next events";
         options.width = ui::px(ui_.em(choice_width));
-        ui::number_field(ui_, "Power", editor_.tool.power, options);
+        ui::number_field(ui_, "Power", on_.tool.power, options);
     }
 
     void strength_field() {
-        ui::number_field(ui_, "Strength", editor_.tool.strength,
+        ui::number_field(ui_, "Strength", on_.tool.strength,
                          {.maximum = 3,
                           .hard_minimum = 0,
                           .hard_maximum = 10,
@@ -260,17 +210,17 @@ class ViewPanel {
     // --- in the picture ---
     void look_under(const ui::ViewportResult& view) {
         Under& u = memory_.under;
-        const Preview* const preview = editor_.preview.preview();
-        if (preview == nullptr || !(view.hovered || editor_.hold.on()) || view.size.x < 1) {
+        const Preview* const preview = on_.preview.preview();
+        if (preview == nullptr || !(view.hovered || on_.hold.on()) || view.size.x < 1) {
             u = {};
             return;
         }
         const SceneCamera& camera = preview->camera();
-        if (u.pointer == view.pointer && u.version == editor_.document.version() && u.eye == camera.eye &&
+        if (u.pointer == view.pointer && u.version == on_.edited.document.version() && u.eye == camera.eye &&
             u.target == camera.target)
             return;
         u = {.pointer = view.pointer,
-             .version = editor_.document.version(),
+             .version = on_.edited.document.version(),
              .eye = camera.eye,
              .target = camera.target,
              .hit = preview->pick(glm::dvec2(view.pointer), view.size),
@@ -288,31 +238,31 @@ class ViewPanel {
             if (key.key != Key::enter && key.key != Key::escape) ui_.press_shortcut(key.key, key.mods);
         }
         const bool left = view.clicked && view.button == ui::Button::left;
-        const glm::ivec2 drawn = editor_.preview.size();
-        if ((!left && !enter) || editor_.preview.picture() == 0 || view.size.x < 1 || view.size.y < 1) return;
+        const glm::ivec2 drawn = on_.preview.size();
+        if ((!left && !enter) || on_.preview.picture() == 0 || view.size.x < 1 || view.size.y < 1) return;
         const glm::dvec2 at = left ? glm::dvec2(view.pointer) : glm::dvec2(view.size) / 2.0;
-        const Image image = editor_.preview.read();
-        editor_.eyedropper.picked = app::color_around(app::ImagePixels(image), drawn,
-                                                      glm::ivec2(at * glm::dvec2(drawn) / glm::dvec2(view.size)));
+        const Image image = on_.preview.read();
+        on_.edited.eyedropper.picked = app::color_around(app::ImagePixels(image), drawn,
+                                                         glm::ivec2(at * glm::dvec2(drawn) / glm::dvec2(view.size)));
         ui_.build_again();
     }
 
     Drag drag_for(const ui::ViewportResult& view) const {
         const bool left = view.button == ui::Button::left, shift = has(view.mods, Mods::shift);
-        if (left && !shift && editor_.tool.action && memory_.under.hit) return Drag::tool;
-        if (editor_.looking.endoscope) return Drag::fixed;
+        if (left && !shift && on_.tool.action && memory_.under.hit) return Drag::tool;
+        if (on_.looking.endoscope) return Drag::fixed;
         return view.button == ui::Button::middle || (left && shift) ? Drag::pan : Drag::orbit;
     }
 
     void work(const ui::ViewportResult& view) {
-        SceneCamera& camera = editor_.looking.camera;
+        SceneCamera& camera = on_.looking.camera;
         const auto& hit = memory_.under.hit;
         if (view.pressed) {
             memory_.drag = drag_for(view);
-            if (memory_.drag == Drag::tool) editor_.hold.begin(editor_, hit->position);
+            if (memory_.drag == Drag::tool) on_.hold.begin(on_.tool, hit->position);
             if (memory_.drag == Drag::orbit && view.clicks == 2 && hit) app::center_on(camera, hit->position);
         }
-        if (memory_.drag == Drag::tool && hit) editor_.hold.move(editor_, hit->position);
+        if (memory_.drag == Drag::tool && hit) on_.hold.move(hit->position);
         const double height = std::max(view.size.y, 1);
         if (view.drag != glm::vec2(0)) {
             if (memory_.drag == Drag::orbit)
@@ -322,16 +272,16 @@ class ViewPanel {
             if (memory_.drag == Drag::fixed) tell_fixed();
         }
         if (view.wheel != 0) zoom(std::pow(zoom_notch, -double(view.wheel)), hit ? &hit->position : nullptr);
-        if (view.cancelled && memory_.drag == Drag::tool) editor_.hold.cancel(editor_);
-        if (view.released && memory_.drag == Drag::tool) editor_.hold.end(editor_);
+        if (view.cancelled && memory_.drag == Drag::tool) on_.hold.cancel();
+        if (view.released && memory_.drag == Drag::tool) on_.hold.end();
         if (view.released || view.cancelled) memory_.drag = Drag::none;
         if (memory_.drag != Drag::none) ui_.set_cursor(ui::Cursor::move);
-        if (editor_.tool.action && hit) ui_.set_cursor(ui::Cursor::crosshair);
+        if (on_.tool.action && hit) ui_.set_cursor(ui::Cursor::crosshair);
     }
 
     void zoom(double factor, const glm::dvec3* place) {
-        if (editor_.looking.endoscope) return tell_fixed();
-        SceneCamera& camera = editor_.looking.camera;
+        if (on_.looking.endoscope) return tell_fixed();
+        SceneCamera& camera = on_.looking.camera;
         place != nullptr ? app::zoom_at(camera, factor, *place) : app::zoom(camera, factor);
     }
 
@@ -339,16 +289,16 @@ class ViewPanel {
     void tell_fixed() {
         if (memory_.told_fixed) return;
         memory_.told_fixed = true;
-        editor_.toasts.add({.kind = ui::ToastKind::info,
-                            .text = "The endoscope is fixed: exports show this view",
-                            .action = "Look around freely",
-                            .act = [&editor = editor_] { editor.looking.endoscope = false; }});
+        on_.toasts.add({.kind = ui::ToastKind::info,
+                        .text = "The endoscope is fixed: exports show this view",
+                        .action = "Look around freely",
+                        .act = [&looking = on_.looking] { looking.endoscope = false; }});
     }
 
     void keys(const ui::ViewportResult& view) {
         for (const ui::ViewportKey& key : view.keys) {
             if (key.key == Key::escape) {
-                editor_.hold.cancel(editor_);
+                on_.hold.cancel();
                 memory_.drag = Drag::none;
             } else if (!look_by(key) && !work_by(key, view)) {
                 ui_.press_shortcut(key.key, key.mods);
@@ -365,42 +315,42 @@ class ViewPanel {
         if (key.key == Key::down) by.y = -turn;
         const bool nearer = key.key == ui::key_of('='), farther = key.key == ui::key_of('-');
         if (by == glm::dvec2(0) && !nearer && !farther) return false;
-        if (editor_.looking.endoscope)
+        if (on_.looking.endoscope)
             tell_fixed();
         else if (by != glm::dvec2(0))
-            app::orbit(editor_.looking.camera, by.x, by.y);
+            app::orbit(on_.looking.camera, by.x, by.y);
         else
             zoom(nearer ? 1 / zoom_notch : zoom_notch, nullptr);
         return true;
     }
 
     bool work_by(const ui::ViewportKey& key, const ui::ViewportResult& view) {
-        const Preview* const preview = editor_.preview.preview();
-        if (key.key != Key::enter || !editor_.tool.action || preview == nullptr || view.size.x < 1) return false;
-        if (key.repeat || editor_.hold.on()) return true;
+        const Preview* const preview = on_.preview.preview();
+        if (key.key != Key::enter || !on_.tool.action || preview == nullptr || view.size.x < 1) return false;
+        if (key.repeat || on_.hold.on()) return true;
         const auto hit = preview->pick(glm::dvec2(view.size) / 2.0, view.size);
         if (hit)
-            editor_.hold.begin_for(editor_, hit->position, work_by_key);
+            on_.hold.begin_for(on_.tool, hit->position, work_by_key);
         else
-            editor_.toasts.add({.kind = ui::ToastKind::info, .text = "The organ is not in the middle of the view"});
+            on_.toasts.add({.kind = ui::ToastKind::info, .text = "The organ is not in the middle of the view"});
         return true;
     }
 
     /// A ring as large as what the tool would work on.
     void mark(const ui::ViewportResult& view) {
         const Under& u = memory_.under;
-        if (!editor_.tool.action || !u.hit) return;
-        const SceneCamera& camera = editor_.preview.preview()->camera();
+        if (!on_.tool.action || !u.hit) return;
+        const SceneCamera& camera = on_.preview.preview()->camera();
         const double depth = glm::dot(u.hit->position - camera.eye, glm::normalize(camera.target - camera.eye));
         const double px_per_mm =
             view.size.y / (2 * std::max(depth, 1.0) * std::tan(glm::radians(camera.field_of_view) / 2));
-        const double reach = reach_of(*editor_.tool.action, editor_.document.preset());
+        const double reach = reach_of(*on_.tool.action, on_.edited.document.preset());
         const float radius = std::clamp(static_cast<float>(reach * px_per_mm), ui_.em(0.35F), ui_.em(40));
         ui::Node& ring = ui_.leaf(ui::Role::none, {});
         ring.placed = true;
         ring.placement = ui_.arena().make(ui::Placement{.offset = view.pointer - glm::vec2(radius)});
         ring.size[0] = ring.size[1] = ui::px(2 * radius);
-        const bool acts = editor_.hold.on();
+        const bool acts = on_.hold.on();
         ui_.draw_with<draw_ring>(ring, acts);
     }
     static void draw_ring(ui::Painter& painter, const ui::Node& node, const bool& acts) {
@@ -413,7 +363,7 @@ class ViewPanel {
     /// Tissue and distance under the pointer, in the lower left corner.
     void readout(const ui::ViewportResult& view) {
         const Under& u = memory_.under;
-        if (!u.hit || (!editor_.tool.action && editor_.looking.overlay == Overlay::none)) return;
+        if (!u.hit || (!on_.tool.action && on_.looking.overlay == Overlay::none)) return;
         char text[128];
         const int length =
             std::snprintf(text, sizeof text, "vessels %.0f %%   fat %.0f %%   would bleed %.1f   %.0f mm away",
@@ -436,27 +386,27 @@ class ViewPanel {
 
     /// What is on its way; the former organ stays until it is there.
     void loading() {
-        const auto loading = editor_.preview.loading();
+        const auto loading = on_.preview.loading();
         if (!loading) return;
         const ui::Panel panel(ui_, "Loading", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 0.6F});
-        const float y = editor_.preview.ready() ? 0.0F : 0.5F;
+        const float y = on_.preview.ready() ? 0.0F : 0.5F;
         place({.fraction = {0.5F, y}, .offset = {0, y > 0 ? 0 : ui_.em(0.6F)}, .pivot = {0.5F, y}});
         if (ui::progress(ui_, ui_.join({"Loading ", loading->name}), loading->progress, {.cancellable = true}))
-            editor_.preview.cancel_loading();
+            on_.preview.cancel_loading();
     }
 
     // --- what keeps it from being shown ---
     void faults() {
-        if (!editor_.preview.organ_faults().empty())
-            organ_fault(editor_.preview.organ_faults().front());
-        else if (!editor_.preview.preset_faults().empty())
-            preset_fault(editor_.preview.preset_faults());
+        if (!on_.preview.organ_faults().empty())
+            organ_fault(on_.preview.organ_faults().front());
+        else if (!on_.preview.preset_faults().empty())
+            preset_fault(on_.preview.preset_faults());
     }
 
     void organ_fault(const Fault& fault) {
         const ui::Panel panel(ui_, "Organ fault", {.width = ui::px(ui_.em(30)), .height = ui::fit(), .padding = 1});
         place({.fraction = {0.5F, 0.5F}, .pivot = {0.5F, 0.5F}});
-        const std::string& file = editor_.document.scene().organ.file;
+        const std::string& file = on_.edited.document.scene().organ.file;
         ui::heading(ui_, file.empty() ? "No organ yet" : "The scene cannot be shown");
         ui::label(ui_,
                   file.empty() ? "Load a surface (" + listed(Content::mesh) + "), or drop one here." : fault.text(),
@@ -464,13 +414,13 @@ class ViewPanel {
         const ui::Row buttons(ui_);
         if (ui::button(ui_, file.empty() ? "Choose..." : "Choose another...",
                        {.icon = ui::Icon::folder, .tip = "Load another organ", .primary = true}))
-            editor_.commands.run("file.load_organ");
+            on_.commands.run("file.load_organ");
         if (!file.empty() && ui::button(ui_, "Unit and orientation...",
                                         {.tip = "Read this organ again, with another unit or orientation"}))
-            editor_.open_organ(app::path_from(editor_.document.scene().folder, file));
-        if (editor_.document.can_undo() &&
+            on_.organ_choice.open(app::path_from(on_.edited.document.scene().folder, file));
+        if (on_.edited.document.can_undo() &&
             ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
-            editor_.document.undo();
+            on_.edited.document.undo();
     }
 
     /// The picture shows all but what is wrong.
@@ -483,9 +433,9 @@ class ViewPanel {
         if (faults.size() > 1)
             ui::label(ui_, ui_.join({"and ", ui_.copy(std::to_string(faults.size() - 1)), " more"}),
                       {.tone = ui::Tone::error});
-        if (editor_.document.can_undo() &&
+        if (on_.edited.document.can_undo() &&
             ui::button(ui_, "Undo", {.icon = ui::Icon::undo, .tip = "Undoes the last change"}))
-            editor_.document.undo();
+            on_.edited.document.undo();
     }
 
     void place(const ui::Placement& placement) {
@@ -494,85 +444,14 @@ class ViewPanel {
     }
 
     ui::Ui& ui_;
-    app::Editor& editor_;
+    const ViewParts& on_;
     ViewMemory& memory_;
 };
 
-void add_overlay(app::Editor& editor, const OverlayRow& row) {
-    editor.commands.add({.id = "view." + std::string(row.key),
-                         .title = std::string(row.command),
-                         .group = "View",
-                         .chord = {ui::key_of(row.shortcut), Mods::none},
-                         .run =
-                             [&editor, overlay = row.overlay] {
-                                 const bool on = editor.looking.overlay == overlay;
-                                 editor.looking.overlay = on ? Overlay::none : overlay;
-                             },
-                         .checked = [&editor, overlay = row.overlay] { return editor.looking.overlay == overlay; },
-                         .tip = std::string(row.help)});
-}
-
-void ask_organ(app::Editor& editor) {
-    editor.ask_file({.task = ui::FileTask::open, .title = "Load an organ", .filters = {app::mesh_filter()}},
-                    [&editor](const std::vector<std::string>& files) { editor.open_organ(files.front()); });
-}
-
-void use_view(app::Editor& editor) {
-    editor.document.change("Endoscope's place", [&](document::Content& c) {
-        const SceneCamera& seen = editor.looking.camera;
-        SceneCamera& camera = c.scene.camera;
-        // The lamp is at the camera: it is turned down where that comes nearer, as the free view already shows it.
-        c.scene.light.focus_distance =
-            std::clamp(c.scene.light.focus_distance * app::nearness(camera, seen), 1.0, 2000.0);
-        camera.eye = seen.eye, camera.target = seen.target, camera.up = seen.up;
-        camera.field_of_view = seen.field_of_view;
-    });
-    editor.looking.endoscope = true;
-}
-
 }  // namespace
 
-void view_panel(ui::Ui& ui, app::Editor& editor) {
-    ViewPanel(ui, editor).build();
-}
-
-void add_view_commands(app::Editor& editor) {
-    editor.commands.add({.id = "file.load_organ",
-                         .title = "Load organ...",
-                         .group = "File",
-                         .chord = {ui::key_of('O'), Mods::command | Mods::shift},
-                         .icon = ui::Icon::folder,
-                         .run = [&editor] { ask_organ(editor); },
-                         .tip = "Use another surface, with its unit and orientation"});
-    editor.commands.add({.id = "view.frame",
-                         .title = "Frame the organ",
-                         .group = "View",
-                         .chord = {Key::home, Mods::none},
-                         .run = [&editor] { show_whole(editor); },
-                         .enabled = [&editor] { return can_show_whole(editor); },
-                         .tip = "Shows the whole organ, from the front. Over another picture: the whole picture"});
-    editor.commands.add({.id = "view.endoscope",
-                         .title = "Endoscope view",
-                         .group = "View",
-                         .chord = {ui::key_of('E'), Mods::none},
-                         .run = [&editor] { editor.looking.endoscope = !editor.looking.endoscope; },
-                         .checked = [&editor] { return editor.looking.endoscope; },
-                         .tip = "The view through the scene's camera, with its round picture; exports use it"});
-    editor.commands.add({.id = "view.use_view",
-                         .title = "Use this view as the endoscope",
-                         .group = "View",
-                         .run = [&editor] { use_view(editor); },
-                         .enabled = [&editor] { return !editor.looking.endoscope; },
-                         .tip = "Moves the scene's camera to where you look from"});
-    editor.commands.add(
-        {.id = "view.half_resolution",
-         .title = "Half resolution",
-         .group = "View",
-         .run = [&editor] { editor.settings().half_resolution = !editor.settings().half_resolution; },
-         .checked = [&editor] { return editor.settings().half_resolution; },
-         .tip = "Draws the view with a quarter of the pixels: faster without a GPU. Exports do not change"});
-    for (const OverlayRow& row : overlays)
-        if (!row.command.empty()) add_overlay(editor, row);
+void view_panel(ui::Ui& ui, const ViewParts& parts) {
+    ViewPanel(ui, parts).build();
 }
 
 void add_tool_commands(app::Editor& editor) {
@@ -581,7 +460,7 @@ void add_tool_commands(app::Editor& editor) {
                              .title = std::string(tool_names[static_cast<std::size_t>(index)]),
                              .group = "Tool",
                              .chord = {ui::key_of(shortcut), Mods::none},
-                             .run = [&editor, index] { take_tool(editor, index); },
+                             .run = [&editor, index] { take_tool(editor.hold, editor.tool, index); },
                              .checked = [&editor, index] { return tool_index(editor.tool) == index; },
                              .tip = std::move(tip)});
     };

@@ -1,4 +1,5 @@
 // The window itself: panels, layouts, themes, settings, help.
+#include "app/editor.h"
 #include "app/layouts.h"
 #include "app/settings.h"
 #include "panels/panels.h"
@@ -20,15 +21,6 @@ std::string lower(std::string_view text) {
     std::string result(text);
     for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
     return result;
-}
-
-void add_panel_commands(app::Editor& editor) {
-    for (const std::string_view panel : app::panel_names)
-        editor.commands.add({.id = "window.show_" + lower(panel),
-                             .title = "Show " + std::string(panel),
-                             .group = "Window",
-                             .run = [&editor, panel] { editor.layouts().shown.show(panel); },
-                             .tip = "Shows the panel, also if it was closed"});
 }
 
 void add_layout_commands(app::Editor& editor) {
@@ -76,7 +68,9 @@ void add_window_commands(app::Editor& editor) {
                          .group = "Window",
                          .chord = {key_of('N'), Mods::command | Mods::shift},
                          .run = [&editor] { editor.toasts.take_focus(); },
-                         .tip = "Moves the keyboard to the newest notice, and back when pressed again; Esc closes it"});
+                         .enabled = [&editor] { return editor.toasts.size() > 0; },
+                         .tip = "Moves the keyboard to the newest notice, and back when pressed again; Esc closes it",
+                         .missing = "there is no notice"});
     editor.commands.add({.id = "window.notice_log",
                          .title = "All notices...",
                          .group = "Window",
@@ -106,10 +100,9 @@ void add_window_commands(app::Editor& editor) {
                          .tip = "Version, graphics, the paper, licences"});
 }
 
-void layout_dialog(ui::Ui& ui, app::Editor& editor) {
+void layout_dialog(ui::Ui& ui, app::Layouts& layouts) {
     ui::Dialog dialog(ui, "layouts", "Own layouts", {.width = 26});
     if (!dialog) return;
-    app::Layouts& layouts = editor.layouts();
     std::string& name = ui.memory<std::string>(ui.id_of("new name"));
     ui::text_field(ui, "Name", name,
                    {.placeholder = "Name for the current arrangement of panels",

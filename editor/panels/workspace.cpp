@@ -1,25 +1,69 @@
-#include <algorithm>
-#include <array>
+// The window: the one table of panels, and which parts of the editor each panel and each dialog takes.
+#include <string>
 
+#include "app/autosave.h"
+#include "app/editor.h"
+#include "app/file_chooser.h"
+#include "app/files.h"
 #include "app/layouts.h"
 #include "app/settings.h"
 #include "panels/panels.h"
 #include "panels/parts.h"
+#include "panels/standard_layouts.h"
 #include "ui/widgets/dock.h"
 
 namespace lapfx::panels {
 
 namespace {
 
-using Build = void (*)(ui::Ui&, app::Editor&);
-constexpr std::array<Build, app::panel_names.size()> panel_functions = {
-    view_panel,   preset_panel,  clips_panel,   keying_panel,    reference_panel, timeline_panel,
-    curves_panel, amounts_panel, presets_panel, snapshots_panel, history_panel,   scene_panel,
+using app::Editor;
+using ui::Ui;
+
+/// A panel: its name, which is the title of its tab and its path in the semantic tree, what its command is explained
+/// by, and what builds it out of which parts of the editor.
+struct PanelRow {
+    std::string_view name;
+    std::string_view tip;
+    void (*build)(Ui& ui, Editor& editor);
 };
 
+/// The one list of panels. Layouts (standard_layouts.cpp), commands, menus and settings go by these names.
+constexpr PanelRow panel_rows[] = {
+    {"View", "The organ with blood and smoke, to look at and to work on with the tool",
+     [](Ui& ui, Editor& e) { view_panel(ui, view_parts(e)); }},
+    {"Preset", "The preset's parameters",
+     [](Ui& ui, Editor& e) { preset_panel(ui, e.tuning(), edited_in(e), e.commands, e.layouts(), e.toasts); }},
+    {"Clips", "The preset's smoke videos",
+     [](Ui& ui, Editor& e) { clips_panel(ui, e.clips(), edited_in(e), e.commands); }},
+    {"Keying", "What in the selected clip is smoke",
+     [](Ui& ui, Editor& e) { keying_panel(ui, e.keying(), e.clips(), edited_in(e), e.commands); }},
+    {"Reference", "The surgery video to match, alone or against the preview",
+     [](Ui& ui, Editor& e) { reference_panel(ui, e.reference(), edited_in(e), e.files()); }},
+    {"Timeline", "Time, and what the tools do in it", [](Ui& ui, Editor& e) { timeline_panel(ui, timeline_parts(e)); }},
+    {"Curves", "Factors over time on cautery power, bleeding and smoke",
+     [](Ui& ui, Editor& e) { curves_panel(ui, e.document, e.timeline, e.toasts); }},
+    {"Amounts", "Blood and smoke over time, as plots",
+     [](Ui& ui, Editor& e) { amounts_panel(ui, e.amounts(), e.timeline); }},
+    {"Presets", "Presets in folders, with pictures",
+     [](Ui& ui, Editor& e) { presets_panel(ui, e.browser(), e.document, e.files(), e.chooser(), e.toasts); }},
+    {"Snapshots", "Four states of the preset, and what differs between them",
+     [](Ui& ui, Editor& e) { snapshots_panel(ui, e.snapshots(), e.document); }},
+    {"History", "All that was done, to go back to",
+     [](Ui& ui, Editor& e) { history_panel(ui, e.document, e.commands); }},
+    {"Scene", "Organ, tool, camera, light and reference",
+     [](Ui& ui, Editor& e) { scene_panel(ui, edited_in(e), e.commands, e.toasts); }},
+};
+
+/// A small letter for each large one: of "View" in "window.show_view".
+std::string lower(std::string_view text) {
+    std::string result(text);
+    for (char& c : result) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    return result;
+}
+
 /// Files that were dropped where no panel takes them.
-void bring_dropped(const ui::Ui& ui, app::Editor& editor) {
-    if (const std::vector<std::string> files = dropped_files(ui.dropped()); !files.empty()) editor.bring(files);
+void bring_dropped(const Ui& ui, app::Files& opens) {
+    if (const std::vector<std::string> files = dropped_files(ui.dropped()); !files.empty()) opens.bring(files);
 }
 
 }  // namespace
@@ -34,35 +78,94 @@ std::vector<std::string> dropped_files(std::string_view paths) {
     return files;
 }
 
-void workspace(ui::Ui& ui, app::Editor& editor) {
-    editor.set_ui(ui);
-    app::Layouts& layouts = editor.layouts();
+Edited edited_in(Editor& e) {
+    return {e.document, e.saved(), e.eyedropper, e.chooser()};
+}
+
+ViewParts view_parts(Editor& e) {
+    return {.edited = edited_in(e),
+            .preview = e.preview,
+            .looking = e.looking,
+            .tool = e.tool,
+            .hold = e.hold,
+            .organ_choice = e.organ_choice(),
+            .jobs = e.jobs,
+            .commands = e.commands,
+            .toasts = e.toasts,
+            .half_resolution = e.settings().half_resolution};
+}
+
+TimelineParts timeline_parts(Editor& e) {
+    return {.edited = edited_in(e),
+            .timeline = e.timeline,
+            .selected = e.selected,
+            .tool = e.tool,
+            .hold = e.hold,
+            .preview = e.preview,
+            .looking = e.looking,
+            .commands = e.commands,
+            .toasts = e.toasts};
+}
+
+void set_up(Editor& editor) {
+    std::vector<std::string_view> names;
+    for (const PanelRow& row : panel_rows) names.push_back(row.name);
+    editor.layouts().set_panels(std::move(names), standard_layouts());
+    add_commands(editor);
+    // Keys, layouts and folders as the user left them.
+    editor.settings().connect(editor.commands, editor.layouts(), editor.chooser().dialog(), editor.toasts);
+}
+
+void add_panel_commands(Editor& editor) {
+    for (const PanelRow& row : panel_rows)
+        editor.commands.add({.id = "window.show_" + lower(row.name),
+                             .title = "Show " + std::string(row.name),
+                             .group = "Window",
+                             .run = [&editor, name = row.name] { editor.layouts().bring_to_front(name); },
+                             .tip = std::string(row.tip) + "; shows the panel, also if it was closed"});
+}
+
+void workspace(Ui& ui, Editor& e) {
+    e.set_ui(ui);
+    app::Layouts& layouts = e.layouts();
+    app::Settings& settings = e.settings();
     layouts.fit_window(ui.window() / ui.em(1));
-    bring_dropped(ui, editor);
-    follow_eyedropper(ui, editor);
-    ui.set_theme(editor.settings().light ? ui::light_theme() : ui::dark_theme());
-    ui.set_reduced_motion(editor.settings().reduced_motion);
+    bring_dropped(ui, e.files());
+    follow_eyedropper(ui, e.eyedropper, layouts);
+    ui.set_theme(settings.light ? ui::light_theme() : ui::dark_theme());
+    ui.set_reduced_motion(settings.reduced_motion);
     {
         const ui::Column window(ui, {.width = ui::grow(), .height = ui::grow(), .gap = 0});
-        menu_bar(ui, editor);
-        if (!layouts.stacked()) first_hint(ui, editor);
-        ui::dock(ui, "Workspace", layouts.shown, app::panel_names,
-                 [&](std::size_t panel) { panel_functions[panel](ui, editor); });
-        status_bar(ui, editor);
+        menu_bar(ui, e.commands, settings, e.files());
+        if (!layouts.stacked()) first_hint(ui, settings, e.timeline.playing());
+        ui::dock(ui, "Workspace", layouts.shown, layouts.panels(),
+                 [&](std::size_t panel) { panel_rows[panel].build(ui, e); });
+        status_bar(ui, {.document = e.document,
+                        .preview = e.preview,
+                        .reference = e.reference(),
+                        .images = e.images,
+                        .jobs = e.jobs,
+                        .exports = e.exports(),
+                        .hot_reload = e.hot_reload(),
+                        .layouts = layouts,
+                        .meter = e.meter(),
+                        .options = e.options()});
     }
-    organ_dialog(ui, editor);
-    export_dialog(ui, editor);
-    closing_dialog(ui, editor);
-    recovery_dialog(ui, editor);
-    settings_dialog(ui, editor);
-    layout_dialog(ui, editor);
-    about_dialog(ui, editor);
-    editor.build_file_dialog();
-    command_palette(ui, editor);
-    keys_sheet(ui, editor);
-    editor.toasts.build(ui);
-    if (editor.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
-    if (const double at = editor.whole_at(); at < ui::never) ui.wake_at(at, "the scene as a whole");
+    organ_dialog(ui, e.organ_choice(), e.commands);
+    export_dialog(ui, e.exports(), e.chooser(), e.toasts);
+    closing_dialog(ui, e.files());
+    recovery_dialog(ui, e.autosave(), e.files());
+    settings_dialog(ui, settings, e.commands);
+    layout_dialog(ui, layouts);
+    about_dialog(ui, e.options());
+    e.chooser().build(ui);
+    command_palette(ui, e.commands, layouts, e.tuning());
+    keys_sheet(ui, e.commands);
+    e.toasts.build(ui);
+    if (e.wants_frame()) ui.wake_at(ui.time(), "the preview plays");
+    if (const double at = e.whole_at(); at < ui::never) ui.wake_at(at, "the scene as a whole");
+    for (const double due : {e.autosave().due(), settings.due()})
+        if (due < ui::never) ui.wake_at(due, "autosave");
 }
 
 }  // namespace lapfx::panels

@@ -332,12 +332,17 @@ void UiWindow::frame() {
     last_frame_ = glfwGetTime();
     const ui::FrameOutput* output = nullptr;
     double build_began = 0, build_ended = 0;
-    try {
-        if (program_->update) program_->update(last_frame_);
+    const auto build_ui = [&] {
         build_began = glfwGetTime();
         output = &ui_.frame({.size = size_, .scale = scale_, .time = last_frame_}, program_->build);
         build_ended = glfwGetTime();
-        if (program_->draw && !iconified_) stale_ |= program_->draw();
+    };
+    try {
+        const std::function<void()> build = std::ref(build_ui);
+        if (program_->frame)
+            stale_ |= program_->frame({.now = last_frame_, .visible = !iconified_, .build = build});
+        else
+            build();
     } catch (...) {
         in_frame_ = false;
         throw;

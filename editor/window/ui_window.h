@@ -77,11 +77,18 @@ struct UiWindowOptions {
 };
 
 /// What runs in the window. Each in the window's thread, its context current.
+/// What a program makes of one frame.
+struct UiFrame {
+    double now;                          ///< s
+    bool visible;                        ///< false: the window is an icon
+    const std::function<void()>& build;  ///< to be called once: takes the events that have come, and builds the UI
+};
+
 struct UiProgram {
-    std::function<void(double now)> update;  ///< before a frame; s. May be empty
     std::function<void(ui::Ui&)> build;
-    std::function<bool()>
-        draw;  ///< pictures of the program's own, once a frame has been built; gives whether any changed. May be empty
+    /// One frame: calls UiFrame::build, and before and after it does what the program has to. Gives whether pictures of
+    /// its own have changed. Empty: only builds.
+    std::function<bool(const UiFrame&)> frame;
     std::function<bool()> may_close;  ///< the window is asked to close; false: it stays. May be empty
 };
 
@@ -102,7 +109,7 @@ class UiWindow {
 
     /// Until the window is closed. What `build` throws comes out here.
     void run(const std::function<void(ui::Ui&)>& build) {
-        run(UiProgram{.update = {}, .build = build, .draw = {}, .may_close = {}});
+        run(UiProgram{.build = build, .frame = {}, .may_close = {}});
     }
     void run(const UiProgram& program);
     /// Whatever UiProgram::may_close says.

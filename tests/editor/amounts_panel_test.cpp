@@ -32,7 +32,7 @@ class AmountsPanel : public EditorTest {
 TEST_F(AmountsPanel, HasTheFiguresOfThePreview) {
     ASSERT_NE(editor().amounts().scene(), nullptr);
     EXPECT_FALSE(editor().amounts().stale());
-    EXPECT_DOUBLE_EQ(series().times.back(), editor().duration());
+    EXPECT_DOUBLE_EQ(series().times.back(), editor().timeline.duration());
     for (const std::size_t i : {40U, 120U, 240U}) {
         picture(series().times[i]);
         const Amounts shown = editor().preview.preview()->amounts();
@@ -60,8 +60,8 @@ TEST_F(AmountsPanel, FollowsTheDocument) {
 TEST_F(AmountsPanel, AClickGoesToTheTimeAndTheLegendHasItsValue) {
     ui().click("**/All plots/Blood area", {.at = {0.6F, 0.6F}});
     const double there = editor().timeline.time;
-    EXPECT_GT(there, 0.3 * editor().duration());
-    EXPECT_LT(there, 0.9 * editor().duration());
+    EXPECT_GT(there, 0.3 * editor().timeline.duration());
+    EXPECT_LT(there, 0.9 * editor().timeline.duration());
     ui().frame();
     ui::PlotData area;
     area.set(series().of(AmountKind::blood_area), series().times);

@@ -40,11 +40,11 @@ TEST_F(ClipsPanel, ListsThePresetsClips) {
     EXPECT_NE(text.find("720x480, 5 s at 30 fps"), std::string::npos) << text;
     EXPECT_NE(text.find("graphics memory"), std::string::npos) << text;
     EXPECT_EQ(text.find("resident"), std::string::npos) << text;
-    EXPECT_NE(editor().keying().shelf.of(0).thumbnail, 0U);
+    EXPECT_NE(editor().clips().of(0).thumbnail, 0U);
     ui().click(panel + "List/2 wisps_thin.mp4");
-    EXPECT_EQ(editor().clip, 1U);
+    EXPECT_EQ(editor().clips().selected, 1U);
     ui().key(ui::Key::down);
-    EXPECT_EQ(editor().clip, 2U);
+    EXPECT_EQ(editor().clips().selected, 2U);
 }
 
 TEST_F(ClipsPanel, WeightIsDraggedInTheListInOneStep) {
@@ -72,7 +72,7 @@ TEST_F(ClipsPanel, BackspaceInTheListGoesBackToTheSavedWeight) {
 TEST_F(ClipsPanel, OrderAndNumberAreChanged) {
     ui().click(panel + "Move clip down");
     EXPECT_EQ(names(), (std::vector<std::string>{sample[1], sample[0], sample[2]}));
-    EXPECT_EQ(editor().clip, 1U) << "the selection goes along";
+    EXPECT_EQ(editor().clips().selected, 1U) << "the selection goes along";
     ui().click(panel + "Move clip up");
     EXPECT_EQ(names(), sample);
     ui().click(panel + "Duplicate clip");
@@ -81,7 +81,7 @@ TEST_F(ClipsPanel, OrderAndNumberAreChanged) {
     EXPECT_EQ(names(), sample);
     ui().click(panel + "List/3 haze_rolling.mp4").key(ui::Key::del);
     EXPECT_EQ(names(), (std::vector<std::string>{sample[0], sample[1]}));
-    EXPECT_EQ(editor().clip, 1U);
+    EXPECT_EQ(editor().clips().selected, 1U);
     EXPECT_EQ(last_step().name, "Remove clip");
     while (editor().document.can_undo()) editor().document.undo();
     EXPECT_EQ(names(), sample);
@@ -105,9 +105,9 @@ TEST_F(ClipsPanel, DroppedVideosAreAddedInOneStep) {
     ASSERT_EQ(clips().size(), 5U);
     EXPECT_EQ(editor().document.done(), 1U);
     EXPECT_EQ(last_step().name, "Add 2 clips");
-    EXPECT_EQ(editor().clip, 4U);
+    EXPECT_EQ(editor().clips().selected, 4U);
     EXPECT_EQ(clips()[3].file, "one.avi") << "no other clip needed the preset's folder: it is theirs now";
-    EXPECT_TRUE(editor().keying().shelf.faults(3).empty());
+    EXPECT_TRUE(editor().clips().faults(3).empty());
     EXPECT_EQ(editor().preview.preset_faults().size(), 0U);
     EXPECT_EQ(editor().preview.preview()->clips().size(), 5U) << "seen at once";
     editor().document.undo();
@@ -120,7 +120,7 @@ TEST_F(ClipsPanel, WhatIsNoVideoIsToldInPlace) {
     const fs::path good = write_clip(folder() / "good.avi", 5);
     drop(text.string() + "\n" + good.string() + "\n" + (folder() / "none.mp4").string());
     EXPECT_EQ(clips().size(), 4U) << "the good one is there";
-    EXPECT_EQ(editor().keying().shelf.refused().size(), 2U);
+    EXPECT_EQ(editor().clips().refused().size(), 2U);
     EXPECT_NE(ui().dump().find("Not added: " + text.string() + ": is not a video that can be decoded"),
               std::string::npos);
     ui().click(panel + "Dismiss");
@@ -131,13 +131,13 @@ TEST_F(ClipsPanel, AMissingFileIsToldInPlaceWithTheWayOut) {
     const fs::path clip = write_clip(folder() / "clip.avi", 5);
     drop(clip.string());
     fs::remove(clip);
-    editor().keying().shelf.look_again();
+    editor().clips().look_again();
     ui().frame().frame();
     EXPECT_NE(ui().dump().find("clip.avi: no such clip; looked in"), std::string::npos);
     EXPECT_TRUE(ui().exists(panel + "Selected clip/Choose file..."));
     write_clip(clip, 5);
     ui().focus(panel + "Selected clip/Look again").key(ui::Key::enter).frame();  // a notice may lie over it
-    EXPECT_TRUE(editor().keying().shelf.faults(3).empty());
+    EXPECT_TRUE(editor().clips().faults(3).empty());
     EXPECT_FALSE(ui().exists(panel + "Selected clip/Choose file..."));
 }
 
@@ -160,15 +160,15 @@ TEST_F(ClipsPanel, ClipsThatLieElsewhereAreCopiedBesideThePreset) {
     for (const fs::path& made : {home, elsewhere, third}) fs::create_directory(made);
     editor().document.save_preset(home / "mine.json");
     drop(write_clip(elsewhere / "smoke.avi", 5).string());
-    EXPECT_TRUE(editor().keying().shelf.outside(3));
+    EXPECT_TRUE(editor().clips().outside(3));
     drop(write_clip(third / "smoke.avi", 5).string());  // the folder is needed by the other one now
     EXPECT_EQ(editor().document.preset().folder / clips()[4].file, third / "smoke.avi");
     EXPECT_EQ(editor().document.preset().folder / clips()[3].file, elsewhere / "smoke.avi");
     EXPECT_TRUE(editor().preview.preset_faults().empty()) << "both are seen at once";
-    EXPECT_TRUE(editor().keying().shelf.outside(4));
+    EXPECT_TRUE(editor().clips().outside(4));
     ui().click(panel + "Selected clip/Copy clips next to the preset").frame().frame();
     EXPECT_EQ(last_step().name, "Copy clips next to the preset");
-    EXPECT_FALSE(editor().keying().shelf.any_outside());
+    EXPECT_FALSE(editor().clips().any_outside());
     EXPECT_TRUE(editor().document.preset_faults().empty());
     EXPECT_TRUE(fs::exists(home / "smoke.avi"));
     EXPECT_TRUE(fs::exists(home / "smoke_2.avi")) << "neither takes the place of the other";
@@ -233,8 +233,8 @@ TEST_F(ClipsPanel, AClipThatIsALinkIsAddedFromWhereItLies) {
     drop((home / "near.avi").string());
     ASSERT_EQ(clips().size(), 4U);
     EXPECT_EQ(fs::canonical(editor().document.preset().folder / clips()[3].file), folder() / "far.avi");
-    EXPECT_TRUE(editor().keying().shelf.faults(3).empty()) << editor().keying().shelf.faults(3).front();
-    EXPECT_TRUE(editor().keying().shelf.outside(3)) << "it can be copied beside the preset";
+    EXPECT_TRUE(editor().clips().faults(3).empty()) << editor().clips().faults(3).front();
+    EXPECT_TRUE(editor().clips().outside(3)) << "it can be copied beside the preset";
     EXPECT_EQ(editor().preview.preview()->clips().size(), 4U);
 }
 
@@ -249,10 +249,9 @@ TEST_F(ClipsPanel, AClipFromElsewhereLeavesWhatIsSavedOfTheOthers) {
     drop(write_clip(elsewhere / "own.avi", 5).string());
     ASSERT_EQ(clips().size(), 2U);
     ASSERT_EQ(clips()[0].file, "preset/own.avi") << "named anew";
-    editor().tuning().follow();
-    ASSERT_NE(editor().tuning().saved_clip(0), nullptr);
-    EXPECT_EQ(editor().tuning().saved_clip(0)->weight, 2.5);
-    EXPECT_EQ(editor().tuning().saved_clip(1), nullptr) << "another one of that name";
+    ASSERT_NE(editor().saved().known_clip(0), nullptr);
+    EXPECT_EQ(editor().saved().known_clip(0)->weight, 2.5);
+    EXPECT_EQ(editor().saved().known_clip(1), nullptr) << "another one of that name";
 }
 
 TEST_F(ClipsPanel, AVideoOpenedWithAPresetLeavesThatOnesHaze) {
@@ -293,7 +292,7 @@ TEST_F(ClipsPanel, InAndOutAreARangeOfTheClip) {
 
 TEST_F(ClipsPanel, AReplacedFileKeepsHowItIsUsed) {
     editor().document.change("Weight", [](document::Content& c) { c.preset.smoke.clips[1].weight = 2.5; });
-    editor().keying().shelf.add({write_clip(folder() / "other.avi", 5).string()}, 1);
+    editor().clips().add({write_clip(folder() / "other.avi", 5).string()}, 1);
     ui().frame().frame();
     EXPECT_EQ(clips().size(), 3U);
     EXPECT_EQ(fs::path(clips()[1].file).filename(), "other.avi");

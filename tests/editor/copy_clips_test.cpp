@@ -21,25 +21,25 @@ class CopyClips : public EditorTest {
         editor().document.change("Add clip", [&](document::Content& c) {
             c.preset.smoke.clips.push_back({.file = (folder() / "elsewhere/mine.mp4").string()});
         });
-        editor().clip = editor().document.preset().smoke.clips.size() - 1;
+        editor().clips().selected = editor().document.preset().smoke.clips.size() - 1;
         ui().frame().frame().frame();
     }
 };
 
 TEST_F(CopyClips, NothingIsCopiedToWhereTheProgramLies) {
-    ASSERT_TRUE(editor().files().shipped(editor().keying().shelf.home())) << editor().keying().shelf.home();
-    ASSERT_TRUE(editor().keying().shelf.any_outside());
+    ASSERT_TRUE(editor().chooser().shipped(editor().clips().home())) << editor().clips().home();
+    ASSERT_TRUE(editor().clips().any_outside());
     EXPECT_FALSE(editor().commands.enabled(editor().commands.index_of("clip.copy")));
     EXPECT_FALSE(ui().exists("Workspace/Clips/Copy clips next to the preset"));
     EXPECT_TRUE(ui().exists("**/Save preset as...")) << "the way out: " << ui().dump();
 }
 
 TEST_F(CopyClips, OnlyFoldersOfTheUserTakeFiles) {
-    EXPECT_TRUE(editor().files().takes_files(folder()));
-    EXPECT_FALSE(editor().files().takes_files(fs::path(LAPFX_SOURCE_DIR) / "presets"));
-    EXPECT_FALSE(editor().files().takes_files(fs::path(LAPFX_SOURCE_DIR) / "samples/clips"));
-    EXPECT_FALSE(editor().files().takes_files(folder() / "not there"));
-    EXPECT_FALSE(editor().files().takes_files({}));
+    EXPECT_TRUE(editor().chooser().takes_files(folder()));
+    EXPECT_FALSE(editor().chooser().takes_files(fs::path(LAPFX_SOURCE_DIR) / "presets"));
+    EXPECT_FALSE(editor().chooser().takes_files(fs::path(LAPFX_SOURCE_DIR) / "samples/clips"));
+    EXPECT_FALSE(editor().chooser().takes_files(folder() / "not there"));
+    EXPECT_FALSE(editor().chooser().takes_files({}));
 }
 
 }  // namespace

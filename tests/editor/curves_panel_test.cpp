@@ -53,18 +53,18 @@ TEST_F(CurvesPanel, EachCurveIsItsOwn) {
 
 TEST_F(CurvesPanel, PointsAreAddedAndRemovedAtTheTime) {
     choose("Emission");
-    editor().seek(3);
+    editor().timeline.seek(3);
     ui().frame().click("**/Area/Add point");
-    editor().seek(5);
+    editor().timeline.seek(5);
     ui().frame().click("**/Area/Add point");
     EXPECT_EQ(curves().emission, (Points{{3.0, 1.0}, {5.0, 1.0}}));
     EXPECT_TRUE(ui().is("**/Area/Add point", ui::Is::disabled)) << "one is there";
     ui().drag("**/Area/Emission/Point 2", {0, 400});
     EXPECT_EQ(curves().emission, (Points{{3.0, 1.0}, {5.0, 0.0}}));
-    editor().seek(4);
+    editor().timeline.seek(4);
     ui().frame();
     EXPECT_THAT(ui().dump(), HasSubstr("x 0.50 at 4.00 s"));
-    editor().seek(3.2);
+    editor().timeline.seek(3.2);
     ui().frame().click("**/Area/Remove point");
     EXPECT_EQ(curves().emission, (Points{{5.0, 0.0}}));
     ui().click("**/Area/Reset");

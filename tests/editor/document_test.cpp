@@ -60,34 +60,34 @@ TEST_F(EditorDocument, ShippedFilesAreNotWrittenOver) {
     set_speed(7.5);
     ui().key('S', Mods::command).frame();
     EXPECT_TRUE(ui().exists("Save preset as"));
-    EXPECT_EQ(editor().file_dialog.folder(), folder()) << "the user's documents";
+    EXPECT_EQ(editor().chooser().dialog().folder(), folder()) << "the user's documents";
     ui().key(Key::escape).frame();
     EXPECT_EQ(read_file(file, 1 << 20), before);
     EXPECT_TRUE(editor().document.preset_unsaved());
     editor().document.change("Length", [](document::Content& c) { c.scene.duration = 9; });
     ui().frame().key('S', Mods::command | Mods::alt).frame();
     EXPECT_TRUE(ui().exists("Save scene as"));
-    EXPECT_EQ(editor().file_dialog.folder(), folder());
+    EXPECT_EQ(editor().chooser().dialog().folder(), folder());
 }
 
 TEST_F(EditorDocument, WhatSavingWillDoWithShippedFilesIsSaidBefore) {
     set_speed(7.5);
-    editor().ask_to_close();
+    editor().files().close();
     ASSERT_TRUE(asked("Save changes before closing?"));
     EXPECT_THAT(editor().files().question()->text, HasSubstr("\"gastric_banding.json\" came with lapfx and stays "
                                                              "unchanged: saving asks for a new name"));
     say("Save as...");
     EXPECT_TRUE(ui().exists("Save preset as"));
     ui().key(Key::escape).frame();
-    EXPECT_FALSE(editor().closed());
+    EXPECT_FALSE(editor().files().closed());
     editor().document.change("Length", [](document::Content& c) { c.scene.duration = 9; });
-    editor().ask_to_close();
+    editor().files().close();
     ASSERT_TRUE(asked("Save changes before closing?"));
     EXPECT_THAT(editor().files().question()->text,
                 HasSubstr("and \"lagb.scene.json\" came with lapfx and stay unchanged"));
     EXPECT_TRUE(ui().exists("**/Save all as..."));
     say("Cancel");
-    EXPECT_FALSE(editor().closed());
+    EXPECT_FALSE(editor().files().closed());
 }
 
 TEST_F(EditorDocument, SavingBeginsInTheFolderOfTheLastTime) {
@@ -101,11 +101,11 @@ TEST_F(EditorDocument, SavingBeginsInTheFolderOfTheLastTime) {
     open_sample();
     set_speed(8);
     ui().key('S', Mods::command).frame();
-    EXPECT_EQ(editor().file_dialog.folder(), folder() / "mine") << "also of the last session";
+    EXPECT_EQ(editor().chooser().dialog().folder(), folder() / "mine") << "also of the last session";
     ui().key(Key::escape).frame();
     fs::remove_all(folder() / "mine");
     ui().key('S', Mods::command).frame();
-    EXPECT_EQ(editor().file_dialog.folder(), folder()) << "it is gone";
+    EXPECT_EQ(editor().chooser().dialog().folder(), folder()) << "it is gone";
 }
 
 TEST_F(EditorDocument, RecentFilesAreThoseThatWereOpened) {
@@ -120,7 +120,7 @@ TEST_F(EditorDocument, RecentFilesAreThoseThatWereOpened) {
     }
     const fs::path clip = fs::path(LAPFX_SOURCE_DIR) / "samples" / "clips" / "wisps_thin.mp4";
     const fs::path video = fs::path(LAPFX_SOURCE_DIR) / "samples" / "reference" / "operation.mp4";
-    editor().keying().shelf.add({broken.string(), clip.string()});
+    editor().clips().add({broken.string(), clip.string()});
     ui().frame().frame();
     EXPECT_THAT(recent, testing::ElementsAre(clip.string(), own.string()));
     editor().reference().choose(broken);
@@ -154,9 +154,9 @@ TEST_F(EditorDocument, WhatIsGoneLeavesTheRecentFilesWhateverItWas) {
     ui().frame().frame();
     EXPECT_THAT(recent, testing::ElementsAre(broken + ".json", broken + ".obj", broken + ".mp4"));
     recent.push_back(gone + ".mp4");
-    editor().keying().shelf.add({broken + ".mp4", gone + ".mp4"});
+    editor().clips().add({broken + ".mp4", gone + ".mp4"});
     ui().frame().frame();
-    EXPECT_EQ(editor().keying().shelf.refused().size(), 2U);
+    EXPECT_EQ(editor().clips().refused().size(), 2U);
     EXPECT_THAT(recent, testing::ElementsAre(broken + ".json", broken + ".obj", broken + ".mp4"));
 }
 
@@ -177,7 +177,7 @@ TEST_F(EditorDocument, SnapshotsTellWhenTheyAreOfAnotherFile) {
     start();
     editor().autosave().find();
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
-    editor().autosave().recover(0);
+    editor().files().recover(0);
     EXPECT_EQ(editor().snapshots().other_file(0), "own.json") << "also after a crash";
 }
 
@@ -243,27 +243,27 @@ TEST_F(EditorDocument, AFailedSaveKeepsTheWorkAndOffersAnotherName) {
 }
 
 TEST_F(EditorDocument, ClosingAsksInWordsAndEachAnswerHolds) {
-    editor().ask_to_close();
+    editor().files().close();
     ui().frame();
-    EXPECT_TRUE(editor().closed()) << "nothing is unsaved";
+    EXPECT_TRUE(editor().files().closed()) << "nothing is unsaved";
     start();
     open_sample();
     const fs::path file = own_preset();
     set_speed(7.5);
-    editor().ask_to_close();
+    editor().files().close();
     ASSERT_TRUE(asked("Save changes before closing?"));
     EXPECT_THAT(ui().dump(), HasSubstr("to 7.5 mm/s"));
     say("Cancel");
-    EXPECT_FALSE(editor().closed());
+    EXPECT_FALSE(editor().files().closed());
     EXPECT_EQ(editor().files().question(), nullptr);
-    editor().ask_to_close();
+    editor().files().close();
     ui().frame().key(Key::escape).frame();
-    EXPECT_FALSE(editor().closed());
+    EXPECT_FALSE(editor().files().closed());
     EXPECT_EQ(editor().files().question(), nullptr);
-    editor().ask_to_close();
+    editor().files().close();
     ui().frame();
     say("Save");
-    EXPECT_TRUE(editor().closed());
+    EXPECT_TRUE(editor().files().closed());
     EXPECT_EQ(load_preset(file).bleeding.speed, 7.5);
 }
 
@@ -272,17 +272,17 @@ TEST_F(EditorDocument, ClosingStaysWhenSavingFailsAndDiscardGoes) {
     set_speed(7.5);
     fs::remove(file);
     fs::create_directory(file);
-    editor().ask_to_close();
+    editor().files().close();
     ui().frame();
     say("Save");
-    EXPECT_FALSE(editor().closed());
+    EXPECT_FALSE(editor().files().closed());
     ASSERT_TRUE(asked("was not saved"));
     say("Cancel");
-    EXPECT_FALSE(editor().closed());
-    editor().ask_to_close();
+    EXPECT_FALSE(editor().files().closed());
+    editor().files().close();
     ui().frame();
     say("Discard");
-    EXPECT_TRUE(editor().closed());
+    EXPECT_TRUE(editor().files().closed());
 }
 
 TEST_F(EditorDocument, OpeningOverUnsavedWorkAsks) {
@@ -471,7 +471,7 @@ TEST_F(EditorDocument, ANameThatWasTypedStaysWhateverItIs) {
 TEST_F(EditorDocument, ATextIsNoSmokeClip) {
     std::ofstream(folder() / "notes.txt") << "buy milk\n";
     editor().toasts.clear();
-    editor().bring({(folder() / "notes.txt").string()});
+    editor().files().bring({(folder() / "notes.txt").string()});
     ui().frame();
     EXPECT_EQ(editor().files().question(), nullptr) << "neither a clip nor a reference";
     EXPECT_NE(ui().dump().find("notes.txt: is a text"), std::string::npos) << ui().dump();

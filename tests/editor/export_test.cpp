@@ -56,7 +56,7 @@ class ExportTest : public EditorTest {
 };
 
 TEST_F(ExportTest, ProposesWhatIsShownBesideThePreset) {
-    editor().seek(4.5);
+    editor().timeline.seek(4.5);
     ui().key('E', ui::Mods::command).frame();
     ASSERT_TRUE(ui().exists("New export/What"));
     EXPECT_THAT(form().file(), HasSubstr("gastric_banding_tuned.json"));
@@ -226,9 +226,9 @@ TEST_F(ExportTest, APresetWaitsForNoJob) {
     ui().click("New export/Export").frame();
     EXPECT_TRUE(ui().exists("Replace it?/Replace")) << "the second one is asked about";
     ui().key(ui::Key::escape).frame().key(ui::Key::escape).frame();
-    editor().ask_to_close();
+    editor().files().close();
     ui().frame();
-    EXPECT_TRUE(editor().closed());
+    EXPECT_TRUE(editor().files().closed());
 }
 
 TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
@@ -243,23 +243,23 @@ TEST_F(ExportTest, ClosingAsksWhileAnExportRuns) {
         ui().frame();
         return editor().files().question() != nullptr ? editor().files().question()->title : "";
     };
-    editor().ask_to_close();
+    editor().files().close();
     EXPECT_EQ(title(), "\"out.mp4\" is being exported");
     const double before = editor().exports().progress();
     ui().frame();
     EXPECT_GT(editor().exports().progress(), before) << "it goes on meanwhile";
     ui().click("**/Keep exporting").frame();
-    EXPECT_FALSE(editor().closed());
+    EXPECT_FALSE(editor().files().closed());
     EXPECT_TRUE(editor().exports().running());
     // What is not saved is asked first: saving may be cancelled, and then nothing is to be lost.
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 9; });
-    editor().ask_to_close();
+    editor().files().close();
     EXPECT_EQ(title(), "Save changes before closing?");
     ui().click("**/Discard").frame();
     EXPECT_EQ(title(), "\"out.mp4\" is being exported");
     EXPECT_TRUE(editor().exports().running());
     ui().click("**/Stop it and close").frame();
-    EXPECT_TRUE(editor().closed());
+    EXPECT_TRUE(editor().files().closed());
     EXPECT_FALSE(editor().exports().running());
     EXPECT_THAT(names(), testing::Contains("out.mp4"));
     EXPECT_EQ(fs::file_size(path("out.mp4")), 3U) << "the old one";
@@ -343,7 +343,7 @@ TEST_F(LoadingExport, CanBeGivenUp) {
 TEST_F(ExportTest, TheCommandMakesTheSameAndSaysWhenItCannot) {
     open_dialog("export.picture");
     set_file(path("a b.png"));
-    editor().seek(6);
+    editor().timeline.seek(6);
     form().at = 6;
     ui().click("New export/Copy lapfx render command").frame();
     EXPECT_THAT(ui().clipboard().text, HasSubstr("samples/lagb.scene.json --preset "));

@@ -12,7 +12,7 @@ class EyedropperTest : public EditorTest {
         EditorTest::SetUp();
         if (IsSkipped()) return;
         open_sample();
-        editor().seek(6);
+        editor().timeline.seek(6);
     }
     /// From the picker of blood's deep colour.
     void begin() {

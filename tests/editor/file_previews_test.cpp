@@ -43,7 +43,7 @@ class FilePreviewsTest : public EditorTest {
     }
     void make_with(const fs::path& by) { editor().file_previews().make_with(by); }
     void choose_from_files() {
-        editor().ask_file({.title = "Look", .folder = files().string()}, [](const auto&) {});
+        editor().chooser().ask({.title = "Look", .folder = files().string()}, [](const auto&) {});
         ui().frame().frame();
     }
     /// Selects it, and waits until its picture is there or not; what the preview then is called.

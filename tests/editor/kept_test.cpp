@@ -138,7 +138,7 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
     start();  // a crash again: it was never saved
     editor().autosave().find();
     ASSERT_EQ(editor().autosave().offers().size(), 1U);
-    editor().autosave().recover(0);
+    editor().files().recover(0);
     editor().autosave().update(2000);
     ui().frame().key('S', Mods::command).frame();
     editor().autosave().update(2001);
@@ -150,10 +150,7 @@ TEST_F(EditorDocument, UnsavedWorkOutlivesACrash) {
 }
 
 TEST_F(EditorDocument, WhatIsSavedIsOfTheSceneThatIsOpen) {
-    const auto saved_seed = [&] {
-        editor().tuning().follow();
-        return editor().tuning().saved().scene.seed;
-    };
+    const auto saved_seed = [&] { return editor().saved().content().scene.seed; };
     document::Document& d = editor().document;
     document::Document::Recovered work;
     work.content = d.content();
@@ -177,7 +174,7 @@ TEST_F(EditorDocument, DiscardedWorkIsGoneAndAutosaveThatFailsIsToldOnce) {
     own_preset();
     set_speed(7.5);
     editor().autosave().update(1000);
-    editor().tell(Error(Failure::runtime, Fault{"", "", "something went wrong"}));
+    editor().toasts.tell(Error(Failure::runtime, Fault{"", "", "something went wrong"}));
     editor().autosave().update(1001);  // at once
     start();
     editor().autosave().find();

@@ -70,7 +70,7 @@ TEST_F(KeyingPanel, ShowsTheSelectedClipOnItsWayToSmoke) {
     EXPECT_EQ(bench.picture(BenchView::source).size, glm::ivec2(720, 480));
     EXPECT_EQ(bench.frames(), 150);
     const double before = mean(BenchView::source);
-    editor().clip = 2;
+    editor().clips().selected = 2;
     ui().frame().frame();
     EXPECT_GT(std::abs(mean(BenchView::source) - before), 10.0) << "another clip";
     for (int y = 100; y < 480; y += 100) {
@@ -181,7 +181,7 @@ TEST_F(KeyingPanel, BackspaceOnHandlesIsTheSavedValueWithShiftTheDefault) {
 
 TEST_F(KeyingPanel, SourceCropAndMasksAreHandlesOnTheSourcePicture) {
     const std::string source = panel + "Bench/Source/";
-    const auto clip = [&] { return editor().document.preset().smoke.clips[editor().clip]; };
+    const auto clip = [&] { return editor().document.preset().smoke.clips[editor().clips().selected]; };
     const SmokeClip before = clip();
     ui().drag(source + "Source", {-30, -20});
     EXPECT_LT(clip().source_x, before.source_x);
@@ -231,7 +231,7 @@ TEST_F(KeyingPanel, AMaskIsDrawnByADragAndEscapeOrAnotherClipEndsIt) {
     EXPECT_EQ(masks().size(), 1U);
     ui().click(draw).frame();
     ASSERT_TRUE(draws());
-    editor().clip = 1;
+    editor().clips().selected = 1;
     ui().frame().frame();
     EXPECT_FALSE(draws()) << "it was for the other clip";
 }
@@ -256,7 +256,7 @@ TEST_F(KeyingPanel, TheSourceIsFoundInOneStep) {
         c.preset.smoke.clips[0].source_x = 0.05, c.preset.smoke.clips[0].source_y = 0.05;
     });
     ui().frame();
-    const SourceSuggestion found = suggest_source(editor().keying().shelf.of(0).path);
+    const SourceSuggestion found = suggest_source(editor().clips().of(0).path);
     ASSERT_TRUE(found.found);
     ui().click(panel + "Bench/Thresholds/Frame/Find the smoke's source").frame().frame();
     const SmokeClip& clip = editor().document.preset().smoke.clips[0];
@@ -286,7 +286,7 @@ TEST_F(KeyingPanel, SuggestLeavesOtherClipsAloneWhereTheClipHasItsOwn) {
 TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
     open_clip(green_clip());
     document::Document& document = editor().document;
-    const std::size_t number = editor().clip;
+    const std::size_t number = editor().clips().selected;
     document.change("Own keying", [&](document::Content& c) {
         c.preset.smoke.clips[number].own_keying = true;
         c.preset.smoke.clips[number].keying.spill = 0.25;
@@ -298,7 +298,7 @@ TEST_F(KeyingPanel, ASuggestionThatEndsWhileAnotherClipIsSelectedIsForItsOwn) {
     const KeyingParameters shared = keying();
     ui().frame();
     editor().keying().suggest();
-    editor().clip = document.preset().smoke.clips.size() - 1;
+    editor().clips().selected = document.preset().smoke.clips.size() - 1;
     ui().frame().frame();
     EXPECT_EQ(document.steps().back().name, "Suggest keying");
     EXPECT_GT(document.preset().smoke.clips[number].keying.chroma_high, 20.0);
@@ -315,17 +315,17 @@ TEST_F(KeyingPanel, ASuggestionThatEndsAsTheSelectedClipGoesIsForItsOwn) {
     document::Document& document = editor().document;
     document.change("One clip", [&](document::Content& c) {
         auto& clips = c.preset.smoke.clips;
-        clips = {clips[editor().clip]};
+        clips = {clips[editor().clips().selected]};
     });
-    editor().clip = 0;
+    editor().clips().selected = 0;
     ui().frame().frame();
     editor().keying().suggest();
     document.change("Add clip",
                     [&](document::Content& c) { c.preset.smoke.clips.push_back(c.preset.smoke.clips.front()); });
-    editor().clip = 1;
+    editor().clips().selected = 1;
     document.undo();
     ui().frame().frame();
-    EXPECT_EQ(editor().clip, 0U);
+    EXPECT_EQ(editor().clips().selected, 0U);
     EXPECT_GT(keying().chroma_high, 20.0);
     EXPECT_TRUE(editor().keying().suggestion()) << "its clip is seen again: told in place";
     EXPECT_EQ(ui().dump().find("Keying for green.avi"), std::string::npos);
@@ -385,10 +385,7 @@ TEST_F(KeyingPanel, BesideTheWindowPicturesFollowWithoutWaiting) {
     live.document.open(editor().document.content());
     app::KeyingBench& bench = live.keying();
     double now = 1;
-    const auto frame = [&] {
-        bench.show();
-        live.update(now += 1.0 / 60);
-    };
+    const auto frame = [&] { live.frame(now += 1.0 / 60, [&] { bench.show(); }, {.visible = false}); };
     const auto until = [&](const std::function<bool()>& met) {
         for (int i = 0; i < 2000 && !met(); ++i) {
             std::this_thread::sleep_for(std::chrono::milliseconds(5));
@@ -441,7 +438,7 @@ TEST_F(KeyingPanel, ScrubsByTimeAndByFrame) {
     ui().click(panel + "Bench/Previous frame").click(panel + "Bench/Previous frame").frame();
     EXPECT_EQ(editor().keying().frame(), before - 1);
     ui().click(panel + "Bench/Follow");
-    editor().seek(1.0);
+    editor().timeline.seek(1.0);
     ui().frame().frame();
     EXPECT_EQ(editor().keying().frame(), 30);
     EXPECT_EQ(steps(), 0U) << "no part of the document";
@@ -489,11 +486,11 @@ TEST_F(KeyingPanel, BehindTheSmokeThePreviewIsWhole) {
     rest();
     ui().click(panel + "Behind/Preview");
     for (int i = 0; i < 150; ++i) {  // its first turns may still be whole
-        editor().seek(0.02 * i);
+        editor().timeline.seek(0.02 * i);
         editor().touch(ui().time + 1.0 / 60);
         ui().frame();
     }
-    editor().seek(3);
+    editor().timeline.seek(3);
     ASSERT_LT(editor().whole_at(), 1e9) << "what is seen meanwhile has fewer pixels";
     ui().frame().frame();
     editor().jobs.finish();
@@ -556,7 +553,7 @@ TEST_F(KeyingPanel, AClipThatBreaksWhileItIsOpenDoesNoHarm) {
     std::ofstream(path, std::ios::trunc) << "no video any more";
     editor().keying().look.time = 0.75;
     ui().frame().frame();
-    editor().keying().shelf.look_again();
+    editor().clips().look_again();
     ui().frame().frame();
     EXPECT_NE(ui().dump().find("is not a video that can be decoded"), std::string::npos);
 }

@@ -194,7 +194,9 @@ TEST_F(EditorMemory, TheStatusBarSaysWhatHoldsIt) {
                              "Pictures of the scene", "Program and libraries", "Driver, decoders, all else"})
         EXPECT_THAT(tip, testing::HasSubstr(part));
     std::size_t sum = 0;
-    for (const app::MemoryPart& part : app::memory_parts(editor())) sum += part.bytes;
+    for (const app::MemoryPart& part :
+         app::memory_parts(editor().preview, editor().reference(), editor().images, editor().document))
+        sum += part.bytes;
     const app::ProcessMemory process = app::ProcessMemory::now();
     EXPECT_GT(process.all, process.files + sum / 2) << "what is counted is there";
 }

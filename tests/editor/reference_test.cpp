@@ -42,13 +42,13 @@ TEST_F(ReferencePanel, TheSampleSceneHasOneThatFollowsTheTimeline) {
     ASSERT_NE(reference().video(), nullptr);
     EXPECT_EQ(reference().picture().size, glm::ivec2(640, 512));
     EXPECT_NEAR(reference().video()->info().duration, 8.0, 0.05);
-    editor().seek(4);
+    editor().timeline.seek(4);
     ui().frame();
     EXPECT_EQ(reference().frame(), 112) << "half a second on, 25 a second";
     EXPECT_EQ(ui().value(in("Frame")), 112);
     const ui::Picture picture = reference().picture();
     const glm::vec4 before = picture.pixels->pixel({320, 250});
-    editor().seek(0);
+    editor().timeline.seek(0);
     ui().frame();
     EXPECT_GT(glm::distance(before, picture.pixels->pixel({320, 250})), 20.0F) << "blood has gone there";
     const auto span = reference().span();
@@ -132,7 +132,7 @@ TEST_F(ReferencePanel, WhatIsBeingOpenedIsNotForAnotherDocument) {
 TEST_F(ReferencePanel, AFileThatVanishesKeepsItsLastFrame) {
     const fs::path file = video();
     drop(file);
-    editor().seek(1.0);
+    editor().timeline.seek(1.0);
     ui().frame();
     fs::rename(file, folder() / "away.avi");
     ui().frame().frame();
@@ -146,20 +146,20 @@ TEST_F(ReferencePanel, AFileThatVanishesKeepsItsLastFrame) {
 
 TEST_F(ReferencePanel, AFrameThatIsHeldIsAlignedWithTheScene) {
     drop(video());
-    editor().seek(2.0);
+    editor().timeline.seek(2.0);
     ui().frame();
     EXPECT_EQ(reference().frame(), 20);
     EXPECT_TRUE(ui().is(in("Align start here"), ui::Is::disabled));
     ui().click(in("Frame after")).click(in("Frame after")).click(in("Frame after")).click(in("Frame before")).frame();
     EXPECT_EQ(reference().frame(), 22);
-    editor().seek(0.5);
+    editor().timeline.seek(0.5);
     ui().frame();
     EXPECT_EQ(reference().frame(), 22) << "held";
     ui().click(in("Align start here")).frame();
     EXPECT_NEAR(editor().document.scene().reference.offset, 1.7, 1e-6);
     EXPECT_FALSE(reference().held());
     EXPECT_EQ(reference().frame(), 22);
-    editor().seek(0.6);
+    editor().timeline.seek(0.6);
     ui().frame();
     EXPECT_EQ(reference().frame(), 23);
     EXPECT_EQ(editor().document.steps().back().name, "Align reference");
@@ -173,11 +173,11 @@ TEST_F(ReferencePanel, TheOffsetIsOneStepAGesture) {
     EXPECT_NEAR(editor().document.scene().reference.offset, -1.25, 1e-9);
     EXPECT_EQ(editor().document.done(), steps + 1);
     EXPECT_EQ(editor().document.steps().back().name, "Reference offset");
-    editor().seek(1.0);
+    editor().timeline.seek(1.0);
     ui().frame();
     EXPECT_EQ(reference().frame(), 0);
     EXPECT_NE(ui().dump().find("Before its start"), std::string::npos);
-    editor().seek(11.5);
+    editor().timeline.seek(11.5);
     ui().frame();
     EXPECT_EQ(reference().frame(), 199);
     EXPECT_NE(ui().dump().find("After its end"), std::string::npos);
@@ -217,7 +217,7 @@ TEST_F(ReferencePanel, KeysGoThroughTheWaysAndSwap) {
 }
 
 TEST_F(ReferencePanel, ThePreviewBesideIsTheOneOfTheViewPanel) {
-    editor().seek(6);
+    editor().timeline.seek(6);
     ui().click(in("Compare/Wipe")).frame().frame();
     const ui::Picture beside = reference().compared_preview();
     ASSERT_EQ(beside.size, glm::ivec2(640, 512));
@@ -255,7 +255,7 @@ TEST_F(ReferencePanel, WhatIsNotSeenIsNotDrawn) {
     ui().click(in("Compare/Side by side")).frame();
     EXPECT_TRUE(reference().compares());
     EXPECT_FALSE(reference().draw()) << "nothing has changed";
-    editor().seek(3);
+    editor().timeline.seek(3);
     EXPECT_TRUE(reference().draw());
     editor().document.change("Speed", [](document::Content& c) { c.preset.bleeding.speed = 12; });
     editor().preview.follow(editor().document);
@@ -275,7 +275,7 @@ TEST_F(ReferencePanel, LargeReferencesAreComparedAtASizeThatCanBeDrawn) {
 
 TEST_F(ReferencePanel, ThePreviewIsAsSharpAsThePanelWhateverTheVideoIs) {
     drop(write_clip(folder() / "small.avi", 30, {160, 80}, 10));
-    editor().seek(6);
+    editor().timeline.seek(6);
     ui().click(in("Compare/Difference")).frame().frame();
     EXPECT_EQ(reference().drawn_size(), glm::ivec2(160, 80)) << "what is subtracted is of one resolution";
     const auto mean_difference = [&](const std::vector<glm::vec4>& before) {

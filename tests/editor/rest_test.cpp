@@ -35,7 +35,7 @@ class RestTest : public EditorTest {
             layout(name);
             expect_rest(what + ", layout " + name);
         }
-        for (const auto& panel : app::panel_names) {
+        for (const auto& panel : editor().layouts().panels()) {
             editor().layouts().shown.show(panel);
             ui().frame();
             expect_rest(what + ", panel " + std::string(panel));
@@ -94,10 +94,10 @@ TEST_F(RestTest, APipeIsNotWaitedFor) {
     const fs::path pipe = folder() / "smoke";
     ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
     EXPECT_EQ(app::kind_of(pipe), app::FileKind::video) << "and its reader says what it is";
-    editor().keying().shelf.add({pipe.string()});
+    editor().clips().add({pipe.string()});
     ui().frame().frame();
-    ASSERT_EQ(editor().keying().shelf.refused().size(), 1U);
-    EXPECT_EQ(editor().keying().shelf.refused()[0].reason, "is not a plain file");
+    ASSERT_EQ(editor().clips().refused().size(), 1U);
+    EXPECT_EQ(editor().clips().refused()[0].reason, "is not a plain file");
 }
 
 TEST_F(RestTest, AnEmptyEditorComesToRestToo) {
@@ -124,13 +124,13 @@ TEST_F(RestTest, APresetAloneLeavesTheViewAndTheEventsAlone) {
     editor().looking.endoscope = false;
     editor().looking.camera.eye += glm::dvec3(10, 0, 0);
     editor().selected = {0};
-    editor().clip = 2;
+    editor().clips().selected = 2;
     const glm::dvec3 eye = editor().looking.camera.eye;
     open({another_preset().string()});
     EXPECT_EQ(editor().document.preset().name, "Another");
     EXPECT_EQ(editor().looking.camera.eye, eye);
     EXPECT_EQ(editor().selected, std::vector<std::size_t>{0});
-    EXPECT_EQ(editor().clip, 0U);
+    EXPECT_EQ(editor().clips().selected, 0U);
 }
 
 TEST_F(RestTest, WhatWasBeforeASnapshotIsNotBroughtIntoAnotherDocument) {

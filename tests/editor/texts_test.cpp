@@ -30,7 +30,7 @@ class TextsTest : public ShapedTest {
             std::snprintf(text, sizeof text, " at %.1f, %d x %d", static_cast<double>(to.scale), to.size.x, to.size.y);
             shape(to);
             expect_readable(name + text);
-            for (const std::string_view panel : app::panel_names) {
+            for (const std::string_view panel : editor().layouts().panels()) {
                 if (editor().layouts().seen(panel) || editor().layouts().shown.find(panel) < 0) continue;
                 editor().layouts().shown.show(panel);
                 ui().frame().frame();

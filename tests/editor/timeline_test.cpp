@@ -72,13 +72,13 @@ TEST_F(TimelinePanelTest, BackspaceGoesBackToWhatWasSavedOfEventsAndDuration) {
 }
 
 TEST_F(TimelinePanelTest, EventsAreAddedDoubledAndDeleted) {
-    editor().seek(9);
+    editor().timeline.seek(9);
     ui().frame();
     ui().click("**/Add event");
     ASSERT_EQ(events().size(), 3U);
     EXPECT_EQ(events()[2].time, 9);
     EXPECT_EQ(events()[2].position, events()[1].to) << "where the tool last was";
-    editor().seek(10.5);
+    editor().timeline.seek(10.5);
     ui().frame();
     if (!ui().exists("**/Duplicate")) ui().click("Workspace/Timeline/More...").frame().frame();
     ui().click("**/Duplicate").frame().key(ui::Key::escape).frame();  // out of the menu, if it is there
@@ -109,7 +109,7 @@ TEST_F(TimelinePanelTest, APathMovesWhole) {
 }
 
 TEST_F(TimelinePanelTest, ItPlaysStepsAndGoesToTheStart) {
-    editor().seek(4);
+    editor().timeline.seek(4);
     ui().key(ui::key_of('.'));
     EXPECT_NEAR(editor().timeline.time, 4.04, 1e-9);
     ui().key(ui::key_of(',')).key(ui::key_of(','));
@@ -117,7 +117,7 @@ TEST_F(TimelinePanelTest, ItPlaysStepsAndGoesToTheStart) {
     ui().key(ui::Key::home, ui::Mods::command);
     EXPECT_EQ(editor().timeline.time, 0);
     ui().key(ui::Key::space);
-    EXPECT_TRUE(editor().playing());
+    EXPECT_TRUE(editor().timeline.playing());
 }
 
 TEST_F(TimelinePanelTest, TheSceneHasItsRows) {

@@ -76,7 +76,7 @@ TEST_F(ViewPanelTest, TheKeyboardLooksAround) {
     ui().key(ui::key_of('='));
     EXPECT_LT(glm::distance(editor().looking.camera.eye, framed.target), glm::distance(framed.eye, framed.target));
     ui().key(ui::Key::space);
-    EXPECT_TRUE(editor().playing());
+    EXPECT_TRUE(editor().timeline.playing());
 }
 
 TEST_F(ViewPanelTest, AToolHeldOnTheOrganBecomesAnEvent) {
@@ -87,11 +87,11 @@ TEST_F(ViewPanelTest, AToolHeldOnTheOrganBecomesAnEvent) {
     ASSERT_EQ(editor().tool.action, ToolAction::cut);
     ui().press(preview, {0.6F, 0.45F});
     EXPECT_TRUE(editor().hold.on());
-    EXPECT_TRUE(editor().playing());
+    EXPECT_TRUE(editor().timeline.playing());
     hold(30);
     EXPECT_EQ(events().size(), before) << "nothing is recorded yet";
     ui().release();
-    EXPECT_FALSE(editor().playing()) << "it stood before";
+    EXPECT_FALSE(editor().timeline.playing()) << "it stood before";
     ASSERT_EQ(events().size(), before + 1);
     const ToolContact event = events().back();
     EXPECT_EQ(event.action, ToolAction::cut);
@@ -129,7 +129,7 @@ TEST_F(ViewPanelTest, AClipIsSetWhereTheToolIsPressedAndUndone) {
 }
 
 TEST_F(ViewPanelTest, ATrailFollowsThePointerAndTheSceneGetsLonger) {
-    editor().seek(11.9);
+    editor().timeline.seek(11.9);
     ui().frame();
     ui().key('1');
     const std::size_t before = events().size();
@@ -138,11 +138,11 @@ TEST_F(ViewPanelTest, ATrailFollowsThePointerAndTheSceneGetsLonger) {
     ui().release();
     ASSERT_GT(events().size(), before);
     EXPECT_GT(glm::distance(events()[before].position, events().back().to), 2.0);
-    EXPECT_GT(editor().duration(), 12.0);
-    EXPECT_GE(editor().duration(), events().back().end());
+    EXPECT_GT(editor().timeline.duration(), 12.0);
+    EXPECT_GE(editor().timeline.duration(), events().back().end());
     editor().document.undo();
     EXPECT_EQ(events().size(), before);
-    EXPECT_EQ(editor().duration(), 12.0) << "one step";
+    EXPECT_EQ(editor().timeline.duration(), 12.0) << "one step";
 }
 
 TEST_F(ViewPanelTest, EscWhileHeldGivesEverythingBack) {
@@ -161,7 +161,7 @@ TEST_F(ViewPanelTest, EscWhileHeldGivesEverythingBack) {
 }
 
 TEST_F(ViewPanelTest, EnterWorksInTheMiddleForHalfASecond) {
-    editor().seek(5);
+    editor().timeline.seek(5);
     ui().focus(preview);
     ui().key('2');
     const std::size_t count = events().size();
@@ -171,7 +171,7 @@ TEST_F(ViewPanelTest, EnterWorksInTheMiddleForHalfASecond) {
     ASSERT_EQ(events().size(), count + 1);
     EXPECT_NEAR(events().back().duration, 0.5, 0.02);
     EXPECT_LT(glm::distance(events().back().position, middle), 0.5);
-    EXPECT_FALSE(editor().playing());
+    EXPECT_FALSE(editor().timeline.playing());
 }
 
 TEST_F(ViewPanelTest, TheBandOfVesselsIsTunedOverItsOverlay) {
@@ -256,7 +256,7 @@ TEST_F(ViewPanelTest, PanelsGoOnWhileTheSceneIsSlow) {
     EXPECT_LT(editor().whole_at(), 1e9) << "what is seen meanwhile has fewer pixels";
     ui().release();
     editor().timeline.speed = 0;
-    editor().seek(6);
+    editor().timeline.seek(6);
     ui().frame().frame(1).frame(1);
     for (int i = 0; i < 1000 && editor().preview.late(); ++i) {  // frames of its clips are being decoded
         std::this_thread::sleep_for(std::chrono::milliseconds(10));

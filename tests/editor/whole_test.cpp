@@ -42,7 +42,7 @@ class WholeTest : public EditorTest {
     }
     /// What the view draws, with as many pixels as an export has.
     Image view(double time) {
-        editor().seek(time);
+        editor().timeline.seek(time);
         ui().frame();
         app::PreviewHost& preview = editor().preview;
         const glm::ivec2 shown = preview.size();

@@ -144,6 +144,13 @@ bool CommandTable::checked(std::size_t index) const {
     return command.checked && command.checked();
 }
 
+std::string_view CommandTable::tip(Ui& ui, std::size_t index) const {
+    const Command& command = entries_[index].command;
+    if (command.missing.empty() || enabled(index)) return command.tip;
+    return command.tip.empty() ? std::string_view(command.missing)
+                               : ui.join({command.tip, "\nNot now: ", command.missing});
+}
+
 bool CommandTable::run(std::size_t index) {
     if (!enabled(index)) return false;
     const auto what = entries_[index].command.run;  // may add commands, which moves the table
@@ -237,7 +244,7 @@ bool command_item(Ui& ui, CommandTable& table, std::string_view id) {
     const bool chosen = menu_item(ui, command.title,
                                   {.icon = command.icon,
                                    .shortcut = table.chord_text(index),
-                                   .tip = command.tip,
+                                   .tip = table.tip(ui, index),
                                    .enabled = table.enabled(index),
                                    .checked = table.checked(index)});
     return chosen && table.run(index);
@@ -247,7 +254,8 @@ bool command_button(Ui& ui, CommandTable& table, std::string_view id, bool only_
     const std::size_t index = table.index_of(id);
     const Command& command = table[index];
     const std::string& keys = table.chord_text(index);
-    const std::string_view what = command.tip.empty() ? std::string_view(command.title) : command.tip;
+    const std::string_view told = table.tip(ui, index);
+    const std::string_view what = told.empty() ? std::string_view(command.title) : told;
     const std::string_view tip = keys.empty() ? ui.copy(what) : ui.join({what, " (", keys, ")"});
     ButtonOptions options{.icon = command.icon, .tip = tip, .quiet = only_icon};
     ui.push_disabled(!table.enabled(index));

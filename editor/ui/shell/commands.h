@@ -46,6 +46,8 @@ struct Command {
     std::function<bool()> enabled{};  ///< empty: always
     std::function<bool()> checked{};  ///< empty: nothing that is on or off
     std::string tip{};
+    /// What is missing while it is not enabled, for its tooltip then: "Nothing is selected".
+    std::string missing{};
 };
 
 class CommandTable : public Shortcuts {
@@ -63,6 +65,8 @@ class CommandTable : public Shortcuts {
     const std::string& full_title(std::size_t index) const { return entries_[index].full_title; }
     bool enabled(std::size_t index) const;
     bool checked(std::size_t index) const;
+    /// Its tip; while it is not enabled, with what is missing. Valid for the frame of `ui`.
+    std::string_view tip(Ui& ui, std::size_t index) const;
     /// Gives whether it ran: not when it is disabled.
     bool run(std::size_t index);
     bool run(std::string_view id) { return run(index_of(id)); }

@@ -127,14 +127,14 @@ struct RowText {
     bool enabled = true, checked = false;
 };
 
-RowText text_of(const CommandTable& table, Items items, std::size_t index) {
+RowText text_of(Ui& ui, const CommandTable& table, Items items, std::size_t index) {
     if (index >= table.size()) {
         const PaletteItem& item = items[index - table.size()];
         return {.title = item.title, .note = item.note, .tip = item.tip, .icon = item.icon};
     }
     return {.title = table.full_title(index),
             .note = table.chord_text(index),
-            .tip = table[index].tip,
+            .tip = table.tip(ui, index),
             .icon = table[index].icon,
             .enabled = table.enabled(index),
             .checked = table.checked(index)};
@@ -201,7 +201,7 @@ std::size_t put_rows(Ui& ui, const CommandTable& table, Items items, PaletteStat
     const LineWindow window(ui, area, state.found.size(), height);
     std::size_t clicked = state.found.size();
     for (std::size_t i = window.first(); i < window.last(); ++i) {
-        const RowText text = text_of(table, items, state.found[i].index);
+        const RowText text = text_of(ui, table, items, state.found[i].index);
         if (put_row(ui, text, state.found[i], i == state.current)) clicked = i;
     }
     return clicked;

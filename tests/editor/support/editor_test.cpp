@@ -2,6 +2,7 @@
 
 #include <cstdlib>
 
+#include "app/files.h"
 #include "app/layouts.h"
 #include "app/open.h"
 #include "panels/panels.h"
@@ -41,10 +42,10 @@ void EditorTest::start(glm::ivec2 size, bool exact) {
                                                                         .software = true,
                                                                         .clock = clock,
                                                                         .files = nullptr});
-    panels::add_commands(*editor_);
+    panels::set_up(*editor_);
     ui_ = std::make_unique<ui::Harness>([this](ui::Ui& u) { panels::workspace(u, *editor_); }, size, 1.0F,
                                         &editor_->commands, &images_);
-    ui_->around([this](double now) { editor_->update(now); }, [this] { editor_->draw(); });
+    ui_->around([this](double now, const std::function<void()>& build) { editor_->frame(now, build); });
 }
 
 void EditorTest::open_sample() {
@@ -55,7 +56,7 @@ void EditorTest::open_sample() {
 }
 
 void EditorTest::open(const std::vector<std::string>& files) {
-    editor_->open(files);
+    editor_->files().open(files);
     ui_->frame().frame();
 }
 
@@ -66,7 +67,7 @@ void EditorTest::layout(std::string_view name) {
 
 Image EditorTest::picture(double time) {
     editor_->timeline.speed = 0;
-    editor_->seek(time);
+    editor_->timeline.seek(time);
     ui_->frame();
     return editor_->preview.read();
 }

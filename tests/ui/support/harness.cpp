@@ -23,16 +23,17 @@ Harness::Harness(std::function<void(Ui&)> build, glm::ivec2 frame_size, float fr
 
 Harness& Harness::frame(double seconds) {
     time += seconds;
-    if (before_) before_(time);
-    output_ = &ui_.frame({.size = size, .scale = scale, .time = time}, build_);
-    if (after_) after_();
+    const auto build = [this] { output_ = &ui_.frame({.size = size, .scale = scale, .time = time}, build_); };
+    if (around_)
+        around_(time, build);
+    else
+        build();
     return *this;
 }
 
-Harness& Harness::around(std::function<void(double)> before, std::function<void()> after) {
-    before_ = std::move(before);
-    after_ = std::move(after);
-    return frame();
+Harness& Harness::around(std::function<void(double, const std::function<void()>&)> frame) {
+    around_ = std::move(frame);
+    return this->frame();
 }
 
 Harness& Harness::settle() {

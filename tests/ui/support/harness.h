@@ -34,8 +34,8 @@ class Harness {
   public:
     explicit Harness(std::function<void(Ui&)> build, glm::ivec2 size = {640, 480}, float scale = 1,
                      Shortcuts* shortcuts = nullptr, ImageStore* images = nullptr);
-    /// Called around every frame from now on, as a window's program is: with the time before, and after it.
-    Harness& around(std::function<void(double)> before, std::function<void()> after);
+    /// Makes every frame from now on, as a window's program does: with the time, and what builds the UI.
+    Harness& around(std::function<void(double, const std::function<void()>&)> frame);
 
     /// Fonts of all tests: Inter, slight hinting, whatever the host says.
     static Fonts& fonts();
@@ -83,8 +83,7 @@ class Harness {
     TestClipboard clipboard_;
     ImageStore images_;
     std::function<void(Ui&)> build_;
-    std::function<void(double)> before_;
-    std::function<void()> after_;
+    std::function<void(double, const std::function<void()>&)> around_;
     Ui ui_;
     const FrameOutput* output_ = nullptr;
     glm::vec2 pointer_{0};

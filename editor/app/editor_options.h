@@ -1,0 +1,33 @@
+// What an editor is started with.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "document/folders.h"
+
+namespace lapfx::ui {
+class FileSystem;
+}
+
+namespace lapfx::app {
+
+struct EarlyLoad;
+
+struct EditorOptions {
+    std::filesystem::path data_folder;                ///< of the shipped presets, samples and shaders
+    std::vector<std::filesystem::path> clip_folders;  ///< where bare clip names are looked up
+    document::Folders folders;                        ///< of the user: settings, state, cache
+    /// For pictures and tests: clips and references are decoded exactly, jobs waited for, nothing is autosaved.
+    bool exact = false;
+    std::string renderer;                        ///< GL_RENDERER, for the status bar
+    bool software = false;                       ///< no GPU
+    std::function<double()> clock{};             ///< s, for what pictures cost; empty: this computer's
+    ui::FileSystem* files = nullptr;             ///< of file dialogs; null: this computer's
+    std::shared_ptr<EarlyLoad> early = nullptr;  ///< of the document that will be opened first
+};
+
+}  // namespace lapfx::app

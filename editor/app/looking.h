@@ -1,0 +1,20 @@
+// How the organ is looked at.
+#pragma once
+
+#include "lapfx/scene.h"
+#include "lapfx/view.h"
+
+namespace lapfx::app {
+
+struct Looking {
+    /// True: through the scene's camera, with its vignette, and fixed: what `lapfx render` shows. False: freely, by
+    /// `camera`.
+    bool endoscope = true;
+    SceneCamera camera;
+    Overlay overlay = Overlay::none;
+
+    /// The camera that the view shows the scene through.
+    SceneCamera through(const SceneCamera& of_scene) const;
+};
+
+}  // namespace lapfx::app

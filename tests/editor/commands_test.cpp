@@ -1,0 +1,214 @@
+// Menus promise nothing that is not there: each command does something that a person can see, or is off and says what
+// is missing; each entry of a menu is one of them, or says why it is off.
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "app/clip_shelf.h"
+#include "app/files.h"
+#include "app/keying_bench.h"
+#include "app/layouts.h"
+#include "app/reference.h"
+#include "app/settings.h"
+#include "app/snapshots.h"
+#include "app/tuning.h"
+#include "editor/support/editor_test.h"
+
+namespace lapfx::test {
+namespace {
+
+using testing::IsEmpty;
+using testing::UnorderedElementsAre;
+using ui::Key;
+
+class CommandsTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        EditorTest::SetUp();
+        if (!IsSkipped()) start({900, 640});
+    }
+    ui::CommandTable& commands() { return editor().commands; }
+
+    /// What a person sees, or would find changed: the tree of widgets, the document, what is on or off, notices.
+    std::string state() {
+        ui().frame().frame();
+        const app::Editor& e = editor();
+        std::string text = ui().dump() + "focus " + ui().focused();
+        for (std::size_t i = 0; i < commands().size(); ++i) text += commands().checked(i) ? '1' : '0';
+        const auto add = [&](auto value) { text += ' ' + std::to_string(value); };
+        add(e.document.version());
+        add(e.timeline.time);
+        add(e.looking.camera.eye.x);
+        add(e.toasts.log().size());
+        add(editor().files().closed());
+        return text + ui().clipboard().text;
+    }
+
+    /// All that commands work on is there: changes to undo and to redo, clips, snapshots, a held reference, an event
+    /// and a parameter that are selected, a notice. What is on in one variant is off in the other.
+    void prepare(int variant) {
+        app::Editor& e = editor();
+        for (int i = 0; i < 4; ++i) ui().key(Key::escape);
+        e.toasts.clear();
+        e.document.open(content_, scene_file_, preset_file_);
+        e.forget_document();
+        for (const double speed : {5.0, 6.0, 7.0})
+            e.document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = speed; });
+        e.document.undo();
+        for (std::size_t slot = 0; slot < app::Snapshots::count; ++slot)
+            if (!e.snapshots().at(slot)) e.snapshots().keep(slot);
+        e.document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = 8; });
+        e.document.change("Speed", [&](document::Content& c) { c.preset.bleeding.speed = 9 + variant; });
+        e.document.undo();
+        e.clips().selected = 1;
+        e.selected = {0};
+        e.timeline.speed = 0;
+        e.timeline.seek(3.3);
+        e.tuning().current = app::parameters().find("bleeding.speed");
+        e.tuning().search.clear();
+        e.tuning().changed_only = false;
+        e.tool.action.reset();
+        if (variant == 1) e.tool.action = ToolAction::tear;
+        e.looking.endoscope = false;
+        e.looking.camera.eye.x += 10;
+        e.settings().half_resolution = true;
+        e.settings().hint_seen = true;
+        ui().clipboard().text = "{}";
+        e.layouts().choose(variant == 0 ? "Key" : "Tune");
+        if (variant == 1)
+            for (const char* panel : {"Reference", "Presets", "Snapshots"}) e.layouts().bring_to_front(panel);
+        ui().frame().frame();
+        e.reference().hold(30);
+        e.toasts.add({.text = "A notice", .seconds = 0});
+        ui().frame().frame();
+    }
+
+    void open_all() {
+        open_sample();
+        editor().reference().choose_sample();
+        ui().frame().frame().frame();
+        content_ = editor().document.content();
+        scene_file_ = editor().document.scene_file();
+        preset_file_ = editor().document.preset_file();
+        ASSERT_FALSE(content_.scene.reference.file.empty());
+        ASSERT_GE(content_.preset.smoke.clips.size(), 3U);
+    }
+
+    /// Whether the command did something. It is off: not asked.
+    bool does_something(std::size_t command) {
+        const std::string before = state();
+        EXPECT_EQ(before, state()) << commands()[command].id << ": something changes by itself";
+        commands().run(command);
+        return state() != before;
+    }
+
+  private:
+    document::Content content_;
+    std::filesystem::path scene_file_, preset_file_;
+};
+
+TEST_F(CommandsTest, EachDoesSomethingWhereItIsOn) {
+    open_all();
+    std::set<std::string> idle, off;
+    for (std::size_t i = 0; i < commands().size(); ++i) {
+        const std::string id = commands()[i].id;
+        bool does = false, on = false;
+        for (int variant = 0; variant < 2 && !does; ++variant) {
+            prepare(variant);
+            if (!commands().enabled(i)) continue;
+            on = true;
+            does = does_something(i);
+        }
+        if (!on) off.insert(id);
+        if (on && !does) idle.insert(id);
+    }
+    EXPECT_THAT(idle, IsEmpty());
+    EXPECT_THAT(off, UnorderedElementsAre("clip.copy")) << "copy_clips_test has clips that lie elsewhere";
+}
+
+TEST_F(CommandsTest, WhatIsOffSaysWhatIsMissing) {
+    for (const bool opened : {false, true}) {
+        if (opened) open_sample();
+        ui().frame().frame();
+        std::size_t off = 0;
+        for (std::size_t i = 0; i < commands().size(); ++i) {
+            const ui::Command& command = commands()[i];
+            EXPECT_FALSE(command.tip.empty()) << command.id << " is not explained";
+            EXPECT_EQ(static_cast<bool>(command.enabled), !command.missing.empty())
+                << command.id << ": what can be off says what is missing then, and nothing else does";
+            if (commands().enabled(i)) continue;
+            ++off;
+            EXPECT_NE(commands().tip(ui().ui(), i).find("\nNot now: " + command.missing), std::string_view::npos);
+        }
+        EXPECT_GE(off, 5U) << (opened ? "the sample" : "an empty editor");
+    }
+}
+
+TEST_F(CommandsTest, WhatIsOffDoesNothing) {
+    ui().frame();
+    for (std::size_t i = 0; i < commands().size(); ++i) {
+        if (commands().enabled(i)) continue;
+        const std::string before = state();
+        EXPECT_FALSE(commands().run(i)) << commands()[i].id;
+        EXPECT_EQ(state(), before) << commands()[i].id;
+    }
+}
+
+/// Entries of the menu that is open, by their labels, and whether each is off.
+std::map<std::string, const ui::Node*> entries(const ui::Ui& ui) {
+    std::map<std::string, const ui::Node*> found;
+    for (const ui::Node& node : ui.tree())
+        if (node.role == ui::Role::menu_item) found[std::string(node.shown)] = &node;
+    return found;
+}
+
+TEST_F(CommandsTest, EachIsInTheMenuOfItsGroup) {
+    open_sample();
+    std::set<std::string> groups;
+    for (std::size_t i = 0; i < commands().size(); ++i) groups.insert(commands()[i].group);
+    std::size_t seen = 0;
+    for (const std::string& group : groups) {
+        ui().click("Menu bar/" + group).frame();
+        const auto shown = entries(ui().ui());
+        for (std::size_t i = 0; i < commands().size(); ++i) {
+            if (commands()[i].group != group) continue;
+            const auto entry = shown.find(commands()[i].title);
+            ASSERT_NE(entry, shown.end()) << commands()[i].id;
+            EXPECT_EQ(has(entry->second->is, ui::Is::disabled), !commands().enabled(i)) << commands()[i].id;
+            EXPECT_EQ(entry->second->tip, commands().tip(ui().ui(), i)) << commands()[i].id;
+            ++seen;
+        }
+        ui().key(Key::escape).frame();
+    }
+    EXPECT_EQ(seen, commands().size());
+}
+
+TEST_F(CommandsTest, EntriesOfOtherMenusThatAreOffSayWhy) {
+    open_sample();
+    std::size_t off = 0;
+    const auto look = [&](const std::string& menu) {
+        ui().frame();
+        const auto shown = entries(ui().ui());
+        EXPECT_GE(shown.size(), 3U) << menu;
+        for (const auto& [label, node] : shown) {
+            if (!has(node->is, ui::Is::disabled)) continue;
+            ++off;
+            EXPECT_FALSE(node->tip.empty()) << menu << ": " << label;
+        }
+        ui().key(Key::escape).frame();
+    };
+    ui().click("Workspace/Preset/More");
+    look("preset");
+    ui().click("Workspace/Preset/Parameters/Bleeding/More");
+    look("group");
+    editor().layouts().bring_to_front("Presets");
+    ui().frame().frame();
+    ui().click("Workspace/Presets/Filter/More");
+    look("presets");
+    ui().right_click("Workspace/Presets/Presets/Heavy haze");
+    look("preset file");
+    EXPECT_GE(off, 2U) << "nothing is changed: nothing can be reset";
+}
+
+}  // namespace
+}  // namespace lapfx::test

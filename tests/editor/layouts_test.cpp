@@ -1,0 +1,43 @@
+// Layouts, without a window: they go by the panels that they are told of.
+#include "app/layouts.h"
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "panels/standard_layouts.h"
+
+namespace lapfx::test {
+namespace {
+
+ui::DockLayout two() {
+    return ui::dock_split(ui::Axis::x, 0.5F, ui::dock_tabs({"View"}), ui::dock_tabs({"Preset"}));
+}
+
+TEST(Layouts, APanelThatNoneNamesComesIntoTheFirstGroup) {
+    app::Layouts layouts;
+    layouts.set_panels({"View", "Preset", "New"}, {{"Two", two}});
+    EXPECT_EQ(layouts.name(), "Two");
+    EXPECT_EQ(layouts.shown.find("New"), layouts.shown.find("View"));
+    EXPECT_TRUE(layouts.seen("View")) << "it does not come before those that are named";
+    layouts.bring_to_front("New");
+    EXPECT_TRUE(layouts.seen("New"));
+    EXPECT_FALSE(layouts.seen("View"));
+}
+
+TEST(Layouts, APanelThatIsNoneIsAMistakeOfTheProgram) {
+    app::Layouts layouts;
+    EXPECT_THROW(layouts.set_panels({"View"}, {{"Two", two}}), std::logic_error);
+    layouts.set_panels({"View", "Preset"}, {{"Two", two}});
+    EXPECT_THROW(layouts.bring_to_front("Veiw"), std::logic_error);
+}
+
+TEST(Layouts, TheStandardOnesNameEachPanelOnce) {
+    for (const app::StandardLayout& layout : panels::standard_layouts()) {
+        std::size_t tabs = 0;
+        for (const ui::DockNode& node : layout.make().nodes) tabs += node.tabs.size();
+        EXPECT_EQ(tabs, 12U) << layout.name;
+    }
+}
+
+}  // namespace
+}  // namespace lapfx::test
