@@ -154,6 +154,11 @@ def readme_faults(lapfx, source):
     for name in re.findall(r"\]\(([^)#]+)\)", text):
         if "://" not in name and not os.path.exists(os.path.join(source, name)):
             yield f"README.md: there is no {name}"
+    actions = re.findall(r"^\| `(\w+)` \| .*; key (\d) \|", output(lapfx, "help", "--page"), re.MULTILINE)
+    if len(actions) < 7:
+        yield f"the page lists only {len(actions)} actions with keys"
+    yield from (f"README.md: key {key} is {action}" for action, key in actions
+                if not re.search(rf"\b{key} (to )?{action}\b", text))
     lines = re.findall(r"^    (build/lapfx .*)$", text, re.MULTILINE)
     if len(lines) < 3:
         yield f"README.md has only {len(lines)} commands to run"
