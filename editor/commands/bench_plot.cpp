@@ -63,7 +63,7 @@ cv::Mat draw(const Panel& panel, const Lines& lines) {
     double most = 0.0, most_streams = 0.0;
     for (const auto& [name, rows] : lines)
         for (const StreamingRow* row : rows) {
-            // Beyond 120 frames per second nobody sees a difference, and one line would press all others flat.
+            // Nobody sees a difference beyond 120 frames per second, and one line would flatten all others.
             most = std::max(most, panel.value == &StreamingRow::fps ? std::min(row->fps, 120.0) : row->*panel.value);
             most_streams = std::max(most_streams, static_cast<double>(row->streams));
         }
