@@ -4,7 +4,7 @@
 #include "overlays.glsl"  // OVERLAY_NONE and so on, made from the table in lapfx/view.h
 
 uniform int u_overlay;
-layout(binding = 2) uniform sampler2D u_density;  // densities from the texture: vessels, fat; white where vertices have them
+layout(binding = 2) uniform sampler2D u_density;  // vessels, fat; white where vertices have them
 
 // How much of the false colour covers the tissue at density 1.
 const float lapfx_overlay_cover = 0.8;

@@ -93,7 +93,7 @@ cv::Mat draw(const Panel& panel, const Lines& lines) {
 void plot_streaming(std::span<const StreamingRow> rows, const std::filesystem::path& path) {
     Lines lines;
     for (const StreamingRow& row : rows) lines[row.scheme].push_back(&row);
-    std::erase_if(lines, [](const auto& line) { return line.second.size() < 2; });  // a point is no line
+    std::erase_if(lines, [](const auto& line) { return line.second.size() < 2; });  // a point is not a line
     for (const StreamingRow& row : paper_table_2()) lines[row.scheme].push_back(&row);
     cv::Mat whole(2 * height, 2 * width, CV_8UC3);
     for (int i = 0; i < 4; ++i)
