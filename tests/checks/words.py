@@ -65,7 +65,7 @@ IN_COMMENTS = [
     (r"\bby chance\b", '"at random"'),
     (r"\bbut for (?!\w+ing\b)", '"except"'),
     (r"\b(?:takes?|taken) away\b", '"removes"'),
-    (r"\b(?:is|are|was) put back\b|\bgiven? back\b", '"is restored", "is freed"'),
+    (r"\b(?:is|are|was) (?:put|given) back\b", '"is restored", "is freed"'),
     (r"\bto and fro\b", '"forwards and backwards"'),
     (r"\b(?:is|are) kept of\b|\bis known of\b|\bthat are of\b", "the noun that it is about"),
 ]
