@@ -1,7 +1,7 @@
-// Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). For lapfx's own organ shader
-// and for a host's: paste this text (lapfx::bleeding_shader() gives it with its includes), bind the uniform block
+// Blood on an organ (paper: "Simulation of bleeding", figure 6, fragment shader stage). It works in lapfx's own organ
+// shader and in a host's: paste this text (lapfx::bleeding_shader() gives it with its includes), bind the uniform block
 // (Effects::bind_bleeding), pass Effects::bleed_buffer() through the vertex shader as a vec2, and call lapfx_blood().
-// It names nothing of the shader around it. Lengths mm in organ space, colours linear.
+// It uses no name of the shader around it. Lengths mm in organ space, colours linear.
 #include "noise.glsl"
 #include "bleeding_block.glsl"
 
@@ -9,21 +9,21 @@ struct LapfxBlood {
     float coverage;   // 0..1, how much of the pixel is blood
     float depth;      // mm beyond the edge: bleed value minus (threshold + noise)
     float clot;       // 0 fresh .. 1 clotted
-    float gloss;      // 0..1, how sharp and strong the lamp is mirrored
+    float gloss;      // 0..1, how sharply and strongly it reflects the lamp
     float level;      // 0..1, how far the layer levels the bumps of the tissue beneath
-    vec3 color;       // of the blood itself: from thin to deep, darker where clotted
-    vec3 opacity;     // 0..1, how much of the tissue it hides; red passes the farthest
+    vec3 color;       // colour of the blood itself: from thin to deep, darker where clotted
+    vec3 opacity;     // 0..1, how much of the tissue it hides; most red passes
     vec3 slope;       // gradient of the layer's height over organ space: subtract it from the unit normal
 };
 
-// How much light 1 mm of film takes: powers of a half per channel for deep_at = 1. Haemoglobin takes several times more
-// green and blue than red (Prahl's tables: 8 to 20 times), less so in a film that also scatters.
+// How much light 1 mm of film absorbs: powers of a half per channel for deep_at = 1. Haemoglobin absorbs several times
+// more green and blue than red (Prahl's tables: 8 to 20 times), and less in a film that also scatters.
 const vec3 lapfx_blood_absorption = vec3(2.6, 8.0, 7.5);
 
-// The noise that moves the edge, in -1..1, and its gradient over organ space. Rivulets press it together along gravity,
-// the fine octaves more than the first: on a wall its lobes become runs that point downhill; level tissue has no extent
-// along gravity, so nothing changes there. Steep tissue also sends the runs farther. All of it is odd in the noise, so
-// that blood gains as much area as it loses.
+// The noise that moves the edge, in -1..1, and its gradient over organ space. Rivulets compress it along gravity, the
+// fine octaves more than the first: on a wall its lobes become runs that point downhill, while level tissue has no
+// extent along gravity and does not change. On steep tissue the runs are also longer. Everything is odd in the noise,
+// so that blood gains as much area as it loses.
 vec4 lapfx_blood_noise(vec3 position, vec3 normal, int octaves) {
     vec3 down = u_blood_down.xyz;
     float rivulets = u_blood_surface.w, scale = u_blood_edge.y;
@@ -40,7 +40,7 @@ vec4 lapfx_blood_noise(vec3 position, vec3 normal, int octaves) {
     }
     noise /= max(total, 1.0);
     float steep = rivulets * smoothstep(0.3, 0.9, length(cross(normal, down)));
-    // x - x^3 / 6.75 reaches its top, 1, at 1.5: the farther runs are bent into -1..1, not cut off.
+    // x - x^3 / 6.75 reaches its maximum, 1, at 1.5: longer runs are bent into -1..1 and not cut off.
     float x = clamp(noise.x * (1.0 + steep), -1.5, 1.5);
     float bent = clamp(x - steep * x * x * x / 6.75, -1.0, 1.0);
     return vec4(bent, noise.yzw * (1.0 + steep) * (1.0 - steep * x * x / 2.25));
@@ -51,18 +51,19 @@ vec4 lapfx_blood_noise(vec3 position, vec3 normal, int octaves) {
 // flow: it takes screen derivatives.
 LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     float threshold = u_blood_edge.x, strength = u_blood_edge.z, deep_at = u_blood_thin.a;
-    // Out of the noise's reach no octave is run.
+    // Outside the reach of the noise no octave is computed.
     bool possible = lapfx_can_bleed(blood.x);
     int octaves = possible ? int(u_blood_edge.w) : 0;
     vec4 noise = lapfx_blood_noise(position, normal, octaves);
 
     LapfxBlood b;
-    // Beyond it the lowest edge counts: without a jump in depth, the edge is smooth also where strength is 0.
+    // Beyond its reach the lowest edge counts: without a jump in depth, the edge is smooth even where the strength is
+    // 0.
     b.depth = blood.x - (threshold + strength * (possible ? noise.x : -1.0));
     float width = max(fwidth(b.depth), 1e-3);
     b.coverage = possible ? clamp(b.depth / width + 0.5, 0.0, 1.0) : 0.0;
 
-    // Fine grain: the swell that breaks up highlights while blood is fresh, the crumbs of the clot when it is not.
+    // Fine grain: a swell that breaks up highlights on fresh blood, and the crumbs of a clot.
     vec4 grain = lapfx_fractal_noise(position / 1.7, min(octaves, 1), uint(u_blood_surface.z) + 31u);
     float depth = max(b.depth, 0.0), share = depth / deep_at;
     b.clot = clamp(blood.y * (1.25 + 0.9 * grain.x) - 0.1, 0.0, 1.0);
@@ -83,7 +84,7 @@ LapfxBlood lapfx_blood(vec2 blood, vec3 slope, vec3 position, vec3 normal) {
     float rim = 0.7;
     float steep = u_blood_surface.x / rim * exp(-depth / rim);
     b.slope = steep * (0.5 * slope - strength * noise.yzw);
-    // Blood on living tissue is never still and never even: a swell from the lobes and from the grain.
+    // Blood on living tissue is never still or even: it has a swell from the lobes and from the grain.
     float swell = clamp(depth / 1.5, 0.0, 1.0);
     b.slope += swell * (0.12 * u_blood_edge.y * noise.yzw + (0.045 + 0.06 * b.clot) * grain.yzw);
     return b;

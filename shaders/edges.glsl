@@ -1,5 +1,6 @@
 // Choke and feather: the edge of keyed smoke. The includer defines lapfx_opacity_at(), the keyed opacity at a place of
-// the clip, pixels. Mirrored on the CPU by effects/smoke/keying_pixel.h; tests/parity/keying_test.cpp compares them.
+// the clip, pixels. Mirrored on the CPU by effects/smoke/keying_pixel.h; tests/parity/keying_test.cpp compares
+// them.
 
 float lapfx_opacity_at(vec2 position);
 

@@ -18,7 +18,7 @@ vec3 lapfx_gradient(ivec3 cell, uint seed) {
     if (h < 4u) return vec3(u, v, 0.0);
     if (h < 8u) return vec3(u, 0.0, v);
     if (h < 12u) return vec3(0.0, u, v);
-    // 12..15 repeat four of the twelve, so that a mask can choose.
+    // 12..15 repeat four of the twelve, so that a mask can select.
     return (h & 1u) == 0u ? vec3(v, 1.0, 0.0) : vec3(0.0, -1.0, v);
 }
 
@@ -43,7 +43,7 @@ vec4 lapfx_perlin_from(ivec3 from, vec3 p, uint seed) {
     vec4 x00 = mix(n000, n100, s.x), x10 = mix(n010, n110, s.x), x01 = mix(n001, n101, s.x), x11 = mix(n011, n111, s.x);
     vec4 y0 = mix(x00, x10, s.y), y1 = mix(x01, x11, s.y);
     vec4 value = mix(y0, y1, s.z);
-    // The weights move too: that is the second part of the gradient.
+    // The weights also change: that is the second part of the gradient.
     value.y += ds.x * mix(mix(n100.x - n000.x, n110.x - n010.x, s.y), mix(n101.x - n001.x, n111.x - n011.x, s.y), s.z);
     value.z += ds.y * mix(x10.x - x00.x, x11.x - x01.x, s.z);
     value.w += ds.z * (y1.x - y0.x);

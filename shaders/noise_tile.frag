@@ -1,6 +1,6 @@
 #version 450 core
 // The Perlin noise on the opacity of one to four layers, a channel each (paper: "perturb alpha using a Perlin noise
-// texture"), made anew for every frame, so that it drifts without ever repeating. Two octaves. Filled from
+// texture"), computed for every frame, so that it drifts without ever repeating. Two octaves. Filled from
 // effects/smoke/noise_tiles_gpu.cpp.
 #include "noise.glsl"
 
@@ -23,7 +23,7 @@ void main() {
     float value = 0.0;
     for (int i = 0; i < u_count; ++i) {
         uint seed = uint(u_seeds[i]);
-        // Both halves of a cross-fade follow each other and share their noise.
+        // Both halves of a cross-fade are next to each other and share their noise.
         if (i == 0 || u_seeds[i] != u_seeds[i - 1]) {
             float large = lapfx_perlin_from(ivec3(0, u_from.xy), p + vec3(0.0, u_drift.xy), seed).x;
             float small = lapfx_perlin_from(ivec3(0, u_from.zw), 2.0 * p + vec3(0.0, u_drift.zw), seed + 1u).x;

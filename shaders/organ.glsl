@@ -1,5 +1,5 @@
-// The vertex stage of organs and instruments. The bleed value rides through it, as in the paper's figure 6, and is
-// interpolated.
+// The vertex stage of organs and instruments. It passes the bleed value on to be interpolated, as in the paper's figure
+// 6.
 #include "view.glsl"
 
 layout(location = 0) in vec3 a_position;  // mm, as the organ is now
@@ -24,7 +24,7 @@ layout(location = 6) out vec2 v_blood;
 layout(location = 7) out vec2 v_marks;
 layout(location = 8) out vec2 v_density;
 
-// Both programs must put a vertex at the same place to the last bit: see OrganGpu::draw.
+// Both programs must place a vertex identically to the last bit: see OrganGpu::draw.
 invariant gl_Position;
 
 void pass_vertex() {

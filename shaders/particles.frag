@@ -16,7 +16,7 @@ uniform vec3 u_color;  // linear
 
 const vec3 glow_color = vec3(1.0, 0.36, 0.08);  // linear; soot in a small flame, about 1900 K
 
-// Where the outline lies in a direction, 0..1: three waves around the lump, turned by chance.
+// Radius of the outline in a direction, 0..1: three waves around the lump, rotated at random.
 float outline(float angle, float chance) {
     float turn = 6.2831853 * chance;
     float wave = 0.5 * sin(2.0 * angle + turn) + 0.3 * sin(3.0 * angle + 5.0 * turn) + 0.2 * sin(5.0 * angle + 11.0 * turn);

@@ -18,7 +18,7 @@ void main() {
     v_look = u_specks[2 * gl_InstanceID + 1];
     v_center = place.xyz;
     vec4 center = u_view * vec4(place.xyz, 1.0);
-    // Smaller than a few pixels it would flicker from sample to sample: then it stays that large and pales instead.
+    // A speck of less than a few pixels would flicker from sample to sample, so it keeps that size and pales instead.
     float pixel = 2.0 * max(-center.z, 0.0) / (u_projection[1][1] * float(textureSize(u_scene_depth, 0).y));
     float radius = max(0.5 * place.w, 2.0 * pixel);
     v_look.x *= min(0.25 * place.w * place.w / (radius * radius), 1.0);

@@ -9,11 +9,11 @@ void main() {
     vec3 light;
     float alpha = smoke_opacity(0, v_uv, smoke_noise(v_uv).x, light);
     float soft = clamp((scene_depth() + v_camera.z) / u_layers[0].amount.y, 0.0, 1.0);
-    // Whole opacity would be endless thickness; half a code value is left.
+    // An opacity of 1 would be infinite thickness; half a code value remains.
     float thickness = -log(max(1.0 - alpha * soft, 0.002));
-    // Clips are rarely empty at their border; that of the quad, or of what the crop leaves of it, must not show.
-    // Thickness is what fades: fading opacity would leave thick smoke nearly whole up to the end of the ramp. Below, it
-    // ends where the smoke starts, however near to the border that is: on the tip there is all of it.
+    // Clips are rarely empty at their border, but the border of the cropped quad must not show. Thickness fades,
+    // because fading opacity would leave thick smoke almost opaque up to the end of the ramp. Below, the fade ends
+    // where the smoke starts, however close to the border that is: at the tip the smoke is complete.
     float below = clamp(u_layers[0].chroma_scale.z, 0.002, 0.15);
     vec2 near = smoothstep(vec2(0.0), vec2(0.15), v_uv - u_layers[0].part.xy);
     vec2 far = smoothstep(vec2(0.0), vec2(0.15, below), u_layers[0].part.zw - v_uv);

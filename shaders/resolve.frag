@@ -2,10 +2,10 @@
 // Lays smoke over the frame once: the sum of all layers of a role, at the resolution of their clips, becomes light and
 // transmission per channel (tests/support/thickness.h is the same on the CPU).
 //
-// Why a sum is enough: light that crosses layers of thickness t1, t2, .. keeps exp(-t1) * exp(-t2) .. of itself, which
-// is exp(-(t1 + t2 + ..)), whatever their order. What the layers scatter towards the eye is, for a mixture of media
-// that share one extinction, the mean of their colours weighted by thickness, times what does not pass; that equals
-// layer over layer wherever the colours agree, and has no order where they do not, as smoke that mingles has none.
+// Why a sum is enough: of light that crosses layers of thickness t1, t2, .. the share exp(-t1) * exp(-t2) .. remains,
+// which is exp(-(t1 + t2 + ..)) in any order. The layers scatter light towards the eye like a mixture of media with one
+// extinction: the mean of their colours weighted by thickness, times the share that does not pass. That equals layer
+// over layer where the colours agree, and does not depend on an order where they differ, as in smoke that mingles.
 //   LAPFX_PLUME  its thickness changes suddenly where the scene's depth does: upsampling looks at that
 //   LAPFX_EVEN   no layers, an even veil
 //   else haze: more of it lies before what is farther away; that is done here, at full resolution
@@ -14,7 +14,7 @@
 layout(location = 0) in vec2 v_uv;
 
 layout(binding = 0) uniform sampler2D u_sum;          // rgb: light and tint * thickness; a: thickness
-layout(binding = 1) uniform sampler2D u_sum_depth;    // mm, what the plume's layers have seen of the scene
+layout(binding = 1) uniform sampler2D u_sum_depth;    // mm, depth of the scene as the plume's layers have read it
 layout(binding = 13) uniform sampler2D u_scene_depth;  // window depth, the size of the frame
 uniform vec3 u_color;  // linear
 uniform vec3 u_extinction;
@@ -25,14 +25,14 @@ layout(location = 0, index = 0) out vec4 o_light;
 layout(location = 0, index = 1) out vec4 o_transmission;
 
 #ifdef LAPFX_PLUME
-// Bilinear, but neighbours that lie at another depth count little: smoke behind an instrument does not bleed over its
+// Bilinear, but neighbours at another depth count little, so that smoke behind an instrument does not spread over its
 // edge.
 vec4 smoke_sum(float scene) {
     ivec2 last = textureSize(u_sum, 0) - 1;
     vec2 position = v_uv * vec2(last + 1) - 0.5;
     ivec2 first = ivec2(floor(position));
     vec2 f = position - vec2(first);
-    // Tissue that is seen at an angle changes by a few hundredths of its distance between neighbours.
+    // The distance of slanted tissue changes by a few hundredths between neighbours.
     float near = max(u_softness, 0.03 * scene);
     vec4 sum = vec4(0.0);
     float total = 0.0;

@@ -1,5 +1,5 @@
-// What plume and haze share: a clip's frame, its keying, and smoke as optical thickness. Variants of
-// one shader are made by #define (effects/smoke/smoke_gpu.cpp):
+// Shared by plume and haze: a clip's frame, its keying, and smoke as optical thickness. Variants of one shader are made
+// by #define (effects/smoke/smoke_gpu.cpp):
 //   LAPFX_LAYERS  how many clips are drawn at once, 1 to 4; haze only
 //   LAPFX_PLANAR  frames are planes of luma and chroma, else RGB
 //   LAPFX_ALPHA   frames bring their own opacity
@@ -25,7 +25,7 @@ layout(binding = 8) uniform sampler2DArray u_opacity[LAPFX_LAYERS];
 #ifdef LAPFX_NOISE
 layout(binding = 12) uniform sampler2D u_noise;  // tiles; a channel for each layer drawn at once; 0..1 is -1..1
 #endif
-// Direct: window depth; else view depth, mm, at this target's size.
+// Direct: window depth; otherwise view depth, mm, at this target's size.
 layout(binding = 13) uniform sampler2D u_scene_depth;
 
 #ifdef LAPFX_DIRECT
@@ -41,8 +41,8 @@ LapfxKeying keying(int i) {
     return LapfxKeying(ramps.x, ramps.y, key.xy, ramps.z, ramps.w, key.z, key.w);
 }
 
-// Luma, Cb and Cr (around 0) of layer i, code values. Chroma is sampled as lying in the middle of its four pixels,
-// which is how RGB frames are made of it too: there each chroma sample serves just those four.
+// Luma, Cb and Cr (around 0) of layer i, code values. Chroma is sampled in the middle of its four pixels, as in RGB
+// frames made from it, where each chroma sample serves exactly those four.
 vec3 clip_code(int i, vec2 place) {
     float array_layer = u_layers[i].vary.w;
 #ifdef LAPFX_PLANAR
@@ -55,7 +55,7 @@ vec3 clip_code(int i, vec2 place) {
     return vec3(dot(y.xyz, sampled) + y.w, dot(cb.xyz, sampled) + cb.w, dot(cr.xyz, sampled) + cr.w);
 }
 
-// 0 where the crop or a mask takes the clip out.
+// 0 where the crop or a mask removes the clip.
 float clip_window(int i, vec2 place) {
 #ifdef LAPFX_WINDOW
     vec2 position = place * u_layers[i].amount.zw;
@@ -78,22 +78,22 @@ float keyed_opacity(int i, vec2 place, vec3 code) {
 #endif
 }
 
-// Opacity before edges and noise: the clip's own where it brings one, else keyed.
+// Opacity before edges and noise: the clip's own, if it has one, otherwise the keyed one.
 float clip_opacity(int i, vec2 place, vec3 code) { return keyed_opacity(i, place, code) * clip_window(i, place); }
 
 int edged_layer = 0;
 
 float lapfx_opacity_at(vec2 position) {
 #if defined LAPFX_WINDOW && defined LAPFX_FILLS_VIEW
-    vec4 window = u_layers[edged_layer].window;  // as a frame without bars goes on beyond its edges
+    vec4 window = u_layers[edged_layer].window;  // like a frame without bars beyond its edges
     position = clamp(position, window.xy + 0.5, window.zw - 0.5);
 #endif
     vec2 place = position / u_layers[edged_layer].amount.zw;
     return clip_opacity(edged_layer, place, clip_code(edged_layer, place));
 }
 
-// The clip's own tint, which real smoke has a little of; and its shading where its opacity does not say how bright it
-// is.
+// The clip's own tint, of which real smoke has a little, and its shading if its opacity does not include its
+// brightness.
 vec3 own_light(int i, vec2 place, vec3 code) {
 #ifdef LAPFX_ALPHA
     float shade = lapfx_shade(code.x, textureLod(u_opacity[i], vec3(place, u_layers[i].vary.w), 0.0).r);
@@ -102,7 +102,7 @@ vec3 own_light(int i, vec2 place, vec3 code) {
 #endif
 #ifdef LAPFX_CHROMA
     vec3 own = lapfx_tint(code.x, lapfx_despill(code.yz, keying(i)));
-    // Over a coloured background the mixture's tint is the background's, unless spill suppression takes it out.
+    // Over a coloured background the mixture has the tint of the background, unless spill suppression removes it.
     return shade * (u_layers[i].luma_chroma.w > 0.0 ? mix(own, vec3(1.0), u_layers[i].key.z) : own);
 #else
     return shade * lapfx_tint(code.x, code.yz);
@@ -114,13 +114,13 @@ float smoke_opacity(int i, vec2 uv, float noise, out vec3 light) {
     vec4 turn = u_layers[i].turn;
 #ifdef LAPFX_TURNED
     vec2 place = 0.5 + turn.xy * (uv.x - 0.5) + turn.zw * (uv.y - 0.5);
-    // Turned beyond its border, the clip goes on as its mirror image.
+    // Beyond the border of a rotated clip, its mirror image continues.
     place = abs(place - 2.0 * floor(0.5 * place + 0.5));
 #else
     vec2 place = vec2(0.5 + turn.x * (uv.x - 0.5), uv.y);
 #endif
 #if defined LAPFX_WINDOW && defined LAPFX_FILLS_VIEW
-    place = u_layers[i].part.xy + place * u_layers[i].part.zw;  // what the crop leaves is as large as the view
+    place = u_layers[i].part.xy + place * u_layers[i].part.zw;  // the cropped frame is as large as the view
 #endif
     vec3 code = clip_code(i, place);
     light = own_light(i, place, code);
@@ -136,7 +136,7 @@ float smoke_opacity(int i, vec2 uv, float noise, out vec3 light) {
     return alpha;
 }
 
-// The noise of all layers, each -1..1. In drawn coordinates: where a clip is mirrored, its noise is not.
+// The noise of all layers, each -1..1. In drawn coordinates: the noise of a mirrored clip is not mirrored.
 vec4 smoke_noise(vec2 uv) {
 #ifdef LAPFX_NOISE
     return textureLod(u_noise, u_layers[0].tile.xy + uv * u_layers[0].tile.zw, 0.0) * 2.0 - 1.0;

@@ -4,7 +4,7 @@
 #endif
 
 struct LapfxSmokeLayer {
-    vec4 code_rows[3];  // luma, Cb and Cr in code values, out of the frame's three values 0..1; w: is added
+    vec4 code_rows[3];  // luma, Cb and Cr in code values, from the frame's three values 0..1; w is added
     vec4 luma_chroma;   // luma low, luma high, chroma low, chroma high; code values
     vec4 key;           // xy: Cb, Cr of the key colour; z: spill; w: 1 = dark polarity
     vec4 vary;          // x: noise strength; y: choke, z: feather, clip pixels; w: the frame's layer in its textures
@@ -12,11 +12,11 @@ struct LapfxSmokeLayer {
     vec4 turn;          // columns of the matrix from drawn to clip coordinates, about the middle
     vec4 tile;          // xy: start, zw: extent of the noise, coordinates of u_noise
     vec4 chroma_scale;  // xy: chroma coordinates per clip coordinate; z: share of a plume's clip below its source
-    vec4 corners[4];    // of a plume, camera space, mm: top left, top right, bottom left, bottom right
-    vec4 color;         // rgb: linear colour, extinction: of transmission; for layers that go straight over
+    vec4 corners[4];    // corners of a plume, camera space, mm: top left, top right, bottom left, bottom right
+    vec4 color;         // linear colour, and extinction of the transmission, for layers directly over the frame
     vec4 extinction;    // the frame
-    vec4 window;        // xy: upper left, zw: lower right corner of what the crop leaves, clip pixels
-    vec4 fades;         // left, top, right, bottom: over how many clip pixels smoke fades inside of that
+    vec4 window;        // xy: upper left, zw: lower right corner of the cropped frame, clip pixels
+    vec4 fades;         // left, top, right, bottom: over how many clip pixels smoke fades inside it
     vec4 part;          // haze: xy: start, zw: extent, clip coordinates; plume: its corners as window, drawn ones
     vec4 masks[12];     // xy: upper left, zw: lower right corner, clip pixels
     vec4 mask_count;    // x: how many; y: over how many clip pixels smoke fades around them

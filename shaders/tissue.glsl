@@ -31,7 +31,7 @@ struct Tissue {
     vec3 film_normal;  // of the wet surface
     float roughness;   // of the wet surface
     float wetness;     // 0..1, strength of the film
-    float sheen;       // strength of the tissue's own broad gloss beneath it
+    float sheen;       // strength of the broad gloss of the tissue below it
 };
 
 // The normal map's normal. Averaged mip levels are shorter than 1: the lost length is roughness (Toksvig 2005).
@@ -44,8 +44,8 @@ vec3 mapped_normal(vec3 normal, out float spread) {
     return normalize(bumped);
 }
 
-// The film that wets tissue follows its bumps and has fine ripples of its own: they break highlights into the clusters
-// of small white spots that every laparoscopic picture is full of.
+// The wet film follows the bumps of the tissue and adds fine ripples. They break highlights into the clusters of small
+// white spots that every laparoscopic picture shows.
 vec3 film_normal(vec3 geometric, vec3 normal) {
     vec3 ripple = lapfx_fractal_noise(v_rest / 2.1, 2 * u_tissue, 5u).yzw;
     vec3 film = mix(geometric, normal, 0.8) - 0.045 * (ripple - geometric * dot(geometric, ripple));
@@ -80,16 +80,17 @@ float specular(vec3 n, vec3 v, vec3 l, float roughness) {
 
 vec3 shade(Tissue tissue, vec3 geometric) {
     vec3 view = normalize(u_eye.xyz - v_position);
-    // The lamp's fibres lie around the lens: a little above it, so that highlights are not dead centre.
+    // The fibres of the lamp are around the lens. The light is a little above it, so that highlights are not exactly in
+    // the centre.
     vec3 light = normalize(u_eye.xyz - v_position + 4.0 * vec3(u_view[0][1], u_view[1][1], u_view[2][1]));
     vec3 lamp = lapfx_lamp(v_position);
-    // Tissue scatters light under its surface, red the farthest: the shadow side stays reddish.
+    // Tissue scatters light under its surface, and red farthest, so the shadow side stays reddish.
     vec3 wrap = u_tissue == 1 ? vec3(0.32, 0.12, 0.10) : vec3(0.0);
     float nl = dot(tissue.normal, light);
     vec3 diffuse = max((vec3(nl) + wrap) / ((1.0 + wrap) * (1.0 + wrap)), 0.0);
     vec3 ambient = u_beam.y * vec3(1.0, 0.62, 0.55) * (0.6 + 0.4 * dot(tissue.normal, view));
     vec3 color = tissue.albedo * (lamp * diffuse + u_light.rgb * ambient);
-    // The film's light is white: dielectric. A broad, weak lobe beneath it is the tissue's own sheen.
+    // The film's light is white: dielectric. A broad, weak lobe below it is the sheen of the tissue.
     float film = specular(tissue.film_normal, view, light, tissue.roughness);
     float sheen = specular(tissue.normal, view, light, min(tissue.roughness + 0.32, 0.9));
     // A white surface returns `lamp`, so the lamp's irradiance is pi times that.

@@ -1,7 +1,8 @@
 #version 450 core
-// The UI's quads: one instance of 32 bytes each (editor/ui/draw/draw_list.h), four corners without a vertex buffer. Two
-// programs are made of this file: shapes and text, which is most of a frame; and, with LAPFX_UI_PICTURES, all that is
-// larger and rarer. Apart, because llvmpipe runs every branch of a fragment shader for every pixel.
+// The UI's quads: one instance of 32 bytes each (editor/ui/draw/draw_list.h), four corners without a vertex buffer.
+// This file makes two programs: one for shapes and text, which are most of a frame, and, with LAPFX_UI_PICTURES, one
+// for everything that is larger and rarer. They are separate because llvmpipe runs every branch of a fragment shader
+// for every pixel.
 
 layout(location = 0) in vec4 a_rect;    // px: x, y, w, h; a line: both ends
 layout(location = 1) in uvec4 a_uv;     // as the kind has it
@@ -26,7 +27,7 @@ out vec4 v_place;  // xy: px from the middle of the shape; zw: in the texture
 
 const uint fill_kind = 0u, glyph_kind = 1u, line_kind = 2u, image_kind = 3u, gradient_kind = 4u, checker_kind = 5u,
            shadow_kind = 6u, compare_kind = 7u;
-const float endless = 1e6, no_border = 1e8;  // px; a border wider than any shape leaves nothing inside
+const float endless = 1e6, no_border = 1e8;  // px; a border wider than any shape, so nothing is left inside
 
 vec4 clip;
 vec2 corner;
@@ -35,7 +36,7 @@ void put(vec2 at) {
     gl_Position = vec4(at.x * u_pixel.x - 1.0, 1.0 - at.y * u_pixel.y, 0.0, 1.0);
 }
 
-// The corner of low..high cut to the clip; what is wholly outside becomes a quad without area.
+// The corner of low..high cut to the clip; a rectangle outside becomes a quad without area.
 vec2 put_corner(vec2 low, vec2 high) {
     vec2 at = clamp(mix(low, high, corner), clip.xy, clip.zw);
     put(at);
@@ -52,7 +53,7 @@ vec4 color_of(uint low, uint high) {
 
 #ifndef LAPFX_UI_PICTURES
 
-// Thinner than a pixel: a pixel wide, and paler instead.
+// A line thinner than a pixel becomes one pixel wide and paler.
 vec2 thicken(vec2 half_size) {
     vec2 thick = max(half_size, 0.5);
     float part = half_size.x / thick.x * half_size.y / thick.y;
@@ -78,8 +79,8 @@ void put_fill(float radius, float border) {
     v_place.xy = put_corner(low, high) - middle;
 }
 
-// A bar with round ends along the line. Within the clip its quad is as slanted; else it is the box around, cut to the
-// clip.
+// A bar with round ends along the line. Inside the clip its quad is slanted like the line; otherwise it is the box
+// around the line, cut to the clip.
 void put_line() {
     vec2 middle = 0.5 * (a_rect.xy + a_rect.zw), way = a_rect.zw - a_rect.xy;
     float far = length(way), radius = float(a_uv.x) / 128.0;
@@ -101,9 +102,9 @@ void put_line() {
 }
 
 void put_glyph() {
-    // Blended in sRGB, light text on dark looks thinner than dark on light does: half-covered pixels are made up to 0.1
-    // stronger by how light the text is. Looked at with 14 px: 0 is spindly on dark, 0.8 half-bold; dark text stays as
-    // it is.
+    // Blended in sRGB, light text on dark looks thinner than dark text on light, so half-covered pixels become up to
+    // 0.1 stronger the lighter the text is. Judged at 14 px: 0 is spindly on dark, 0.8 half-bold. Dark text does not
+    // change.
     float light = dot(a_color.rgb, vec3(0.2126, 0.7152, 0.0722));
     v_shape = vec4(endless, endless, 0.0, 0.4 * light);
     v_glyph = 1.0;
@@ -125,7 +126,7 @@ void main() {
 
 #else
 
-// Packed as editor/ui/draw/painter.h says. v_place.x becomes the way across the wipe's line, px.
+// Packed as editor/ui/draw/painter.h says. v_place.x becomes the distance across the wipe's line, px.
 void unpack_compare(vec2 at) {
     float angle = float(a_uv.y) / 65536.0 * 6.28318530718;
     vec2 normal = vec2(cos(angle), sin(angle));

@@ -4,7 +4,7 @@ layout(std140, binding = 0) uniform LapfxView {
     mat4 u_projection;
     vec4 u_eye;         // xyz: camera in organ space
     vec4 u_axis;        // xyz: unit viewing direction in organ space
-    vec4 u_light;       // rgb: colour * intensity; a: focus distance, where a white surface facing the lamp is lit to 1
+    vec4 u_light;       // rgb: colour * intensity; a: focus distance, where facing white is 1
     vec4 u_beam;        // x: cosine at which the lamp has half its strength; y: ambient share; zw: unused
 };
 
@@ -22,5 +22,5 @@ vec3 lapfx_lamp(vec3 position) {
 // Distance from the camera plane, mm, of a window depth.
 float lapfx_view_depth(float depth) { return u_projection[3][2] / (2.0 * depth - 1.0 + u_projection[2][2]); }
 
-// The farther the tissue, the more haze lies before it: 1 at the focus distance.
+// Farther tissue has more haze before it: 1 at the focus distance.
 float lapfx_haze_reach(float scene) { return clamp(scene / u_light.a, 0.4, 1.8); }

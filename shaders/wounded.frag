@@ -13,7 +13,7 @@ vec3 surface_gradient(float value, vec3 normal) {
     return abs(det) < 1e-12 ? vec3(0.0) : gradient / det;
 }
 
-// Takes a slope (gradient of a height over organ space, mm per mm) into a normal.
+// Adds a slope (gradient of a height over organ space, mm per mm) to a normal.
 vec3 tilted(vec3 normal, vec3 slope, vec3 geometric) {
     return normalize(normal - (slope - geometric * dot(geometric, slope)));
 }
@@ -59,13 +59,13 @@ void add_char(inout Tissue tissue, vec3 geometric, vec4 coarse, vec4 fine) {
 void add_blood(inout Tissue tissue, vec3 geometric) {
     LapfxBlood blood = lapfx_blood(v_blood, surface_gradient(v_blood.x, geometric), v_rest, geometric);
     tissue.albedo = mix(tissue.albedo, blood.color, blood.coverage * blood.opacity);
-    // A layer of fluid levels the bumps as it deepens, and light scatters through it: its body is shaded smoothly.
+    // A deeper layer of fluid levels the bumps, and light scatters through it, so its body is shaded smoothly.
     tissue.normal = normalize(mix(tissue.normal, geometric, 0.9 * blood.level));
     vec3 surface = normalize(mix(tissue.film_normal, geometric, 0.6 * blood.level));
     tissue.film_normal = tilted(surface, blood.coverage * blood.slope, geometric);
     tissue.roughness = mix(tissue.roughness, mix(0.55, 0.10, blood.gloss), blood.coverage);
     tissue.wetness = mix(tissue.wetness, mix(0.02, 1.0, smoothstep(0.15, 0.85, blood.gloss)), blood.coverage);
-    // Under blood nothing is left of the tissue's own sheen, which would veil it.
+    // Under blood the tissue loses its sheen, which would veil the blood.
     tissue.sheen *= 1.0 - 0.85 * blood.coverage * blood.opacity.g;
 }
 

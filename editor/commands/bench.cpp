@@ -1,4 +1,4 @@
-// lapfx bench: figures that compare within one run.
+// lapfx bench: figures as ratios within one run.
 #include "commands/bench.h"
 
 #include <unistd.h>
@@ -22,7 +22,7 @@ namespace lapfx::commands {
 
 namespace {
 
-/// The processor's name, where Linux tells it.
+/// The processor's name from Linux.
 std::string processor() {
     std::ifstream file("/proc/cpuinfo");
     for (std::string line; std::getline(file, line);)
@@ -43,7 +43,7 @@ void run(Bench bench, const BenchOptions& options) {
 
 }  // namespace
 
-/// The comparison with Dear ImGui is a program of its own beside this one: the product links no other toolkit.
+/// The comparison with Dear ImGui is a separate program next to this one, because the product links no other toolkit.
 static void run_bench_ui(const BenchOptions& options) {
     if (!options.json.empty()) check_folder(options.json);
     const std::filesystem::path program =

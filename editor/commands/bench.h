@@ -1,5 +1,5 @@
-// What the benches share: rows of figures, ratios with names that read alone, and the machine they were taken on;
-// printed as a table and written as JSON: {"bench", "machine", "results": [...], "ratios": {...}}.
+// Shared by the benchmarks: rows of figures, ratios whose names explain themselves, and the machine. They are printed
+// as a table and written as JSON: {"bench", "machine", "results": [...], "ratios": {...}}.
 #pragma once
 
 #include <filesystem>
@@ -21,17 +21,17 @@ struct BenchReport {
     std::string renderer;  ///< GL_RENDERER
     std::vector<BenchRow> rows;
     std::map<std::string, double> ratios;
-    std::string table;        ///< what is printed in place of the rows, unless empty
+    std::string table;        ///< printed instead of the rows, unless empty
     bool short_form = false;  ///< as in BenchOptions
 };
 
 struct BenchOptions {
     std::string json;         ///< file that the figures are written to, unless empty
     std::string plot;         ///< PNG that they are drawn to, unless empty
-    std::string only;         ///< ratio that alone is measured, unless empty
-    bool simulation = false;  ///< nothing that is drawn is measured
-    int rounds = 3;           ///< of each case; the best is kept
-    /// Everything that the bench does, in a few seconds: whether it works, not what it finds. For tests.
+    std::string only;         ///< the only ratio that is measured, unless empty
+    bool simulation = false;  ///< measures only what is not drawn
+    int rounds = 3;           ///< rounds of each case; the best counts
+    /// Does everything in a few seconds, for tests: it shows that the benchmark works, but its figures mean nothing.
     bool short_form = false;
 };
 
@@ -40,7 +40,7 @@ void print(const BenchReport& report);
 /// Throws Error (runtime) when the file cannot be written.
 void write_json(const BenchReport& report, const std::filesystem::path& path);
 
-/// CPU time of the calling thread so far, s: what other threads and processes do does not count.
+/// CPU time of the calling thread so far, s, without other threads and processes.
 double thread_seconds();
 double median(std::vector<double> values);
 

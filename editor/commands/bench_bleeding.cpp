@@ -1,9 +1,9 @@
 // lapfx bench bleeding: what blood costs per frame on sheets of 10 thousand to a million vertices of equal spacing, for
 // 1, 10 and 100 wounds, while they grow and when they have settled.
 //
-// Method: each figure is of Effects::seek(), 60 frames per second, in CPU time of the calling thread; the best of
-// several fresh runs of every case, the sizes taking turns, so that a passing load of the machine does not fall on one
-// of them.
+// Method: each figure is the CPU time of the calling thread in Effects::seek(), at 60 frames per second. Every case has
+// several fresh runs, of which the best counts; the sizes take turns, so that a temporary load of the machine does not
+// affect only one of them.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -98,7 +98,7 @@ void measure(const Organ& organ, int wounds, Figures& best) {
     best.settled_bytes = bytes / 1000.0;
 }
 
-/// What the paper's way costs: every vertex's value anew, each frame, from distances that are known; us of CPU time.
+/// Cost of the paper's way, us of CPU time: every frame computes the value of every vertex from known distances.
 double sweep_us(std::size_t vertices) {
     std::vector<float> distances(vertices, 3.0f), values(vertices);
     volatile float source = 5.0f;

@@ -14,8 +14,8 @@ const cv::Size size(720, 480);
     throw Error(Failure::runtime, Fault{path.string(), "", "cannot be written: the bench needs its clips there"});
 }
 
-/// Puffs that rise and change: fields of noise, large and small, sliding over each other, brightest in a column; and a
-/// camera's grain, so that the encoder has as much to do as with a real clip. `left`: frames that are still to come.
+/// Puffs that rise and change: fields of noise, large and small, that slide over each other and are brightest in a
+/// column. A camera's grain gives the encoder as much work as a real clip. `left`: remaining frames.
 cv::Mat smoke(cv::RNG& random, const cv::Mat& coarse, const cv::Mat& fine, const cv::Mat& column, int left) {
     cv::Mat large, small, grain(size, CV_32F), code;
     coarse(cv::Rect(0, 2 * left, size.width, size.height)).copyTo(large);

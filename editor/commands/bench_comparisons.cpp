@@ -1,15 +1,15 @@
-// Each side in turns, the best of the rounds.
+// The sides take turns, and the best round counts.
 //
-// The paper: its pipeline waits for frames and sends them, and a plain shader (bench_plain_smoke.h) lays them over the
-// frame. Ours plays from graphics memory and is shaded at the resolution that Effects takes by itself. What is saved is
-// split in three: waiting and sending; drawing at the same resolution, the screen's; and drawing at another resolution.
-// Beside it both at the clips' resolution, where ours saves nothing by that.
+// The paper's pipeline waits for frames and sends them, and a plain shader (bench_plain_smoke.h) draws them over the
+// frame. Ours plays from graphics memory and is shaded at the default resolution of Effects. The saving is split into
+// three parts: waiting and sending, drawing at the same resolution (the screen's), and drawing at another resolution.
+// It also compares both at the clips' resolution, where ours saves nothing by resolution.
 //
 // Clips that do not fit: 10 s each, in the default memory; those that do not fit are decoded in every loop and sent as
 // planes.
 //
-// FFmpeg: the same clips keyed by luma and laid over a frame of one colour, on all processors, by the graph that is
-// cheapest of those tried. Decoding counts on neither side (both play from memory), or on both: ours then decodes every
+// FFmpeg keys the same clips by luma and puts them over a frame of one colour, on all processors, with the cheapest
+// graph of those tried. Decoding counts on neither side (both play from memory) or on both, and ours then decodes every
 // frame (planes). Without scaling its clips cover a quarter of the frame.
 #include "commands/bench_comparisons.h"
 

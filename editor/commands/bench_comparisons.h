@@ -1,4 +1,4 @@
-// Ratios of lapfx bench streaming that need more than the rows of its table, each measured by itself.
+// Ratios of lapfx bench streaming that need more than the rows of its table. Each is measured separately.
 #pragma once
 
 #include "commands/bench_streaming_case.h"
@@ -10,7 +10,7 @@ inline constexpr Way buffered_way{"buffered", Scheme::buffered, SmokeResolution:
 inline constexpr Way resident_way{"resident", Scheme::resident, SmokeResolution::balanced};
 
 struct Comparison {
-    const char* name;  ///< of its ratio, or of the first of them; for --only
+    const char* name;  ///< name of its ratio, or of the first one; for --only
     void (*measure)(const HostFrame& host, const StreamingExtent& extent, int rounds, BenchReport& report);
 };
 std::span<const Comparison> comparisons();

@@ -1,9 +1,10 @@
-// What the editor costs beside the scene that it stands around: a frame of both on the sample scene, playing, with a
-// value that changes in every frame. All that is not drawing the scene counts as the editor: the change of the
-// document, Editor::update, what the preview does to follow the document, the panels and drawing them.
+// The cost of the editor compared with the scene that it shows: frames of the playing sample scene, in each of which a
+// value changes. Everything except drawing the scene counts as the editor: the change of the document, Editor::update,
+// the preview following the document, the panels and drawing them.
 //
-// And what a drag costs: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
-// scale), over that of a frame in which nothing is edited, of the same parts; in turns, the best of five runs each.
+// The cost of a drag: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
+// scale), over that of a frame in which nothing is edited, for the same parts. Both take turns, and the best of five
+// runs counts.
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -28,7 +29,7 @@ using Clock = std::chrono::steady_clock;
 
 struct Extent {
     int frames, warm_up;
-    int runs;  // of each side of the drag
+    int runs;  // runs of each side of the drag
 };
 constexpr Extent whole{60, 5, 5}, least{2, 1, 1};
 constexpr glm::ivec2 window{1440, 900};
@@ -41,8 +42,8 @@ struct Costs {
     std::vector<double> scene, ui;
 };
 
-/// As the window does it: update, panels, preview, list. GL is waited for after each part, so that each pays for its
-/// own drawing.
+/// In the order of the window: update, panels, preview, list. Each part waits for GL, so that its own drawing counts
+/// for it.
 Costs measure(HeadlessEditor& headless, const Extent& extent, Progress& progress) {
     app::Editor& editor = headless.editor();
     Costs costs;
@@ -69,7 +70,7 @@ Costs measure(HeadlessEditor& headless, const Extent& extent, Progress& progress
 
 constexpr std::string_view dragged = "**/Favourites/Bleeding: Noise scale";
 
-/// s of CPU that frames cost beside drawing the scene, on the average.
+/// Mean CPU time of a frame without drawing the scene, s.
 double frame_cost(HeadlessEditor& headless, int frames, bool moves, glm::vec2 at) {
     double seconds = 0;
     for (int i = 0; i < frames; ++i) {
@@ -114,7 +115,7 @@ void measure_drag(HeadlessEditor& headless, const Extent& extent, BenchReport& r
 
 BenchReport bench_editor(const BenchOptions& options) {
     const Extent& extent = options.short_form ? least : whole;
-    HeadlessEditor headless(window, 1.0F, "auto", false);  // decoding and jobs beside it, as in the window
+    HeadlessEditor headless(window, 1.0F, "auto", false);  // with decoding and jobs at the same time, as in the window
     BenchReport report{
         .bench = "editor", .renderer = headless.context().renderer(), .rows = {}, .ratios = {}, .table = {}};
     app::Opened opened = app::open_sample(data_folder());

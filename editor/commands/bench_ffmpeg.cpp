@@ -1,5 +1,5 @@
-// What the ffmpeg program takes for the same clips, by the wall clock: a short run is taken off a long one, so that
-// starting and opening files do not count.
+// The time of the ffmpeg program for the same clips, by the wall clock: a short run is subtracted from a long one, so
+// that starting and opening files do not count.
 #include <fcntl.h>
 #include <spawn.h>
 #include <sys/wait.h>
@@ -14,7 +14,7 @@ namespace lapfx::commands {
 
 namespace {
 
-/// s that a run takes; nothing when it cannot be run or fails.
+/// Time of a run, s; nothing when it cannot be run or fails.
 std::optional<double> run(const std::vector<std::string>& arguments) {
     std::vector<char*> pointers;
     for (const std::string& argument : arguments) pointers.push_back(const_cast<char*>(argument.c_str()));
@@ -80,7 +80,7 @@ std::string graph_of(FfmpegGraph graph, int streams, int frames, FfmpegInput inp
 
 std::optional<double> ffmpeg_overlay_ms(const BenchClips& clips, int streams, FfmpegGraph graph, FfmpegInput input) {
     const std::string filter = graph_of(graph, streams, clips.frames(), input);
-    // From memory, the first loop is decoded in both runs: what is left when one is taken off the other is none of it.
+    // When playing from memory, both runs decode the first loop, so their difference does not include it.
     const int first = input == FfmpegInput::from_memory ? clips.frames() : 0;
     const auto seconds = seconds_a_frame(first + 20, first + 80, [&](int frames) {
         std::vector<std::string> all{"ffmpeg", "-nostdin", "-v", "error"};

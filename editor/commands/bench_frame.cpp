@@ -1,16 +1,16 @@
-// lapfx bench frame: what smoke adds to a frame of the sample scene, what a haptic thread notices of it all, and what
-// happening costs without drawing (bench_simulation.cpp).
+// lapfx bench frame: what smoke adds to a frame of the sample scene, how much a haptic thread is delayed, and what the
+// simulation costs without drawing (bench_simulation.cpp).
 //
 // Method: the sample scene at 1280x1024 without smoke and with 15 clips 720x480 over the whole view, resident, in
 // turns, medians; as its camera sees it, and from so far away that the scene without smoke costs 20 ms, or as little as
-// it can. The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile); once beside
-// the core that plays 15 clips and draws the sample organ, 640x512, 30 frames per second in real time if it can, while
-// each sample touches: a stroke that cuts, whose blood grows. Once beside threads that do nothing but take the same
-// share of the processor, as many as the core has at work beside it: the drawing one, and one for each processor that
-// decodes and, with a renderer in software, one that fills pixels. In turns; medians, and half of the distance between
-// the quartiles as spread. Haptic threads run at real-time priority where the system lets them (as root, or by
-// RLIMIT_RTPRIO): then that is the ratio; that of a thread of ordinary priority has a name of its own, and is the only
-// one where the system does not.
+// it can. The 1 kHz thread sleeps until each millisecond and notes how late it wakes (99.9th percentile). In one case
+// the core plays 15 clips and draws the sample organ at 640x512, 30 frames per second in real time if possible, and
+// each sample touches: a stroke cuts, and its blood grows. In the other case threads only use the same share of the
+// processor. They are as many as the core has: one that draws, one per processor that decodes, and with a software
+// renderer one per processor that fills pixels. The cases take turns; the figures are medians, with half of the
+// distance between the quartiles as spread. Haptic threads run at real-time priority if the system permits it (as root,
+// or by RLIMIT_RTPRIO), and the ratio is theirs. The ratio of a thread of ordinary priority has another name, and is
+// the only one if the system does not permit real time.
 #include <pthread.h>
 #include <sys/resource.h>
 
@@ -76,7 +76,7 @@ struct Played {
     std::shared_ptr<const PreparedOrgan> organ;
 };
 
-/// A haptic thread: 1 kHz, sends where its tool is: on a stroke to and fro that cuts.
+/// A haptic thread that sends the place of its tool at 1 kHz: a stroke that cuts, forwards and backwards.
 class HapticThread {
   public:
     /// Starts at once. `queue` may be null. `real_time`: at real-time priority, if that is allowed.
@@ -99,7 +99,7 @@ class HapticThread {
     HapticThread(const HapticThread&) = delete;
     HapticThread& operator=(const HapticThread&) = delete;
 
-    /// Ends it: s of lateness that one wake in a thousand exceeds.
+    /// Ends the thread. Gives the lateness that one wake in a thousand exceeds, s.
     double finish() {
         stop_ = true;
         thread_.join();
@@ -122,7 +122,7 @@ class HapticThread {
             const auto now = Clock::now();
             late_.push_back(duration<double>(now - next).count());
             if (queue) queue->push(sample_at(duration<double>(now - start).count()));
-            // Who has slept through a millisecond does not make up for it.
+            // A missed millisecond is not made up for.
             while (next + std::chrono::milliseconds(1) < now) next += std::chrono::milliseconds(1);
         }
     }
@@ -155,7 +155,7 @@ struct Beside {
 Beside beside_the_core(const HostFrame& host, const Played& played, bool real_time) {
     Scene scene = played.scene;
     scene.events.erase(
-        scene.events.begin());  // its stroke is the haptic thread's; the other's blood and smoke are there
+        scene.events.begin());  // its stroke is that of the haptic thread; the scene's own blood and smoke exist
     Preview preview(scene, played.smoky, played.organ, {});
     preview.draw(samples_from, haptic_size, host.framebuffer());
     const double before = preview.amounts().blood_area;
@@ -173,7 +173,7 @@ Beside beside_the_core(const HostFrame& host, const Played& played, bool real_ti
     return {.late = haptic.finish(), .load = load, .blood = preview.amounts().blood_area - before};
 }
 
-/// Threads that spin for a share of each frame and sleep for the rest; `load` is that of all together.
+/// Threads that spin for a share of each frame and sleep for the rest; `load` is their sum.
 Beside beside_a_load(double load, const Played& played, bool real_time) {
     const int threads = 1 + 2 * static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     const double share = std::min(load / threads, 1.0);
@@ -185,7 +185,7 @@ Beside beside_a_load(double load, const Played& played, bool real_time) {
         burners.emplace_back([&stop, share] {
             auto next = Clock::now();
             while (!stop) {
-                // Its own processor time: what others take from it does not make the load less.
+                // Counts its own processor time, so that other processes do not reduce the load.
                 const double begin = thread_seconds();
                 while (thread_seconds() - begin < share * frame_seconds) {
                 }
@@ -227,7 +227,7 @@ double compare_haptics(const HostFrame& host, const Played& played, bool real_ti
     return median(with) / median(without);
 }
 
-/// ms for a frame of the scene; another time each, so that nothing is as it was.
+/// ms for a frame of the scene, each at another time, so that nothing can be reused.
 double frame_ms(Preview& preview, int run, unsigned framebuffer) {
     const auto start = Clock::now();
     preview.draw(8.0 + run * frame_seconds, {screen_width, screen_height}, framebuffer);
@@ -247,7 +247,7 @@ SceneCamera far_away(Preview& preview, const SceneCamera& near, unsigned framebu
     return camera;
 }
 
-/// `name` of the ratio; what the rows say it was measured on.
+/// `name` of the ratio, and the scene as named in the rows.
 void compare_frames(Preview& smoky, Preview& clear, int runs, const HostFrame& host, const std::string& name,
                     const std::string& scene, BenchReport& report, Progress& progress) {
     std::vector<double> with_ms, none_ms;

@@ -1,4 +1,4 @@
-// A host in small, for the benches: a frame that smoke is laid over, and something to make smoke on.
+// A minimal host for the benchmarks: a frame under the smoke, and an organ to make smoke on.
 #pragma once
 
 #include "commands/bench_streaming.h"
@@ -25,9 +25,9 @@ class HostFrame {
     unsigned textures_[2] = {}, framebuffer_ = 0;
 };
 
-/// Until all that was asked for is drawn.
+/// Waits until everything is drawn.
 void finish_drawing();
-/// The least organ there is.
+/// The smallest possible organ.
 Organ triangle();
 /// The first `streams` clips over the whole view.
 Preset smoke_of(int streams, const BenchClips& clips);

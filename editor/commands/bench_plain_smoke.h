@@ -1,6 +1,6 @@
-// Smoke drawn as the paper says it and no more: for each clip one rectangle over the whole view, whose fragments take
-// the colour from the frame, their opacity from its luma by two thresholds, vary that by a Perlin noise texture, and
-// are blended by alpha. What lapfx draws is measured beside it.
+// Smoke drawn exactly as in the paper, for comparison with lapfx: one rectangle over the whole view for each clip. Its
+// fragments take the colour from the frame and the opacity from its luma by two thresholds, vary that by a Perlin noise
+// texture, and are blended by alpha.
 #pragma once
 
 #include "commands/bench_host.h"
@@ -15,10 +15,9 @@ class PlainSmoke {
     PlainSmoke(const PlainSmoke&) = delete;
     PlainSmoke& operator=(const PlainSmoke&) = delete;
 
-    /// ms for one frame, until all is drawn: every clip straight over the host's frame.
+    /// ms for one frame until everything is drawn, with every clip directly over the host's frame.
     double over_frame_ms(const HostFrame& host) const;
-    /// The same with the clips over each other at their own resolution, and what comes of it once over the host's
-    /// frame.
+    /// The same with the clips over each other at their own resolution, and the result once over the host's frame.
     double at_clip_resolution_ms(const HostFrame& host) const;
 
   private:

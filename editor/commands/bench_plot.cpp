@@ -63,7 +63,7 @@ cv::Mat draw(const Panel& panel, const Lines& lines) {
     double most = 0.0, most_streams = 0.0;
     for (const auto& [name, rows] : lines)
         for (const StreamingRow* row : rows) {
-            // Beyond 120 frames per second nobody sees a difference, and one line would press all others flat.
+            // Nobody sees a difference beyond 120 frames per second, and one line would flatten all others.
             most = std::max(most, panel.value == &StreamingRow::fps ? std::min(row->fps, 120.0) : row->*panel.value);
             most_streams = std::max(most_streams, static_cast<double>(row->streams));
         }
@@ -93,7 +93,7 @@ cv::Mat draw(const Panel& panel, const Lines& lines) {
 void plot_streaming(std::span<const StreamingRow> rows, const std::filesystem::path& path) {
     Lines lines;
     for (const StreamingRow& row : rows) lines[row.scheme].push_back(&row);
-    std::erase_if(lines, [](const auto& line) { return line.second.size() < 2; });  // a point is no line
+    std::erase_if(lines, [](const auto& line) { return line.second.size() < 2; });  // a point is not a line
     for (const StreamingRow& row : paper_table_2()) lines[row.scheme].push_back(&row);
     cv::Mat whole(2 * height, 2 * width, CV_8UC3);
     for (int i = 0; i < 4; ++i)

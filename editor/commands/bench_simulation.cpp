@@ -1,11 +1,11 @@
 // Method: CPU time of the calling thread, the best of five runs of each, in turns.
 //
-// Samples: on the sample scene's organ, with its preset but without clips. Strokes of 0.6 s, one a second, cauterise,
-// cut and suck in turns, have gone by, and their wounds have bled out; then a tool is held and slowly drawn 60 mm
-// beside them for 2 s, 1000 samples a second and 60 frames, and nothing is drawn. The ratio is that of the tool for
-// which it is the largest. Suction is measured 20 mm beside them too, where it takes their blood away: there it costs
-// the wounds whose blood that is. Scene: AmountsModel with the organ prepared; from setting preset and events to the
-// last of 1800 amounts.
+// Samples: on the organ of the sample scene, with its preset but without clips. The history is one stroke of 0.6 s each
+// second, cautery, cuts and suction in turns, whose blood has reached its extent. Then a tool is held and moved slowly
+// 60 mm away for 2 s, with 1000 samples and 60 frames a second, and nothing is drawn. The ratio is that of the tool
+// with the largest one. Suction is also measured 20 mm away, where it removes the blood of the history, so that each of
+// those wounds costs time. Scene: AmountsModel with the organ prepared, from setting preset and events to the last of
+// 1800 amounts.
 #include "commands/bench_simulation.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ namespace lapfx::commands {
 namespace {
 
 constexpr double scene_seconds = 60.0, amounts_per_second = 30.0;
-constexpr double rest = 300.0;  // s after the last stroke: its blood stands
+constexpr double rest = 300.0;  // s after the last stroke, when its blood has stopped
 constexpr double aside_mm = 60.0, over_mm = 20.0;
 constexpr int held_frames = 120, samples_per_frame = 17;
 
@@ -51,12 +51,12 @@ std::vector<ToolContact> strokes(const Effects& effects, const glm::dvec3& centr
 
 struct Cost {
     double us = std::numeric_limits<double>::infinity();  // of CPU for each sample
-    Amounts before;                                       // what the history has left
+    Amounts before;                                       // bytes that the history uses
 };
 
-/// `mm`: from the tool that is held to the strokes before.
+/// `mm`: distance from the held tool to the earlier strokes.
 Cost sample_cost(Effects& effects, const Scene& scene, int seconds, ToolAction held, double mm) {
-    // Apart from each other: what the held stroke does to the organ is the same, whatever has been before.
+    // They are apart, so that the held stroke has the same effect on the organ with any history.
     const glm::dvec3 centre = scene.events.front().position, aside = scene.events.back().to + glm::dvec3(mm, 0, 0);
     effects.set_contacts(strokes(effects, aside, scene.camera.eye, seconds));
     double time = seconds + rest;

@@ -1,5 +1,4 @@
-// What happens on the organ, without drawing: what a sample of the tool costs after much has happened, and how long a
-// scene takes.
+// The simulation without drawing: the cost of a tool sample after a long history, and the time of a whole scene.
 #pragma once
 
 #include "commands/bench.h"

@@ -1,17 +1,17 @@
-// lapfx bench streaming: what N smoke clips over a 1280x1024 frame cost by each scheme, as the paper's table 2 has it,
-// and what FFmpeg takes for the like.
+// lapfx bench streaming: the cost of N smoke clips over a 1280x1024 frame by each scheme, as in the paper's table 2,
+// and the time of FFmpeg for comparable work.
 //
 // Method: clips 720x480, MPEG-4 part 2, 30 frames per second, each over the whole view (environmental smoke), luma
-// keyed with noise; one frame of every clip a frame (Policy::wait: nothing is skipped). "Late" are the paper's two
-// schemes on a display half as fast as the clips, which go on by two frames in each of its cycles: pipeline sends one
-// of the two in every cycle, buffering (with LateClips::skip, as the paper implemented it) one of four in every second
-// cycle. Decoding rests before each of these cycles, so that sending is compared: who skips what is not decoded in time
-// would seem to send fast. The paper's schemes shade every layer at the screen's resolution, ours as Effects does
-// unless told otherwise. After the warm-up (a loop of the clips for resident, else a few frames) `measured` frames.
-// Times per frame are medians; waiting, sending, decoding and copying are means, since the buffered scheme does not
-// send in every frame. The table is gone through three times (--rounds) and the best round of each case is kept: what
-// else the machine does must not fall on one of them. What the ratios compare beyond that: bench_comparisons.cpp.
-// --only measures what one ratio needs, in turns.
+// keyed with noise; one frame of every clip a frame (Policy::wait: nothing is skipped). "Late" means the paper's two
+// schemes on a display half as fast as the clips, which advance by two frames in each of its cycles: pipeline sends one
+// of the two in every cycle, buffering (with LateClips::skip, as in the paper) one of four in every second cycle.
+// Decoding stops before each of these cycles, so that only sending is compared: a scheme that skips frames which are
+// not decoded in time would seem to send fast. The paper's schemes shade every layer at the screen's resolution, ours
+// at the default of Effects. After the warm-up (a loop of the clips for resident, otherwise a few frames) `measured`
+// frames follow. Times per frame are medians; waiting, sending, decoding and copying are means, because the buffered
+// scheme does not send in every frame. The table is measured three times (--rounds), and the best round of each case
+// counts, so that other work of the machine does not affect only one of them. bench_comparisons.cpp has the other
+// ratios. --only measures the cases of one ratio, in turns.
 #include "commands/bench_streaming.h"
 
 #include <algorithm>
@@ -28,7 +28,7 @@ namespace {
 constexpr Way ways[] = {
     pipeline_way, buffered_way, {"buffered planar", Scheme::buffered_planar, SmokeResolution::balanced}, resident_way};
 
-/// The paper's schemes where the display is late; its own buffering skips frames then.
+/// The paper's schemes on a slow display, where buffering skips frames.
 constexpr Way pipeline_late{"pipeline, late", Scheme::pipeline, SmokeResolution::screen, 2};
 constexpr Way buffered_late{"buffered, late", Scheme::buffered, SmokeResolution::screen, 2, LateClips::skip};
 
@@ -49,7 +49,8 @@ struct Quotient {
     const Way *above, *below;
     double StreamingRow::*figure;
 };
-/// The paper's: late, so that buffering shows half as many frames. Beside it the same frames shown at the same rate.
+/// The paper's comparison: late, so that buffering shows half as many frames. The other one shows the same frames at
+/// the same rate.
 constexpr Quotient quotients[] = {
     {"upload_buffered_over_pipeline_15", &buffered_late, &pipeline_late, &StreamingRow::sending},
     {"upload_buffered_over_pipeline_15_nothing_skipped", &buffered_way, &pipeline_way, &StreamingRow::sending},

@@ -14,7 +14,7 @@ double ms_since(Clock::time_point start) {
     return 1e3 * std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// One scheme with so many clips, playing.
+/// One scheme with a number of playing clips.
 class Case {
   public:
     Case(const HostFrame& host, const Way& way, const Preset& preset, int frames)
@@ -95,7 +95,7 @@ class Case {
             now = effects_.streaming_times().decoded;
         }
     }
-    /// ms in the call, and after it until all is drawn.
+    /// ms in the call, and after it until everything is drawn.
     std::pair<double, double> step(double share) {
         if (late_) let_decoders_rest();
         effects_.seek(20.0 + step_ * frame_++ / bench_clip_fps);
@@ -122,7 +122,7 @@ class Case {
 StreamingRow measure(const HostFrame& host, const Way& way, int streams, const BenchClips& clips,
                      const StreamingExtent& extent) {
     Case playing(host, way, smoke_of(streams, clips), extent.measured);
-    // Drawn small, a loop of the clips does no more than fill the memory.
+    // Drawn small, so that a loop of the clips only fills the memory.
     if (way.scheme == Scheme::resident) playing.warm(clips.frames() + 10, 0.02);
     playing.warm(extent.warm_up);
     return playing.measure();

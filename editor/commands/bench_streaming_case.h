@@ -1,4 +1,4 @@
-// One case of lapfx bench streaming: so many clips, playing in a certain way.
+// One case of lapfx bench streaming: a number of clips and a way of playing.
 #pragma once
 
 #include "commands/bench_host.h"
@@ -18,18 +18,18 @@ struct Way {
 
 /// How much is measured.
 struct StreamingExtent {
-    std::vector<int> streams;  ///< of the table, ascending
-    int compared = 15;         ///< streams, in the ratios whose names end in it
+    std::vector<int> streams;  ///< numbers of streams in the table, ascending
+    int compared = 15;         ///< number of streams at the end of the ratios' names
     int warm_up = 4, measured = 16;
     int clip_frames = bench_clip_frames;
     int long_frames = 300;                                ///< 10 s: clips that do not fit
-    std::size_t long_memory = StreamingOptions{}.memory;  ///< what they do not fit into
+    std::size_t long_memory = StreamingOptions{}.memory;  ///< the memory that they do not fit into
 };
 
 /// Opens the clips, plays them until memory is full, and measures.
 StreamingRow measure(const HostFrame& host, const Way& way, int streams, const BenchClips& clips,
                      const StreamingExtent& extent);
-/// Takes the place of the row of the same case if it is better.
+/// Replaces the row of the same case if it is better.
 void keep_best(std::vector<StreamingRow>& rows, const StreamingRow& row);
 /// The row must be there.
 const StreamingRow& find(std::span<const StreamingRow> rows, const Way& way, int streams);

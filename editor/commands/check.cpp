@@ -61,7 +61,7 @@ void check_scene(const Scene& scene, const std::string& name) {
     if (std::vector<Fault> faults = files.take(); !faults.empty()) throw Error(Failure::bad_input, std::move(faults));
 }
 
-/// Looks at every file before it throws, so that one run shows all there is to mend.
+/// Checks every file before it throws, so that one run shows every fault.
 void check_files(const std::vector<std::string>& files) {
     std::vector<Fault> faults;
     for (const std::string& file : files) {

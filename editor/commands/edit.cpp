@@ -42,7 +42,7 @@ glm::ivec2 size_of(const Options& o) {
     return o.size.empty() ? standard_size : parse_size(o.size);
 }
 
-/// Before there is a window: a file that cannot be opened is told on the command line.
+/// Runs before there is a window, so that a file that cannot be opened is reported on the command line.
 app::Opened open_all(const std::vector<std::string>& files) {
     app::Opened opened = app::open_sample(data_folder());
     app::open_files(opened, files);
@@ -79,7 +79,7 @@ void write_files(const Options& o) {
     if (!o.screenshot.empty()) output::write_png(o.screenshot, headless.picture());
 }
 
-/// The keys of the window change it, and so may the settings: whichever is another one than `agreed` counts.
+/// Keys of the window and the settings can both change the scale: the one that differs from `agreed` counts.
 void follow_scale(window::UiWindow& window, app::Settings& settings, float& agreed) {
     if (settings.scale != agreed)
         window.set_scale(settings.scale);
@@ -88,7 +88,7 @@ void follow_scale(window::UiWindow& window, app::Settings& settings, float& agre
     agreed = settings.scale;
 }
 
-/// What is held beside the clips has no budget: a line on stderr about once a second, for tests.
+/// Memory other than that of the clips has no budget, so tests get a line on stderr about once a second.
 class MemoryLog {
   public:
     void tell(app::Editor& editor, double now) {
@@ -104,7 +104,7 @@ class MemoryLog {
     double told_ = -1e9;
 };
 
-/// Jobs and compiled shaders leave the heap in pieces: a tenth of it would stay for good.
+/// Jobs and compiled shaders fragment the heap: without trimming a tenth of it would never be returned.
 class HeapKeeper {
   public:
     /// After each frame.
@@ -134,7 +134,8 @@ void show_window(const Options& o) {
                              .scale = o.scale,
                              .images = &images,
                              .log = o.statistics ? &std::cerr : nullptr});
-    // Goes before the window does: its pictures lie in the window's context, its threads wake the window's UI.
+    // Destroyed before the window, because its pictures are in the window's context and its threads wake the window's
+    // UI.
     const auto editor =
         std::make_unique<app::Editor>(images, app::EditorOptions{.data_folder = data_folder(),
                                                                  .clip_folders = clip_folders(),
@@ -157,8 +158,8 @@ void show_window(const Options& o) {
     if (o.size.empty()) window.put(settings.window);
     editor->files().note_opened();
     editor->autosave().find();
-    if (o.at < 0) editor->timeline.speed = 1;  // what it is about is seen at once
-    double touched = -1;                       // s: the last input that the editor knows of
+    if (o.at < 0) editor->timeline.speed = 1;  // plays at once, so that blood and smoke are visible
+    double touched = -1;                       // s, time of the last input known to the editor
     MemoryLog memory_log;
     HeapKeeper heap;
     const auto before = [&](double now) {

@@ -42,7 +42,7 @@ void set_up(gallery::State& state, const Options& o) {
     state.reduced_motion = o.reduced_motion;
 }
 
-/// A UI without a window, with a clock that goes by frames: the same picture every time.
+/// A UI without a window, with a clock that advances by frames, so that the picture is always the same.
 class Still {
   public:
     Still(const Options& o, glm::ivec2 size) : size_(size), scale_(o.scale > 0 ? o.scale : 1.0F) {
@@ -69,7 +69,7 @@ class Still {
     }
 
   private:
-    /// Until no frame is asked for soon; what asks for ever is shown as it is then.
+    /// Runs frames until none is requested soon; an endless request is stopped after a while.
     void settle() {
         for (int i = 0; i < 20; ++i) {
             time_ += 1.0 / 60;

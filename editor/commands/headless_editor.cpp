@@ -31,7 +31,7 @@ HeadlessEditor::HeadlessEditor(glm::ivec2 size, float scale, const std::string& 
     editor_->settings().hint_seen = true;
 }
 
-/// The editor's threads wake the UI: they go before it does.
+/// The editor's threads wake the UI, so they end before it.
 HeadlessEditor::~HeadlessEditor() {
     editor_.reset();
 }

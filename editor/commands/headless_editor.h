@@ -1,4 +1,4 @@
-// The whole editor without a window, with a clock that goes by frames: for pictures of it, dumps and benches.
+// The whole editor without a window, with a clock that advances by frames, for pictures, dumps and benchmarks.
 //
 //     HeadlessEditor headless({1440, 900}, 1.0F, "auto");
 //     headless.editor().document.open(...);
@@ -16,7 +16,7 @@ namespace lapfx::commands {
 
 class HeadlessEditor {
   public:
-    /// `exact`: as EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
+    /// `exact`: see EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
     HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact = true,
                    std::shared_ptr<app::EarlyLoad> early = nullptr);
     ~HeadlessEditor();
@@ -27,9 +27,9 @@ class HeadlessEditor {
     ui::Ui& ui() { return *ui_; }
     const Context& context() const { return context_; }
 
-    /// One, `seconds` after the last: the panels are built and the preview is drawn.
+    /// One frame, `seconds` after the last one: the panels are built and the preview is drawn.
     void frame(double seconds = 1.0 / 60, const app::FrameOptions& options = {});
-    /// Until no other frame is asked for soon; what asks for ever is left as it is then.
+    /// Runs frames until none is requested soon; an endless request is stopped after a while.
     void settle();
     /// Sends the UI of the last frame to the GPU.
     void draw_ui();

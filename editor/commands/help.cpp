@@ -36,7 +36,7 @@ std::vector<std::string> known_words(const CLI::App& app) {
     return words;
 }
 
-/// CLI::App::help() would be that of the command that was parsed: of `help`.
+/// CLI::App::help() would give the help of the parsed command, which is `help`.
 std::string help_of(const CLI::App& app, const std::string& name) {
     return app.get_formatter()->make_help(&app, name, CLI::AppFormatMode::Normal);
 }

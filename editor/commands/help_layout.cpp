@@ -7,7 +7,7 @@ namespace lapfx::commands {
 namespace {
 
 constexpr std::size_t columns = 100;
-constexpr std::size_t name_column = 26;  // where what is said of a name begins
+constexpr std::size_t name_column = 26;  // where the text about a name begins
 
 /// Characters of UTF-8, as a terminal counts them: all but the bytes that continue one.
 std::size_t width(std::string_view text) {

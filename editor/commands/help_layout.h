@@ -29,7 +29,8 @@ std::string markdown(const HelpSection& section);
 /// `text` in lines of at most 100 columns, each behind `indent` blanks, with a newline at the end of each.
 std::string wrapped(std::string_view text, std::size_t indent);
 
-/// The help of commands: what an option takes is said by its option_text ("WxH"), its default behind what it does.
+/// Formats the help of commands. The option_text of an option ("WxH") says what it takes; its default follows its
+/// description.
 class CommandFormatter : public CLI::Formatter {
   public:
     std::string make_usage(const CLI::App* app, std::string name) const override;

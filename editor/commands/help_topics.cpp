@@ -24,7 +24,7 @@ std::string facts_of(const Parameter& row, const void* owner) {
     return standard.empty() ? facts : facts + "; default " + standard;
 }
 
-/// "divides cold" as "Divides cold."
+/// "no smoke" as "No smoke."
 std::string sentence(std::string_view words) {
     std::string text(words);
     if (text.front() >= 'a' && text.front() <= 'z') text.front() = static_cast<char>(text.front() - 'a' + 'A');

@@ -1,4 +1,4 @@
-// The topics of `lapfx help TOPIC`: what stands in the tables of the program, and the rules that no table has.
+// The topics of `lapfx help TOPIC`: the tables of the program, and the rules that are in no table.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// lapfx inspect FILE...: what a mesh, clip, preset, scene or image holds.
+// lapfx inspect FILE...: what a mesh, clip, preset, scene or image contains.
 #include "commands/inspect.h"
 
 #include <fstream>
@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
     throw Error(Failure::bad_input, Fault{file.string(), "", reason});
 }
 
-/// Checked before anything opens the file: a pipe would be waited for, and decoders take URLs and devices.
+/// Checked before anything opens the file: opening a pipe would wait, and decoders accept URLs and devices.
 void require_plain_file(const fs::path& file) {
     std::error_code code;
     const fs::file_status status = fs::status(file, code);
@@ -29,7 +29,7 @@ void require_plain_file(const fs::path& file) {
 
 enum class Kind { organ, image, video, document };
 
-/// A picture that the core does not decode whole is looked at as a clip is.
+/// A picture that the core does not decode as a texture is inspected as a clip.
 Kind kind_of(const FileFormat& format) {
     switch (format.content) {
         case Content::mesh:
@@ -41,7 +41,7 @@ Kind kind_of(const FileFormat& format) {
     }
 }
 
-/// By what the file starts with; for a name that says nothing.
+/// By the first bytes of the file, for a name that says nothing.
 Kind kind_by_content(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
     std::string head(16, '\0');
@@ -87,7 +87,7 @@ void inspect_file(const fs::path& file, bool keying) {
     }
 }
 
-/// Goes on after a bad file, and fails at the end with the faults of all.
+/// Continues after a bad file, and fails at the end with the faults of all files.
 void inspect_files(const std::vector<std::string>& files, bool keying) {
     std::vector<Fault> faults;
     Failure failure = Failure::runtime;

@@ -1,4 +1,4 @@
-// What `lapfx inspect` prints, one kind of file each. All write to stdout and throw lapfx::Error.
+// What `lapfx inspect` prints, one function for each kind of file. All write to stdout and throw lapfx::Error.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@ namespace lapfx::commands {
 void inspect_organ(const std::filesystem::path& file);
 void inspect_image(const std::filesystem::path& file);
 void inspect_video(const std::filesystem::path& file);
-/// What suggest_keying() finds, and as the lines of a clip in a preset.
+/// The result of suggest_keying(), also as the lines of a clip in a preset.
 void inspect_keying(const std::filesystem::path& file);
 void inspect_document(const std::filesystem::path& file);
 

@@ -26,7 +26,7 @@ void show_preset(const Preset& preset) {
         row("clip", clip.file + (clip.role == ClipRole::plume ? ", plume" : ", haze"));
 }
 
-/// As the scene names it, and what is odd about where it lies.
+/// The name in the scene, and a remark if its place is unusual.
 std::string whereabouts(const Scene& scene, const std::string& file) {
     if (file.empty()) return "none";
     std::error_code error;

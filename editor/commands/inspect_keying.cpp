@@ -10,8 +10,8 @@ namespace lapfx::commands {
 
 namespace {
 
-/// The lines that go into the clip's entry of a preset, as write_preset() would write them; the keys that are not
-/// suggested are left to their defaults.
+/// The lines for the clip's entry in a preset, as write_preset() would write them; keys without a suggestion keep their
+/// defaults.
 std::string preset_lines(const KeyingSuggestion& found) {
     Preset preset;
     SmokeClip& suggested = preset.smoke.clips.emplace_back();

@@ -18,12 +18,12 @@ namespace {
     throw Error(Failure::bad_input, Fault{file.string(), "", reason});
 }
 
-/// No word of OpenCV's on stderr: the fault says it.
+/// Silences OpenCV on stderr, because the fault says it.
 void silence_opencv() {
     cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
 }
 
-/// Every frame is decoded: what a file says of itself may not be so.
+/// Every frame is decoded, because the claims of a file may be wrong.
 DecodableFrames decodable_frames(const std::filesystem::path& file) {
     constexpr int steps = 100;
     Progress progress("decoding " + file.filename().string(), steps);
@@ -34,10 +34,9 @@ DecodableFrames decodable_frames(const std::filesystem::path& file) {
     });
 }
 
-/// Of a time, s, the whole milliseconds before it: rounded up, a clip's "out" there would play the frame that begins
-/// then.
+/// A time, s, rounded down to milliseconds: rounded up, "out" of a clip would play the frame that begins then.
 double rounded_down(double time) {
-    constexpr double inexact = 5e-4;  // ms: 0.5 s is not to become 0.499; far less than frames come early
+    constexpr double inexact = 5e-4;  // ms, so that 0.5 s does not become 0.499; much less than the earliness of frames
     return std::floor(1000.0 * time + inexact) / 1000.0;
 }
 

@@ -70,7 +70,7 @@ void print_materials(const Organ& organ) {
         row("", image.name + ": " + std::to_string(image.width) + "x" + std::to_string(image.height));
 }
 
-/// What the colours tell of the tissue, with default parameters.
+/// What the colours show about the tissue, with default parameters.
 void print_tissue(const Organ& organ) {
     const TissueReport tissue = report_tissue(organ);
     if (tissue.known == 0.0) {

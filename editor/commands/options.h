@@ -1,4 +1,4 @@
-// What the verbs that draw pictures have in common on their command lines.
+// Shared by the command lines of verbs that draw pictures.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -14,22 +14,23 @@ Error wrong_option(const std::string& option, const std::string& reason);
 /// `text` as in 1280x1024. Throws Error (bad_input) outside 1x1 to 16384x16384.
 glm::ivec2 parse_size(const std::string& text);
 
-/// Lets no "nan" and no "inf" through, which CLI::Range does.
+/// Refuses "nan" and "inf", which CLI::Range accepts.
 CLI::Validator finite_number();
 
 /// Throws Error (bad_input) where a picture cannot have that name: it is a PNG.
 void check_picture_name(const std::string& option, const std::string& file);
 
-/// Whether the file's folder is there, before the work and not after it. Throws Error (runtime).
+/// Checks before the work that the file's folder exists. Throws Error (runtime).
 void check_folder(const std::filesystem::path& output);
 
-/// On stderr: what the user should know of the scene and would not see in the picture.
+/// Prints on stderr what the user should know about the scene and would not see in the picture.
 void print_warnings(const Preview& preview);
-/// What of the smoke will not be seen: nothing where no tool burns.
+/// Prints which smoke will not be visible; nothing if no tool burns.
 void print_smoke_notes(const Scene& scene, const Preset& preset);
-/// Likewise of its smoke clips, once they have played: what could not be decoded is known then.
+/// Prints warnings about its smoke clips. Call it when they have played, because frames that cannot be decoded are
+/// known then.
 void print_clip_warnings(const Preview& preview);
-/// Likewise for a time, s, that `--at` named.
+/// Warns about a time of `--at`, s, after the end of the scene.
 void warn_after_end(const Scene& scene, double at);
 
 }  // namespace lapfx::commands

@@ -1,5 +1,5 @@
-// lapfx picture: a small picture of any file that the editor opens. File dialogs ask a child process for it: what a
-// stranger's file does, it does there.
+// lapfx picture: a small picture of any file that the editor opens. File dialogs run it as a child process, so that a
+// stranger's file cannot harm the editor.
 #include <new>
 #include <opencv2/imgproc.hpp>
 
@@ -20,14 +20,14 @@ struct Options {
     std::string file, output, size = "360x288", backend = "auto";
 };
 
-constexpr double in_video = 0.4;  // of its duration: smoke clips begin with nothing
-constexpr double in_scene = 0.6;  // of its duration: blood and smoke are both there
+constexpr double in_video = 0.4;  // share of its duration: smoke clips begin with nothing
+constexpr double in_scene = 0.6;  // share of its duration, when blood and smoke are both visible
 
 Error refused(const std::string& file, Failure failure, const std::string& reason) {
     return {failure, Fault{.file = file, .place = "", .reason = reason}};
 }
 
-/// In its own shape, no larger than `most`.
+/// Keeps its shape, no larger than `most`.
 Image fitted(Image image, glm::ivec2 most) {
     const double scale =
         std::min({1.0, static_cast<double>(most.x) / image.width, static_cast<double>(most.y) / image.height});

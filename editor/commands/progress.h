@@ -1,12 +1,12 @@
-// Long work: progress on a terminal, and a way out by Ctrl-C.
+// Progress of long work on a terminal, and a clean stop by Ctrl-C.
 #pragma once
 
 #include <string>
 
 namespace lapfx::commands {
 
-/// While one lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the process but make step() throw Error (runtime),
-/// so that everything that was begun is undone on the way out.
+/// While an object lives, Ctrl-C (SIGINT), SIGTERM and SIGHUP do not end the process but make step() throw Error
+/// (runtime), so that destructors undo everything that was begun.
 class Progress {
   public:
     /// `what` as in "rendering". Prints to stderr, and only when that is a terminal.

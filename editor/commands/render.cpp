@@ -57,7 +57,7 @@ void require_sound(const output::RenderOptions& options, double duration) {
 void run(const Options& o) {
     const Backend backend = parse_backend(o.backend);
     output::RenderOptions options = render_options(o);
-    require_sound(options, o.from + 1.0);  // before anything is loaded; then with the scene's length
+    require_sound(options, o.from + 1.0);  // before anything is loaded, and again with the length of the scene
     check_folder(o.output);
     if (!o.amounts.empty()) check_folder(o.amounts);
     const Scene scene = load_scene(o.scene);

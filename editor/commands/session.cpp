@@ -25,7 +25,7 @@ Preset preset_for(const Scene& scene, const std::string& preset, const std::vect
                         Fault{.file = "", .place = "--set", .reason = "\"" + setting + "\" is not KEY=VALUE"});
         set_parameter(preset_table(), &result, setting.substr(0, equals), setting.substr(equals + 1));
     }
-    // Rules between values hold for all settings together, not for each on its way.
+    // Rules between values are checked for all settings together, not after each one.
     if (std::vector<Fault> faults = check(preset_table(), &result); !faults.empty())
         throw Error(Failure::bad_input, std::move(faults));
     return result;

@@ -1,4 +1,4 @@
-// What every verb that shows a scene starts from: the scene, its preset, and the shipped clips.
+// Shared by verbs that show a scene: its preset, and the folders of shipped files.
 #pragma once
 
 #include <string>
@@ -11,7 +11,7 @@ namespace lapfx::commands {
 /// The folder of the shipped files: clips, presets, samples, shaders.
 std::filesystem::path data_folder();
 
-/// Where presets' bare clip names are looked up: the shipped clips.
+/// The folders where bare clip names of presets are looked up: the shipped clips.
 std::vector<std::filesystem::path> clip_folders();
 
 /// The preset that the scene names, or `preset` when that is not empty; then each `KEY=VALUE` of `settings`.

@@ -1,4 +1,4 @@
-// lapfx sheet: one picture of many, time across and presets down, to judge presets beside each other and beside real
+// lapfx sheet: many pictures in one, times across and presets down, to compare presets with each other and with real
 // frames.
 #include <opencv2/imgproc.hpp>
 
@@ -38,7 +38,7 @@ struct Layout {
     }
 };
 
-/// The name, and the file, for two presets may have one name. OpenCV's letters are ASCII.
+/// The name and the file, because two presets may have the same name. OpenCV's letters are ASCII.
 std::string label_of(const Preset& preset, const std::filesystem::path& file) {
     std::string label = preset.name.empty() ? file.stem().string() : preset.name;
     if (!file.empty()) label += " (" + file.filename().string() + ")";
@@ -116,11 +116,11 @@ void run(const Options& o) {
     check_folder(o.output);
     const Scene scene = load_scene(o.scene);
     const std::vector<Row> rows = rows_of(o, scene);
-    // Text that can be read beside a cell of any size.
+    // Text that can be read next to a cell of any size.
     const Layout layout{.cell = cell,
                         .count = {static_cast<int>(o.times.size()), static_cast<int>(rows.size())},
                         .text = glm::clamp(cell.y / 12, 16, 40)};
-    // In doubles: many large cells are more than an int holds.
+    // In doubles, because many large cells overflow an int.
     if (glm::any(
             glm::greaterThan(glm::dvec2(layout.count) * glm::dvec2(cell + gap + layout.text), glm::dvec2(largest))))
         throw wrong_option("--size", std::to_string(layout.count.x) + " by " + std::to_string(layout.count.y) +

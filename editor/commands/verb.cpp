@@ -10,9 +10,9 @@ namespace lapfx::commands {
 
 namespace {
 
-constexpr std::size_t longest_verb = 32;  // a word that is longer is like none of them
+constexpr std::size_t longest_verb = 32;  // longer words are cut before the comparison
 
-/// Letters to be put in, left out or replaced to make `b` of `a`.
+/// Number of letters to insert, remove or replace to turn `a` into `b`.
 std::size_t difference(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});

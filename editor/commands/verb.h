@@ -1,4 +1,4 @@
-// Which command the first word of `lapfx` asks for, and what is said of a word that asks for none.
+// Finds the command that the first word of `lapfx` names, and the message for an unknown word.
 #pragma once
 
 #include <span>

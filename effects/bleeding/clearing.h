@@ -87,7 +87,7 @@ class Clearing {
     double suction_radius_ = 0.0, irrigation_radius_ = 0.0;
     std::uint64_t known_ = 0;  // revision of the log
     std::vector<Sweep> sweeps_;
-    // Finished sweeps keep their caps as time goes on: a frame costs only the running sweep.
+    // Finished sweeps keep their caps as time advances: a frame costs only the running sweep.
     Layer over_, running_;
     double updated_ = 0.0;
     double stale_from_ = std::numeric_limits<double>::infinity();  // start of the first new sweep, s

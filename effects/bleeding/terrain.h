@@ -17,12 +17,12 @@ class Terrain {
     /// Keeps a reference to `surface`. `down`: unit, organ space.
     Terrain(const Surface& surface, glm::dvec3 down);
 
-    /// mm that a point lies below the origin.
+    /// Depth of a point below the origin, mm.
     double drop(std::uint32_t point) const { return glm::dot(surface_.positions[point], down_); }
 
-    /// How much a point lies in a crease, mm: above 0 where the surface around it rises more than a smooth fold would,
-    /// below 0 on a ridge; 0 on a plane, a cylinder and a sphere. The mean height of the surface 2.5 mm around the
-    /// point over its tangent plane, less what the curvature 5 mm around it explains.
+    /// How deep a point is in a crease, mm: above 0 where the surface around it rises more than in a smooth fold, below
+    /// 0 on a ridge; 0 on a plane, a cylinder and a sphere. It is the mean height of the surface 2.5 mm around the
+    /// point over its tangent plane, without the part that the curvature 5 mm around it explains.
     double crease(std::uint32_t point);
 
     /// Cost of one mm at a point for blood that creases attract by `crease_bias` (0..1): 1 on smooth tissue, down to

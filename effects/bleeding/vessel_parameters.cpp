@@ -11,7 +11,7 @@
 //   density  = mean over a disc of radius `region` on the surface, around the tool tip
 //   strength of a wound = 0 where density < vessel_threshold,
 //                         else 1 + vessel_strength * (density / vessel_reference - 1), at most 4
-//                       1 where nothing tells of vessels: no colour, or a texture (or the vertex colours)
+//                       1 where nothing shows vessels: no colour, or a texture (or the vertex colours)
 //                         of which less than
 //                         0.1 % is vessel. A liver's capsule bleeds where it is cut all the same
 //

@@ -23,7 +23,7 @@ double dying_time(double elapsed, double duration) {
     return t - t * t / (2.0 * duration);
 }
 
-/// Pulses slower than this are none where the strength changes: the integrals below lose their digits.
+/// Slower pulses are ignored where the strength changes: the integrals below lose their digits.
 constexpr double slowest_pulse = 1e-3;  // Hz
 
 /// The line through a point of the curve and the next; level before the first and after the last.

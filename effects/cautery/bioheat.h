@@ -22,7 +22,7 @@ class Bioheat {
     /// Keeps references.
     Bioheat(const Surface& surface, const StrengthAt& strength_at);
 
-    /// All anew.
+    /// Starts again with these parameters.
     void reset(const CauteryParameters& parameters);
     /// The track's contacts have changed at and after `time`.
     void changed_from(double time);

@@ -28,7 +28,7 @@ class Grid {
             if (found != cells_.end()) std::erase(found->second, thing);
         });
     }
-    /// Things of all cells that the box touches, ascending and each once, in place of the contents of `out`.
+    /// Things of all cells that the box touches, ascending and each once, replacing the contents of `out`.
     void find(const glm::dvec3& low, const glm::dvec3& high, std::vector<std::uint32_t>& out) const {
         out.clear();
         each_cell(low, high, [&](std::uint64_t key) {

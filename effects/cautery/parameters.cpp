@@ -87,7 +87,7 @@ constexpr Parameter rows[] = {
         "perfusion", "Perfusion", {0, 2, 0.005, "1/s"},
         "How fast blood flow carries heat away. Used by the model bioheat only. In the paper: the bio-heat equation."),
     number<&C::clip_length>("clip_length", "Clip length", {4, 20, 0.5, "mm"},
-                            "How long the metal clips are that a clip applier sets."),
+                            "Length of the metal clips that a clip applier sets."),
     number<&C::clip_reach>(
         "clip_reach", "Clip reach", {0.5, 10, 0.1, "mm"},
         "How far from its middle line a clip holds the tissue shut: wounds there stop at once, and what "

@@ -40,8 +40,8 @@ class Radial {
 
     /// Degrees Celsius of the surface at `place`.
     double temperature(const glm::dvec3& place, double time) const;
-    /// The hottest bells that contact `number` has made by `time`, in place of the contents of `out`. They only grow
-    /// with time.
+    /// The hottest bells that contact `number` has made by `time`, replacing the contents of `out`. They only grow with
+    /// time.
     void bells(std::uint32_t number, double time, std::vector<Bell>& out) const;
 
     const WoundList& wounds() const { return wounds_; }
@@ -77,9 +77,9 @@ class Radial {
         std::uint32_t opened_by = none;
     };
     struct Contact {
-        std::vector<std::uint32_t> stations;  // that have a heating of its own, ascending
+        std::vector<std::uint32_t> stations;  // stations where it has heated, ascending
         std::uint32_t first_station = 0, first_site = 0;
-        double chain_start = 0.0;  // none of its own heatings is earlier
+        double chain_start = 0.0;  // none of its heatings is earlier
     };
     struct State {
         double rise, stayed;

@@ -1,3 +1,3 @@
-# FFmpeg's libraries decode the smoke clips: into the clip's own planes, with alpha, timestamps and a list of the
-# formats that may be read, none of which OpenCV's reader gives.
+# FFmpeg's libraries decode the smoke clips. They give the planes of a clip, alpha and timestamps, and can be limited
+# to a list of formats; OpenCV's reader has none of that.
 pkg_check_modules(ffmpeg REQUIRED IMPORTED_TARGET GLOBAL libavformat libavcodec libavutil libswscale)

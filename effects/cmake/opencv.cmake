@@ -1,5 +1,5 @@
-# OpenCV by hand: Debian's OpenCVConfig.cmake lies in libopencv-dev, which depends on libopencv-highgui-dev and
-# so on Qt. The modules that we use have no such dependency. Those that the core uses: it reads videos by itself.
+# Finds OpenCV by hand: Debian's OpenCVConfig.cmake is in libopencv-dev, which depends on libopencv-highgui-dev and
+# so on Qt. The modules below have no such dependency. They are those of the core, which reads videos without OpenCV.
 find_path(LAPFX_OPENCV_INCLUDE opencv2/core.hpp PATH_SUFFIXES opencv4 REQUIRED)
 add_library(lapfx_opencv INTERFACE)
 target_include_directories(lapfx_opencv SYSTEM INTERFACE ${LAPFX_OPENCV_INCLUDE})

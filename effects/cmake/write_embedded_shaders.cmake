@@ -1,4 +1,4 @@
-# -DNAMESPACE: of the tables, lapfx::gl unless told.
+# -DNAMESPACE: the namespace of the tables; default lapfx::gl.
 if(NOT NAMESPACE)
     set(NAMESPACE lapfx::gl)
 endif()

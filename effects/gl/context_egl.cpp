@@ -1,5 +1,4 @@
-// A context without a surface or a display: Mesa's surfaceless platform, else the first EGL device (GPU
-// drivers).
+// A context without a surface or a display: Mesa's surfaceless platform, otherwise the first EGL device (GPU drivers).
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 

@@ -1,4 +1,4 @@
-// Mesa's off-screen renderer. It is opened with dlopen, privately: linked, it would clash with the GLX of a
+// Mesa's off-screen renderer. It is opened privately with dlopen, because a linked one would clash with the GLX of a
 // window.
 #include <dlfcn.h>
 
@@ -25,7 +25,7 @@ struct OsmesaOwner : Context::Owner {
     OSMesaContext context = nullptr;
     DestroyContext destroy = nullptr;
     Context::GetProcAddress get = nullptr;
-    std::array<std::uint8_t, 16 * 16 * 4> pixels{};  // a default framebuffer is demanded; we draw into our own
+    std::array<std::uint8_t, 16 * 16 * 4> pixels{};  // it requires a default framebuffer; we draw into our own
 
     ~OsmesaOwner() override {
         // The library stays open: Mesa registers thread-exit handlers that would point into unmapped code.

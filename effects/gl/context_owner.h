@@ -16,7 +16,7 @@ struct Context::Owner {
 
 namespace gl {
 
-/// Null, with the reason, when the backend cannot be had here.
+/// Null, with the reason, when the backend is not available.
 std::unique_ptr<Context::Owner> make_egl(std::string& reason);
 std::unique_ptr<Context::Owner> make_osmesa(std::string& reason);
 

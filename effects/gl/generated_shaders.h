@@ -1,5 +1,5 @@
-// Shader text that is made from the core's own tables, so that both sides call things by one list. Included like the
-// files of shaders/: #include "overlays.glsl".
+// Shader text made from the core's tables, so that C++ and GLSL use the same list of names. Included like the files of
+// shaders/: #include "overlays.glsl".
 #pragma once
 
 #include <optional>

@@ -36,7 +36,7 @@ GLuint make_texture(GLenum target) {
 }  // namespace
 
 Buffer::Buffer(std::size_t bytes, const void* data) : name_(make(glCreateBuffers)), size_(bytes) {
-    // GL has no empty storage; one byte stands for none.
+    // GL has no empty storage, so it gets one byte.
     glNamedBufferStorage(name(), static_cast<GLsizeiptr>(bytes == 0 ? 1 : bytes), bytes == 0 ? nullptr : data,
                          GL_DYNAMIC_STORAGE_BIT);
 }

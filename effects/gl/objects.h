@@ -1,6 +1,5 @@
-// Owners of OpenGL objects: move-only, each knows its size and format. The context must be current wherever
-// one is made, used or destroyed. Failures of GL here are the driver's (out of memory); glad's context
-// reports them as GL errors.
+// Owners of OpenGL objects: move-only, each knows its size and format. The context must be current when one is made,
+// used or destroyed. GL can only fail here in the driver (out of memory), and reports that as GL errors.
 #pragma once
 
 #include <cstddef>
@@ -65,8 +64,8 @@ struct TextureDescription {
     glm::ivec2 size{1};
     GLenum format = GL_RGBA8;
     int levels = 1;
-    int samples = 0;  ///< 0: an ordinary texture, else multisample
-    int layers = 0;   ///< 0: GL_TEXTURE_2D, else a GL_TEXTURE_2D_ARRAY of so many layers
+    int samples = 0;  ///< 0: an ordinary texture, otherwise multisample
+    int layers = 0;   ///< 0: GL_TEXTURE_2D, otherwise the number of layers of a GL_TEXTURE_2D_ARRAY
     GLenum filter = GL_LINEAR;
     GLenum wrap = GL_CLAMP_TO_EDGE;
 };

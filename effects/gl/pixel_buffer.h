@@ -1,6 +1,6 @@
-// Pixels on their way to textures: any thread writes them into memory of the driver's, and the GPU reads them when it
-// comes to it. Sending them so copies nothing on the CPU, beyond what the driver does, and waits for no drawing. The
-// context must be current.
+// Pixels that will be sent to textures: any thread writes them into memory of the driver, and the GPU reads them later.
+// Sending them copies nothing on the CPU, except in the driver, and does not wait for drawing. The context must be
+// current.
 #pragma once
 
 #include "gl/objects.h"
@@ -12,10 +12,10 @@ class PixelBuffer {
     PixelBuffer() = default;
     explicit PixelBuffer(std::size_t bytes);
 
-    /// Memory to write to, of the bytes that it was made with, until unmap(); of whatever content, and slow to read.
-    /// What the GPU has still to read of what was there, it keeps. Empty when the driver has none.
+    /// Memory to write to until unmap(), of the size at construction. Its content is undefined, and reading it is slow.
+    /// Data that the GPU has not read yet is kept. Empty when the driver has no memory.
     std::span<std::uint8_t> map() const noexcept;
-    /// What was written is there to be sent. False when the driver has lost it.
+    /// Makes the written data ready to be sent. False when the driver has lost it.
     bool unmap() const noexcept;
     /// Level 0 of a layer of an array, from `offset` on: as Texture::upload().
     void upload(const Texture& to, GLenum format, std::size_t offset, int layer) const noexcept;

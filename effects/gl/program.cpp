@@ -31,7 +31,7 @@ std::string read_log(GLuint name, GetInteger get_integer, GetLog get_log) {
     return log;
 }
 
-/// One fault per line of the log, so that each stays a line of its own on stderr.
+/// One fault per line of the log, so that each is one line on stderr.
 Error shader_error(const std::string& name, const std::string& log) {
     std::vector<Fault> faults{{.file = name, .place = "", .reason = "the shader does not compile"}};
     std::size_t begin = 0;
@@ -43,7 +43,7 @@ Error shader_error(const std::string& name, const std::string& log) {
     return {Failure::runtime, std::move(faults)};
 }
 
-/// As it is compiled.
+/// The text that is compiled.
 std::string text_of(const ShaderSource& source, const std::string& defines) {
     std::string text = source.text;
     if (!defines.empty()) text.insert(text.find('\n') + 1, defines + "#line 2 0\n");  // #version stays first
@@ -82,14 +82,14 @@ std::string_view word_of(GLenum type) {
     return "a type that is never set";
 }
 
-/// 0 where values of it are never set.
+/// 0 for types whose values are never set.
 GLenum type_of(std::string_view word) {
     for (const auto& [known, type] : types)
         if (known == word) return type;
     return 0;
 }
 
-/// Whether a uniform of one type is set by a value of another: a sampler by the number of its unit.
+/// Whether a value of one type can set a uniform of another: a sampler takes the number of its unit.
 bool takes(GLenum declared, GLenum value) {
     const bool by_int = declared == GL_BOOL || declared == GL_SAMPLER_2D || declared == GL_SAMPLER_2D_ARRAY;
     return (by_int ? GLenum{GL_INT} : declared) == value;
@@ -122,8 +122,8 @@ std::string last_word(std::string_view text) {
     return std::string(text.substr(begin, end - begin));
 }
 
-/// Calls take(name, type) for each uniform that is declared outside of blocks, in whatever variant of a shader.
-/// `declaration`: what stands between `uniform` and its semicolon, "vec4 u_a, u_b[2] = vec4[2](...)".
+/// Calls take(name, type) for each uniform that is declared outside blocks in any variant of a shader. `declaration`:
+/// what stands between `uniform` and its semicolon, "vec4 u_a, u_b[2] = vec4[2](...)".
 template <typename Take>
 void read_declaration(std::string_view declaration, const Take& take) {
     std::string type;
@@ -166,7 +166,7 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
     glAttachShader(name(), vertex_shader.get());
     glAttachShader(name(), fragment_shader.get());
     glLinkProgram(name());
-    // What is attached stays as long as the program, with all that its compiler knew.
+    // Attached shaders would stay as long as the program, with all data of the compiler.
     glDetachShader(name(), vertex_shader.get());
     glDetachShader(name(), fragment_shader.get());
     GLint done = 0;
@@ -175,8 +175,7 @@ Program::Program(const std::string& vertex, const std::string& fragment, const s
         throw shader_error(vertex + " + " + fragment, read_log(name(), glGetProgramiv, glGetProgramInfoLog));
 
     edited_ = vertex_source.edited || fragment_source.edited;
-    // GL knows those that are used; of the others it knows nothing, not even that they are declared. Where a macro
-    // names one of these it stays unknown.
+    // GL knows only used uniforms, so declared ones are found in the text. One that a macro names stays unknown.
     for (const std::string* text : {&vertex_text, &fragment_text})
         for_each_declared(*text, [&](std::string&& uniform, const std::string& type) {
             uniforms_.try_emplace(std::move(uniform), Uniform{.location = -1, .type = type_of(type)});

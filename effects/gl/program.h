@@ -4,8 +4,8 @@
 //     const Program post("fullscreen.vert", "post.frag");
 //     post.set("u_exposure", 1.5f);
 //
-// A uniform that is declared but that the compiler has found no use for is set in vain, without a fault: variants of
-// one shader use some and not others.
+// Setting a uniform that is declared but not used has no effect and is not a fault, because variants of one shader use
+// different uniforms.
 #pragma once
 
 #include <glm/glm.hpp>
@@ -23,17 +23,18 @@ void release_program(GLuint name);
 class Program {
   public:
     Program() = default;
-    /// File names in shaders/. Throws Error (runtime) with file, line and the numbered source around it.
-    /// `defines`: whole lines of `#define NAME`, put before both texts, to make variants of one shader.
+    /// File names in shaders/. Throws Error (runtime) with file, line and the numbered source around it. `defines`:
+    /// whole lines of `#define NAME` before both texts, to make variants of one shader.
     Program(const std::string& vertex, const std::string& fragment, const std::string& defines = "");
 
-    /// Compiled once more, from the texts as they are now. Throws as the constructor. Of an empty one, an empty one.
+    /// The same program compiled again from the present texts. Throws like the constructor. An empty program gives an
+    /// empty one.
     Program rebuilt() const;
 
     void use() const { glUseProgram(name_.get()); }
-    /// Throws Error (runtime), which ends a caller that is noexcept, for a name that neither text declares, and for a
-    /// value of another type than that of a uniform that is used: a fault of the caller. Where a text comes from disk
-    /// such a value is ignored: while a shader is edited, its uniforms come and go.
+    /// Throws Error (runtime), which ends a noexcept caller, for a name that neither text declares, and for a value
+    /// whose type differs from that of a used uniform: both are faults of the caller. If a text comes from disk such a
+    /// value is ignored, because uniforms change while somebody edits a shader.
     void set(const char* uniform, int value) const;
     void set(const char* uniform, float value) const;
     void set(const char* uniform, glm::vec2 value) const;
@@ -47,22 +48,22 @@ class Program {
   private:
     struct Uniform {
         GLint location = -1;  ///< -1: declared, not used
-        GLenum type = 0;      ///< as GL tells it; of one that is not used it tells none
+        GLenum type = 0;      ///< from GL, which knows only used uniforms
     };
     void find_used();
     GLint location(const char* uniform, GLenum type) const;
 
     struct Hash {
-        using is_transparent = void;  // look-ups by const char* allocate nothing
+        using is_transparent = void;  // so that a look-up by const char* allocates nothing
         std::size_t operator()(std::string_view text) const { return std::hash<std::string_view>{}(text); }
     };
-    std::string vertex_, fragment_, defines_;  // what it was made of
+    std::string vertex_, fragment_, defines_;  // its files and defines
     Name<release_program> name_;
     std::unordered_map<std::string, Uniform, Hash, std::equal_to<>> uniforms_;
     bool edited_ = false;  // some of its text comes from disk
 };
 
-/// All of them compiled once more and then taken, or none. Throws Error (runtime).
+/// Compiles all of them again, and replaces all or none. Throws Error (runtime).
 void rebuild(std::span<Program* const> programs);
 
 }  // namespace lapfx::gl

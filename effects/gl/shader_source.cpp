@@ -35,7 +35,7 @@ ShaderTrial::ShaderTrial(const std::filesystem::path& folder) {
     auto texts = std::make_shared<Texts>();
     std::error_code error;
     for (std::filesystem::directory_iterator file(folder, error), end; !error && file != end; file.increment(error)) {
-        if (std::error_code gone; !file->is_regular_file(gone)) continue;  // to open a pipe would wait for its writer
+        if (std::error_code gone; !file->is_regular_file(gone)) continue;  // opening a pipe would wait for its writer
         if (std::ifstream in(file->path(), std::ios::binary); in)
             (*texts)[file->path().filename().string()] = content_of(in);
     }
@@ -72,7 +72,7 @@ std::optional<std::string> embedded_text(const std::string& name) {
     return std::nullopt;
 }
 
-/// The file name in a line `#include "name"`, else empty.
+/// The file name in a line `#include "name"`, otherwise empty.
 std::string included_name(const std::string& line) {
     const std::string word = "#include \"";
     const std::size_t end = line.rfind('"');

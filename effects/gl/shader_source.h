@@ -19,13 +19,12 @@ struct ShaderSource {
     bool edited = false;             ///< some of it comes from a folder on disk
 };
 
-/// `name` is a file name such as "organ.frag". Throws Error (runtime) when it, or what it includes, is not
-/// there.
+/// `name` is a file name such as "organ.frag". Throws Error (runtime) when it, or a file that it includes, is missing.
 ShaderSource shader_source(const std::string& name);
 
-/// While it lives, and after it if kept, the files of a folder come before the embedded ones: as they are now, so that
-/// one that breaks later breaks nothing. Shaders of the effects that are not in the folder are the embedded ones. Any
-/// thread.
+/// While it lives, and afterwards if kept, the files of a folder come before the embedded ones, with their present
+/// content, so that a later mistake in a file breaks nothing. Shaders that are not in the folder are the embedded ones.
+/// Any thread.
 class ShaderTrial {
   public:
     explicit ShaderTrial(const std::filesystem::path& folder);
@@ -47,7 +46,7 @@ class ShaderTrial {
 /// From now on files in `folder` come before all others, read when they are needed; an empty path ends that.
 void set_shader_folder(const std::filesystem::path& folder);
 
-/// The compiler's log with file names for the string numbers, and under it the lines it speaks of, numbered.
+/// The compiler's log with file names for the string numbers, followed by the lines that it mentions, numbered.
 std::string readable_log(const ShaderSource& source, const std::string& log);
 
 }  // namespace lapfx::gl

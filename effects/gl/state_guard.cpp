@@ -16,7 +16,7 @@ GLuint as_name(GLint value) {
     return static_cast<GLuint>(value);
 }
 
-PolygonOffsetClamp loaded_clamp = nullptr;  // beside the functions of gl.h
+PolygonOffsetClamp loaded_clamp = nullptr;  // in addition to the functions of gl.h
 
 bool has_extension(std::string_view name) {
     GLint count = 0;
@@ -41,7 +41,7 @@ PolygonOffsetClamp polygon_offset_clamp() noexcept {
     return loaded_clamp;
 }
 
-/// Drivers have addresses for functions, too, that they do not have.
+/// Drivers also give addresses for functions that they do not have.
 void load_polygon_offset_clamp(GLADloadfunc get_proc_address) {
     const char* name = is_version_4_6() || has_extension("GL_ARB_polygon_offset_clamp") ? "glPolygonOffsetClamp"
                        : has_extension("GL_EXT_polygon_offset_clamp")                   ? "glPolygonOffsetClampEXT"
@@ -96,7 +96,7 @@ StateGuard::~StateGuard() {
             glBindSampler(static_cast<GLuint>(i), as_name(samplers_[static_cast<std::size_t>(i)]));
     }
     glActiveTexture(as_enum(active_texture_));
-    // A program that the host has deleted while it was current is gone once another one has been used.
+    // A program that the host has deleted while it was current does not exist after another one has been used.
     glUseProgram(program_ != 0 && glIsProgram(as_name(program_)) == GL_TRUE ? as_name(program_) : 0);
     glBindVertexArray(as_name(vertex_array_));
     glDepthFunc(as_enum(depth_function_));

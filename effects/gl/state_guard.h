@@ -1,8 +1,7 @@
-// Saves the GL state that the core's draw calls touch and puts it back: the host's state is the host's. Samplers that
-// the host has bound are put aside meanwhile: they would win over how the core's own textures are filtered. What GL
-// keeps for each draw buffer (blending) or viewport (scissor test) is taken from the first and put back for all:
-// effects.h says that hosts have it the same for all, for asking each of them in every frame would cost every host more
-// than it helps a rare one.
+// Saves the GL state that the core's draw calls touch and restores it. Samplers that the host has bound are unbound
+// meanwhile, because they would override the filtering of the core's textures. State that GL keeps for each draw buffer
+// (blending) or viewport (scissor test) is saved from the first and restored for all. effects.h requires it to be the
+// same for all, because querying each of them in every frame would cost every host more than it helps a rare one.
 #pragma once
 
 #include <array>
@@ -11,8 +10,8 @@
 
 namespace lapfx::gl {
 
-/// glPolygonOffsetClamp, without which a clamp of the host's is gone once an offset is set: OpenGL 4.6's, or an
-/// extension's, so gl.h lacks it. Null where the driver has none.
+/// glPolygonOffsetClamp, without which setting an offset would lose the host's clamp. It belongs to OpenGL 4.6 or an
+/// extension, so gl.h lacks it. Null if the driver does not have it.
 using PolygonOffsetClamp = void(GLAD_API_PTR*)(GLfloat factor, GLfloat units, GLfloat clamp);
 PolygonOffsetClamp polygon_offset_clamp() noexcept;
 constexpr GLenum polygon_offset_clamp_query = 0x8E1B;  // GL_POLYGON_OFFSET_CLAMP

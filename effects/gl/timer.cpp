@@ -21,8 +21,8 @@ Timer::Timer(bool on) {
 void Timer::begin() noexcept {
     if (!on_) return;
     collect();
-    // All of them still under way, or the host times something itself, and GL allows one at a time: this span is left
-    // out.
+    // This span is left out when all queries are still running, or when the host times something itself, because GL
+    // allows one at a time.
     GLint current = 0;
     glGetQueryiv(GL_TIME_ELAPSED, GL_CURRENT_QUERY, &current);
     if (current != 0 || begun_ - collected_ == queries) return;

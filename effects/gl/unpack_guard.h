@@ -1,4 +1,5 @@
-// Puts the host's own way of unpacking pixels aside while it lives: frames are uploaded in the middle of its drawing.
+// Replaces the host's settings for unpacking pixels while it lives, because frames are uploaded in the middle of the
+// host's drawing.
 #pragma once
 
 #include "gl/gl.h"
@@ -7,7 +8,7 @@ namespace lapfx::gl {
 
 class UnpackGuard {
   public:
-    /// `from`: the buffer that pixels are read from, 0: main memory.
+    /// `from`: the buffer that pixels are read from; 0: main memory.
     explicit UnpackGuard(GLuint from = 0) noexcept {
         glGetIntegerv(GL_PIXEL_UNPACK_BUFFER_BINDING, &buffer_);
         for (int i = 0; i < count; ++i) glGetIntegerv(names[i], &before_[i]);

@@ -85,7 +85,7 @@ void ClipPlayer::set_buffers(int buffers) noexcept {
     }
 }
 
-/// Buffering: replaces the memory that it has given back, if it needs more again.
+/// Buffering: allocates buffers again that were freed, if more are needed.
 void ClipPlayer::give_memory(Head& head, int buffers) noexcept {
     const auto made = std::count_if(head.memory.begin(), head.memory.end(), [](const auto& m) { return m.made(); });
     const std::size_t wanted =

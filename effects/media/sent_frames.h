@@ -19,8 +19,8 @@ class SentFrames {
     SentFrames(const PictureFormat& format, Scheme scheme);
 
     bool holds(int index) const { return find(index) < slots_.size(); }
-    /// Sends frame `index`, which it does not have yet, in place of one that is neither shown nor `needed`. `from` is
-    /// as in FrameTextures::upload(). Gives the bytes sent; 0: nothing has changed.
+    /// Sends frame `index`, which it does not have yet, instead of one that is neither shown nor `needed`. `from` is as
+    /// in FrameTextures::upload(). Gives the bytes sent; 0: nothing has changed.
     std::size_t send(int index, std::span<const std::uint8_t> bytes, const gl::PixelBuffer* from,
                      std::span<const int> needed) noexcept;
     /// Shows this frame from now on; it must be here.

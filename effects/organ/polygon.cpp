@@ -106,8 +106,8 @@ class Ears {
         return none;
     }
 
-    /// A corner that was not an ear is tried again when its neighbour has been cut off, and once more when none is
-    /// found: where corners are at the same place, others may also have been in the way.
+    /// A corner that was not an ear is tried again when its neighbour has been cut off, and again when none is found:
+    /// where corners are at the same place, others may also have been in the way.
     std::size_t first_ear(std::size_t start) {
         const auto try_it = [&](std::size_t i) {
             char& no_ear = no_ear_[left_[i]];

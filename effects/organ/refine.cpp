@@ -193,7 +193,7 @@ class AtLeast {
     }
 
   private:
-    double longest_ = 0.0, area_ = 0.0;  // mm, mm2: of all that were added
+    double longest_ = 0.0, area_ = 0.0;  // mm, mm2: sums over the triangles added
 };
 
 }  // namespace

@@ -49,7 +49,7 @@ class Surface {
     bool closest_on_other_component(const glm::dvec3& point, std::uint32_t component_of_point, double within,
                                     SurfacePoint& place) const;
 
-    /// All points within `radius` mm of `centre` on any part of the surface, in place of the contents of `out`; each
+    /// All points within `radius` mm of `centre` on any part of the surface, replacing the contents of `out`; each
     /// once, in an order that depends only on the surface. Points without a triangle are never found. Allocates only to
     /// grow `out`.
     void points_within(const glm::dvec3& centre, double radius, std::vector<std::uint32_t>& out) const;

@@ -127,7 +127,7 @@ std::string below(double value, std::string_view bound_key, double bound);
 /// The same for value <= bound.
 std::string not_above(double value, std::string_view bound_key, double bound);
 
-/// What an object of a document is made of.
+/// The parts of an object of a document.
 struct Content {
     std::span<const Parameter> rows;
     std::span<const Table> tables = {};
@@ -173,7 +173,7 @@ constexpr Table ordered(const OrderRule& rule, Table made) {
     return made;
 }
 
-/// The groups of a preset: each is built beside its effect.
+/// The groups of a preset: each is built in the folder of its effect.
 Table bleeding_table();
 Table vessels_table();
 Table cautery_table();

@@ -12,7 +12,7 @@ constexpr double nearest = 2.0, farthest = 5000.0;  // mm: from touching the len
 constexpr double approach = 0.6, withdrawal = 0.8;  // s
 constexpr double drawn_back = 70.0;                 // mm
 
-/// How far the tip is from the organ along the shaft, mm; nothing when the tool is out of the way.
+/// Distance of the tip from the organ along the shaft, mm; nothing when the tool is not in the view.
 std::optional<double> retreat(const ToolContact& contact, double time) {
     if (time >= contact.time && time <= contact.end()) return 0.0;
     const double share = time < contact.time ? (contact.time - time) / approach : (time - contact.end()) / withdrawal;
@@ -53,7 +53,7 @@ std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::d
     }
     if (!least || glm::distance(port, tip) < 1e-6) return std::nullopt;
     const glm::dvec3 shaft = glm::normalize(port - tip);
-    // The hook's own x axis stays level.
+    // The x axis of the hook stays level.
     const glm::dvec3 reference = std::abs(shaft.y) < 0.99 ? glm::dvec3(0.0, 1.0, 0.0) : glm::dvec3(1.0, 0.0, 0.0);
     const glm::dvec3 x = glm::normalize(glm::cross(reference, shaft));
     return glm::mat4(glm::dmat4(glm::dvec4(x, 0.0), glm::dvec4(glm::cross(shaft, x), 0.0), glm::dvec4(shaft, 0.0),

@@ -16,8 +16,9 @@ View view_of(const SceneCamera& camera, const SceneLight& light, glm::ivec2 size
 /// Direction from the camera through a pixel (origin top left), organ space, unit.
 glm::dvec3 ray_through(const SceneCamera& camera, glm::dvec2 pixel, glm::ivec2 size);
 
-/// Where the instrument is at `time`: tip on the organ during a contact, drawn back along its shaft shortly before and
-/// after, else nothing. Its tip is at its own origin and its shaft runs along +z, to the port.
+/// The place of the instrument at `time`: its tip is on the organ during a contact and drawn back along the shaft
+/// shortly before and after; otherwise nothing. The tip is the origin of the instrument, and the shaft runs along +z to
+/// the port.
 std::optional<glm::mat4> tool_pose(std::span<const ToolContact> contacts, glm::dvec3 port, double time);
 
 }  // namespace lapfx::render

@@ -8,7 +8,7 @@ namespace lapfx::render {
 
 namespace {
 
-// Of a medium-large titanium clip, closed, mm. The jaws press into what they hold.
+// Sizes of a closed medium-large titanium clip, mm. The jaws press into the tissue between them.
 constexpr double jaw_width = 0.72, jaw_height = 1.0, sunk = 0.35;
 constexpr double apart = 0.44;  // from a jaw's middle line to the clip's
 constexpr double bow = 0.05;    // how far the jaws gape halfway along
@@ -69,7 +69,7 @@ ClipMesh clip_mesh(double length) {
     for (std::size_t s = 0; s < line.size(); ++s) {
         const Station& station = line[s];
         const glm::dvec2 across(station.tangent.y, -station.tangent.x);
-        // The rounded tip faces along the jaw as far as the profile shrinks.
+        // At the rounded tip normals point along the jaw as the profile shrinks.
         const glm::dvec2 ahead = s < line.size() / 2 ? -station.tangent : station.tangent;
         const double facing = std::sqrt(std::max(1.0 - station.scale * station.scale, 0.0));
         for (int i = 0; i < around; ++i) {

@@ -15,7 +15,7 @@ class ClipsGpu {
     /// Throws Error (runtime) when the shader does not compile.
     ClipsGpu();
 
-    /// What is drawn. `length`: mm. Nothing is sent that is there already; bytes sent.
+    /// Sets the clips to draw. `length`: mm. Sends only what has changed, and gives the bytes sent.
     std::size_t set(std::span<const cautery::ClipPose> poses, double length);
     void draw() const noexcept;
 

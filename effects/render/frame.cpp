@@ -9,7 +9,7 @@ namespace lapfx::render {
 namespace {
 
 constexpr int samples = 4;
-// What lies beyond the tissue: an unlit cavity, a trace of red.
+// The background beyond the tissue: an unlit cavity with a trace of red.
 constexpr float cavity[4] = {0.004f, 0.0006f, 0.0006f, 1.0f};
 
 void require_complete(const gl::Framebuffer& framebuffer, glm::ivec2 size) {
@@ -34,7 +34,7 @@ void Frame::resize(glm::ivec2 size) {
                           .place = "size",
                           .reason = std::to_string(size.x) + "x" + std::to_string(size.y) + " is outside 1x1 to " +
                                     std::to_string(most) + "x" + std::to_string(most) + " pixels"});
-    size_ = glm::ivec2(0);  // until all is made, nothing counts as made
+    size_ = glm::ivec2(0);  // counts as made only when everything is
     color_ = gl::Texture({.size = size, .format = GL_RGBA16F, .samples = samples});
     depth_ = gl::Texture({.size = size, .format = GL_DEPTH_COMPONENT32F, .samples = samples});
     resolved_color_ = gl::Texture({.size = size, .format = GL_RGBA16F, .filter = GL_NEAREST});
@@ -75,7 +75,7 @@ void Frame::finish(GLuint framebuffer, float exposure, float vignette) const noe
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);  // post.frag encodes
     glBindTextureUnit(0, resolved_color_.name());
-    glBindSampler(0, 0);  // the host's would blend pixels
+    glBindSampler(0, 0);  // the host's setting would blend pixels
     glBindVertexArray(no_attributes_.name());
     post_.set("u_exposure", exposure);
     post_.set("u_vignette", vignette);

@@ -12,8 +12,8 @@ class Frame {
     /// Throws Error (runtime) when a shader does not compile.
     Frame();
 
-    /// Makes the targets for `size` unless they are that size. Throws Error: bad_input
-    /// beyond the driver's largest size, runtime when it cannot make them.
+    /// Makes the targets for `size` unless they have that size. Throws Error: bad_input beyond the driver's largest
+    /// size, runtime when it cannot make them.
     void resize(glm::ivec2 size);
     void begin_scene() const noexcept;              ///< binds and clears the multisampled target
     void begin_smoke() const noexcept;              ///< resolves it; binds the resolved colour

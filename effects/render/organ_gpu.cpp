@@ -22,7 +22,7 @@ gl::Texture upload(const Image& image, GLenum format) {
     return texture;
 }
 
-/// An image with its bytes, wherever they are.
+/// An image and its bytes, which may be elsewhere.
 std::shared_ptr<const Image> whole_image(const Organ& organ, const organ::PixelList& pixels, std::size_t i) {
     const bool apart = organ.images[i].pixels.empty() && i < pixels.size() && pixels[i] != nullptr;
     return apart ? pixels[i]->get() : std::shared_ptr<const Image>(std::shared_ptr<const Image>(), &organ.images[i]);
@@ -38,7 +38,7 @@ gl::Buffer buffer_of(const std::vector<T>& data) {
     return gl::Buffer(std::span<const T>(data));
 }
 
-/// Those from `begin` to `end` of the bound indices.
+/// Draws the bound indices from `begin` to `end`.
 void draw_triangles(std::size_t begin, std::size_t end) noexcept {
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(3 * (end - begin)), GL_UNSIGNED_INT,
                    reinterpret_cast<const void*>(3 * begin * sizeof(std::uint32_t)));
@@ -66,15 +66,15 @@ OrganGpu::OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::Pix
     constexpr int components[] = {3, 3, 4, 2, 4};
     for (GLuint i = 0; i < vertices_.size(); ++i) vertex_array_.attribute(i, vertices_[i], components[i]);
     vertex_array_.attribute(5, bleed != nullptr ? *bleed : marks_,
-                            2);  // an instrument's marks stay 0: so does its blood
+                            2);  // marks and blood of an instrument stay 0
     vertex_array_.attribute(6, marks_, 2);
     vertex_array_.attribute(7, vertices_[0], 3);
-    vertex_array_.attribute(8, marks_, 2);  // until there are densities
+    vertex_array_.attribute(8, marks_, 2);  // until densities exist
     upload_textures(organ, pixels);
 }
 
 void OrganGpu::upload_textures(const Organ& organ, const organ::PixelList& pixels) {
-    // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice, and decoded once.
+    // A base-colour image is sRGB and a normal map is not; an image used as both is sent twice but decoded once.
     std::vector<GLuint> color(organ.images.size(), white_.name()), normal(organ.images.size(), flat_.name());
     for (std::size_t i = 0; i < organ.images.size(); ++i) {
         const auto is_used = [&](int lapfx::Material::*as) {
@@ -114,7 +114,7 @@ std::size_t OrganGpu::texture_memory() const {
     std::size_t bytes = 0;
     const auto pixels = [](const gl::Texture& texture) {
         return static_cast<std::size_t>(texture.size().x) * static_cast<std::size_t>(texture.size().y) * 4 / 3;
-    };  // with their smaller levels
+    };  // including mip levels
     for (const gl::Texture& texture : textures_) bytes += pixels(texture) * 4;
     for (const gl::Texture& texture : densities_) bytes += pixels(texture) * 2;
     return bytes;
@@ -172,8 +172,8 @@ void OrganGpu::draw(const glm::mat4& model, const TouchedTriangles* touched) con
     glDisable(GL_POLYGON_OFFSET_FILL);
     glBindVertexArray(vertex_array_.name());
     // Noise is most of the cost of a pixel, and most of an organ has neither blood nor char. So the wounded program
-    // draws the triangles that have, and the plain one all: where a pixel has been drawn already it has the same depth,
-    // or lies behind it (draw_plain), and is not shaded again.
+    // draws the triangles with blood or char, and the plain program draws all: a pixel that is already drawn has the
+    // same depth, or one in front (draw_plain), and is not shaded again.
     if (wounded_.name() != 0) draw_wounded(model, touched);
     draw_plain(model);
 }
@@ -191,9 +191,9 @@ void OrganGpu::draw_wounded(const glm::mat4& model, const TouchedTriangles* touc
     }
 }
 
-/// Splitting has changed neither the shape nor what is linear in a triangle, so tissue that nothing has happened to is
-/// drawn as it was given: fewer triangles. Rounding sets their depth off, so they step back by more than that behind
-/// the wounded ones. Drawing them all leaves no crack where they meet. What the overlays show is known at every vertex.
+/// Splitting changes neither the shape nor values that are linear in a triangle, so untouched tissue is drawn with its
+/// original, fewer triangles. Rounding changes their depth, so they are moved back by more than that behind the wounded
+/// ones. Drawing all of them leaves no crack where they meet. Overlays need the values at every vertex.
 void OrganGpu::draw_plain(const glm::mat4& model) const noexcept {
     const bool unsplit = !unsplit_parts_.empty() && midway_ && overlay_ == Overlay::none;
     if (unsplit) {
@@ -218,7 +218,7 @@ void OrganGpu::use(const gl::Program& program, const glm::mat4& model) const noe
 
 void OrganGpu::use(const gl::Program& program, const Part& part) const noexcept {
     const Material& material = materials_[static_cast<std::size_t>(part.material)];
-    // Scans and simulator meshes are often wound inconsistently, and open ones are seen from behind: tissue is never
+    // Scans and simulator meshes are often wound inconsistently, and open ones show their back, so tissue is never
     // culled.
     const bool cull = !tissue_ && !material.double_sided;
     cull ? glEnable(GL_CULL_FACE) : glDisable(GL_CULL_FACE);

@@ -14,7 +14,7 @@
 
 namespace lapfx::render {
 
-/// Density of vessels and fat over a base-colour image, as a texture shows it; empty: the image tells nothing.
+/// Density of vessels and fat over a base-colour image, as a texture; empty: the image says nothing.
 struct DensityPicture {
     glm::ivec2 size{0};
     std::span<const glm::u8vec2> values;  ///< rows from the top
@@ -23,25 +23,26 @@ struct DensityPicture {
 class OrganGpu {
   public:
     /// Uploads vertices and textures. `bleed` is attribute 5 (mm and clot, per organ vertex); null for an instrument,
-    /// which neither bleeds nor chars. `pixels`: of the images that have none themselves. `unsplit`: what the organ was
-    /// split from. Throws Error (runtime) when the shader does not compile.
+    /// which neither bleeds nor chars. `pixels`: those of images that have none themselves. `unsplit`: the organ before
+    /// splitting. Throws Error (runtime) when the shader does not compile.
     OrganGpu(const Organ& organ, const gl::Buffer* bleed, const organ::PixelList& pixels = {},
              const organ::Unsplit& unsplit = {});
 
     /// Sends the runs of `values` (per vertex: char and divided, 0..1) that have changed;
     /// bytes sent.
     std::size_t send_marks(std::span<const glm::vec2> values, std::span<const VertexRun> changed) const noexcept;
-    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue. `midway`: those that
-    /// splitting has made still lie midway between their two.
+    /// Moves the vertices (mm, unit normals); noise and char stay where they are on the tissue. `midway`: the vertices
+    /// made by splitting are still midway between their two.
     void set_shape(std::span<const glm::vec3> positions, std::span<const glm::vec3> normals, bool midway);
-    /// Sends what the overlays of vessels and fat show: a picture per image of the organ, times a value per vertex.
+    /// Sends the densities for the overlays of vessels and fat: a picture per image of the organ, times a value per
+    /// vertex.
     void send_density(std::span<const DensityPicture> images, std::span<const glm::vec2> vertices);
     void set_overlay(Overlay overlay) { overlay_ = overlay; }
     /// Multiplies the colours of all materials; linear.
     void set_color(glm::vec3 color) { color_ = color; }
     std::size_t geometry_memory() const;  ///< bytes on the GPU
     std::size_t texture_memory() const;   ///< bytes on the GPU
-    /// Every program of it, for gl::rebuild().
+    /// All of its programs, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
     /// `model`: organ space to scene space, rigid. `touched`: all triangles with blood or marks; null: any may have
     /// some.
@@ -49,8 +50,8 @@ class OrganGpu {
 
   private:
     struct Material {
-        int image;                               ///< of the base colour, or -1
-        GLuint base_color, normal_map, density;  ///< textures' names, which a move of this object leaves as they are
+        int image;                               ///< index of the base-colour texture, or -1
+        GLuint base_color, normal_map, density;  ///< names of textures, which do not change when this object moves
         glm::vec4 factor;
         float roughness, normal_scale;
         bool double_sided;

@@ -1,6 +1,5 @@
-// Which triangles anything has happened to: the few that the costly program has to look at. Kept by runs of
-// neighbouring triangles, so that they are drawn in a few calls; some more count than need. Allocates nothing after
-// construction.
+// The triangles with blood or marks: the few that the costly program has to draw. They are kept as runs of neighbouring
+// triangles, so that a few calls draw them; a run may include untouched ones. Allocates nothing after construction.
 #pragma once
 
 #include <algorithm>

@@ -1,5 +1,5 @@
 // The CPU reference of shaders/keying.glsl, window.glsl and edges.glsl, line for line.
-// tests/parity/smoke/keying_test.cpp compares them. Pure functions, any thread. Code values 0..255.
+// tests/parity/keying_test.cpp compares them. Pure functions, any thread. Code values 0..255.
 #pragma once
 
 #include <algorithm>

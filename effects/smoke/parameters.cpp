@@ -83,8 +83,7 @@ constexpr Parameter keying_rows[] = {
     number<&K::noise_strength>("noise_strength", "Noise strength", {0, 1, 0.01},
                                "How much noise varies the opacity of the smoke, so that a looping clip never looks the "
                                "same. In the paper: Perlin noise on alpha."),
-    number<&K::noise_drift>("noise_drift", "Noise drift", {0, 2, 0.01, "How fast the noise moves."},
-                            "How fast the noise moves."),
+    number<&K::noise_drift>("noise_drift", "Noise drift", {0, 2, 0.01, "clip heights/s"}, "How fast the noise moves."),
 };
 
 constexpr Rule keying_rules[] = {

@@ -2,7 +2,7 @@
 // tissue and fly around"). In closed form: the place of a speck depends only on the seed, its contact, its number and
 // the time, so times may come in any order. Pure functions, any thread.
 //
-//   born      (n + chance) / rate after the contact's start while it burns; comes to be if chance < power * fat
+//   born      (n + chance) / rate after the contact's start while it burns; exists if chance < power * fat
 //   velocity  v(t) = (v0 + s) exp(-t / drag_time) - s,  s = settling * size^2 down: air slows it, then it sinks
 //   position  x(t) = tip + (v0 + s) drag_time (1 - exp(-t / drag_time)) - s t
 //
@@ -34,7 +34,7 @@ struct Particle {
     float diameter = 0.0f;     ///< mm
     float opacity = 0.0f;      ///< 0..1: fades at the end of its life
     float glow = 0.0f;         ///< 0..1
-    std::uint32_t shape = 0;   ///< by chance
+    std::uint32_t shape = 0;   ///< random
 };
 
 /// Writes the visible specks of `parts` at `time` into `into` (at most most_particles), the newest first, and gives

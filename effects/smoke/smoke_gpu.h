@@ -44,7 +44,7 @@ class SmokeGpu {
     /// been drawn.
     void draw(GLuint scene_depth) noexcept;
 
-    /// Every program of it, for gl::rebuild().
+    /// All of its programs, for gl::rebuild().
     void collect(std::vector<gl::Program*>& programs);
     std::size_t memory() const noexcept;  ///< bytes of targets on the GPU
     const gl::Timer& timer() const { return timer_; }

@@ -1,4 +1,4 @@
-// Progress through work that has parts, and the way out of it.
+// Progress of work that has parts, and how to stop it.
 //
 //     const Stages stages(progress);
 //     load(path, stages.part(0.0, 0.4));
@@ -9,7 +9,7 @@
 
 namespace lapfx::work {
 
-/// Thrown when the work is to stop. Never leaves the core.
+/// Thrown when the work has to stop. It never leaves the core.
 struct Stopped {};
 
 class Stages {
@@ -18,11 +18,11 @@ class Stages {
     /// Keeps a reference to `progress`.
     explicit Stages(const Progress& progress) : progress_(progress ? &progress : nullptr) {}
 
-    /// Tells that `share` of this work is done.
+    /// Reports that `share` of this work is done.
     void reach(double share) const {
         if (progress_ != nullptr && !(*progress_)(from_ + (to_ - from_) * share)) throw Stopped{};
     }
-    /// A part of it that has shares of its own.
+    /// A part of the work with its own shares.
     Stages part(double from, double to) const {
         Stages inner = *this;
         inner.from_ = from_ + (to_ - from_) * from;

@@ -4,7 +4,7 @@
 
 namespace lapfx::work {
 
-/// Adds the time that it lives to `sum`, s.
+/// Adds its lifetime to `sum`, s.
 class Stopwatch {
   public:
     explicit Stopwatch(double& sum) : sum_(sum), start_(std::chrono::steady_clock::now()) {}

@@ -70,9 +70,8 @@ void Advector::advect(Field& field) {
             }
         });
     });
-    // Going forward again shows the error that the round trip made; half of it was made on the way back.
-    // Where the correction leaves the range of the samples it came from, it would ring: there the first-order
-    // value stays.
+    // Advecting back and forward again shows the error of the round trip; half of it belongs to one way. Where the
+    // correction leaves the range of its samples it would ring, so the first-order value stays there.
     for_slabs(planes, [&](int begin, int end) {
         active_.runs(begin, end, [&](int i_begin, int i_end, int j, int k) {
             for (int i = i_begin; i < i_end; ++i) {

@@ -10,7 +10,7 @@
 
 namespace clips {
 
-/// Which blocks of 8 x 8 x 8 samples hold or may soon hold smoke. The rest is skipped: most of the box is
+/// Which blocks of 8 x 8 x 8 samples have smoke, or may soon have some. The rest is skipped, because most of the box is
 /// empty.
 class ActiveBlocks {
   public:
@@ -42,8 +42,8 @@ class ActiveBlocks {
     std::vector<std::uint8_t> blocks_;
 };
 
-/// Swirls smaller than the velocity grid can carry, seen by density only. As strong as a share of the local
-/// speed: a plain form of wavelet turbulence (Kim, Thuerey, James and Gross 2008).
+/// Swirls that are too small for the velocity grid and affect density only. Their strength is a share of the local
+/// speed: a simple form of wavelet turbulence (Kim, Thuerey, James and Gross 2008).
 struct SmallEddies {
     const TurbulenceTile* tile = nullptr;
     float scale = 0.0f;     ///< tiles per cell
@@ -58,7 +58,7 @@ class Advector {
 
     ActiveBlocks& active() { return active_; }
 
-    /// Follows the flow back over `dt` seconds from every active sample: second-order Runge-Kutta.
+    /// Follows the flow back over `dt` seconds from every active sample, with second-order Runge-Kutta.
     void trace(const Flow& flow, float dt, const SmallEddies& eddies = {});
 
     /// Moves one field along the traced paths. Values outside the active blocks become 0.

@@ -9,8 +9,7 @@
 
 namespace clips {
 
-/// Makes a run of pictures loop: the last `blend` pictures fade into the `blend` pictures that came before
-/// the first.
+/// Makes a series of pictures loop: the last `blend` pictures fade into the `blend` pictures from before the first.
 class LoopBlend {
   public:
     LoopBlend(int frames, int blend, std::function<void(int, const Picture&)> output)

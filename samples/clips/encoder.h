@@ -1,8 +1,7 @@
-// Writes frames as H.264 in MP4 through the `ffmpeg` program, which these generators need; lapfx itself does
-// not.
+// Writes frames as H.264 in MP4 with the `ffmpeg` program, which only these generators need, and lapfx itself does not.
 //
-// The conversion to planar 4:2:0 is done here (BT.601, limited range, what decoders assume of video of this
-// size), so that black is exactly Y = 16 and nothing depends on a scaler's rounding.
+// It converts to planar 4:2:0 itself (BT.601, limited range, as decoders assume for this size), so that black is
+// exactly Y = 16 and nothing depends on the rounding of a scaler.
 #pragma once
 
 #include <cstdint>
@@ -27,8 +26,7 @@ struct RgbFrame {
 
 class Encoder {
   public:
-    /// `quality` holds ffmpeg's options for the encoder, such as "-crf 20 -preset slow". Throws
-    /// std::runtime_error.
+    /// `quality`: ffmpeg's options for the encoder, such as "-crf 20 -preset slow". Throws std::runtime_error.
     Encoder(const std::filesystem::path& file, int width, int height, int fps, const std::string& quality);
     ~Encoder();
     Encoder(const Encoder&) = delete;

@@ -1,8 +1,8 @@
 // Sampled scalar fields on a regular 3-D lattice, and the staggered velocity made of three of them.
 //
-// Lengths are in velocity cells, y points up, the camera looks along -z. Cell (i, j, k) of the velocity grid
-// spans [i, i+1] x [j, j+1] x [k, k+1]. A field knows where its first sample lies and how far apart samples
-// are, so that face values, cell centres and a finer density grid all use the same code.
+// Lengths are in velocity cells, y points up, the camera looks along -z. Cell (i, j, k) of the velocity grid spans [i,
+// i+1] x [j, j+1] x [k, k+1]. A field knows the place of its first sample and the spacing of samples, so that face
+// values, cell centres and a finer density grid all use the same code.
 #pragma once
 
 #include <algorithm>
@@ -64,8 +64,8 @@ struct Field {
     }
 };
 
-/// Velocity on a staggered (MAC) grid, cells per second: each component lies on the faces that it crosses,
-/// which keeps the pressure from decoupling into a checkerboard (Harlow and Welch 1965).
+/// Velocity on a staggered (MAC) grid, cells per second: each component is on the faces that it crosses, so that the
+/// pressure does not decouple into a checkerboard (Harlow and Welch 1965).
 struct Velocity {
     glm::ivec3 cells{0};
     Field u, v, w;

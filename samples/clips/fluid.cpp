@@ -35,8 +35,8 @@ float Fluid::fastest() const {
     return most;
 }
 
-/// One explicit step of viscosity. MacCormack keeps shear between neighbouring cells alive for ever; in a
-/// rising column that shows as straight upright streaks of the grid's width.
+/// One explicit step of viscosity. MacCormack never damps shear between neighbouring cells; in a rising column that
+/// shows as straight vertical streaks of the grid's width.
 void Fluid::diffuse(Field& f, float amount) {
     const std::size_t dy = std::size_t(f.size.x), dz = dy * std::size_t(f.size.y);
     scratch_ = f.values;

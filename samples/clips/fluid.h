@@ -1,7 +1,7 @@
 // The solver: velocity, temperature and smoke density in a box, stepped with stable fluids (Stam 1999).
 //
-// Density lies on a finer lattice than velocity. What makes smoke look sharp is density stretched and folded
-// by the flow; the flow itself is smoother, and its pressure is what costs time.
+// Density is on a finer lattice than velocity. Smoke looks sharp because the flow stretches and folds density; the flow
+// itself is smoother, and its pressure costs most of the time.
 #pragma once
 
 #include "advection.h"
@@ -33,13 +33,13 @@ class Fluid {
 
     /// Moves smoke, heat and the flow itself along the flow.
     void advect(float dt, const SmallEddies& eddies);
-    /// Adds buoyancy and confinement to what `forces` holds, applies all, and projects.
+    /// Adds buoyancy and confinement to `forces`, applies all of them, and projects.
     void push(Forces& forces, float dt);
 
     Velocity velocity;
     Field temperature;
     Field density;
-    Field expansion;  ///< 1/s, at cell centres: heated gas takes more room; set anew for each step
+    Field expansion;  ///< 1/s, at cell centres: heated gas expands; set for each step
 
   private:
     float fastest() const;

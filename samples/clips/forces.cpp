@@ -67,7 +67,7 @@ void Forces::add_turbulence(const TurbulenceTile& tile, float scale, glm::vec3 d
         const glm::vec3 x = centre(i, j, k);
         const float weight = where ? std::min(1.0f, gain * where->sample(x)) : 1.0f;
         if (weight < 1e-3f) return;
-        // The second tile is turned by swapping axes, so that the two never line up.
+        // The axes of the second tile are swapped, so that the two never align.
         const glm::vec3 a = tile.sample(x * scale + drift);
         const glm::vec3 b =
             tile.sample(glm::vec3(x.z, x.x, x.y) * scale - glm::vec3(drift.z, drift.x, drift.y) + 0.37f);
@@ -88,7 +88,7 @@ void Forces::apply(Velocity& velocity, float dt) const {
                     velocity.v.at(i, j + 1, k) += f.y;
                 }
     });
-    // Faces across z belong to two slabs: one slab of rows each instead.
+    // Faces across z would belong to two slabs, so these slabs are rows.
     for_slabs(cells_.y, [&](int begin, int end) {
         for (int k = 0; k < cells_.z; ++k)
             for (int j = begin; j < end; ++j)

@@ -1,4 +1,4 @@
-// Smoke that has spread through the whole cavity and rolls slowly before the lens.
+// Smoke that has spread through the whole cavity and rolls slowly in front of the lens.
 #include <cmath>
 
 #include "noise.h"
@@ -8,7 +8,7 @@
 namespace clips {
 namespace {
 
-constexpr float refresh_rate = 0.3f;  ///< 1/s, how fast density is drawn back to the drifting unevenness
+constexpr float refresh_rate = 0.3f;  ///< 1/s, how fast density returns to the drifting uneven pattern
 constexpr float margin = 0.1f;        ///< of the box's height on every side of the picture, against inflow
 
 class HazeScene : public Scene {
@@ -63,8 +63,8 @@ class HazeScene : public Scene {
     TurbulenceTile tile_;
 };
 
-/// Draws density towards an uneven pattern, so that the flow has something to roll up and does not mix it
-/// even.
+/// Draws density towards an uneven pattern, so that the flow has something to roll up and does not mix everything
+/// evenly.
 void HazeScene::refresh(Field& density, float time, float share) const {
     // The pattern drifts through its own period once per clip; rows of it are evaluated coarsely and
     // interpolated.

@@ -59,7 +59,7 @@ SceneOptions scene_options(const Options& options, const Take& take, std::uint32
     return {options.seed + salt, options.grid(take.cells), take.seconds};
 }
 
-/// Solves a scene and hands over its pictures as a loop.
+/// Solves a scene and gives its pictures as a loop.
 void film(Scene& scene, const Options& options, const Take& take,
           const std::function<void(int, const Picture&)>& output) {
     Fluid fluid(scene.fluid());
@@ -88,7 +88,7 @@ void film(Scene& scene, const Options& options, const Take& take,
 void make_plume(const Options& options) {
     const auto scene = make_thick_plume(scene_options(options, plume_take, 0));
     Encoder on_black(options.output / "plume_thick.mp4", width, height, fps, "-crf 16 -preset slow -aq-mode 3");
-    // Few bits, no deblocking, sensor noise left in: the poor recording that keying has to cope with.
+    // Few bits, no deblocking, with sensor noise: a poor recording that keying must handle.
     Encoder on_green(options.output / "plume_green.mp4", width, height, fps,
                      "-crf 26 -preset medium -tune grain -x264-params no-deblock=1");
     Encoder alpha(options.output / "plume_green_alpha.mp4", width, height, fps, "-crf 15 -preset slow -aq-mode 3");

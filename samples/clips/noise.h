@@ -35,9 +35,9 @@ float noise3(glm::vec3 p, int period, std::uint32_t seed);
 /// Octaves of noise3, each at twice the frequency and `gain` of the amplitude.
 float fractal3(glm::vec3 p, int period, int octaves, float gain, std::uint32_t seed);
 
-/// A cube of turbulent velocity that tiles and has no divergence: the curl of a noise potential (Bridson,
-/// Houriham and Nordenstam 2007). Drifting two such tiles against each other gives turbulence that changes in
-/// time and comes back to its first state after a whole number of tiles, which is what a looping clip needs.
+/// A cube of turbulent velocity that tiles and has no divergence: the curl of a noise potential (Bridson, Houriham and
+/// Nordenstam 2007). Two such tiles that drift against each other give turbulence that changes in time and returns to
+/// its first state after a whole number of tiles, as a looping clip needs.
 class TurbulenceTile {
   public:
     /// `lobes` swirls of the largest size along an edge; the tile's mean square is 1.

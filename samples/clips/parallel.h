@@ -1,4 +1,4 @@
-// Work split into slabs, one thread each. Every slab writes only its own samples and reads what no slab
+// Splits work into slabs, one thread each. Every slab writes only its own samples and reads only data that no slab
 // writes, so the result does not depend on the number of threads.
 #pragma once
 

@@ -1,4 +1,4 @@
-// Smoke that rises from the tool tip: the thick plume and the thin wisps, which differ in numbers only.
+// Smoke that rises from the tool tip: the thick plume and the thin wisps, which differ only in numbers.
 #include <cmath>
 
 #include "noise.h"
@@ -13,7 +13,7 @@ struct PlumeNumbers {
     int sources = 1;
     int detail = 2;            ///< density samples per cell and axis
     float radius = 0.022f;     ///< H
-    float wander = 0.01f;      ///< H, how far a source strays from the tip
+    float wander = 0.01f;      ///< H, how far a source moves from the tip
     float wander_rate = 2.0f;  ///< 1/s
     float density = 1.0f;
     float heat = 1.0f;
@@ -30,7 +30,7 @@ struct PlumeNumbers {
     float stir = 5.0f;         ///< H/s^2
     float stir_size = 0.26f;   ///< H, edge of a turbulence tile
     int stir_lobes = 6;
-    float stir_gain = 1.0f;   ///< 1 over the density from which on it is stirred fully
+    float stir_gain = 1.0f;   ///< 1 over the density from which it is stirred fully
     float eddies = 0.12f;     ///< share of the local speed
     float eddy_size = 0.12f;  ///< H, edge of a tile
     float fade = 0.1f;        ///< 1/s near the source
@@ -183,7 +183,7 @@ void PlumeScene::emit_speed(Field& component, int axis, const Source& s, float d
     });
 }
 
-/// Smoke thins with age, and faster higher up, so that it is gone before the picture's border.
+/// Smoke thins with age, and faster higher up, so that it ends before the border of the picture.
 void PlumeScene::fade(Field& density, float dt) const {
     for_slabs(density.size.z, [&](int begin, int end) {
         for (int j = 0; j < density.size.y; ++j) {

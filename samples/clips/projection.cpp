@@ -9,7 +9,7 @@
 namespace clips {
 namespace {
 
-/// Small grids are not worth the start of a thread.
+/// Starting a thread does not pay for small grids.
 template <class Body>
 void for_planes(glm::ivec3 cells, const Body& body) {
     if (cells.x * cells.y * cells.z < 40000) return body(0, cells.z);

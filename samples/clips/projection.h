@@ -7,8 +7,7 @@
 
 namespace clips {
 
-/// What lies beyond the box. The bottom is the tissue; elsewhere the flow may leave and fresh gas may come
-/// in.
+/// The borders of the box. The bottom is tissue; elsewhere the flow may leave and fresh gas may enter.
 struct Walls {
     bool bottom = true;
 };
@@ -17,9 +16,8 @@ class Projection {
   public:
     Projection(glm::ivec3 cells, Walls walls);
 
-    /// Subtracts the pressure gradient, so that the divergence becomes `expansion` (1/s, cell centres). Each
-    /// V-cycle takes the divergence down by about a factor of 8; the pressure of the step before is the first
-    /// guess.
+    /// Subtracts the pressure gradient, so that the divergence becomes `expansion` (1/s, cell centres). Each V-cycle
+    /// reduces the divergence by about a factor of 8; the pressure of the previous step is the first guess.
     void project(Velocity& velocity, const Field& expansion, int cycles);
 
     /// Root mean square divergence, 1/s.

@@ -1,8 +1,7 @@
 // What happens in the box: where smoke comes from, what stirs it, how it fades, how it is lit and framed.
 //
-// Every scene is driven by noise that repeats after the length of the clip. The flow itself is chaotic and
-// does not repeat, but it is at the same point of its rhythm when the clip starts over, so that a short
-// cross-fade hides the jump.
+// Every scene is driven by noise that repeats after the length of the clip. The flow itself is chaotic and does not
+// repeat, but it has the same rhythm when the clip starts over, so that a short cross-fade hides the jump.
 #pragma once
 
 #include <memory>

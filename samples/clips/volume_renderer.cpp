@@ -37,9 +37,8 @@ VolumeRenderer::VolumeRenderer(const Field& lattice, LightSettings light, ViewSe
       value_(shadow_.size()),
       clear_(shadow_.size()) {}
 
-/// Carries the optical depth towards the light one slice deeper. The small blur stands for light that is
-/// scattered forward on its way: shadows grow softer with depth (as in half-angle slicing, Kniss et al.
-/// 2003).
+/// Carries the optical depth towards the light one slice deeper. The small blur models light that is scattered forward:
+/// shadows become softer with depth (as in half-angle slicing, Kniss et al. 2003).
 void VolumeRenderer::shift_shadow() {
     const float dx = light_.slant.x, dy = light_.slant.y;
     const auto value = [&](int i, int j) {

@@ -25,12 +25,12 @@ struct Picture {
 struct LightSettings {
     float extinction = 1.0f;       ///< optical depth per cell and unit of density
     float shadow = 1.0f;           ///< extinction towards the light, relative to that towards the eye
-    glm::vec2 slant{-0.5f, 0.6f};  ///< where the light comes from: x and y per unit of z towards the camera
-    float direct = 0.85f;          ///< brightness of what the light reaches unhindered
+    glm::vec2 slant{-0.5f, 0.6f};  ///< direction of the light: x and y per unit of z towards the camera
+    float direct = 0.85f;          ///< brightness of smoke in full light
     float ambient = 0.2f;          ///< brightness in full shadow
 };
 
-/// What part of the box the picture shows, and how it fades towards its borders.
+/// The part of the box in the picture, and how it fades towards its borders.
 struct ViewSettings {
     glm::vec2 centre{0.0f};    ///< cells
     float height = 1.0f;       ///< cells over the picture's height

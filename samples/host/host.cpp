@@ -1,10 +1,10 @@
-// A host simulator, as a stranger writes one: lapfx's public headers, a window and a loop of its own, a thread that
-// reads the tool 1000 times a second, and an organ shader of its own ("own"; "lapfx": the core draws the organ). The
-// hand is a scene's events, in real time; when they are over, so is the program. With SECONDS it draws that frame
-// without a window, as a PPM on standard output: the pixels of `lapfx render`, but for the instrument.
+// A host simulator as a stranger would write it: it uses only lapfx's public headers, and has its own window and loop,
+// a thread that reads the tool 1000 times a second, and its own organ shader ("own"; with "lapfx" the core draws the
+// organ). The events of a scene act as the hand, in real time; when they end, so does the program. With SECONDS it
+// draws that frame without a window, as a PPM on standard output: the pixels of `lapfx render` without the instrument.
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
-#include <glad/gl.h>  // the core's; a simulator has a loader of its own
+#include <glad/gl.h>  // loaded by the core; a simulator has its own loader
 #include <lapfx/effects.h>
 #include <lapfx/frame.h>
 #include <lapfx/refine.h>
@@ -141,7 +141,7 @@ GLFWwindow* open_window(glm::ivec2 size) {
     return window;
 }
 
-/// What the hand does at a time, s.
+/// The sample of the hand at a time, s.
 lapfx::ToolSample sample_at(const lapfx::Scene& scene, double time) {
     for (const lapfx::ToolContact& c : scene.events)
         if (time >= c.time && time < c.end()) return {time, c.tip(time), true, c.action, c.power, c.strength};
@@ -151,7 +151,7 @@ lapfx::ToolSample sample_at(const lapfx::Scene& scene, double time) {
 void run(Host& host, GLFWwindow* window) {
     int samples = 0, frames = 0;
     glfwSetTime(0.0);
-    std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, whatever the frames do
+    std::jthread hand([&](const std::stop_token& stop) {  // 1 kHz, independent of frames
         auto tick = std::chrono::steady_clock::now();
         for (; !stop.stop_requested(); std::this_thread::sleep_until(tick += std::chrono::milliseconds(1)))
             if (host.effects.tool_queue().push(sample_at(host.scene, glfwGetTime()))) ++samples;
@@ -176,7 +176,7 @@ void write_picture(Host& host, double time) {
     std::vector<lapfx::ToolContact> events = host.scene.events;
     std::ranges::stable_sort(events, {}, &lapfx::ToolContact::time);
     for (std::size_t i = 0; i < events.size() && events[i].time <= time; host.effects.seek(events[i++].time))
-        host.effects.set_contacts(std::span(events).first(i + 1));  // as the hand goes on
+        host.effects.set_contacts(std::span(events).first(i + 1));  // as the hand continues
     host.draw(time, framebuffer);
     const std::size_t row = 3 * static_cast<std::size_t>(host.size.x);
     std::vector<unsigned char> pixels(row * static_cast<std::size_t>(host.size.y));

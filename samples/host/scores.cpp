@@ -1,5 +1,5 @@
-// A host that scores: what a scene's tool does to its organ, in amounts, ten times a second. It draws nothing and links
-// lapfx::simulation alone, so it runs where there is no OpenGL. Writes the table of `lapfx render --fps 10 --amounts`.
+// A host that scores: it prints the amounts of a scene ten times a second. It draws nothing and links only
+// lapfx::simulation, so it runs without OpenGL. Writes the table of `lapfx render --fps 10 --amounts`.
 #include <lapfx/amounts.h>
 #include <lapfx/prepared_organ.h>
 #include <lapfx/preset.h>

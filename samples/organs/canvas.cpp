@@ -14,7 +14,7 @@ constexpr int gutter = 6;  // texels painted past a patch's edge, so that filter
 std::vector<dvec3> sides(const Patch& patch, const VesselTree& tree) {
     std::vector<std::size_t> onward(tree.size());
     for (std::size_t i = 0; i < tree.size(); ++i) onward[i] = i;
-    for (std::size_t i = tree.size(); i-- > 0;) {  // the widest child goes on
+    for (std::size_t i = tree.size(); i-- > 0;) {  // the widest child continues
         if (tree[i].parent < 0) continue;
         std::size_t& next = onward[static_cast<std::size_t>(tree[i].parent)];
         if (next == static_cast<std::size_t>(tree[i].parent) || tree[i].radius >= tree[next].radius) next = i;
@@ -110,7 +110,7 @@ void Canvas::segment(const Patch& patch, const VesselNode& from, const VesselNod
             const double radius = glm::mix(from.radius, to.radius, t) * style.width;
             const double distance = glm::distance(p, from.position + t * along);
             const double soft = 0.35 * radius + 0.7 * texel;
-            // Vessels thinner than a texel grow fainter, not thinner.
+            // Vessels thinner than a texel become fainter, not thinner.
             const double opacity = style.strength * std::min(1.0, radius / (0.45 * texel)) * ramp(0.0, 0.22, radius);
             const double cover = opacity * (1.0 - ramp(radius - 0.5 * soft, radius + 0.8 * soft, distance));
             if (cover <= 0.0) continue;

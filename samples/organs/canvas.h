@@ -1,5 +1,5 @@
-// The textures of one material: vessels are drawn first, then the tissue is painted texel by texel at its 3D
-// position, so that no seam shows; at last the heights become a normal map.
+// The textures of one material: vessels are drawn first, then the tissue is painted texel by texel at its 3D position,
+// so that no seam shows. Finally the heights become a normal map.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace organs {
 
-/// How much of a texel is vessel, 0..1, and how far it stands out of the tissue, mm.
+/// How much of a texel is vessel, 0..1, and how far it rises above the tissue, mm.
 struct VesselCover {
     double artery = 0.0;
     double vein = 0.0;
@@ -28,8 +28,8 @@ using Tissue = std::function<Texel(const SurfacePoint&, const VesselCover&)>;
 
 struct VesselStyle {
     bool vein = false;
-    double aside = 0.0;     ///< drawn this many radii beside the tree's line
-    double thinnest = 0.0;  ///< radii below this are left out, mm
+    double aside = 0.0;     ///< drawn this many radii next to the tree's line
+    double thinnest = 0.0;  ///< thinner radii are left out, mm
     double width = 1.0;     ///< times the radius
     double strength = 1.0;  ///< how opaque, 0..1; thin vessels are fainter
     double raised = 0.5;    ///< height in radii

@@ -28,8 +28,7 @@ Point along(const std::vector<Point>& points, double t) {
                   (3.0 * b - a - 3.0 * c + d) * (f * f * f));
 }
 
-/// Distance from a line in the plane; positive to the right of it as it runs. `where` (0..1) tells how far
-/// along.
+/// Distance from a line in the plane, positive to its right. `where` gets the position along it, 0..1.
 inline double beside_line(const std::vector<dvec2>& line, const dvec2& p, double* where = nullptr) {
     double best = 1e18;
     double sign = 1.0;

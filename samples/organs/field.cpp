@@ -16,7 +16,7 @@ namespace {
 constexpr dvec3 wall_centre(0.0, 0.0, 8.0);
 constexpr dvec3 wall_size(180.0, 145.0, 128.0);
 
-/// How far inside the greater omentum's rim a point of the field's plane lies, mm.
+/// How far a point of the field's plane is inside the rim of the greater omentum, mm.
 double inside_apron(const dvec2& xy) {
     static const std::vector<dvec2> rim = {{178, 96},  {128, 74},   {103, 50},  {88, 22},   {77, -6},
                                            {62, -34},  {36, -60},   {0, -80},   {-40, -94}, {-78, -90},
@@ -126,7 +126,7 @@ Patch lesser_omentum_shape() {
     });
     displace(patch, [](const Vertex& at) {
         const dvec3& p = at.rest;
-        // Folds run from the stomach up to the liver, as a sheet does that is pulled at both.
+        // Folds run from the stomach up to the liver, as in a sheet that is pulled at both ends.
         const dvec3 pulled =
             dvec3(p.x * 0.012 + p.y * 0.012, p.y * 0.050 - p.x * 0.030, 0.0) + 0.45 * perlin3(p * 0.02, 131u);
         return 3.4 * fbm(p * 0.03, 3, 132u) + 6.5 * (ridges(pulled, 2, 133u) - 0.4);
@@ -164,13 +164,12 @@ Patch wall_shape() {
 
 namespace {
 
-/// Lays fat on what is below: `thickness` (mm, below zero where it ends) over the field's plane, swelling
-/// into lobules.
+/// Puts fat on the tissue below: `thickness` (mm, below zero where it ends) over the field's plane, with lobules.
 Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int columns, int rows,
               const std::function<double(const dvec2&)>& inside, double full, double rise) {
     Patch patch = make_patch(columns, rows, [&](double u, double v) {
         const dvec2 xy(glm::mix(low.x, high.x, u), glm::mix(high.y, low.y, v));
-        // At its rim fat clings to the tissue, farther in it bridges the hollows.
+        // At its rim fat follows the tissue; farther inside it bridges the hollows.
         const double bridging = ramp(-2.0, rise, inside(xy));
         return field_view().place(xy, glm::mix(ground.bare.at(xy), ground.bridged.at(xy), bridging));
     });
@@ -189,7 +188,7 @@ Patch lay_fat(const Ground& ground, const dvec2& low, const dvec2& high, int col
         vertex.mask = ramp(-1.0, 0.5 * full, thickness.back());
     }
     std::size_t next = 0;
-    // Leaning towards the eye: in a hollow the normals meet, and lobules would run into each other.
+    // Leans towards the eye, because normals meet in a hollow and lobules would run into each other.
     for (Vertex& vertex : patch.vertices) {
         const dvec3 out = glm::normalize(vertex.normal + 1.1 * field_view().toward);
         vertex.position += out * std::max(thickness[next++], -5.0);

@@ -1,5 +1,5 @@
-// The pieces of the gastric banding field, each as a patch in the field's own coordinates: mm, x right, y up,
-// z towards the endoscope; the origin lies at the angle of His.
+// The pieces of the gastric banding field, each as a patch in the field's own coordinates: mm, x right, y up, z towards
+// the endoscope; the origin is at the angle of His.
 #pragma once
 
 #include "height_map.h"
@@ -7,20 +7,20 @@
 
 namespace organs {
 
-/// From where the endoscope looks: pieces that lie on others are laid on along this direction.
+/// The direction from which the endoscope looks: pieces are put on top of others along it.
 View field_view();
 
-/// mask = how near fat lies: 0 bare, 1 at its rim.
+/// mask = how close fat is: 0 bare, 1 at its rim.
 Patch stomach_shape();
 /// mask = 1 at the sharp edge.
 Patch liver_edge_shape();
 Patch lesser_omentum_shape();
 Patch wall_shape();
 
-/// Not a part of the model: bowel and spleen would be here, and bear the omentum.
+/// Not a part of the model: bowel and spleen would be here and carry the omentum.
 Patch bed_shape();
 
-/// What fat is laid on, seen along field_view(): as it is, and with the hollows bridged by a cloth.
+/// The tissue under the fat, seen along field_view(): as it is, and with the hollows bridged by a cloth.
 struct Ground {
     HeightMap bare;
     HeightMap bridged;

@@ -11,7 +11,7 @@
 namespace organs {
 namespace {
 
-/// Appends to the model's one buffer, and says where.
+/// Appends to the model's single buffer, and gives the offset.
 int add_view(tinygltf::Model& model, const void* bytes, std::size_t size, int target) {
     std::vector<unsigned char>& data = model.buffers[0].data;
     data.resize((data.size() + 3) / 4 * 4);
@@ -79,7 +79,7 @@ int add_uvs(tinygltf::Model& model, const std::vector<dvec2>& uvs) {
     return add_floats(model, values, TINYGLTF_TYPE_VEC2, 2);
 }
 
-/// Gaps lose blue and green before red: what light reaches them has been through tissue.
+/// Gaps lose blue and green before red, because light reaches them through tissue.
 int add_colors(tinygltf::Model& model, const std::vector<double>& light) {
     std::vector<std::uint16_t> values;
     const auto code = [](double x) { return static_cast<std::uint16_t>(std::lround(clamp01(x) * 65535.0)); };

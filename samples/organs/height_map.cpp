@@ -6,7 +6,7 @@
 namespace organs {
 namespace {
 
-constexpr double nothing = -150.0;  // mm: the height where nothing is seen
+constexpr double nothing = -150.0;  // mm: the height where nothing is visible
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void HeightMap::triangle(const dvec3& a, const dvec3& b, const dvec3& c, bool fa
 void HeightMap::drape(double radius) {
     const std::vector<double> under = height_;
     const int passes = std::max(1, static_cast<int>(radius * (cells_ - 1) / size_));
-    // Relaxing a cloth that may rise off what lies under it but not sink in.
+    // Relaxes a cloth that may rise above the tissue under it but not sink in.
     for (int pass = 0; pass < passes * passes; ++pass) {
         const std::vector<double> before = height_;
         for (int y = 1; y + 1 < cells_; ++y) {

@@ -1,5 +1,5 @@
-// What is seen of patches along one direction: heights over a plane. Tissue that lies on other tissue is
-// modelled on such a map, and the light that reaches into gaps is found with many of them.
+// The visible parts of patches along one direction, as heights over a plane. Tissue on other tissue is modelled with
+// such a map, and the light in gaps is found with many of them.
 //
 //     HeightMap under(view_from({0, 0.3, 0.95}), 260.0, 260);
 //     under.add(stomach);
@@ -28,9 +28,9 @@ class HeightMap {
   public:
     /// `cells` by `cells` over a square of `size` mm about the origin.
     HeightMap(const View& view, double size, int cells);
-    /// `facing`: only what turns its outside to the view.
+    /// `facing`: only parts that face the view.
     void add(const Patch& patch, bool facing = false);
-    /// Lays a cloth over it: hollows narrower than `radius` are bridged.
+    /// Puts a cloth over it that bridges hollows narrower than `radius`.
     void drape(double radius);
     double at(const dvec2& xy) const;
     const View& view() const { return view_; }
@@ -45,8 +45,8 @@ class HeightMap {
     std::vector<double> height_;
 };
 
-/// Sets `light` of every vertex: how open it is to its surroundings. `reach` mm: what is farther off does not
-/// darken.
+/// Sets `light` of every vertex: how open it is to its surroundings. Tissue farther away than `reach` mm does not
+/// darken it.
 void find_light(const std::vector<Patch*>& lit, const std::vector<const Patch*>& blockers, int directions,
                 double reach);
 

@@ -10,7 +10,7 @@
 namespace organs {
 namespace {
 
-/// The rim as seen from the front, going round once; `turn` 0..1.
+/// The rim as seen from the front, once round; `turn` 0..1.
 dvec2 outline(double turn) {
     static const std::vector<dvec2> points = {{58, -26}, {64, 8},   {54, 38},   {20, 49},   {-22, 42},
                                               {-60, 26}, {-76, 4},  {-52, -13}, {-18, -26}, {18, -38},

@@ -1,6 +1,6 @@
 // Writes the sample organs: make_sample_organs FOLDER [--size PIXELS] [lagb] [liver_lobe] [hook_cautery]
 //
-// The same seeds give the same bytes. PIXELS is the side of the largest texture, 2048 unless told.
+// The same seeds give the same bytes. PIXELS is the side of the largest texture, 2048 by default.
 #include <CLI/CLI.hpp>
 
 #include <exception>

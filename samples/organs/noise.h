@@ -38,7 +38,7 @@ double fbm(const dvec3& p, int octaves, std::uint32_t seed);
 /// Sharp crests where perlin passes zero; 0..1, 1 on the crest.
 double ridges(const dvec3& p, int octaves, std::uint32_t seed);
 
-/// Distances to the two nearest of the points scattered one per unit cube, and an identity of the nearest.
+/// Distances to the two nearest of points scattered one per unit cube, and the identity of the nearest.
 struct Cell {
     double nearest = 0.0;
     double second = 0.0;

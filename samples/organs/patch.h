@@ -12,13 +12,13 @@
 
 namespace organs {
 
-/// `rest` is the position before displacement: noise that shapes and noise that colours are looked up there,
-/// so that creases in the mesh and in the texture coincide.
+/// `rest` is the position before displacement: noise for shape and colour is looked up there, so that creases in the
+/// mesh and in the texture coincide.
 struct Vertex {
     dvec3 rest{0.0};
     dvec3 position{0.0};
     dvec3 normal{0.0, 0.0, 1.0};
-    double mask = 1.0;   ///< what the tissue wants to know: 0..1
+    double mask = 1.0;   ///< a value for the tissue, 0..1
     double light = 1.0;  ///< 1 = open, 0 = deep in a gap; becomes the vertex colour
 };
 
@@ -44,7 +44,7 @@ struct SurfacePoint {
 Patch make_patch(int columns, int rows, const std::function<dvec3(double u, double v)>& position);
 void update_normals(Patch& patch);
 
-/// Moves every vertex along its normal, by mm, then makes the normals anew.
+/// Moves every vertex along its normal, by mm, then computes the normals again.
 void displace(Patch& patch, const std::function<double(const Vertex&)>& distance);
 
 /// Evens out the spacing of the inner vertices.
@@ -63,10 +63,10 @@ struct Mesh {
 };
 void append(Mesh& mesh, const Patch& patch);
 
-/// Hides all but the largest connected piece of what is not hidden.
+/// Hides all visible pieces except the largest connected one.
 void hide_islands(Patch& patch);
 
-/// Gives vertices that lie at the same place in several patches one normal.
+/// Gives vertices at the same place in several patches one normal.
 void weld_normals(std::vector<Patch*> patches);
 
 }  // namespace organs

@@ -1,5 +1,5 @@
-// What tissues look like: colour and relief at a point. Colours are sRGB albedos, somewhat lighter than what
-// an endoscope shows of them.
+// The look of tissues: colour and relief at a point. Colours are sRGB albedos, somewhat lighter than an endoscope shows
+// them.
 #pragma once
 
 #include "canvas.h"

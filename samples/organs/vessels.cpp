@@ -15,7 +15,7 @@ struct Demand {
     bool content = false;
 };
 
-/// The (u, v) whose surface point lies `offset` from that at `from`, to first order.
+/// The (u, v) whose surface point is `offset` away from that at `from`, to first order.
 dvec2 move(const Patch& patch, const dvec2& from, const dvec3& offset) {
     const SurfacePoint at = sample(patch, from.x, from.y);
     const double a = glm::dot(at.du, at.du);
@@ -69,8 +69,7 @@ void look_at_new(const VesselTree& tree, std::size_t first, double satisfied, st
     }
 }
 
-/// One step: every vessel node that is somebody's nearest grows towards the mean of those that ask. False:
-/// none grew.
+/// One step: every vessel node that is nearest to some points grows towards their mean. False: none grew.
 bool extend(const Patch& patch, const Growth& growth, const std::vector<Demand>& demands, std::vector<int>& children,
             VesselTree& tree) {
     std::vector<dvec3> pull(tree.size(), dvec3(0.0));

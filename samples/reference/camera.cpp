@@ -57,7 +57,8 @@ void blur_line(float* first, int count, int step, const std::vector<float>& weig
     }
 }
 
-/// Normal noise, brightness in channel 0 and two of colour, as fine as the camera leaves it, each of deviation 1.
+/// Normal noise, brightness in channel 0 and colour in two more, as fine as in the camera's picture, each of deviation
+/// 1.
 RgbFrame grain(const RgbFrame& like, const Camera& camera) {
     RgbFrame noise(like.width, like.height);
     for (std::size_t i = 0; i < noise.rgb.size(); ++i)
@@ -93,7 +94,7 @@ void film(RgbFrame& frame, const Camera& camera) {
     const float dark = camera.read_noise * camera.read_noise;
     for (std::size_t i = 0; i < frame.rgb.size(); i += 3) {
         const float* n = &noise.rgb[i];
-        // Red and blue apart from green, which has half of a mosaic's pixels.
+        // Red and blue differ from green, which has half of a mosaic's pixels.
         const float share[3] = {n[0] + 0.7f * n[1], n[0] - 0.25f * (n[1] + n[2]), n[0] + 0.8f * n[2]};
         for (std::size_t c = 0; c < 3; ++c) {
             float& value = frame.rgb[i + c];

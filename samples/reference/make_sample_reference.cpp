@@ -1,12 +1,12 @@
-// Makes the sample reference: a surgery video as if from another operation than the sample scene's, to be matched. It
-// is rendered with another preset, camera and seed, half a second later, and seen through an endoscope's camera and a
-// frugal encoder.
+// Makes the sample reference: a surgery video to match, as if from another operation than that of the sample scene. It
+// is rendered with another preset, camera and seed, half a second later, then passes through an endoscope's camera and
+// an encoder with few bits.
 //
 //     make_sample_reference --output samples/reference/operation.mp4       about a minute on a software renderer
 //     make_sample_reference --output /tmp/quick.mp4 --size 160x128 --frames 5
 //
-// A host of the core: it needs lapfx/*.h alone, and the `ffmpeg` program with libx264. The bytes depend on the renderer
-// and on the version of x264; the pictures hardly.
+// It is a host of the core: it needs only lapfx/*.h, and the `ffmpeg` program with libx264. The bytes depend on the
+// renderer and on the version of x264; the pictures hardly do.
 #include <lapfx/authoring/preview.h>
 #include <unistd.h>
 
@@ -21,7 +21,7 @@ namespace {
 
 constexpr int frames_per_second = 25;
 constexpr double seconds = 8.0;
-constexpr double later = 0.5;  // s: the scene's reference has this offset
+constexpr double later = 0.5;  // s, the offset of the scene's reference
 
 struct Options {
     std::filesystem::path output, samples = LAPFX_SAMPLES;

@@ -1,15 +1,15 @@
-// How far blood has to travel: our fronts beside the ways that others go, accuracy and time side by side, on surfaces
-// whose distances are known.
+// Travel distance of blood: accuracy and time of our fronts compared with other methods, on surfaces with known
+// distances.
 //
 //     lapfx_bench_distances [--short] [--json FILE]
 //
 // On a plane and a sphere the truth is a closed form; on the sample stomach it is CGAL's exact geodesics (Xin and Wang
-// 2009). The ways: our front; counting edges (Dijkstra: what "mesh connectivity and vertex neighbours" of the paper
-// amounts to, with lengths); CGAL's heat method (Crane, Weischedel, Wardetzky 2013), built without assertions. What is
-// made once for a surface is counted apart: CGAL's factorisation, our room. The heat method gives all vertices at once,
-// the front and Dijkstra those within the reach of the blood: so times are also per vertex that is reached, and once
-// the front goes over the whole surface. The best of three runs of each, in turns, CPU time of the thread. --short:
-// small surfaces, once. And a frame of growing blood: what changed, beside a sweep over all vertices.
+// 2009). The methods: our front; counting edges (Dijkstra, which is the paper's "mesh connectivity and vertex
+// neighbours" with lengths); CGAL's heat method (Crane, Weischedel, Wardetzky 2013), built without assertions.
+// Preparation that is done once for a surface counts separately: CGAL's factorisation, our memory. The heat method
+// gives all vertices at once, the front and Dijkstra those within reach of the blood, so times are also per vertex
+// reached, and one front covers the whole surface. The best of three runs of each, in turns, CPU time of the thread.
+// --short: small surfaces, once. Finally a frame of growing blood is compared with a sweep over all vertices.
 #include <CGAL/Heat_method_3/Surface_mesh_geodesic_distances_3.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
@@ -98,7 +98,7 @@ Distances by_edges(const Surface& surface, std::uint32_t from) {
 struct Row {
     std::string surface, way;
     std::size_t triangles;
-    double mean_error, worst_error, seconds;  // of the distance, from 2 mm on
+    double mean_error, worst_error, seconds;  // relative to the distance, from 2 mm on
 };
 
 class Bench {
@@ -119,7 +119,7 @@ class Bench {
         double exact_seconds = 0.0;
         if (surface.triangles.size() <= 30'000) exact_seconds = exact_distances(mesh, from, exact);
         for (std::uint32_t v = 0; v < truth.size(); ++v) truth[v] = closed_form ? closed_form(v) : exact[v];
-        FrontRoom room(surface, {0.0, -1.0, 0.0});  // Effects makes it once, too
+        FrontRoom room(surface, {0.0, -1.0, 0.0});  // Effects also makes it once
         const double room_set_up = fastest([&] { FrontRoom again(surface, {0.0, -1.0, 0.0}); });
         const double front_seconds = fastest([&] { march(room, {}, surface.positions[from], reach); });
         std::size_t all = 0;
@@ -160,7 +160,7 @@ class Bench {
             ours += cpu_seconds() - start;
         }
         ours /= frames;
-        // A sweep: value of every vertex from a distance that is already known.
+        // A sweep: the value of every vertex from a known distance.
         std::vector<float> distance(organ.positions.size(), 3.0f), value(organ.positions.size());
         volatile float source = 5.0f;
         const double all = fastest([&] {

@@ -1,21 +1,20 @@
-// Opacity out of clips: our keying with suggested thresholds beside the keyers of OBS and FFmpeg, on smoke whose
-// opacity is known.
+// Opacity from clips: our keying with suggested thresholds compared with the keyers of OBS and FFmpeg, on smoke of
+// known opacity.
 //
 //     lapfx_keying_accuracy [--json FILE]
 //     lapfx_keying_accuracy --suggested [FOLDER]
 //
-// The second form shows what is suggested alone, on more takes, and those of FOLDER: clips that bring their own opacity
-// (WebM), whose smoke is laid before the same backgrounds.
+// The second form shows only the suggestions, on more takes and on those of FOLDER: clips with their own opacity
+// (WebM), whose smoke is put over the same backgrounds.
 //
-// Solved smoke over black, green, blue and grey, with sensor noise, through x264 and back. Each keyer is told the
-// background's colour. The others run with their defaults, and with the best of a search over their two thresholds that
-// is given the truth: the least error that anybody could set them to. Ours gets neither: it sees the clip alone. (Ours
-// with the best thresholds is shown as well; and keying of RGB frames, as in the paper's schemes, beside that of
-// planes, as in `resident`.) Error: mean absolute difference of opacity over all pixels, and over those with smoke.
+// Solved smoke over black, green, blue and grey, with sensor noise, through x264 and back. Each keyer gets the
+// background's colour. The others run with their defaults, and with the best thresholds of a search that knows the
+// truth, which is their least possible error. Ours gets neither and sees only the clip. (Ours with the best thresholds
+// is shown as well; and keying of RGB frames, as in the paper's schemes, beside that of planes, as in `resident`.)
+// Error: mean absolute difference of opacity over all pixels, and over those with smoke.
 //
-// FFmpeg's lumakey and chromakey are run by the `ffmpeg` program. OBS Studio's two are written after its effect files:
-// luma of BT.709 through smoothstep; distance in the chroma plane of BT.709, over 3 x 3 pixels, to the power of 1.5;
-// code values.
+// The `ffmpeg` program runs FFmpeg's lumakey and chromakey. OBS Studio's two follow its effect files: luma of BT.709
+// through smoothstep; distance in the chroma plane of BT.709, over 3 x 3 pixels, to the power of 1.5; code values.
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -45,7 +44,7 @@ struct Clip {
     const Smoke* smoke;
     std::filesystem::path file;
     Frames rgb;     ///< as decoded to RGB: each pair of rows and columns has one chroma
-    Frames planar;  ///< as a GPU filters the planes: chroma goes over smoothly; CV_32FC3
+    Frames planar;  ///< as a GPU filters the planes, with smooth chroma; CV_32FC3
 
     bool coloured() const { return glm::length(chroma(background)) > 20.0f; }
 };
@@ -259,7 +258,7 @@ class Bench {
 void run_all(Bench& bench, const std::filesystem::path& folder) {
     const Smoke shaded =
         short_form ? test::solve_smoke({.cells = 16, .frames = 1}) : test::solve_smoke({.cells = 80, .frames = 8});
-    // Neither as bright as keying_survey.h assumes: of thick smoke that shows, of thin smoke it cannot.
+    // Both are darker than keying_survey.h assumes: that is visible in thick smoke, but not in thin smoke.
     const Smoke even = test::evenly_lit(shaded, 0.8f, 6.0f), thin = test::evenly_lit(shaded, 0.8f);
     const std::pair<const char*, glm::vec3> backgrounds[] = {{"black", glm::vec3(0.0f)},
                                                              {"green", {0.0f, 177.0f, 64.0f}},
@@ -276,14 +275,14 @@ void run_all(Bench& bench, const std::filesystem::path& folder) {
         }
 }
 
-/// All of the smoke `share` times as opaque, its light with it.
+/// The smoke with `share` times its opacity and light.
 Smoke thinned(Smoke smoke, float share) {
     for (clips::Picture& picture : smoke)
         for (std::size_t n = 0; n < picture.alpha.size(); ++n) picture.alpha[n] *= share, picture.value[n] *= share;
     return smoke;
 }
 
-/// Frames of a clip that brings its own opacity: its luma and that, over black.
+/// Frames of a clip with its own opacity: its luma and opacity, over black.
 Smoke smoke_of(const std::filesystem::path& file) {
     KeyingReader reader(file);
     if (!reader.report().alpha) throw std::runtime_error(file.string() + ": brings no opacity");
@@ -292,7 +291,7 @@ Smoke smoke_of(const std::filesystem::path& file) {
     constexpr int wanted = 12;
     for (int i = 0; i < wanted; ++i) {
         if (!reader.read(i * (reader.report().frames - 1) / (wanted - 1), frame)) continue;
-        const glm::ivec2 size = frame.size - frame.size % 2;  // x264 takes no odd ones
+        const glm::ivec2 size = frame.size - frame.size % 2;  // x264 does not accept odd sizes
         clips::Picture& picture = smoke.emplace_back(size.x, size.y);
         for (int y = 0; y < size.y; ++y)
             for (int x = 0; x < size.x; ++x) {
@@ -305,7 +304,7 @@ Smoke smoke_of(const std::filesystem::path& file) {
     return smoke;
 }
 
-/// What is found where the smoke is thickest, against what is there: the mean over the thickest hundredth.
+/// Found and true opacity where the smoke is thickest: means over the thickest hundredth.
 std::pair<double, double> peaks(const Frames& found, const Smoke& smoke) {
     std::vector<float> all;
     for (const clips::Picture& picture : smoke) all.insert(all.end(), picture.alpha.begin(), picture.alpha.end());

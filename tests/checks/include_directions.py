@@ -47,7 +47,7 @@ def part(path):
 
 
 def resolve(path, name, files):
-    """The project's file that an #include in `path` means, or None: a system header, or a generated one."""
+    """The project's file that an #include in `path` means; None for a system header or a generated one."""
     top = path.split("/")[0]
     for folder in (os.path.dirname(path), top, "effects/include", "effects/include_authoring", "effects", "editor", "samples", "tests"):
         candidate = os.path.normpath(os.path.join(folder, name)).replace(os.sep, "/")
@@ -143,7 +143,7 @@ def fault_of(path, target, name):
 
 
 def reachable(path, graph):
-    """{file: the file that includes it} for all that `path` includes, directly or not."""
+    """{file: the file that includes it} for every file that `path` includes, directly or not."""
     seen, waiting = {}, [path]
     while waiting:
         current = waiting.pop()
@@ -155,7 +155,7 @@ def reachable(path, graph):
 
 
 def cpu_gpu_faults(texts, graph):
-    """An effect's CPU part and GPU part never see each other; `_cpu` is in a name only beside its `_gpu`."""
+    """An effect's CPU part and GPU part never include each other; `_cpu` is in a name only if there is a `_gpu`."""
     for path in sorted(texts):
         kind = re.search(r"_(cpu|gpu)\.(?:h|cpp)$", path)
         if not path.startswith("effects/") or not kind:
@@ -179,7 +179,7 @@ def drawing_files():
 
 
 def opengl_faults(texts, graph):
-    """What happens on an organ links without OpenGL: nothing of it includes what draws; nor by a detour."""
+    """The simulation links without OpenGL: none of its files includes one that draws, directly or not."""
     pattern = drawing_files()
     drawing = {path for path in texts if part(path) is not None and pattern.search(path[len("effects/"):])}.union(DRAWN)
     for path in sorted(texts):

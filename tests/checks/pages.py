@@ -21,7 +21,7 @@ def defines(text, function):
 
 
 def faults(page, texts, most_hops):
-    """Of the page, given {path: text} of the tree."""
+    """Faults of the page; `texts`: {path: text} of the tree."""
     lines = page.count("\n")
     if lines > MAX_LINES:
         yield f"{lines} lines; at most {MAX_LINES}"

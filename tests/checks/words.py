@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
-"""Checks the words that users read: texts of the program, the README, comments of the public headers. No jargon on the
-surface, no phrase that is archaic or translated word by word, one word for one thing.
+"""Checks the words that people read: texts of the program, the README, comments. No jargon on the surface, no phrase
+that is archaic or translated word by word, one word for one thing.
 
 A text is a string literal of editor/ or effects/ with a blank in it, literals that follow each other taken as one.
 Measurements (`lapfx bench`) and the words that a search understands are left out. With --self-test, checks the checker
@@ -14,6 +14,9 @@ import source_files
 TEXTS = ("editor/", "effects/")
 LEFT_OUT = ("editor/commands/bench", "editor/app/parameter_words.cpp")
 HEADERS = "effects/include"
+# Rooms whose comments have been gone through sentence by sentence; IN_COMMENTS is what must not return.
+ROOMS = ("effects/", "shaders/", "samples/", "tests/", "editor/commands/")
+OTHER_ROOMS = ("tests/ui/", "tests/editor/", "tests/gallery/")
 # What is found, and what to write instead.
 EVERYWHERE = [
     (r"\b(?<!there )(?:is|are) no (?!such\b|longer\b|larger\b|smaller\b|finer\b|more\b|less\b|\w+ (?:to|for|on|in|at)\b)\w+",
@@ -49,6 +52,23 @@ IN_TEXTS = EVERYWHERE + [
     (r"\bgone\b", '"no longer exists", "lost"'),
     (r"\bthere (?:already|before)\b|\bwhat (?:was|is) there\b", '"exists"'),
 ]
+IN_COMMENTS = [
+    (r"\b(?:is|are) not heard of\b", '"is ignored"'),
+    (r"\bby whom\b", "a sentence with its subject"),
+    (r"\b(?:goes|go|going|went) on\b", '"continues"'),
+    (r"\bthat (?:is|are|was|were) there\b|\bwhat (?:is|was|were) there\b", '"exists", "earlier"'),
+    (r"\bcomes? to be\b", '"exists", "happens"'),
+    (r"\b(?:tells?|told) of\b", '"says about", "reports"'),
+    (r"\bonce more\b|\banew\b", '"again"'),
+    (r"\b(?:takes?|taken|took) the place of\b|\bin the place of\b", '"replaces", "instead of"'),
+    (r"\bfor ever\b|\bfor good\b", '"always"'),
+    (r"\bby chance\b", '"at random"'),
+    (r"\bbut for (?!\w+ing\b)", '"except"'),
+    (r"\b(?:takes?|taken) away\b", '"removes"'),
+    (r"\b(?:is|are|was) (?:put|given) back\b", '"is restored", "is freed"'),
+    (r"\bto and fro\b", '"forwards and backwards"'),
+    (r"\b(?:is|are) kept of\b|\bis known of\b|\bthat are of\b", "the noun that it is about"),
+]
 TOKEN = re.compile(r'R"\((.*?)\)"|//[^\n]*|/\*.*?\*/|#include[^\n]*|"((?:\\.|[^"\\\n])*)"|\'(?:\\.|[^\'\\\n])\'|\s+|.', re.S)
 
 
@@ -70,7 +90,18 @@ def texts(code):
 
 
 def comments(code):
-    return [(number, line.partition("//")[2]) for number, line in enumerate(code.split("\n"), 1) if "//" in line]
+    """(line, text) of the comments; of those on lines that follow each other, one text."""
+    found, last = [], -1
+    for number, line in enumerate(code.split("\n"), 1):
+        if "//" not in line:
+            continue
+        text = line.partition("//")[2].lstrip("/< ")
+        if last == number - 1 and line.lstrip().startswith("//"):
+            found[-1][1] += " " + text
+        else:
+            found.append([number, text])
+        last = number
+    return [(at, text) for at, text in found]
 
 
 def prose(text):
@@ -88,13 +119,17 @@ def faults(path, lines, rules):
         for pattern, instead in rules:
             found = re.search(pattern, text, re.IGNORECASE)
             if found:
-                yield f'{path}:{number}: "{found[0]}" in "{text.strip()[:100]}"; write {instead}'
+                around = text[max(0, found.start() - 50):found.end() + 50].strip()
+                yield f'{path}:{number}: "{found[0]}" in "{around}"; write {instead}'
 
 
 def faults_of(path, content):
     if path == "README.md":
         yield from faults(path, prose(content), EVERYWHERE)
-    elif path.startswith(HEADERS):
+        return
+    if path.startswith(ROOMS) and not path.startswith(OTHER_ROOMS):
+        yield from faults(path, comments(content), IN_COMMENTS)
+    if path.startswith(HEADERS):
         yield from faults(path, comments(content), EVERYWHERE)
     elif path.startswith(TEXTS) and path.endswith(source_files.CPP) and not path.startswith(LEFT_OUT):
         yield from faults(path, texts(content), IN_TEXTS)
@@ -114,6 +149,12 @@ def self_test():
         (source, 'join("a ", name, " misses it");', 1),
         ("editor/commands/bench_a.cpp", 'row("resident, clip");', 0),
         ("tests/a.cpp", 'label("0 pays no heed to them");', 0),
+        ("tests/a.cpp", "// those are not\n// heard of\n", 1),
+        ("tests/a.cpp", "int a;  // those are not heard\n        // of\n", 1),
+        ("effects/a.cpp", "/// The clips that play go\n/// on.\nint a;\n/// on it\n", 1),
+        ("effects/a.cpp", "// go\nint a;\n// on\n", 0),
+        ("shaders/a.glsl", "// turned by chance\n", 1),
+        ("tests/ui/a.cpp", "// turned by chance\n", 0),
         (header, "int a;  ///< put on the tool tip\n", 1),
         (header, "int a;  ///< code values\n", 0),
         ("README.md", "It is made anew.\n\n`for ever`\n\n    anew\n", 1),
@@ -126,7 +167,7 @@ def self_test():
 
 def check():
     for path in source_files.project_files():
-        if path == "README.md" or path.endswith(source_files.CPP):
+        if path == "README.md" or path.endswith(source_files.CPP + source_files.SHADERS):
             yield from faults_of(path, source_files.read(path))
 
 

@@ -255,7 +255,7 @@ def contents(folder):
 
 
 def faults_of(case, folder, done, before):
-    """What is not as the case says."""
+    """Differences from what the case says."""
     if done.returncode != case.code:
         yield f"exit code {done.returncode}, expected {case.code}"
     if case.prints is not None and not re.fullmatch(case.prints, done.stdout):
@@ -298,7 +298,7 @@ def run_case(lapfx, case, folder):
 
 
 def run_interrupted(lapfx, output, number, folder):
-    """A render that would take minutes, interrupted once it is under way, ends soon and leaves nothing half done."""
+    """A render that would take minutes is interrupted while it runs: it ends soon and leaves nothing half done."""
     before = contents(folder)
     with subprocess.Popen([lapfx, "render", "scene.json", "--backend", "osmesa", "--size", "640x480", "--fps", "60",
                            "-o", output], cwd=folder, stdin=subprocess.DEVNULL, stdout=subprocess.PIPE,

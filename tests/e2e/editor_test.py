@@ -43,7 +43,7 @@ class Editor(real_window.Window):
                          environment={"HOME": self.home, **homes})
 
     def cpu_s(self):
-        """Of all its threads, to the nanosecond."""
+        """CPU time of all its threads, to the nanosecond."""
         total = 0
         tasks = f"/proc/{self.process.pid}/task"
         for task in os.listdir(tasks):
@@ -70,7 +70,7 @@ class Editor(real_window.Window):
         self.settle(0.15)
 
     def drop(self, path, file):
-        """Drops a file on the middle of what has this path."""
+        """Drops a file on the middle of the widget with this path."""
         x, y = self.middle(path)
         count = len(self.frames())
         done = subprocess.run([self.drop_files, self.window, str(x), str(y), file], env=self.environment, check=False,
@@ -103,7 +103,7 @@ class Editor(real_window.Window):
 
 
 def case_start(open_editor):
-    """The sample scene, seen without a word."""
+    """The sample scene is visible without any input."""
     with open_editor() as editor:
         assert editor.frames()[0][2], "the first frame is drawn"
         tree = editor.close()
@@ -113,7 +113,7 @@ def case_start(open_editor):
 
 
 def case_picture_comes(open_editor):
-    """Paused, and nobody touches anything: the organ is seen as soon as it is loaded."""
+    """Paused, without input: the organ is visible as soon as it is loaded."""
     with open_editor("--at", "0") as editor:
         start = time.monotonic()
         x, y = editor.middle("Workspace/View/Preview")
@@ -122,7 +122,7 @@ def case_picture_comes(open_editor):
 
 
 def case_idle(open_editor):
-    """Paused and left alone: no frames, and hardly a trace of CPU."""
+    """Paused, without input: no frames, and almost no CPU time."""
     with open_editor("--at", "6") as editor:
         editor.settle(4)  # what runs beside the UI has ended
         spent, frames = editor.cpu_s(), len(editor.frames())
@@ -146,7 +146,7 @@ def case_tab(open_editor):
 
 
 def case_resize(open_editor):
-    """To hardly anything and back."""
+    """Makes the window tiny and large again."""
     with open_editor() as editor:
         for width, height in ((40, 30), (1, 1), SIZE):
             editor.act("windowsize", "--sync", editor.window, str(width), str(height))
@@ -156,7 +156,7 @@ def case_resize(open_editor):
 
 
 def same_as_rendered(editor, file):
-    """The same bytes as `lapfx render` makes of the scene, where no UI has drawn before."""
+    """The same bytes as those of `lapfx render`, where no UI has drawn before."""
     with open(file, "rb") as picture:
         exported = picture.read()
     assert exported.startswith(b"\x89PNG\r\n\x1a\n")
@@ -240,7 +240,7 @@ def case_drag_type_save_undo(open_editor):
 
 
 def case_close_unsaved(open_editor):
-    """Unsaved work is asked for: Esc keeps the window, Discard closes it."""
+    """The editor asks about unsaved work: Esc keeps the window, Discard closes it."""
     with open_editor() as editor:
         x, y = editor.middle(editor.ending(SPEED))
         editor.act("mousemove", "--window", editor.window, str(x + 30), str(y))

@@ -24,7 +24,7 @@ class Gallery(real_window.Window):
 
 
 def case_idle(open_gallery):
-    """No input, no frames; and the process does not even wake up."""
+    """Without input there are no frames, and the process does not even wake up."""
     with open_gallery() as gallery:
         time.sleep(1)
         ticks, frames = gallery.cpu_ticks(), len(gallery.frames())
@@ -35,7 +35,7 @@ def case_idle(open_gallery):
 
 
 def case_pointer_over_nothing(open_gallery):
-    """The pointer moves over what does not light up: nothing is drawn."""
+    """The pointer moves over widgets that do not react: nothing is drawn."""
     with open_gallery() as gallery:
         gallery.act("mousemove", "--window", gallery.window, "600", "630")
         drawn = len(gallery.drawn(0))
@@ -45,7 +45,7 @@ def case_pointer_over_nothing(open_gallery):
 
 
 def case_click(open_gallery):
-    """A click is seen, in at most two pictures for each event."""
+    """A click shows, with at most two pictures for each event."""
     with open_gallery() as gallery:
         x, y = gallery.middle("Page/Overview/Follow the tool")
         gallery.act("mousemove", "--window", gallery.window, str(x), str(y))
@@ -109,7 +109,7 @@ def case_caret(open_gallery):
 
 
 def case_drag_past_the_edge(open_gallery):
-    """A drag goes on where the screen ends, and the pointer is where it was afterwards."""
+    """A drag continues beyond the edge of the screen, and the pointer then returns to its place."""
     with open_gallery(page="Params") as gallery:
         before = node(gallery.tree(), "Page/Params/Kinds/Count")["value"]
         x, y = gallery.middle("Page/Params/Kinds/Count")

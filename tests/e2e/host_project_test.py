@@ -117,7 +117,7 @@ def looked_for(trace, project, host):
 
 
 def configure(project, source, build, needed, *options):
-    """Configures, and checks that what was looked for is what is needed."""
+    """Configures, and checks that only what is needed was looked for."""
     cache, trace = os.path.join(build, "CMakeCache.txt"), build + ".trace"
     if os.path.exists(cache) and f"CMAKE_CACHEFILE_DIR:INTERNAL={build}\n" not in open(cache, encoding="utf-8").read():
         shutil.rmtree(build)  # it came along when the tree was moved
@@ -140,7 +140,7 @@ def check_targets(build, *others):
 
 
 def check_scores(project, folder, build, lapfx):
-    """Made and run without OpenGL, it has the amounts of what lapfx draws."""
+    """Built and run without OpenGL, it gives the amounts of lapfx's drawing."""
     program = os.path.join(build, "scores")
     made_of = run("ninja", "-C", build, "-t", "inputs", "scores")
     assert "amounts.cpp" in made_of, made_of

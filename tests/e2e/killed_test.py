@@ -23,7 +23,7 @@ def start(lapfx, project, folder, output, until):
 
 
 def wait_for_part(render, folder, size):
-    """Until it writes: `size` bytes of a video, files of a sequence."""
+    """Waits until it writes: `size` bytes of a video, files of a sequence."""
     for _ in range(6000):
         assert render.poll() is None, f"it ended by itself: {render.stderr.read()}"
         for name in parts(folder):
@@ -53,7 +53,7 @@ def kill_one(lapfx, project, output, size, whole):
 
 
 def side_by_side(lapfx, project):
-    """One that runs is not tidied up by another."""
+    """A process does not remove the files of another that runs."""
     with tempfile.TemporaryDirectory() as folder:
         slow = start(lapfx, project, folder, "slow.mp4", "2")
         wait_for_part(slow, folder, 0)

@@ -78,7 +78,7 @@ class Person:
 
 
 class Held:
-    """The window's own word for it, about once a second: (s, bytes, bytes of clips)."""
+    """The window's reports, about once a second: (s, bytes, bytes of clips)."""
 
     def __init__(self, editor):
         self.editor = editor
@@ -93,7 +93,7 @@ class Held:
 
 
 def play(editor, held):
-    """Until all clips are in memory, at most two minutes; gives the bytes beside them."""
+    """Waits until all clips are in memory, at most two minutes; gives the other bytes."""
     editor.xdotool("key", "space")
 
     def played():

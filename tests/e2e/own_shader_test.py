@@ -94,7 +94,7 @@ def agreement(first, second):
 
 
 def left_of_tissue(bleeding, dry, pixels):
-    """How much of the tissue's green is left under blood, which takes green before all else."""
+    """How much of the tissue's green remains under blood, which absorbs green most."""
     return [(bleeding[3 * i + 1] + 1) / (dry[3 * i + 1] + 1) for i in pixels]
 
 

@@ -117,7 +117,7 @@ class Window:
         return [frame for frame in self.frames(since) if frame[2]]
 
     def settle(self, quiet=0.4):
-        """Until no frame has been made for `quiet` s."""
+        """Waits until no frame has been made for `quiet` s."""
         def is_quiet():
             count = len(self.frames())
             time.sleep(quiet)
@@ -131,14 +131,14 @@ class Window:
         return done.stdout
 
     def act(self, *arguments):
-        """One xdotool command, and until the window has answered it."""
+        """Runs one xdotool command and waits for the window's answer."""
         count = len(self.frames())
         self.xdotool(*arguments)
         wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)
         self.settle(0.15)
 
     def act_now(self, *arguments):
-        """The same where the window never becomes quiet."""
+        """The same for a window that never becomes quiet."""
         count = len(self.frames())
         self.xdotool(*arguments)
         wait_for(f"an answer to {' '.join(arguments)}", lambda: len(self.frames()) > count)

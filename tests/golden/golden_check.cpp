@@ -1,8 +1,7 @@
 // One golden image: golden_check NAME MAX_DIFFERENCE FAILING_FRACTION GOLDEN_DIR
 //
-// Compares GOLDEN_DIR/failed/NAME.new.png, which was just rendered, with GOLDEN_DIR/NAME.png. When they
-// differ, failed/ keeps it, NAME.diff.png, NAME.txt and a page that shows all failures; when they do not, it
-// keeps nothing.
+// Compares GOLDEN_DIR/failed/NAME.new.png, which was just rendered, with GOLDEN_DIR/NAME.png. When they differ, failed/
+// keeps it with NAME.diff.png, NAME.txt and a page that shows all failures; otherwise it keeps nothing.
 #include <fcntl.h>
 #include <sys/file.h>
 #include <unistd.h>
@@ -21,7 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Golden tests run side by side and share the page: one at a time writes it.
+/// Golden tests run in parallel and share the page, so one at a time writes it.
 class Lock {
   public:
     explicit Lock(const fs::path& file) : descriptor_(open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
@@ -56,14 +55,14 @@ std::string escaped(const std::string& text) {
     return html;
 }
 
-/// index.html of what lies in `failed` now; no failures, no page.
+/// index.html of the contents of `failed`; without failures there is no page.
 void write_page(const fs::path& failed) {
     const Lock lock(failed / ".lock");
     const std::string ending = ".new.png";
     std::set<std::string> names;
     for (const auto& entry : fs::directory_iterator(failed)) {
         const std::string file = entry.path().filename().string();
-        // A picture without its text is being rendered or compared by another test.
+        // Another test renders or compares a picture that has no text yet.
         if (file.ends_with(ending)) {
             const std::string name = file.substr(0, file.size() - ending.size());
             if (fs::exists(failed / (name + ".txt"))) names.insert(name);

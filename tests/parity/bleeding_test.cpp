@@ -11,7 +11,7 @@ namespace {
 
 using BleedingParity = test::GpuTest;
 
-constexpr std::uint32_t seed = 70'001;  // more than the 16 bits that the shader takes
+constexpr std::uint32_t seed = 70'001;  // more than the 16 bits that the shader uses
 
 /// Places in xyz and bleed values in w.
 std::vector<glm::vec4> samples() {
@@ -44,11 +44,11 @@ std::vector<BleedingParameters> parameters() {
 
 const glm::dvec3 down = glm::normalize(glm::dvec3(0.3, -1.0, 0.2));
 
-/// Level, leaning and upright tissue in turns, as a GLSL expression of u_0.x and here.
+/// Level, slanted and vertical tissue in turns, as a GLSL expression of u_0.x and in C++.
 const glm::vec3 normals[] = {glm::vec3(-down), glm::normalize(glm::vec3(0.2f, 0.4f, 1.0f)),
                              glm::normalize(glm::cross(glm::vec3(down), glm::vec3(1.0f, 0.0f, 0.0f)))};
 
-/// lapfx_blood_noise of shaders/bleeding.glsl: octaves pressed together along gravity, steep tissue sends runs farther.
+/// lapfx_blood_noise of shaders/bleeding.glsl: octaves compressed along gravity, with longer runs on steep tissue.
 float edge_noise(const BleedingParameters& b, glm::vec3 position, glm::vec3 normal) {
     const glm::vec3 g(down);
     const auto rivulets = static_cast<float>(b.rivulets);

@@ -1,4 +1,4 @@
-// The facade on a GL context: moving and cutting the organ, what is sent, what is counted.
+// The facade on a GL context: moving and cutting the organ, bytes sent, amounts.
 #include "lapfx/effects.h"
 
 #include <cstdlib>
@@ -23,7 +23,7 @@ void* counted(std::size_t bytes) {
 
 }  // namespace
 
-// Of this test program alone: whoever asks for memory is counted, thread by thread.
+// Only in this test program: counts allocations, thread by thread.
 void* operator new(std::size_t bytes) {
     return counted(bytes);
 }
@@ -276,7 +276,7 @@ TEST_F(EffectsTest, ACutOrganKeepsItsBloodAndNewBloodStaysOnItsSide) {
     effects.set_contacts(cut_at({-3, 0, 0}));
     effects.seek(2.0);
     const double before = effects.amounts().blood_area;
-    // Cut along x = 0 into two sheets: the right one gets vertices of its own along the cut, a hair away.
+    // Cut along x = 0 into two sheets: the right one gets its own vertices along the cut, at a tiny distance.
     Organ cut;
     std::vector<std::uint32_t> origin;
     std::vector<glm::vec3> normals;

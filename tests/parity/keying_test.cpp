@@ -1,4 +1,4 @@
-// shaders/keying.glsl and its CPU reference effects/smoke/keying_pixel.h key alike, to 1e-5 of alpha and 1e-3 of a code
+// shaders/keying.glsl and its CPU reference effects/smoke/keying_pixel.h agree to 1e-5 of alpha and 1e-3 of a code
 // value.
 #include <cmath>
 #include <limits>
@@ -18,7 +18,7 @@ std::array<glm::vec4, 3> parameters_of(const Keying& k, glm::vec4 more = {}) {
             more};
 }
 
-/// Every channel from -64 to 320: beyond what a clip can hold, on both sides.
+/// Every channel from -64 to 320, beyond the range of clips on both sides.
 std::vector<glm::vec4> ramps() {
     std::vector<glm::vec4> codes;
     for (int r = -64; r <= 320; r += 24)
@@ -129,7 +129,7 @@ TEST_F(KeyingParity, Shade) {
     test::expect_near(inputs, cpu, gpu(inputs), 0, 1e-5, "shade");
 }
 
-/// Where crop, fade and masks leave smoke, and that what they take out is nothing.
+/// Crop, fade and masks: where smoke remains, and that it is 0 elsewhere.
 TEST_F(KeyingParity, Window) {
     const test::GpuFunction gpu({"window.glsl"},
                                 "vec4(lapfx_inside(a.xy, u_0, u_1) * lapfx_outside(a.xy, u_2, a.z), 0.0, 0.0, 0.0)");

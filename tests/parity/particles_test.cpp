@@ -20,7 +20,7 @@ class SpecksOnGpu : public test::GpuTest {
 
     using Pixels = std::vector<glm::vec4>;
 
-    /// Specks over black, rows from the bottom; what else is drawn lies at `window_depth`.
+    /// Specks over black, rows from the bottom; everything else is at `window_depth`.
     Pixels draw(const std::vector<SpeckBlock::Speck>& specks, float window_depth = 1.0f, float under = 0.0f) {
         const gl::Texture color({.size = extent, .format = GL_RGBA32F});
         const gl::Texture depth({.size = extent, .format = GL_DEPTH_COMPONENT32F});
@@ -87,7 +87,7 @@ TEST_F(SpecksOnGpu, AreAsLargeAsTheyAre) {
 }
 
 TEST_F(SpecksOnGpu, ThoseSmallerThanAPixelPaleInsteadOfFlickering) {
-    // Light in proportion to their area, wherever they lie between the pixels.
+    // Light in proportion to their area, wherever they are between the pixels.
     const double whole = find(draw({speck({0, 0, 0}, 0.4f)})).sum;
     EXPECT_GT(whole, 0.0);
     EXPECT_NEAR(find(draw({speck({0, 0, 0}, 0.2f)})).sum, whole / 4.0, 0.01 * whole);

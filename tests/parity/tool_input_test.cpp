@@ -1,4 +1,4 @@
-// The tool as a haptic thread sees it: samples through the queue.
+// Samples of a haptic thread through the queue.
 #include "lapfx/effects.h"
 
 #include <gtest/gtest.h>
@@ -28,7 +28,7 @@ TEST_F(ToolInputTest, SamplesOfTheQueueCutAndBecomeContacts) {
     EXPECT_NEAR(effects.contacts().back().end(), 1.2, 1e-9);
     EXPECT_NEAR(effects.contacts().back().to.x, 10.0, 1e-9);
     EXPECT_EQ(effects.amounts().bleeding_wounds, 5) << "10 mm of cut, a wound each 2.5 mm";
-    // The log, set again, is the same.
+    // Setting the log again gives the same.
     const std::vector<ToolContact> log(effects.contacts().begin(), effects.contacts().end());
     Effects replayed(organ, Preset{});
     replayed.set_contacts(log);

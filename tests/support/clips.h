@@ -1,4 +1,4 @@
-// Small videos whose frames tell their number.
+// Small videos whose frames show their number.
 #pragma once
 
 #include <gtest/gtest.h>

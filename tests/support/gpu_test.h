@@ -7,13 +7,13 @@
 
 namespace lapfx::test {
 
-/// Empty when there is a context, which then is current; else why there is none.
+/// Empty when there is a context, which is then current; otherwise why there is none.
 std::string missing_context();
 
 class GpuTest : public testing::Test {
   protected:
     void SetUp() override;
-    void TearDown() override;  ///< fails the test when it left an OpenGL error behind
+    void TearDown() override;  ///< fails the test if it left an OpenGL error
 };
 
 }  // namespace lapfx::test

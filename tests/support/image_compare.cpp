@@ -20,7 +20,7 @@ bool comparable(const cv::Mat& a, const cv::Mat& b) {
     return !a.empty() && a.depth() == CV_8U && a.type() == b.type() && a.size() == b.size();
 }
 
-/// How far each pixel is off: the largest difference of its channels.
+/// The error of each pixel: the largest difference of its channels.
 cv::Mat1b pixel_differences(const cv::Mat& reference, const cv::Mat& candidate) {
     cv::Mat difference;
     cv::absdiff(reference, candidate, difference);
@@ -92,7 +92,7 @@ cv::Mat difference_image(const cv::Mat& reference, const cv::Mat& candidate, int
     for (int y = 0; y < difference.rows; ++y) {
         const uchar* from = difference.ptr<uchar>(y);
         for (int x = 0; x < difference.cols; ++x, from += channels) {
-            // Alpha has no colour of its own here: what differs in it alone shows as grey.
+            // Alpha has no colour here: a difference only in alpha shows as grey.
             const int alpha = channels == 4 ? from[3] : 0;
             for (int channel = 0; channel < 3; ++channel) {
                 const int value = std::max<int>(from[channels == 1 ? 0 : channel], alpha);

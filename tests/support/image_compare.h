@@ -3,8 +3,7 @@
 //     Comparison result = compare(reference, candidate, {.max_difference = 1});
 //     EXPECT_TRUE(result.passed) << result.reason;
 //
-// A tolerance says what may differ; equal is the default. Images of another size or other channels never
-// pass.
+// A tolerance says what may differ; by default nothing. Images with another size or other channels never pass.
 #pragma once
 
 #include <opencv2/core.hpp>
@@ -14,7 +13,7 @@ namespace lapfx::tests {
 
 struct Tolerance {
     int max_difference = 0;         ///< per channel, code values 0..255, still taken as equal
-    double failing_fraction = 0.0;  ///< of the pixels, that may differ by more
+    double failing_fraction = 0.0;  ///< share of the pixels that may differ by more
 };
 
 struct Comparison {
@@ -24,7 +23,7 @@ struct Comparison {
     int max_difference = 0;        ///< over all pixels and channels
     double mean_difference = 0.0;  ///< over all pixels and channels
     int pixels = 0;
-    int failing_pixels = 0;  ///< differ in a channel by more than the tolerance
+    int failing_pixels = 0;  ///< pixels that differ in a channel by more than the tolerance
     cv::Point worst;         ///< the first pixel with max_difference
 };
 

@@ -1,4 +1,4 @@
-// Smoke whose opacity is known: solved by the program behind the sample clips, filmed before a background, encoded.
+// Smoke of known opacity: solved like the sample clips, put over a background, encoded.
 #pragma once
 
 #include <filesystem>
@@ -12,7 +12,7 @@
 namespace lapfx::test {
 
 struct SmokeTake {
-    bool thin = false;  ///< wisps, else a thick plume
+    bool thin = false;  ///< wisps, otherwise a thick plume
     int cells = 48;     ///< over the height: how finely it is solved
     int frames = 12;    ///< a quarter of a second apart
     glm::ivec2 size{240, 320};
@@ -21,7 +21,7 @@ struct SmokeTake {
 /// With its own light and shadows.
 std::vector<clips::Picture> solve_smoke(const SmokeTake& take);
 
-/// The same smoke of one `brightness` (0..1) everywhere, `thickness` times as thick.
+/// The same smoke with one `brightness` (0..1) everywhere, `thickness` times as thick.
 std::vector<clips::Picture> evenly_lit(std::vector<clips::Picture> smoke, float brightness, float thickness = 1.0f);
 
 struct Recording {
@@ -41,7 +41,7 @@ struct AlphaError {
     double smoke = 0.0;  ///< over those with an opacity above 0.02
 };
 
-/// Of found opacities, CV_32F 0..1, against the smoke's own.
+/// Error of found opacities, CV_32F 0..1, against the true ones.
 AlphaError alpha_error(const std::vector<cv::Mat>& found, const std::vector<clips::Picture>& smoke);
 
 }  // namespace lapfx::test

@@ -13,7 +13,7 @@ inline tool::Log log_of(std::span<const ToolContact> contacts) {
     return log;
 }
 
-/// What reads a log, with one of its own.
+/// A reader of a log, together with its log.
 template <class Reader>
 class Logged : public Reader {
   public:

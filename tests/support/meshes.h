@@ -12,7 +12,7 @@
 
 namespace lapfx::test {
 
-/// Completes positions and indices to an organ that can be drawn: one part, one white material.
+/// Makes an organ that can be drawn from positions and indices: one part, one white material.
 inline Organ drawable(Organ organ, const std::vector<glm::vec3>& normals) {
     organ.normals = normals;
     organ.tangents.assign(organ.positions.size(), glm::vec4(1.0f, 0.0f, 0.0f, 1.0f));

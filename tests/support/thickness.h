@@ -1,4 +1,4 @@
-// Smoke as optical thickness: what shaders/resolve.frag does, on the CPU. Pure functions, any thread.
+// Smoke as optical thickness, computed on the CPU as in shaders/resolve.frag. Pure functions, any thread.
 #pragma once
 
 #include <algorithm>
@@ -17,7 +17,7 @@ struct SmokeSum {
     }
 };
 
-/// The frame behind smoke: `reach` is how much of the thickness lies before what is seen; colours linear.
+/// The frame behind smoke: `reach` is the share of the thickness in front of what is visible; colours linear.
 inline glm::vec3 lay_over(glm::vec3 frame, const SmokeSum& sum, glm::vec3 color, glm::vec3 extinction, float reach) {
     const glm::vec3 transmission = glm::exp(-sum.thickness * reach * extinction);
     return frame * transmission + color * sum.light / std::max(sum.thickness, 1e-6f) * (1.0f - transmission);

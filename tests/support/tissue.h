@@ -1,4 +1,4 @@
-// Flat organs with a painted texture or painted vertices, so that it is known where vessels and fat are.
+// Flat organs with a painted texture or painted vertices, with known vessels and fat.
 #pragma once
 
 #include <functional>
@@ -59,7 +59,7 @@ inline glm::dvec3 half_fat(double x, double) {
     return x > 0.0 ? fat_tissue : serosa;
 }
 
-/// The share of a Gaussian of deviation `sigma` that lies below x.
+/// The share of a Gaussian of deviation `sigma` below x.
 inline double below(double x, double sigma) {
     return 0.5 * (1.0 + std::erf(x / (sigma * std::sqrt(2.0))));
 }

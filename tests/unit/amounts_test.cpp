@@ -11,7 +11,7 @@
 namespace lapfx {
 namespace {
 
-/// Discs on a plane: no noise, no bias; every cut bleeds alike.
+/// Discs on a plane: no noise, no bias; every cut bleeds equally.
 Preset plain() {
     Preset preset;
     BleedingParameters& b = preset.bleeding;
@@ -81,7 +81,7 @@ TEST_F(AmountsOnAPlane, AClosedWoundFillsNothingAgain) {
     EXPECT_EQ(area(20.0), left);
 }
 
-/// Over logs of all that a tool does: where blood spreads there is a wound of which it is told.
+/// For logs of everything that a tool does: where blood spreads, a wound reports it.
 TEST_F(AmountsOnAPlane, BloodSpreadsOnlyWhileAWoundIsToldAsBleeding) {
     std::mt19937 random(15);
     const auto chance = [&](double from, double to) {
@@ -126,7 +126,7 @@ TEST_F(AmountsOnAPlane, BloodSpreadsOnlyWhileAWoundIsToldAsBleeding) {
     EXPECT_GT(standing, 1000);
 }
 
-/// Heat that goes on widens the burn, and what was burnt stays so; seeking back takes it away again.
+/// Continued heat widens the burn, and burnt tissue stays burnt; seeking back removes it.
 TEST_F(AmountsOnAPlane, TheBurntAreaIsThatOfItsDisc) {
     Preset preset = plain();
     preset.cautery = {};
@@ -136,7 +136,7 @@ TEST_F(AmountsOnAPlane, TheBurntAreaIsThatOfItsDisc) {
     EXPECT_GT(half, 3.0);
     EXPECT_GT(whole, 1.1 * half);
     EXPECT_EQ(model().at(60.0).burnt_area, whole);
-    // As many vertices as are browned, each for the 1 mm2 around it, but for the rim.
+    // The number of browned vertices, each for the 1 mm2 around it, except at the rim.
     EXPECT_LT(whole, std::numbers::pi * 36.0) << "a burn of 3 s is not 6 mm wide";
     EXPECT_EQ(model().at(2.5).burnt_area, half) << "to the last bit";
     model().set(preset, {});

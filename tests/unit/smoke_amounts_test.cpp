@@ -1,4 +1,4 @@
-// The amounts of smoke: only tissue that burns makes any, and only a preset that has clips shows it.
+// The amounts of smoke: only burning tissue makes smoke, and only a preset with clips shows it.
 #include "lapfx/amounts.h"
 
 #include <gtest/gtest.h>

@@ -9,7 +9,7 @@
 //     effects.draw_organ(view);                // into the bound framebuffer, tested against its depth
 //     effects.draw_smoke(view, depth_texture); // over the frame, when all else has been drawn
 //
-// A host that has an organ shader of its own draws the organ itself and puts lapfx's blood into that shader:
+// A host with its own organ shader draws the organ itself and adds lapfx's blood to that shader:
 //
 //     const std::string text = "#version 450 core\n" + lapfx::bleeding_shader() + my_fragment_shader;  // see there
 //     glVertexArrayVertexBuffer(my_vertex_array, 5, effects.bleed_buffer(), 0, sizeof(glm::vec2));

@@ -140,7 +140,7 @@ FoundParameter find_parameter(const Table& root, void* document, std::string_vie
 /// values are not checked, because a series of calls may break one for a moment: call check() at the end.
 void set_parameter(const Table& root, void* document, std::string_view key, std::string_view value);
 
-/// All that is wrong with the values of a document: ranges, and rules between values. Places are pointers.
+/// Every fault in the values of a document: ranges, and rules between values. Places are pointers.
 std::vector<Fault> check(const Table& root, const void* document);
 
 }  // namespace lapfx

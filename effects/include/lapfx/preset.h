@@ -106,8 +106,8 @@ enum class ClipPolarity { light, dark };
 enum class ClipStart { seeded, beginning };
 enum class ClipMirror { seeded, off, on };
 
-/// What is left out at each side of a clip, fractions of its frame's width and height: bars that were put around the
-/// picture.
+/// The part that is left out at each side of a clip, such as bars around the picture, as fractions of its frame's width
+/// and height.
 struct ClipCrop {
     double left = 0.0, top = 0.0, right = 0.0, bottom = 0.0;
     friend bool operator==(const ClipCrop&, const ClipCrop&) = default;

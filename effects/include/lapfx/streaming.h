@@ -27,10 +27,11 @@ enum class Scheme {
 enum class LateClips {
     repeat,  ///< shows its last frame again, then continues with the one after it: every frame is shown, if necessary
              ///< in slow motion
-    skip,    ///< the paper's: "consecutive video frames are skipped for performance enhancement". For `buffered` and
-             ///< `buffered_planar` only: while frames are not decoded in time, or the clip advances by more than one
-           ///< frame per cycle, it sends one frame instead of two and shows it for two cycles. It skips the next frame
-           ///< and so keeps its time
+    /// The paper's: "consecutive video frames are skipped for performance enhancement". For `buffered` and
+    /// `buffered_planar` only: while frames are not decoded in time, or the clip advances by more than one frame per
+    /// cycle, it sends one frame instead of two and shows it for two cycles. It skips the next frame and so keeps its
+    /// time.
+    skip,
 };
 
 /// Where smoke is shaded.

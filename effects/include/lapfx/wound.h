@@ -28,7 +28,7 @@ enum class WoundState {
     closed,    ///< coagulated, its flow has ended
 };
 
-/// A wound as it is at a time.
+/// The state of a wound at a time.
 struct WoundStatus {
     Wound wound;
     WoundState state = WoundState::waiting;

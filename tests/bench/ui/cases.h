@@ -1,5 +1,4 @@
-// The same screens in our toolkit and in Dear ImGui, for `lapfx bench ui`. CPU only: events in, list of what to draw
-// out.
+// The same screens in our toolkit and in Dear ImGui, for `lapfx bench ui`. CPU only: from events to a draw list.
 #pragma once
 
 #include <cstddef>
@@ -9,7 +8,7 @@
 namespace lapfx::bench {
 
 enum class Screen {
-    mixed_100,  ///< buttons, sliders, checkboxes, text fields, formatted texts in equal parts, all to be seen
+    mixed_100,  ///< buttons, sliders, checkboxes, text fields, formatted texts in equal parts, all visible
     mixed_1000,
     rows_10000,   ///< a list that shows the rows within 600 px
     plots,        ///< 256 bars and 8 curves of 512 points
@@ -29,9 +28,9 @@ class Toolkit {
   public:
     virtual ~Toolkit() = default;
     virtual void show(Screen screen) = 0;
-    /// Ours: from now on every frame has other colours than the one before, so that nothing it drew can be used again.
+    /// Ours: from now on every frame has other colours than the one before, so that nothing drawn can be reused.
     virtual void change_all(bool) {}
-    /// Builds a frame, up to the list of what is to be drawn. The mouse lies still.
+    /// Builds a frame, up to the draw list. The mouse does not move.
     virtual Drawn frame() = 0;
     /// Draws the last frame with OpenGL 4.5 into `framebuffer`, of the screen's size; the context is current.
     virtual void draw(unsigned framebuffer) = 0;

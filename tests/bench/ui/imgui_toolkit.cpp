@@ -1,4 +1,4 @@
-// Dear ImGui 1.86, the yardstick. Linked by this bench only, never by the product.
+// Dear ImGui 1.86, for comparison. Only this benchmark links it, never the product.
 #include <imgui.h>
 #include <imgui_impl_opengl3.h>
 

@@ -117,7 +117,7 @@ class OurToolkit : public Toolkit {
         }
     }
 
-    /// A million samples of which another part is seen in each frame.
+    /// A million samples, of which each frame shows another part.
     void million() {
         const double from = std::fmod(input_.time, 1.0) * 4e5;
         million_state_.x = {from, from + 5e5};

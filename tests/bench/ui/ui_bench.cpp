@@ -1,12 +1,12 @@
-// lapfx_bench_ui [--short] [--json FILE]: our toolkit beside Dear ImGui, taking turns in one run. `lapfx bench ui`
-// starts it.
+// lapfx_bench_ui [--short] [--json FILE]: our toolkit and Dear ImGui, taking turns in one run. `lapfx bench ui` starts
+// it.
 //
 // Building a frame: CPU time of the thread for twenty frames in a row, of each toolkit in turn; the best of many
 // rounds. Both are built with the same flags and link-time optimisation, if get_imgui has fetched Dear ImGui's source;
-// else this says that they are not. Rest: nothing is different from the frame before. All changed: nothing that ours
-// drew before can be used again, as when the theme changes; Dear ImGui builds all of it anew in every frame in any
-// case. Drawing: by the clock, until all is drawn. Neither blends a window's background over the frame: ours clears the
-// window and the panel in it, the other side clears the window.
+// else this says that they are not. Rest: nothing differs from the frame before. All changed: ours can reuse nothing
+// that it drew, as when the theme changes; Dear ImGui builds everything in every frame anyway. Drawing: by the clock,
+// until everything is drawn. Neither blends a window's background over the frame: ours clears the window and the panel
+// in it, the other side clears the window.
 #include <glad/gl.h>
 
 #include <chrono>
@@ -34,7 +34,7 @@ const std::string against = "imgui_debian_build_";
 #endif
 
 struct Extent {
-    int rounds, frames;  ///< of each toolkit in turn
+    int rounds, frames;  ///< for each toolkit, in turns
 };
 constexpr Extent whole{60, 20}, least{1, 2};
 
@@ -60,9 +60,9 @@ struct Times {
     void add(double seconds) { best = std::min(best, seconds); }
 };
 
-/// CPU time, s a frame.
+/// CPU time per frame, s.
 double built_in(bench::Toolkit& toolkit, const Extent& extent, bench::Drawn& drawn) {
-    toolkit.frame();  // what the other left in the caches goes
+    toolkit.frame();  // clears the caches of what the other toolkit left
     const double from = commands::thread_seconds();
     for (int i = 0; i < extent.frames; ++i) drawn = toolkit.frame();
     return (commands::thread_seconds() - from) / extent.frames;
@@ -88,7 +88,7 @@ void add_row(commands::BenchReport& report, const char* screen, const char* tool
                                         {"memory_kib", static_cast<double>(memory) / 1024}}});
 }
 
-/// Against nothing: Dear ImGui has no plot that could hold them.
+/// Without comparison: Dear ImGui has no plot for a million points.
 void measure_million(bench::Toolkit& ours, const Extent& extent, commands::BenchReport& report) {
     ours.show(Screen::million);
     Times times;
@@ -97,7 +97,7 @@ void measure_million(bench::Toolkit& ours, const Extent& extent, commands::Bench
     add_row(report, "plot_million", "lapfx", times, ours.memory());
 }
 
-/// Drawing whole frames, on whatever draws here.
+/// Draws whole frames with the renderer of this machine.
 void measure_drawing(bench::Toolkit& ours, bench::Toolkit& imgui, Screen screen, const std::string& name,
                      const Extent& extent, commands::BenchReport& report) {
     const bench::ScreenSize size = bench::size_of(screen);

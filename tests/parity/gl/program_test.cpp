@@ -58,7 +58,7 @@ TEST_F(ProgramTest, AValueOfAnotherTypeIsRefusedAndTheOldOneStays) {
     EXPECT_EQ(value_of(program, "u_exposure"), 1.5f);
 }
 
-// organ.vert does not use what organ.frag does, and a variant of a shader leaves out what another one uses.
+// organ.vert does not use all uniforms of organ.frag, and a variant of a shader may not use those of another.
 TEST_F(ProgramTest, ADeclaredUniformThatTheCompilerLeftOutIsSetInVain) {
     const Program program("resolve.vert", "resolve.frag", "#define LAPFX_PLUME\n");
     ASSERT_EQ(glGetUniformLocation(program.name(), "u_even"), -1) << "the plume has come to use it: choose another";
@@ -67,7 +67,7 @@ TEST_F(ProgramTest, ADeclaredUniformThatTheCompilerLeftOutIsSetInVain) {
     EXPECT_THAT(faults(program, "u_evn", 1.0f), testing::SizeIs(1));
 }
 
-// What GL knows nothing of is told from the text: by what is code in it, wherever its lines end.
+// Uniforms unknown to GL are found in the code of the text, wherever its lines end.
 TEST_F(ProgramTest, WhatIsDeclaredIsToldFromCommentsBlocksAndOtherWords) {
     const Program program(
         "fullscreen.vert", "post.frag",

@@ -13,7 +13,7 @@ using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-/// A shader folder of its own, given up at the end.
+/// A temporary shader folder.
 class ShaderFolder : public test::GpuTest {
   protected:
     void SetUp() override {

@@ -1,4 +1,4 @@
-// What a clip shows and sends whose decoding stands still for a while: the policies of media/policy.h.
+// What a clip shows and sends while its decoding is blocked: the policies of media/policy.h.
 #include "media/clip_player.h"
 
 #include <gmock/gmock.h>
@@ -19,7 +19,7 @@ namespace {
 constexpr int frames = 25;
 constexpr int buffers = 4;  // frames decoded ahead
 
-/// While it is shut, the only thread that decodes is busy with this.
+/// While it is shut, it keeps the only decoding thread busy.
 class Gate : private DecodePool::Job {
   public:
     explicit Gate(DecodePool& pool) : pool_(pool) { pool.join(*this); }
@@ -54,7 +54,7 @@ class Gate : private DecodePool::Job {
     std::atomic<bool> shut_{false}, inside_{false};
 };
 
-/// Knows when the only thread that decodes has nothing else to do.
+/// Knows when the only decoding thread has nothing else to do.
 class Idle : private DecodePool::Job {
   public:
     explicit Idle(DecodePool& pool) : pool_(pool) { pool.join(*this); }
@@ -185,7 +185,7 @@ TEST_F(ClipPlayerTest, SkipShowsSomethingNewHoweverSlowTheDecoderIs) {
         gate.shut();
         seen.insert(cycle(i % frames, Policy::skip));
         if (i % 5 != 0) continue;
-        gate.open();  // a moment's worth of decoding in every fifth cycle
+        gate.open();  // a little decoding in every fifth cycle
         idle.wait();
     }
     EXPECT_GE(seen.size(), 6u);
@@ -214,7 +214,7 @@ TEST_F(ClipPlayerTest, BufferingDecodesEachFrameOnceIntoMemoryThatItGivesBack) {
     EXPECT_EQ(player->memory(), (buffers + 1 + 4) * bytes);
 }
 
-/// Takes the place of glUnmapNamedBuffer while it lives: the driver loses what it is asked to unmap, `losses` times.
+/// Replaces glUnmapNamedBuffer while it lives: the driver loses the unmapped data `losses` times.
 class LossyDriver {
   public:
     explicit LossyDriver(int losses) {

@@ -160,7 +160,7 @@ void wait_for_decoded(const ClipSet& set, std::uint64_t count) {
     }
 }
 
-/// Until each of `clips` has decoded as far ahead as it has buffers.
+/// Waits until each of `clips` has decoded ahead into all of its buffers.
 void wait_for_decoding(const ClipSet& set, int clips) {
     const int buffers = std::clamp(64 / clips, 2, 8);
     wait_for_decoded(set, set.times().uploaded + static_cast<std::uint64_t>(clips * buffers));
@@ -203,7 +203,7 @@ TEST_F(ClipSetOnce, BothPlacesOfACrossFadeTakeTurns) {
     ClipSet set({.scheme = Scheme::buffered});
     this->set(set, clips({"a.avi"}, 0.2));  // 4 frames: 0 to 3 under 8 to 11
     for (int i = 0; i < 3; ++i) {
-        wait_for_decoded(set, 8 + 4);  // all that there is of both
+        wait_for_decoded(set, 8 + 4);  // all frames of both
         shown(set, 0, i);
         shown(set, 0, 8 + i, Policy::wait, 1);
         const std::uint64_t before = set.times().uploaded;
@@ -270,7 +270,7 @@ TEST_F(ClipSetOnce, AJumpingClipBecomesResidentToo) {
 }
 
 TEST_F(ClipSetOnce, MemoryGoesToWholeClipsInTheirOrder) {
-    // Two buffers for each of three clips, one clip whole, and what the other two have on the GPU or on their way
+    // Two buffers for each of three clips, one whole clip, and the frames of the other two on the GPU or on the way
     // there.
     const std::size_t room = (3 * 3 + frames + 2 * 6) * frame_bytes();
     ClipSet set({.scheme = Scheme::resident, .memory = room});
@@ -417,7 +417,7 @@ TEST_F(ClipSetOnce, OneMoreClipLeavesTheOthersPlaying) {
 }
 
 TEST_F(ClipSetOnce, OneFileWithTwoLoopsIsPaidForBoth) {
-    // Two buffers for each of two clips, and not quite the whole clip.
+    // Two buffers for each of two clips, and almost the whole clip.
     const std::size_t room = (2 * 3 + frames - 1) * frame_bytes();
     ClipSet set({.scheme = Scheme::resident, .memory = room});
     std::vector<SmokeClip> two = clips({"a.avi", "a.avi"});

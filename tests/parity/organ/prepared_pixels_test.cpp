@@ -1,4 +1,4 @@
-// Organs whose images have sizes and no pixels, on the GPU: their pixels are kept apart, let go, and decoded again.
+// Organs whose images have sizes and no pixels, on the GPU: their pixels are kept separately, freed, and decoded again.
 #include <opencv2/imgcodecs.hpp>
 
 #include "foundation.h"
@@ -92,7 +92,7 @@ TEST_F(PreparedPixels, ACutOrganHasThoseOfTheFormerOne) {
     for (Effects* one : {&effects, &direct}) one->set_overlay(Overlay::vessels);
     EXPECT_TRUE(picture_of(effects) == picture_of(direct)) << "densities";
 
-    // And once more, with others' vessels: it still has them.
+    // Again with other vessel parameters: it still has the pixels.
     Preset other;
     other.vessels.vessel_width = 2.0 * other.vessels.vessel_width;
     for (Effects* one : {&effects, &direct}) one->set_preset(other);
@@ -124,7 +124,7 @@ TEST_F(PreparedPixels, WhereThereAreNoneTissueIsWhiteAndFlat) {
     };
     EXPECT_TRUE(of(without) == of(plain));
     EXPECT_FALSE(of(without) == of(with));
-    // An Effects takes it, too, though it cannot show what it has not.
+    // An Effects also accepts it, although it cannot show missing pixels.
     Effects effects(prepared->organ(), Preset{});
     effects.seek(1.0);
     EXPECT_FALSE(picture_of(effects).empty());

@@ -1,4 +1,5 @@
-// Clips in the picture: from their time on, lit metal, moving with the organ, in the depth that smoke is laid over.
+// Clips in the picture: they appear at their time as lit metal, move with the organ, and are in the depth that smoke
+// uses.
 #include "gl/objects.h"
 #include "lapfx/effects.h"
 #include "parity/render/scene_fixture.h"

@@ -17,7 +17,7 @@ class EdgeTest : public test::SceneTest {
   protected:
     EdgeTest() {
         preset.smoke.clips.clear();
-        scene.light.focus_distance = height;  // lit to the tissue's own colour: no channel saturates
+        scene.light.focus_distance = height;  // lit to the colour of the tissue, so that no channel saturates
         preset.bleeding.gravity_bias = 0.0;
         preset.bleeding.threshold = 0.0;
         preset.bleeding.rivulets = 0.0;
@@ -42,8 +42,8 @@ class EdgeTest : public test::SceneTest {
         return 2.0 * height * std::tan(glm::radians(scene.camera.field_of_view) / 2.0) / large.y;
     }
 
-    /// Which pixels hold blood: those that change when the wound is taken away, and what they enclose, for where the
-    /// lamp is mirrored both pictures are white.
+    /// The pixels with blood: those that change when the wound is removed, and those they enclose, because both
+    /// pictures are white where the lamp is reflected.
     std::vector<bool> blood_mask(double time) const {
         Preview p = preview();
         const Image bleeding = p.image(time, large);
@@ -51,7 +51,7 @@ class EdgeTest : public test::SceneTest {
         const Image dry = p.image(time, large);
         std::vector<bool> changed;
         for (std::size_t i = 0; i < dry.pixels.size(); i += 4) {
-            // The rim's mirror may make up for what its colour takes, but not in all channels.
+            // The reflection at the rim may compensate for its colour, but not in all channels.
             int most = 0;
             for (std::size_t c = 0; c < 3; ++c)
                 most = std::max(most, std::abs(bleeding.pixels[i + c] - dry.pixels[i + c]));
@@ -60,7 +60,7 @@ class EdgeTest : public test::SceneTest {
         return filled(changed);
     }
 
-    /// All but what can be reached from the corner without touching a pixel of `mask`.
+    /// Everything that cannot be reached from the corner without touching a pixel of `mask`.
     static std::vector<bool> filled(const std::vector<bool>& mask) {
         std::vector<bool> inside(mask.size(), true);
         std::vector<glm::ivec2> next{{0, 0}};
@@ -166,7 +166,7 @@ TEST_F(EdgeTest, WithoutNoiseItIsTheMeshsPolygonToThePixel) {
         int wrong = 0, inside = 0;
         for (int y = 1; y + 1 < large.y; ++y)
             for (int x = 1; x + 1 < large.x; ++x) {
-                // Right if some pixel within one of this one is on the mask's side.
+                // Right if this pixel or a neighbour is on the mask's side.
                 const bool blood = mask[static_cast<std::size_t>(y * large.x + x)];
                 bool right = false;
                 for (int n = 0; n < 9; ++n) {
@@ -193,7 +193,7 @@ TEST_F(EdgeTest, NoiseBendsItInsideTriangles) {
 }
 
 TEST_F(EdgeTest, WithNoiseItStaysWhereItIsWhenTheMeshIsTurned) {
-    // Noise lies in organ space: on meshes fine enough for the distance, the edge is the same on both.
+    // Noise is in organ space: on meshes fine enough for the distance, the edge is the same on both.
     preset.bleeding.noise_strength = 3.0;
     use_sheet(60);
     const std::vector<bool> straight = blood_mask(3.0);
@@ -215,7 +215,7 @@ TEST_F(EdgeTest, NoiseTakesAsMuchAsItGives) {
     preset.bleeding.noise_strength = 3.0;
     for (const double rivulets : {0.0, 1.0}) {
         preset.bleeding.rivulets = rivulets;
-        // Level, then as on a wall: down lies in the sheet. Without a bias of the spread blood is a disc on both.
+        // Level, then as on a wall, where down is in the sheet. Without a bias of the spread blood is a disc on both.
         for (const glm::dvec3 down : {glm::dvec3(0.0, -1.0, 0.0), glm::dvec3(0.0, 0.0, 1.0)}) {
             scene.gravity = down;
             double mean = 0.0;

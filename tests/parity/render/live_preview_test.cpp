@@ -1,4 +1,4 @@
-// What a preview takes while it lives: another scene, prepared organs, shaders and clips that change on disk.
+// Changes that a preview accepts: another scene, prepared organs, shaders and clips that change on disk.
 #include <gmock/gmock.h>
 
 #include <opencv2/videoio.hpp>
@@ -21,7 +21,7 @@ class LivePreview : public test::SceneTest {
     Preview preview_with(std::shared_ptr<ClipCache> clips) const {
         return Preview(scene, preset, {.clip_folders = {}, .wait_for_clips = true, .clip_cache = std::move(clips)});
     }
-    /// A clip of one grey level in the place of clip.avi, written beside it and renamed.
+    /// Replaces clip.avi by a clip of one grey level, written next to it and renamed.
     void replace_clip(int level) {
         const cv::Size extent(64, 48);
         cv::VideoWriter writer((folder / "new.avi").string(), cv::CAP_FFMPEG,
@@ -30,7 +30,7 @@ class LivePreview : public test::SceneTest {
         writer.release();
         fs::rename(folder / "new.avi", folder / "clip.avi");
     }
-    /// Post-processing that leaves red alone, or a mistake.
+    /// Post-processing that keeps only red, or one with a mistake.
     void write_post(const std::string& last_line) const {
         std::string text = gl::shader_source("post.frag").text;
         text.insert(text.rfind('}'), last_line + "\n");

@@ -1,4 +1,4 @@
-// The overlays: their colours in closed form, and that they lie where the densities are.
+// The overlays: their colours in closed form, and that they are where the densities are.
 #include <numbers>
 
 #include "gl/objects.h"

@@ -1,4 +1,4 @@
-// What a host with an organ shader of its own gets: the text, the vertex buffer and the uniform block.
+// What a host with its own organ shader gets: the text, the vertex buffer and the uniform block.
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/shader_source.h"

@@ -32,7 +32,8 @@ TEST_F(PreviewTest, BloodCoversTheAreaItShould) {
     preset.smoke.clips.clear();
     preset.bleeding.noise_strength = 0.0;
     preset.bleeding.threshold = 3.0;
-    scene.light.focus_distance = 60.0;  // dim enough that the lamp's mirror image is not white with and without blood
+    scene.light.focus_distance =
+        60.0;  // dim enough that the reflection of the lamp is not white with and without blood
     scene.events.resize(1);
     scene.events[0].position = scene.events[0].to = {0.0, 0.0, 0.0};
     Preview p = preview();
@@ -71,7 +72,7 @@ TEST_F(PreviewTest, BloodRunsDownhillOnThePicture) {
 TEST_F(PreviewTest, TheOrganHasTheScenesColour) {
     preset.smoke.clips.clear();
     scene.light.color = glm::dvec3(1.0);
-    scene.light.intensity = 0.4;  // dim: channels are not pressed together by the display curve
+    scene.light.intensity = 0.4;  // dim, so that the display curve does not compress channels
     const auto middle = [&](const Image& image) {
         const std::size_t i = 4 * static_cast<std::size_t>(size.y / 4 * size.x + size.x / 4);
         return glm::ivec3(image.pixels[i], image.pixels[i + 1], image.pixels[i + 2]);

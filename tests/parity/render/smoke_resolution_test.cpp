@@ -1,5 +1,5 @@
-// The sample scene with its smoke composited off-screen is, but for 0.1/255 on average, what shading each layer at the
-// frame's resolution gives.
+// The sample scene with its smoke composited off-screen equals shading each layer at the frame's resolution, to 0.1/255
+// on average.
 #include "lapfx/authoring/preview.h"
 #include "support/gpu_test.h"
 

@@ -1,4 +1,4 @@
-// The host's GL state is the host's: what the draw calls find, they leave.
+// The GL state belongs to the host: draw calls leave it as they found it.
 #include "gl/objects.h"
 #include "gl/program.h"
 #include "gl/state_guard.h"
@@ -38,7 +38,7 @@ constexpr GLenum switches[] = {GL_BLEND,        GL_DEPTH_TEST,   GL_CULL_FACE,  
 
 constexpr int units = 16;
 
-/// All that a draw call may touch, by name.
+/// Everything that a draw call may touch, by name.
 std::map<std::string, GLint64> state() {
     std::map<std::string, GLint64> all;
     const auto name = [](const char* kind, GLenum query, int index = -1) {

@@ -1,5 +1,5 @@
-// An organ whose long triangles are split for its blood is drawn by those that it was given with, where nothing has
-// happened to it: the picture is that of the split ones.
+// An organ whose long triangles are split for its blood is drawn with its original triangles where nothing has happened
+// to it, and the picture equals that of the split ones.
 #include <map>
 
 #include "gl/objects.h"
@@ -105,7 +105,7 @@ class UnsplitTest : public test::SceneTest {
         return found;
     }
 
-    /// Straight at it; past it, so that triangles are seen edge on; from near by.
+    /// Directly at it; along it, so that triangles are seen edge on; from close by.
     void expect_alike(Effects& a, Effects& b) const {
         int red = 0;
         for (const glm::dvec3& eye : {glm::dvec3(0, 0, 150), {90, 30, 70}, {20, 62, 66}, {5, 2, 61.5}}) {
@@ -127,7 +127,7 @@ TEST_F(UnsplitTest, ThePictureIsThatOfTheSplitTriangles) {
         ASSERT_GT(fine.triangle_count(), 3 * given.triangle_count());
         Effects unsplit = bleeding(given), split = bleeding(fine);
         expect_alike(unsplit, split);
-        // Blood that has been there and is not is as if it had never been.
+        // Removed blood leaves no trace.
         unsplit.seek(5.0);
         unsplit.seek(0.5);
         Effects early(fine, preset);
@@ -152,7 +152,7 @@ TEST_F(UnsplitTest, SoItIsWhenItMovesAndUnderOverlays) {
     unsplit.set_shape(moved, given.normals);
     split.set_shape(all, normals);
     expect_alike(unsplit, split);
-    // A host that has all vertices may bend what lies between those of the file: then that is what is drawn.
+    // A host that has all vertices may bend the surface between those of the file, and that is drawn.
     for (std::size_t v = moved.size(); v < all.size(); ++v) all[v] *= 60.0f / glm::length(fine.organ.positions[v]);
     unsplit.set_shape(all, normals);
     split.set_shape(all, normals);
@@ -174,7 +174,7 @@ TEST_F(UnsplitTest, SoItIsOnceItHasBeenCut) {
     auto [cut, origin] = without_top(given, 40.0f);
     ASSERT_LT(cut.triangle_count(), given.triangle_count());
     unsplit.set_topology(cut, origin);
-    // The same for all vertices: what lay between the same two is the same.
+    // The same for all vertices: a midpoint between the same two vertices is the same.
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> former;
     auto next = static_cast<std::uint32_t>(given.positions.size());
     for (const glm::uvec2& m : fine.midpoints) former[std::minmax(m.x, m.y)] = next++;

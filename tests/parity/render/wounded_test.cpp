@@ -1,5 +1,5 @@
 // Tissue that is charred, divided or covered with blood, drawn from given vertex values; and the two programs of an
-// organ, one for such tissue and one for the rest, which must not be told apart where nothing has happened.
+// organ, one for such tissue and one for the rest, which must give the same pixels where nothing has happened.
 #include "bleeding/bleed_gpu.h"
 #include "render/camera.h"
 #include "render/organ_gpu.h"
@@ -97,7 +97,7 @@ float largest_difference(const std::vector<glm::vec3>& a, const std::vector<glm:
 TEST_F(WoundedTest, BothProgramsDrawUntouchedTissueAlike) {
     const auto plain = picture();
     EXPECT_GT(median(plain, 0.0, 12.0).r, 0.2f) << "the sheet is in view";
-    // Too little char to be seen, but enough for the other program; then for half of the triangles.
+    // Too little char to be visible, but enough for the other program; then for half of the triangles.
     marks.assign(marks.size(), glm::vec2(1e-7f, 0.0f));
     EXPECT_LT(largest_difference(plain, picture()), 1e-4f);
     for (std::size_t i = 0; i < marks.size(); ++i) marks[i].x = i % 3 == 0 ? 1e-7f : 0.0f;

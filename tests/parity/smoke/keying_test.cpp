@@ -1,4 +1,4 @@
-// The pictures of keying that are made on the CPU are those that the shaders draw, for real frames of the sample clips.
+// The CPU's pictures of keying equal those of the shaders, for real frames of the sample clips.
 #include "lapfx/authoring/keying.h"
 
 #include "gl/srgb.h"
@@ -70,8 +70,8 @@ constexpr int number = 40;  // of the frame that is looked at
 
 class KeyingPictureParity : public SmokeGpuTest {
   protected:
-    /// A plume that fills the view at the focus distance, before nothing. Around the middle neither its border fades
-    /// nor does the lamp's light.
+    /// A plume that fills the view at the focus distance, in front of nothing. Around the middle neither its border nor
+    /// the lamp's light fades.
     std::vector<glm::vec4> drawn(const Case& tested, const Uploaded& clip) {
         const float tall = 2.0f * focus * std::tan(glm::radians(30.0f));
         const float wide = tall * static_cast<float>(size.x) / static_cast<float>(size.y);
@@ -87,7 +87,7 @@ class KeyingPictureParity : public SmokeGpuTest {
     struct Difference {
         double worst = 0.0, mean = 0.0;
     };
-    /// To what composite_picture() works with, in the middle part of the view.
+    /// Prepares the middle part of the view for composite_picture().
     Difference difference(const std::vector<glm::vec4>& pixels, const KeyingFrame& frame, const KeyingLook& look,
                           const std::vector<float>& opacity, int part) const {
         Difference found;

@@ -13,7 +13,7 @@ constexpr double tolerance = 1e-5;
 
 using NoiseParity = test::GpuTest;
 
-/// Half of them near the origin, on both sides of 0, half as far out as `extent`.
+/// Half of them near the origin, on both sides of 0, half up to `extent` away.
 std::vector<glm::vec4> points(std::size_t count, double extent) {
     std::mt19937 random(11);
     std::vector<glm::vec4> result;

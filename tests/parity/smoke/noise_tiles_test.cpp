@@ -1,5 +1,5 @@
-// The tiles of noise_tiles_gpu.h hold the noise of smoke/noise.h: at their texels to the 8 bits that they are stored
-// in, filtered in between to a few hundredths, and each its own.
+// The tiles of noise_tiles_gpu.h have the noise of smoke/noise.h: at texels to 8 bits, filtered between them to a few
+// hundredths, and each tile its own noise.
 #include "smoke/noise_tiles_gpu.h"
 
 #include "smoke/noise.h"
@@ -10,7 +10,7 @@ namespace {
 
 constexpr double stored = 1.1 / 255.0;  // half a step of 2 / 255, and rounding
 
-/// Noise at a place of the clip (0..1), as the parameters say: lobes, drift down and, more slowly, into the depth.
+/// Noise at a place of the clip (0..1) from the parameters: lobes, and a drift down and, more slowly, into the depth.
 float expected(const KeyingParameters& k, float aspect, double time, int seed, glm::dvec2 uv) {
     const double drift = k.noise_drift * time / k.noise_scale;
     float sum = 0.0f;

@@ -1,4 +1,4 @@
-// All schemes show the same picture (streaming.h), and the resolutions all but the same.
+// All schemes show the same picture (streaming.h), and all resolutions almost the same.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -47,7 +47,7 @@ TEST_F(SchemesTest, ShowTheSamePicture) {
     for (std::size_t i = 0; i < resident.size(); ++i) {
         EXPECT_TRUE(pipeline[i].pixels == buffered[i].pixels) << i;
         EXPECT_TRUE(planar[i].pixels == resident[i].pixels) << i;
-        // Colour is converted on the CPU there and in the shader here: rounding, and how chroma is spread.
+        // One converts colour on the CPU, the other in the shader: rounding and interpolation of chroma differ.
         EXPECT_LE(mean_difference(pipeline[i], resident[i]), 0.5) << i;
         EXPECT_LE(test::differing(pipeline[i], resident[i], 6), frame.x * frame.y / 500) << i;
     }

@@ -1,4 +1,4 @@
-// A small frame with a depth, hand-made clip frames, and what smoke over them should be by the CPU references.
+// A small frame with a depth, hand-made clip frames, and the smoke over them according to the CPU references.
 #pragma once
 
 #include <functional>
@@ -15,7 +15,7 @@
 
 namespace lapfx::smoke {
 
-/// A frame whose planes are known, in textures as ClipSet makes them; it lies in the last of three layers.
+/// A frame with known planes, in textures as ClipSet makes them; it is in the last of three layers.
 struct HandMade {
     HandMade(glm::ivec2 size, media::Layout layout, bool alpha, std::uint32_t seed, const media::ColorMatrix& m)
         : matrix(m) {
@@ -55,7 +55,7 @@ struct HandMade {
         return format.alpha ? bilinear(planes[2], format.size, 1, place).x / 255.0f : key_alpha(rgb(place), key);
     }
 
-    /// The clip's shading where it brings its opacity.
+    /// The clip's shading if it has its own opacity.
     float shading(glm::vec2 place) const {
         return format.alpha ? shade(luma(rgb(place)), bilinear(planes[2], format.size, 1, place).x / 255.0f) : 1.0f;
     }
@@ -131,7 +131,7 @@ class SmokeGpuTest : public test::GpuTest {
             }
         glTextureSubImage2D(depth.name(), 0, 0, 0, size.x, size.y, GL_DEPTH_COMPONENT, GL_FLOAT, values.data());
     }
-    /// Pixels, rows from the bottom, after the layers that `add` has added lie over the background.
+    /// Pixels, rows from the bottom, of the background under the layers from `add`.
     std::vector<glm::vec4> draw(SmokeGpu& gpu, const std::function<void()>& add) {
         const render::ViewBlock block;
         block.bind(view);

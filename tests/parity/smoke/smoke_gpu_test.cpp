@@ -1,5 +1,4 @@
-// Smoke as SmokeGpu draws it against the CPU references of keying and of thickness, and off-screen against straight
-// over.
+// Smoke of SmokeGpu against the CPU references of keying and thickness, and off-screen against directly over the frame.
 #include "smoke/smoke_gpu.h"
 
 #include "gl/srgb.h"
@@ -60,7 +59,7 @@ glm::vec3 own_tint(const HandMade& clip, glm::vec2 place, const Keying& key) {
 
 class SmokeLayers : public SmokeGpuTest, public testing::WithParamInterface<std::tuple<Case, SmokeResolution, int>> {};
 
-// The clip has the size of the frame, so that texels meet pixels. Several layers are more than are drawn at once.
+// The clip has the size of the frame, so that texels match pixels. Several layers are more than one call draws.
 TEST_P(SmokeLayers, HazeIsThatOfTheReferences) {
     const auto& [tested, resolution, count] = GetParam();
     const Keying key = keying_of(tested.keying, tested.polarity);
@@ -184,7 +183,7 @@ TEST_F(SmokeGpuHaze, NoiseIsEachLayersOwnHoweverTheyAreDrawn) {
 }
 
 TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
-    // Its left half is clear, its right half thick: turned by a right angle the halves lie above each other.
+    // Its left half is clear and its right half thick: rotated by a right angle the halves are above each other.
     set_size({40, 40});
     set_depth([](glm::ivec2) { return 100.0f; });
     HandMade clip({40, 40}, media::Layout::rgb, false, 1, {});
@@ -197,13 +196,13 @@ TEST_F(SmokeGpuHaze, ATurnedClipShowsNoBorder) {
         const auto pixels = draw(gpu, [&] {
             gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = quarter * glm::radians(90.0f)}, 1.0);
         });
-        // Counter-clockwise, the right half comes to lie above.
+        // Counter-clockwise, the right half is on top.
         const float above = pixels[index({5, 30})].r, below = pixels[index({33, 9})].r;
         const float clear = quarter > 0.0f ? below : above, thick = quarter > 0.0f ? above : below;
         EXPECT_NEAR(clear, background.r, 1e-3f) << quarter;
         EXPECT_LT(thick, background.r - 0.05f) << quarter;
     }
-    // Turned by any angle, what lies beyond the clip is its mirror image: never clear, never a line.
+    // At any angle its mirror image continues beyond the clip: it is never clear and shows no line.
     std::fill(clip.planes[0].begin(), clip.planes[0].end(), std::uint8_t{180});
     clip.textures[0].upload(GL_RGB, clip.planes[0].data(), 2);
     const auto pixels = draw(gpu, [&] { gpu.haze({.frame = clip.frame(), .keying = &keying, .angle = 0.6f}, 1.0); });
@@ -218,8 +217,8 @@ class SmokeGpuPlume : public SmokeGpuTest {
     }
 };
 
-// An instrument, 60 mm away, before tissue at 200 mm; smoke at 100 mm. At a third of the resolution it is still hidden
-// by the instrument and reaches right to its edge.
+// An instrument 60 mm away in front of tissue at 200 mm, with smoke at 100 mm. At a third of the resolution the
+// instrument still hides the smoke, which reaches exactly to its edge.
 TEST_F(SmokeGpuPlume, HasNoHaloAtTheEdgeOfAnInstrument) {
     set_size({180, 120});
     set_depth([](glm::ivec2 p) { return p.x + p.y / 3 < 100 ? 60.0f : 200.0f; });

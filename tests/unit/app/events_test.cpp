@@ -11,7 +11,7 @@ ToolContact contact(ToolAction action, double time, double duration, glm::dvec3 
     return {.action = action, .time = time, .duration = duration, .position = from, .to = to};
 }
 
-/// A path of three pieces, and another event in between of the list.
+/// A path of three pieces, with another event between them in the list.
 std::vector<ToolContact> path_and_cut() {
     return {contact(ToolAction::cauterise, 1, 0.5, {0, 0, 0}, {5, 0, 0}),
             contact(ToolAction::cut, 1.2, 0, {9, 9, 9}, {9, 9, 9}),

@@ -18,13 +18,13 @@ using testing::IsEmpty;
 
 class FileWatching : public testing::Test {
   protected:
-    /// What is told until something is, at most 5 s.
+    /// Waits for reports, at most 5 s.
     FileWatch::Paths next() {
         std::unique_lock lock(mutex);
         woken.wait_for(lock, 5s, [&] { return std::exchange(told, false); });
         return watch.take();
     }
-    /// Watches; gives the watch the time to begin.
+    /// Watches, and gives the watch time to begin.
     void set(const FileWatch::Paths& paths) {
         watch.set(paths);
         std::this_thread::sleep_for(100ms);

@@ -126,7 +126,7 @@ TEST(Parameters, TooltipsLackNothing) {
     }
 }
 
-/// All that the paper has a word for: the word.
+/// The paper's word for every parameter that has one.
 TEST(Parameters, TooltipsTellThePapersTerm) {
     constexpr std::pair<std::string_view, std::string_view> terms[] = {
         {"bleeding.speed", "bleeding speed"},

@@ -32,7 +32,7 @@ Played play(ScenePace& pace, double seconds, const std::function<double(double)>
         }
         now += ui;
         ++played.frames;
-        waiting = frame + 0.008;  // the next movement came while this one was drawn
+        waiting = frame + 0.008;  // the next movement arrived while this one was drawn
         if (frame > begin + 1) played.longest = std::max(played.longest, now - input);
     }
     return played;

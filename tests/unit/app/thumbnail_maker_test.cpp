@@ -1,4 +1,4 @@
-// Thumbnails by a program of the test's own: what is kept, what is told, what is ended.
+// Thumbnails by a program of the test: what is kept, reported and ended.
 #include "app/thumbnail_maker.h"
 
 #include <chrono>
@@ -26,7 +26,7 @@ class Thumbnails : public testing::Test {
         preset.bleeding.speed = speed;
         return {.file = folder_.write(name, write_preset(preset)), .scene = scene_, .time = 2};
     }
-    /// A script that notes what it was called with and fails.
+    /// A script that records its arguments and fails.
     std::string notes() { return "echo \"$@\" >> " + (folder_.path() / "calls").string() + "; echo no >&2; exit 1"; }
     std::string calls() const { return test::read_text(folder_.path() / "calls"); }
     static std::vector<ThumbnailMaker::Result> made(ThumbnailMaker& maker, std::vector<ThumbnailMaker::Request> all) {
@@ -34,7 +34,7 @@ class Thumbnails : public testing::Test {
         maker.finish();
         return maker.take();
     }
-    /// A script that writes a picture of this grey where it is told to, and counts its runs.
+    /// A script that writes a picture of this grey to the given place, and counts its runs.
     std::string writes(int grey) {
         return "echo run >> " + (folder_.path() / "runs").string() +
                "\npython3 - \"$@\" <<'EOF'\nimport sys, zlib, struct\n"
@@ -151,7 +151,7 @@ TEST_F(Thumbnails, WhateverMakesThemHasLimits) {
 TEST_F(Thumbnails, AnyOtherFileIsShownByItself) {
     ThumbnailMaker maker(options(program(notes())));
     made(maker, {{.file = folder_.write("a.mp4", "x")}, {.file = scene_, .scene = folder_.write("other.json", "{}")}});
-    // The organ of the scene is not there: what shows that is the program that was called.
+    // The organ of the scene does not exist, which only the called program notices.
     EXPECT_NE(calls().find("picture " + (folder_.path() / "a.mp4").string() + " --size 192x154 -o "),
               std::string::npos);
     EXPECT_NE(calls().find("picture " + scene_.string()), std::string::npos)

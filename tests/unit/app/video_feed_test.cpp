@@ -1,4 +1,4 @@
-// Frames of a video beside the UI, and files that vanish or change while they are open.
+// Frames of a video decoded apart from the UI, and files that vanish or change while they are open.
 #include "app/video_feed.h"
 
 #include <chrono>
@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Waits for what the thread does, but not for ever.
+/// Waits for the thread, but not endlessly.
 template <class Condition>
 bool comes(VideoFeed& feed, Condition condition) {
     for (int i = 0; i < 1000; ++i) {

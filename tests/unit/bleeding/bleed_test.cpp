@@ -189,7 +189,7 @@ TEST(Bleed, TheRunsHoldEveryValueThatChangedAndLittleElse) {
 }
 
 TEST(Bleed, CopiesOfAVertexAtASeamGetTheSameValue) {
-    // Every triangle has vertices of its own: flat shading.
+    // Every triangle has its own vertices: flat shading.
     const Organ sheet = test::plane(20.0, 20);
     Organ organ;
     for (const std::uint32_t i : sheet.indices) {
@@ -254,7 +254,7 @@ TEST(Bleed, ParametersTakeEffectOnWoundsThatAreThere) {
     field.set(wounds, b);
     field.update(10.0);
     EXPECT_NEAR(value_at(field, organ, {15, 0, 0}), 1.0, 1e-4);
-    b.max_extent = 24.0;  // farther than the distances that are known
+    b.max_extent = 24.0;  // farther than the known distances
     field.set(wounds, b);
     field.update(10.0);
     EXPECT_NEAR(value_at(field, organ, {23, 0, 0}), 1.0, 1e-4);

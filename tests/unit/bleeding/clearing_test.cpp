@@ -36,7 +36,7 @@ class ClearingTest : public testing::Test {
         clearing.for_each(best, [&](const Clearing::Cap& cap) { caps.push_back(cap); });
         return caps;
     }
-    /// mm, of the first; 1000 where there is no cap.
+    /// The first cap, mm; 1000 where there is none.
     double cap_at(double x, double z) const {
         const auto caps = caps_at(x, z);
         return caps.empty() ? 1000.0 : static_cast<double>(caps[0].cap);
@@ -104,13 +104,13 @@ TEST_F(ClearingTest, OfSeveralOnlyThoseThatAreNotOverruledAreKept) {
         EXPECT_DOUBLE_EQ(caps[n].time, wanted[n].x);
         EXPECT_NEAR(caps[n].cap, wanted[n].y, 1e-5);
     }
-    // At x = 12 the last is the lowest: the others are overruled.
+    // At x = 12 the last cap is the lowest, so the others do not count.
     ASSERT_EQ(caps_at(12, 0).size(), 1u);
     EXPECT_DOUBLE_EQ(time_at(12, 0), 5.0);
 }
 
 TEST_F(ClearingTest, SteppingThroughShortContactsEqualsSeeking) {
-    // As samples of a moving tip become contacts: shorter than the reach needs to grow.
+    // Like contacts from samples of a moving tip: shorter than the time in which the reach grows.
     std::vector<ToolContact> contacts;
     for (int i = 0; i < 12; ++i)
         contacts.push_back({.action = ToolAction::suction,

@@ -22,7 +22,7 @@ glm::vec2 at(const DensityMap& map, double side, double x, double z = 0.0) {
     return map.sample({x / side + 0.5, z / side + 0.5});
 }
 
-/// Tissue as a camera sees it: the colour times uneven light, with noise of its own in every channel.
+/// Tissue as a camera sees it: the colour times uneven light, with independent noise in every channel.
 class Uneven {
   public:
     glm::dvec3 operator()(glm::dvec3 color, double x, double z) {
@@ -36,7 +36,7 @@ class Uneven {
     std::mt19937 random_{3};
 };
 
-/// Distance from the nearest of the vessels: along x every 10 mm, and a slanting one.
+/// Distance from the nearest vessel: one every 10 mm along x, and a slanting one.
 double to_vessel(double x, double z) {
     return std::min(std::abs(z - 10.0 * std::round(z / 10.0)), std::abs(0.6 * x - 0.8 * z - 3.0));
 }
@@ -139,7 +139,7 @@ TEST(Density, VesselsOfTheSameWidthAreFoundAtAnyResolution) {
 }
 
 TEST(Density, WhatIsNotOnTheSurfaceDoesNotCount) {
-    // The organ uses the left half of the texture; the rest is a gutter of whatever.
+    // The organ uses the left half of the texture; the rest is a gutter with any content.
     const auto with_gutter = [](glm::dvec3 gutter) {
         Organ organ =
             textured_plane(40.0, painted(800, 400, 40.0, [&](double x, double z) {
@@ -170,7 +170,7 @@ TEST(Density, ARepeatingTextureGoesOnAtItsOtherSide) {
     EXPECT_FALSE(single.layout().repeats);
     EXPECT_TRUE(tiled.layout().repeats);
     EXPECT_NEAR(tiled.layout().texels_per_mm.x, single.layout().texels_per_mm.x, 1e-4);
-    // Nothing beyond the edge: of what is there, the share within 2 mm of it.
+    // Nothing beyond the edge: the share of the surface within 2 mm of it.
     EXPECT_NEAR(at(single, 40.0, -19.95).y, (below(1.95, 1.0) - below(-0.05, 1.0)) / below(0.05, 1.0), 0.02);
     EXPECT_NEAR(at(single, 40.0, 19.5).y, 0.0, 0.01);
     for (const double x : {0.5, 1.0})  // from the edge

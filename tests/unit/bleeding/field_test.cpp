@@ -1,4 +1,4 @@
-// The bleed field on shapes that are not flat, with everything on, and with what goes wrong in real files.
+// The bleed field on shapes that are not flat, with every parameter on, and with the faults of real files.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -135,7 +135,7 @@ TEST(Field, TheVolumeOfAConeOfBlood) {
     field.update(3.0);
     const double wanted = std::numbers::pi * std::pow(12.0, 3) / 3.0 * b.thickness / b.deep_at;
     EXPECT_NEAR(field.amount().volume, wanted, 0.02 * wanted);
-    b.deep_at = 0.1;  // all but a rim is as thick as it gets
+    b.deep_at = 0.1;  // everything except a rim has full thickness
     field.set(std::vector<Wound>{{.position = {0.07, 0.0, 0.11}}}, b);
     EXPECT_NEAR(field.amount().volume, 0.5 * field.amount().area, 0.03 * field.amount().area);
 }
@@ -300,8 +300,8 @@ TEST(Field, ContactsInOddPlacesGiveClearResults) {
     EXPECT_EQ(area({.position = {8.3, 0.0, 8.2}, .strength = infinity}), 0.0);
 }
 
-/// What has settled is not looked at again while time goes on: nobody sees the difference, whatever is set and sought
-/// in between.
+/// Settled wounds are not examined again while time advances. The result is the same, whatever is set and sought in
+/// between.
 TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     const Surface surface(test::plane(60.0, 60));
     std::mt19937 random(11);
@@ -344,8 +344,8 @@ TEST(Field, WhatHasSettledIsAsIfItWereWorkedOutAnew) {
     }
 }
 
-/// As a session goes: time runs on, wounds open and are closed, a tool is held to the blood and grows, all of it over
-/// blood that has long settled. Every frame is, to the last bit, what a field gives that knew nothing before.
+/// Like a session: time advances, wounds open and close, and a tool is held to the blood, all over blood that settled
+/// long ago. Every frame equals, to the last bit, that of a new field.
 TEST(Field, ALongSessionIsAtEachFrameAsIfItWereWorkedOutAnew) {
     const Surface surface(lumpy(4));
     for (const unsigned seed : {1u, 2u, 3u, 4u}) {
@@ -437,7 +437,7 @@ TEST(Field, ThousandsOfWoundsEachCount) {
     field.update(100.0);
     EXPECT_EQ(field.wounds().size(), 4000u);
     for (const WoundStatus& w : field.wounds()) ASSERT_EQ(w.state, WoundState::spent);
-    // Each vertex as near as its nearest wound.
+    // The distance of each vertex is that to its nearest wound.
     for (std::uint32_t v = 0; v < surface.positions.size(); v += 17) {
         double nearest = 1e9;
         for (const Wound& w : wounds) nearest = std::min(nearest, glm::distance(surface.positions[v], w.position));

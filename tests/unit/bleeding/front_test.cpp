@@ -13,13 +13,13 @@ using test::Cut;
 
 constexpr glm::dvec3 down{0.0, -1.0, 0.0};
 
-/// The whole of a front at once, on smooth ground: neither gravity nor creases.
+/// A whole front at once, on smooth ground, without gravity and creases.
 std::vector<Reached> march(const Surface& surface, const glm::dvec3& contact, double limit) {
     FrontRoom room(surface, down);
     return bleeding::march(room, {}, contact, limit);
 }
 
-/// Largest error of the distances that march() finds, relative to the true ones, farther than `from` mm away.
+/// Largest error of march(), relative to the true distances, farther than `from` mm away.
 template <class Truth>
 double worst_error(const Surface& surface, glm::dvec3 contact, double limit, double from, Truth truth) {
     double worst = 0.0;
@@ -115,7 +115,7 @@ TEST(Front, AContactOffTheSurfaceIsMovedOntoIt) {
     }
 }
 
-/// A strip folded by a right angle along x = 0: distances go over the fold, not through the air.
+/// A strip folded by a right angle along x = 0: distances follow the fold and not the air.
 TEST(Front, FollowsTheSurfaceOverAFold) {
     Organ organ = test::plane(40.0, 40);
     for (glm::vec3& p : organ.positions)

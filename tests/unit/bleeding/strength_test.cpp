@@ -1,4 +1,4 @@
-// Wounds whose bleeding strength changes: against integrals by the midpoint rule.
+// Wounds whose bleeding strength changes, compared with integrals by the midpoint rule.
 #include <gtest/gtest.h>
 
 #include <cmath>

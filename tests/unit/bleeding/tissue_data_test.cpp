@@ -1,4 +1,4 @@
-// Vessel and fat density on real organs. The folder is no part of the project; set LAPFX_TEST_DATA to where it lies.
+// Vessel and fat density on real organs. The folder is not a part of the project; set LAPFX_TEST_DATA to its path.
 #include "bleeding/tissue_density.h"
 #include "lapfx/authoring/tissue_report.h"
 #include "unit/organ/fixtures.h"
@@ -12,7 +12,8 @@ class TissueData : public testing::Test {
         folder = data_folder();
         if (folder.empty()) GTEST_SKIP() << "no folder of test meshes; LAPFX_TEST_DATA names it";
     }
-    /// These name their textures in "../textures", out of an organ's reach: here the picture lies beside the mesh.
+    /// These name their textures in "../textures", which an organ may not read, so the test puts the picture next to
+    /// the mesh.
     fs::path with_texture(const std::string& name) {
         const fs::path from = folder / "organs/Warp-Surgical";
         for (const char* extension : {".obj", ".mtl"})
@@ -25,7 +26,7 @@ class TissueData : public testing::Test {
     TemporaryFolder beside;
 };
 
-/// In this file an artery is a mesh of its own, pure red, on a dark red heart; veins are blue.
+/// In this file an artery is a separate mesh, pure red, on a dark red heart; veins are blue.
 TEST_F(TissueData, CoronaryArteriesStandOutOfTheHeart) {
     const Organ organ = load_organ(folder / "organs/whynpc9-anatomy/coronary-circulation.glb");
     const Surface surface(organ);
@@ -51,8 +52,8 @@ TEST_F(TissueData, SharesOfRealOrgans) {
         const char* file;
         double scale, known, vessels_least, vessels_most, fat_least, fat_most;
     };
-    // The Warp organs (without a folder here) are drawn half a unit large. Their gallbladder shows no vessels; their
-    // fat few that are strong.
+    // The Warp organs (without a folder here) are half a unit large. Their gallbladder shows no vessels, and their fat
+    // a few strong ones.
     constexpr Row rows[] = {{"fat", 200, 1, 0.0003, 0.01, 0.9, 1},
                             {"gallbladder", 150, 1, 0, 0.001, 0, 0.01},
                             {"whynpc9-anatomy/liver.glb", 220, 1, 0.03, 0.15, 0, 0.05},

@@ -16,7 +16,7 @@ using namespace test;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// A surface and what is known of it.
+/// A surface and its densities.
 struct Known {
     explicit Known(Organ made, const VesselParameters& parameters = {})
         : organ(std::move(made)), surface(organ), tissue(organ, surface, parameters) {}
@@ -57,7 +57,8 @@ TEST(TissueDensity, BeyondAnOpenEdgeThereIsNoTissue) {
     const Known edge(
         textured_plane(40.0, painted(800, 800, 40.0, [](double x, double) { return x > 18.0 ? fat_tissue : serosa; })),
         parameters);
-    // Half of the disc lies on the plane; of that, all but the segment beyond half the radius: (0.5 - 0.1955) / 0.5.
+    // Half of the disc is on the plane, and of that everything except the segment beyond half the radius: (0.5 -
+    // 0.1955) / 0.5.
     EXPECT_NEAR(edge.tissue.fat({20.0, 0.0, 0.0}), 0.609, 0.05);
     EXPECT_GT(edge.tissue.fat({30.0, 0.0, 0.0}), 0.5) << "the nearest place is at the edge";
 }
@@ -145,7 +146,7 @@ TEST(TissueDensity, WhatShowsNoVesselsBleedsAlikeEverywhere) {
     EXPECT_EQ(striped_one.tissue.report().alike, 0.0);
 }
 
-/// Each part of an organ by what its own texture shows: a liver beside a stomach.
+/// Each part of an organ according to its own texture: a liver next to a stomach.
 TEST(TissueDensity, APartWithoutVesselsBleedsBesideOneThatHasThem) {
     Organ organ = textured_plane(40.0, painted(800, 800, 40.0, striped), 40);
     organ.images.push_back(painted(100, 100, 40.0, [](double x, double) { return x > 0.0 ? fat_tissue : serosa; }));
@@ -169,7 +170,7 @@ TEST(TissueDensity, AColourFindsBlueAndPaleVessels) {
     struct Vein {
         const char* name;
         glm::dvec3 vein, tissue;
-        double by_contrast;  // at most: beside what is pale, tissue is redder than its surroundings
+        double by_contrast;  // at most: next to pale tissue, any tissue is redder than its surroundings
     };
     for (const Vein& v :
          {Vein{"blue", {92, 107, 153}, serosa, 0.02}, Vein{"pale", {214, 180, 168}, {120, 48, 44}, 0.25},

@@ -21,8 +21,8 @@ CauteryParameters bioheat_parameters() {
     return c;
 }
 
-/// Rise on an infinite plane, `r` mm from a Gaussian source that is on from 0 to `off`: every moment of it spreads as a
-/// Gaussian and is carried away by perfusion. Simpson's rule.
+/// Rise on an infinite plane, `r` mm from a Gaussian source that is on from 0 to `off`: the heat of every moment
+/// spreads as a Gaussian, and perfusion removes it. Simpson's rule.
 double closed_form(const CauteryParameters& c, double r, double time, double off) {
     const double w2 = c.tip_radius * c.tip_radius;
     const auto share = [&](double age) {
@@ -101,7 +101,7 @@ TEST(Bioheat, DoesNotDependOnTheMesh) {
 
 class BioheatTest : public testing::Test {
   protected:
-    /// Marks and wounds are those of one that has never seen another time.
+    /// Marks and wounds equal those of a new model that has seen no other time.
     void expect_like_fresh(double time) {
         LoggedCautery fresh(flat(), {});
         fresh.set(operation, parameters);
@@ -270,7 +270,7 @@ TEST_F(BioheatTest, ReadingsNeverExceedTheMaximum) {
 
 TEST_F(BioheatTest, ThinAndBrokenTrianglesKeepItFinite) {
     Organ organ = test::plane(20.0, 20, test::Cut::irregular);
-    // A needle, a triangle without area, one that uses an edge a third time, and two of the same corners.
+    // A needle, a triangle without area, one that uses an edge a third time, and two with the same corners.
     const std::uint32_t middle = 10 * 21 + 10;
     organ.positions[middle + 1] = organ.positions[middle] + glm::vec3(1e-5f, 0.0f, 0.0f);
     organ.indices.insert(organ.indices.end(), {middle, middle, middle + 5, middle, middle + 22, middle + 44});
@@ -304,7 +304,7 @@ TEST_F(BioheatTest, HeatThatCannotLeaveIsForgottenInTheEnd) {
 TEST_F(BioheatTest, WorksAtTheRimOfTheSurface) {
     cautery.set(std::vector{at({40, 0, 0}, 0.0, 1.0)}, parameters);
     const double rim = cautery.temperature({40, 0, 0}, 1.0) - 37.0;
-    // No heat flows over the rim: half a plane mirrored in it.
+    // No heat flows across the rim, as if half a plane were mirrored in it.
     EXPECT_NEAR(rim, closed_form(parameters, 0.0, 1.0, 1.0), 0.05 * rim);
 }
 

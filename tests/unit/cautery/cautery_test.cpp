@@ -100,7 +100,7 @@ TEST_F(CauteryTest, AnyOrderOfTimesAndListsGivesTheSame) {
         const glm::dvec3 from(chance(-15, 15), 0, chance(-15, 15)), to = from + glm::dvec3(chance(-4, 4), 0, 0);
         contacts.push_back(along(from, i % 3 == 0 ? from : to, time, chance(0.2, 3.0), actions[random() % 4]));
         time += i % 5 == 0 ? 0.3 * contacts.back().duration : contacts.back().duration;
-        if (i % 7 == 0) {  // goes on
+        if (i % 7 == 0) {  // continues
             contacts.push_back(along(contacts.back().to, from, contacts.back().end(), 1.0, contacts.back().action));
             time = contacts.back().end();
         }
@@ -246,7 +246,7 @@ TEST_F(CauteryTest, BeyondTheLimitLaterWoundsAreLeftOutAndCounted) {
     EXPECT_NEAR(cautery.wounds().back().start, 0.01 * 4095, 1e-9) << "the first ones stay";
 }
 
-/// mm around a burn in one place that were at least so hot when it ended, and when it began to cut.
+/// Radius around a burn in one place that was at least this hot when it ended, mm, and when it began to cut.
 struct Burn {
     double charred, cooked, cut;
 };
@@ -398,7 +398,7 @@ TEST_F(CauteryTest, ManyContactsCostAFrameLittle) {
         const std::chrono::duration<double, std::milli> all = std::chrono::steady_clock::now() - begin;
         const double cost = frame_cost(fresh, contacts, parameters);
         std::printf("5000 contacts: set %.1f ms, then %.3f ms a frame\n", all.count(), cost);
-        // Well under a millisecond where nothing else runs; a busy machine gets room.
+        // Well under a millisecond on an idle machine; a busy one gets more time.
         EXPECT_LT(cost, 5.0);
     }
 }

@@ -96,7 +96,7 @@ TEST_F(ClipsTest, ItPointsWhereItsStrokeGoes) {
     EXPECT_EQ(cautery.clips().size(), 0U) << "it touches nothing";
 }
 
-// Samples come a few at a time, strokes of several tools run at once, and undo takes them away again.
+// Samples come a few at a time, strokes of several tools run at once, and undo removes them again.
 TEST_F(ClipsTest, AnyOrderOfCallsGivesTheSame) {
     std::vector<ToolContact> all{along({-20, 0, 0}, {20, 0, 0}, 0.0, 1.0, ToolAction::cut)};
     for (const ToolContact& piece : in_pieces(along({-9, 0, 1}, {-9, 0, 9}, 1.5, 1.0, ToolAction::clip), 7))

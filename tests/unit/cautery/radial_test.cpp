@@ -53,7 +53,7 @@ TEST_F(RadialTest, TissueCoolsWhenTheToolLeaves) {
     EXPECT_NEAR(temperature({contact}, {0, 0, 0}, 1.5), 137.0, 1e-9);
     EXPECT_NEAR(temperature({contact}, {0, 0, 0}, 3.5), 37.0 + 100.0 * std::exp(-1.0), 1e-9);
     EXPECT_NEAR(temperature({contact}, {0, 0, 0}, 99.0), 37.0, 1e-9);
-    // H cools alike: R = 1.5 + 2 sqrt(0.5 / e).
+    // H cools at the same rate: R = 1.5 + 2 sqrt(0.5 / e).
     const double r = 2.0 / (1.5 + 2.0 * std::sqrt(0.5 * std::exp(-1.0)));
     EXPECT_NEAR(temperature({contact}, {2, 0, 0}, 3.5), 37.0 + 100.0 * std::exp(-1.0) * std::exp(-r * r), 1e-9);
 }
@@ -93,7 +93,7 @@ TEST_F(RadialTest, APathInPiecesHeatsLikeThePathInOnePiece) {
                 const double time = whole.time + share * duration + 0.3;
                 for (double x = -12.0; x <= 12.0; x += 0.5)
                     for (double z = 0.0; z <= 3.0; z += 1.5) {
-                        // What lies just ahead of the tip is heated with the piece that goes there.
+                        // The place just ahead of the tip is heated by the piece that goes there.
                         if (share < 1.0 && std::abs(x - whole.tip(time).x) < 3.0) continue;
                         const double wanted = temperature({whole}, {x, 0, z}, time) - 37.0;
                         const double found = temperature(in_pieces(whole, pieces), {x, 0, z}, time) - 37.0;
@@ -199,7 +199,7 @@ TEST_F(RadialTest, AHotTipThatMovesTooFastOpensNone) {
     // At the very ends the tip is over the place for half as long.
     const std::vector<Wound> found = wounds({along({0, 0, 0}, {30, 0, 0}, 0.0, 7.1)});
     ASSERT_EQ(found.size(), 11u);
-    // It comes within 1.5 mm of 2.5 mm at 1 mm, and 0.7 s later the place is hot enough.
+    // At 1 mm it is within 1.5 mm of the place at 2.5 mm, which is hot enough 0.7 s later.
     EXPECT_NEAR(found.front().start, 7.1 / 30.0 + 0.7, 1e-9);
     EXPECT_NEAR(found.front().position.x, 2.5, 1e-9);
     EXPECT_NEAR(found.back().start, 7.1 * 26.0 / 30.0 + 0.7, 1e-9);

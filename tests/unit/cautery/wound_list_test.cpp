@@ -10,7 +10,7 @@ namespace {
 
 constexpr glm::dvec3 here{0.0}, beside{0.8, 0.0, 0.0};
 
-/// What wounds there may be before the tool comes at 2 s.
+/// The possible wounds before the tool arrives at 2 s.
 struct Before {
     const char* name;
     std::vector<ToolContact> contacts;
@@ -53,7 +53,7 @@ TEST_P(Divisions, ABurnOpensWhateverWasThere) {
         ASSERT_EQ(open(found), 1) << before.name;
         for (const Wound& wound : found) {
             if (wound.stop != never) continue;
-            // What was warm before divides sooner.
+            // Warm tissue divides sooner.
             EXPECT_GE(wound.start, 2.0) << before.name;
             EXPECT_LE(wound.start, fresh.start + 1e-9) << before.name;
             EXPECT_EQ(wound.strength, fresh.strength) << before.name;

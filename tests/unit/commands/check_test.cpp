@@ -1,4 +1,4 @@
-// `lapfx check` as a program: what goes to stdout and stderr, and its exit code.
+// `lapfx check` as a program: its stdout, stderr and exit code.
 #include <gmock/gmock.h>
 #include <sys/wait.h>
 
@@ -109,7 +109,7 @@ TEST_F(CheckCommand, OpensWhatASceneNames) {
         << wrong.err;
 }
 
-/// One that is far too large in its own unit, and one that the scene makes so.
+/// One organ is far too large in its own unit, and the scene makes another too large.
 TEST_F(CheckCommand, TakesMeshesAtTheScenesScale) {
     const auto triangle = [&](const std::string& name, const std::string& size) {
         folder.write(name, "v 0 0 0\nv " + size + " 0 0\nv 0 " + size + " 0\nf 1 2 3\n");

@@ -1,4 +1,4 @@
-// `lapfx inspect` as a program: what goes to stdout and stderr, and its exit code.
+// `lapfx inspect` as a program: its stdout, stderr and exit code.
 #include <sys/wait.h>
 #include <opencv2/imgcodecs.hpp>
 #include <opencv2/videoio.hpp>

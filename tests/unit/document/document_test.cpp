@@ -31,7 +31,7 @@ class DocumentFiles : public testing::Test {
     Document document_;
 };
 
-/// Every edit, undo and redo in any order gives what a list of whole states gives.
+/// Any order of edits, undo and redo gives the same as a list of whole states.
 TEST(DocumentHistory, FollowsAModel) {
     std::mt19937 random(7);
     Document document;
@@ -157,8 +157,7 @@ TEST_F(DocumentFiles, UndoAfterSavingElsewhereStillFindsClips) {
     EXPECT_EQ(document_.preset().smoke.clips[0].file, "a.mp4") << "found on the search path";
 }
 
-/// However files are named, and from wherever: undo and redo give back every letter, and what was not touched is not
-/// unsaved.
+/// However files are named: undo and redo restore every letter, and an untouched document is not unsaved.
 TEST_F(DocumentFiles, AValueIsWhatItWasThroughUndoAndRedo) {
     fs::create_directories(in("home/clips"));
     for (const char* name : {"home/organ.obj", "home/clips/a.avi", "tool.obj", "home/smoke_01.png"})

@@ -1,4 +1,4 @@
-// Where the user's folders are, by their environment.
+// The user's folders according to the environment.
 #include "document/folders.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The variables are as before afterwards.
+/// Restores the variables.
 class FoldersTest : public testing::Test {
   protected:
     void SetUp() override {

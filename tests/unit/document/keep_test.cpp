@@ -37,7 +37,7 @@ class KeptWork : public testing::Test {
         k.snapshots = {{.slot = 2, .time = 77, .preset = k.content.preset}};
         return k;
     }
-    /// Another process that keeps something and ends as `signal` makes it, or lives until the pipe is closed.
+    /// Another process that keeps something and is ended by `signal`, or lives until the pipe is closed.
     pid_t editor_that_keeps(double speed, int ready, int stay) const {
         const pid_t child = ::fork();
         if (child != 0) return child;
@@ -181,7 +181,7 @@ TEST_F(KeptWork, AFolderThatCannotBeWrittenIsAFaultAndTriedAgain) {
     fs::remove(folder_ / "file");
     nowhere.write(kept(2));
     EXPECT_TRUE(fs::exists(nowhere.folder() / "lock"));
-    fs::remove_all(folder_ / "file");  // cleared away by someone
+    fs::remove_all(folder_ / "file");  // removed by somebody
     nowhere.write(kept(3));
     EXPECT_TRUE(find_left_behind(folder_ / "file" / "autosave").empty());
 }

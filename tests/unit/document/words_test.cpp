@@ -77,7 +77,7 @@ TEST(Words, NamesSayWhereAValueStands) {
                            "Clip 1 (plume.mp4): Own keying: off to on", testing::StartsWith("Bleeding: ")));
 }
 
-/// Whatever two presets differ in: taking every difference back, the last first, makes them equal.
+/// For any two presets: taking back every difference, the last first, makes them equal.
 TEST(Words, EveryDifferenceCanBeTakenBack) {
     for (int variant = 0; variant < 8; ++variant) {
         const Preset before = content().preset;

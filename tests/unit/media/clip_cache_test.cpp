@@ -21,7 +21,7 @@ class ClipCacheTest : public testing::Test {
         preset_.folder = folder_.path();
         preset_.smoke.clips = {{.file = "a.mp4"}};
     }
-    /// What is known of the clip.
+    /// The cached data of the clip.
     std::optional<media::KnownClip> known() const {
         const fs::path path = media::clip_path("a.mp4", folder_.path(), {});
         return ClipCacheAccess::state(cache_).find(path, media::stamp_of(path));

@@ -17,7 +17,7 @@ class ClipFile : public testing::Test {
   protected:
     test::Folder folder;
 
-    /// The fault of opening a file, without its path, which has to come first.
+    /// The fault of opening a file, without its path, which must come first.
     std::string fault(const fs::path& path) const {
         const auto lines = test::faults_of([&] { Decoder(path, Layout::planar); });
         if (lines.size() != 1) return std::to_string(lines.size()) + " faults";
@@ -56,7 +56,7 @@ TEST_F(ClipFile, APlaylistIsRefusedWhateverItNames) {
 
 TEST_F(ClipFile, APlaylistBehindACommentOrSpaceIsNotFollowedEither) {
     test::write_clip(folder / "real.avi", 3);
-    fs::rename(folder / "real.avi", folder / "real.mp4");  // FFmpeg goes by the extension, too
+    fs::rename(folder / "real.avi", folder / "real.mp4");  // FFmpeg also considers the extension
     const std::string manifest =
         "<MPD xmlns=\"urn:mpeg:dash:schema:mpd:2011\" type=\"static\" "
         "profiles=\"urn:mpeg:dash:profile:isoff-on-demand:2011\" "

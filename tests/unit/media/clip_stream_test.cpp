@@ -16,7 +16,7 @@ namespace {
 
 constexpr int frames = 12;
 
-/// Which frame of a clip made by write_clip() a picture is, from its luma plane; -1 for none.
+/// The number of the frame of a clip made by write_clip(), from its luma plane; -1 for none.
 int number_of(std::span<const std::uint8_t> bytes, const PictureFormat& format) {
     if (bytes.empty()) return -1;
     const auto luma = bytes.begin();
@@ -40,7 +40,7 @@ class ClipStreamTest : public testing::TestWithParam<int> {
         return number_of(stream.frame(index, policy, waited).bytes, {.size = {64, 48}});
     }
     int peeked(ClipStream& stream, int index) { return number_of(stream.peek(index).bytes, {.size = {64, 48}}); }
-    /// Calls `done` until it is true or 20 s have gone.
+    /// Calls `done` until it is true or 20 s have passed.
     template <class Done>
     static bool becomes_true(const Done& done) {
         const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
@@ -210,7 +210,7 @@ TEST_F(ClipStreamOnce, ACorruptFrameIsTheOneBeforeAndIsCountedOnce) {
     const std::size_t middle = whole.size() / 2;
     std::fill_n(broken.begin() + static_cast<std::ptrdiff_t>(middle), whole.size() / 16, '\0');
     Decoder decoder(folder.write("broken.avi", broken), Layout::planar);
-    const int count = decoder.info().frame_count();  // the damage may have taken some out of the container's index
+    const int count = decoder.info().frame_count();  // the damage may have removed some from the container's index
     ASSERT_GE(count, frames - 2);
     ClipStream stream(pool, std::move(decoder), {0, count - 1}, 3);
     for (int i = 0; i < 3 * count; ++i) {

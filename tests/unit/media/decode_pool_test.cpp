@@ -35,7 +35,7 @@ class Counter : public DecodePool::Job {
     int name_, urgency_, left_;
 };
 
-/// Keeps the only thread until it is let go.
+/// Blocks the only thread until it is released.
 class Blocker : public DecodePool::Job {
   public:
     explicit Blocker(DecodePool& pool) : pool_(pool) {}

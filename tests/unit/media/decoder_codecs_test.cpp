@@ -104,7 +104,7 @@ TEST_F(CodecTest, OtherFormatsGiveTheSameInAnyOrder) {
 }
 
 TEST_F(CodecTest, FramesThatAreNeverShownDoNotCount) {
-    // Only its second pass makes libvpx keep frames that others refer to and nobody sees: 64 packets for 60 frames.
+    // Only with a second pass libvpx makes hidden frames that others refer to: 64 packets for 60 frames.
     const std::string encode =
         "-f lavfi -i testsrc2=size=160x120:rate=10:duration=6 -pix_fmt yuv420p -c:v libvpx -auto-alt-ref 1 "
         "-lag-in-frames 16 -b:v 300k -quality good -cpu-used 0 -arnr-maxframes 7 -passlogfile log -pass ";
@@ -141,7 +141,7 @@ struct Kind {
     bool corner = true;  ///< whether ffmpeg's own conversion gets the last odd column and row right
 };
 
-/// 33 x 17 pixels of one colour; sources of their own accord have even sizes.
+/// 33 x 17 pixels of one colour; by default sources have even sizes.
 constexpr const char* odd_orange =
     "-f lavfi -i color=0xC86432:size=34x18:rate=5:duration=1,format=rgb24,crop=33:17:0:0:exact=1 ";
 
@@ -233,7 +233,7 @@ TEST_F(CodecTest, BothLayoutsShowTheSamePicture) {
 class Alpha : public CodecTest, public testing::WithParamInterface<Kind> {};
 
 TEST_P(Alpha, IsGivenWhenPresent) {
-    // The left half is opaque, the right one lets through; red all over.
+    // The left half is opaque, the right half transparent; both are red.
     const fs::path clip =
         make(std::string("-f lavfi -i color=red:size=66x34:rate=5:duration=2,format=rgba,") +
              "geq=r=220:g=30:b=40:a='if(lt(X\\,33)\\,255\\,64+N*8)' " + GetParam().options + " " + GetParam().name);
@@ -279,7 +279,7 @@ TEST_F(CodecTest, OfATruncatedClipTheFramesThatAreThereAreShown) {
         EXPECT_GT(count, 8) << options;
         EXPECT_LT(count, 29) << options;
         Picture picture;
-        for (int i = 0; i + 4 < count; ++i) {  // the last ones may be cut through or lack what they refer to
+        for (int i = 0; i + 4 < count; ++i) {  // the last ones may be cut off or lack the frames that they refer to
             EXPECT_TRUE(decoder.read(i, picture)) << options << ' ' << i;
             EXPECT_EQ(picture.bytes, whole[static_cast<std::size_t>(i)]) << options << ' ' << i;
         }

@@ -1,4 +1,4 @@
-// Clips from elsewhere, which are not part of the project; skipped where they are not there.
+// Clips that are not part of the project; skipped if they are missing.
 #include <algorithm>
 #include <opencv2/videoio.hpp>
 #include <set>
@@ -82,7 +82,7 @@ TEST_F(DecoderData, AWebmsOpacityIsTheMatteBesideIt) {
         const std::uint8_t* alpha = picture.bytes.data() + format.color_bytes() + format.chroma_bytes();
         double off = 0.0;
         for (std::size_t i = 0; i < format.alpha_bytes();
-             ++i)  // the matte's luma is of full range, though it does not say so
+             ++i)  // the matte's luma has full range, although the file does not say so
             off += std::abs(static_cast<double>(alpha[i]) - static_cast<double>(mask.bytes[i]));
         EXPECT_LT(off / static_cast<double>(format.alpha_bytes()), 2.0) << index;
     }

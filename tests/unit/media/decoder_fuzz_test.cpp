@@ -1,5 +1,5 @@
-// Small clips with seeded damage: whatever becomes of a file, opening and reading it ends in time, and every fault is
-// one line that names it.
+// Small clips with seeded damage: opening and reading any of them ends in time, and every fault is one line that names
+// the file.
 #include <algorithm>
 #include <chrono>
 #include <opencv2/imgcodecs.hpp>
@@ -14,7 +14,7 @@ namespace {
 using Random = std::mt19937;
 
 constexpr int maximum_frames = 1000;
-constexpr double longest = 5.0;  // s for one file: far more than any takes, far less than for ever
+constexpr double longest = 5.0;  // s for one file: much more than any takes, but finite
 
 std::size_t below(Random& random, std::size_t limit) {
     return random() % std::max<std::size_t>(limit, 1);
@@ -37,7 +37,7 @@ void cut_off(std::string& data, Random& random) {
     data.resize(1 + below(random, data.size()));
 }
 
-/// A part of the file over another, or between two others.
+/// Copies a part of the file over another, or between two others.
 void copy_block(std::string& data, Random& random) {
     const std::size_t length = 1 + below(random, data.size() / 4), from = below(random, data.size() - length);
     const std::string block = data.substr(from, length);
@@ -58,7 +58,7 @@ std::string damaged(std::string data, unsigned seed) {
     return data;
 }
 
-/// What became of the damaged files of one clip.
+/// The results for the damaged files of one clip.
 struct Tally {
     int refused = 0, read = 0, broken = 0;
 };
@@ -100,7 +100,7 @@ class DecoderFuzz : public DecoderTest {
         EXPECT_LT(took, longest);
     }
 
-    /// Adds to `tally` what became of `rounds` damaged copies.
+    /// Adds the results for `rounds` damaged copies to `tally`.
     void fuzz(const fs::path& clip, unsigned rounds, Tally& tally) const {
         const std::string whole = test::read_text(clip);
         Tally sound;
@@ -114,8 +114,7 @@ class DecoderFuzz : public DecoderTest {
     }
 };
 
-// The bounds below tell that the damage is neither so light that nothing notices nor so heavy that no decoder is
-// reached.
+// The bounds below ensure that the damage is neither too light to be noticed nor too heavy to reach a decoder.
 
 TEST_F(DecoderFuzz, DamagedMotionJpegIsReadOrRefused) {
     Tally tally;

@@ -1,4 +1,4 @@
-// What the tests of decoded clips share: clips that the ffmpeg program makes, and pictures as colours.
+// Shared by the tests of decoded clips: clips made by the ffmpeg program, and pictures as colours.
 #pragma once
 
 #include <gtest/gtest.h>

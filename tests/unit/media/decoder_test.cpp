@@ -104,7 +104,7 @@ TEST_F(DecoderTest, PlaylistsAndOtherFormatsAreNotFollowed) {
               "is a playlist; a clip is a single video file");
     EXPECT_EQ(fault(folder.write("b.avi", "ffconcat version 1.0\nfile real.avi\n")),
               "is a playlist; a clip is a single video file");
-    // With a byte that no text has, so that it comes to FFmpeg's own guess.
+    // With a byte that no text has, so that FFmpeg guesses the format.
     EXPECT_EQ(
         fault(folder.write("c.avi", std::string("#EXTM3U\n#EXTINF:1,\nreal.avi\n\0#EXT-X-ENDLIST\n", 43)).string()),
         "is a playlist; a clip is a single video file");
@@ -129,7 +129,7 @@ TEST_F(DecoderTest, MoreThan8KIsRefusedBeforeItIsDecoded) {
 
 TEST_F(DecoderTest, AFileThatBreaksWhileItPlaysLeavesTheLastGoodFrame) {
     const fs::path clip = folder / "c.avi";
-    {  // noise, so that the file is larger than what is read ahead
+    {  // noise, so that the file is larger than the part read ahead
         cv::VideoWriter writer(clip.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 10.0,
                                {320, 240});
         cv::Mat noise(240, 320, CV_8UC3);
@@ -167,7 +167,7 @@ TEST_F(DecoderTest, AnImagesOwnSizeIsEnoughToRefuseIt) {
 
 class SequenceTest : public DecoderTest {
   protected:
-    /// A flat image whose grey level tells its number.
+    /// A flat image whose grey level is its number.
     void write_image(int number, cv::Size size = {20, 10}) {
         char name[32];
         std::snprintf(name, sizeof name, "s_%03d.png", number);

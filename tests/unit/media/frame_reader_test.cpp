@@ -11,7 +11,7 @@ namespace {
 
 class FrameReaderTest : public DecoderTest {
   protected:
-    /// The numbers of all frames from where it stands.
+    /// The numbers of all frames from the current position.
     static std::vector<int> numbers(FrameReader& reader, const ClipIndex& index) {
         const libav::Frame frame(libav::made(av_frame_alloc()));
         std::vector<int> all;

@@ -52,7 +52,7 @@ TEST(Playhead, CrossFadeLaysTheEndOverTheBeginning) {
     EXPECT_EQ(half.fading, 88);
     EXPECT_NEAR(half.fade, 0.48, 1e-5);
     EXPECT_EQ(playhead(info, settings, 0, 1.0).fading, -1);
-    // The frame before the loop starts over is the one before the frame that is then fading, at full strength: no jump.
+    // At the jump, the last frame of the loop precedes the frame that fades at full strength, so nothing jumps.
     EXPECT_EQ(playhead(info, settings, 0, 2.96).frame, 74);
     EXPECT_EQ(playhead(info, settings, 0, 3.0).fading, 75);
     EXPECT_EQ(main_loop(info, settings), (Loop{0, 74}));

@@ -1,4 +1,4 @@
-// Reads videos as a player shows them: against pictures that ffmpeg makes of the same files, and against known colours.
+// Reading videos as a player shows them, compared with ffmpeg's pictures of the same files and with known colours.
 #include "lapfx/authoring/video.h"
 
 #include <fstream>
@@ -18,7 +18,7 @@ class VideoTest : public media::DecoderTest {
         if (!media::have_ffmpeg()) GTEST_SKIP() << "no ffmpeg program to make videos with";
     }
 
-    /// What ffmpeg makes of a video: all frames, upright, RGB.
+    /// All frames of a video by ffmpeg, upright, RGB.
     std::string by_ffmpeg(const std::filesystem::path& video, const std::string& filter = "") const {
         make("-i '" + video.string() + "' " + filter +
              " -sws_flags bilinear+accurate_rnd+full_chroma_int+full_chroma_inp -fps_mode passthrough -pix_fmt rgb24 "
@@ -151,7 +151,7 @@ TEST_F(VideoTest, WhatIsNoVideoIsAFaultThatSaysWhy) {
               std::vector{list.string() + ": is a playlist; a clip is a single video file"});
 }
 
-/// Whatever becomes of a file: it is read or refused, and every frame has the size that was told.
+/// Any damaged file is read or refused, and every frame has the reported size.
 TEST_F(VideoTest, DamagedVideosAreReadOrRefused) {
     const auto path = make(std::string(media::moving) + "-vf setsar=4/3 -c:v libx264 -pix_fmt yuv420p video.mp4");
     const std::string whole = test::read_text(path);

@@ -1,5 +1,4 @@
-// Triangles are never lost without a word: what was read is what was kept and what was left out, by reason, in every
-// format.
+// No triangle is lost silently: in every format the triangles read are those kept and those left out, by reason.
 #include <limits>
 #include <sstream>
 
@@ -30,10 +29,10 @@ TEST_F(Counts, Obj) {
     EXPECT_EQ(row("m.obj", cube_obj), (Row{12, 12, 0, 0, 0, 0, 0}));
     EXPECT_EQ(row("m.obj", std::string(cube_obj) + "v nan 0 0\n"
                                                    "f 1 2\nf 1 x 3\nf 1 2 3 y 5\n"  // 1, 1 and 3 that cannot be read
-                                                   "f 1 2 99\nf 1 2 3 99\n"  // 1 and 2 with a vertex that is not there
-                                                   "f 1 2 9\n"               // NaN
-                                                   "f 1 1 2\nf 1 2 1 2\n"    // 1 and 2 on a line
-                                                   "f 4 3 2\n"),             // there already
+                                                   "f 1 2 99\nf 1 2 3 99\n"         // 1 and 2 with a missing vertex
+                                                   "f 1 2 9\n"                      // NaN
+                                                   "f 1 1 2\nf 1 2 1 2\n"           // 1 and 2 on a line
+                                                   "f 4 3 2\n"),                    // there already
               (Row{25, 12, 5, 3, 1, 3, 1}));
 }
 
@@ -92,7 +91,7 @@ TEST_F(Counts, StlThatIsNotFinite) {
     const Row row_of_both{6, 1, 0, 0, 4, 1, 0};
     EXPECT_EQ(row("binary.stl", binary), row_of_both);
     EXPECT_EQ(row("text.stl", text + "endsolid s\n"), row_of_both);
-    // A corner that is no number, and one that is not there; the facet behind them is whole.
+    // A corner that is not a number, and a missing one; the facet after them is complete.
     EXPECT_EQ(row("text.stl",
                   "solid s\nfacet normal 0 0 1\nouter loop\nvertex 0 0 x\nvertex 9 0 0\nvertex 9 9 0\nendloop\n"
                   "endfacet\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 9 0 0\nendloop\nendfacet\n"

@@ -1,6 +1,5 @@
-// Every mesh of the folder of real and of deliberately broken files: those that are listed here are refused,
-// with a fault that says this; all others load. The folder is no part of the project; set LAPFX_TEST_DATA to
-// where it lies.
+// Every mesh of the folder of real and deliberately broken files: those listed here are refused with the given fault,
+// and all others load. The folder is not a part of the project; set LAPFX_TEST_DATA to its path.
 #include <algorithm>
 #include <set>
 
@@ -53,7 +52,7 @@ constexpr Refused refused[] = {
     {"GltfImporter/Test/buffer-invalid-short-size.gltf", "/buffers/0: truncated: has 12 of 24 bytes"},
     {"GltfImporter/Test/external-data.gltf", "/buffers/0: data.bin: no such file"},
     {"GltfImporter/Test/mesh-invalid-buffer-notfound.gltf", "/buffers/0/uri"},
-    // The rest of these two folders test importers on pieces of files: nearly none has a whole surface.
+    // The rest of these two folders test importers with parts of files; almost none has a whole surface.
     {"magnum-plugins/src/MagnumPlugins/*GltfImporter", ""},
     {"magnum-plugins/src/MagnumPlugins/*StanfordImporter", ""}};
 
@@ -94,7 +93,7 @@ const Refused* find_refused(const std::string& path, const std::string& name) {
     return nullptr;
 }
 
-/// What every loaded organ promises.
+/// Checks what holds for every loaded organ.
 void expect_sound(const Organ& organ) {
     const std::size_t vertices = organ.positions.size();
     ASSERT_GT(organ.indices.size(), 0u);
@@ -205,7 +204,7 @@ TEST_F(Data, CountsAndTextures) {
     EXPECT_EQ(report(load_organ(folder / "organs/Warp-Surgical/derived/tetliver.obj")).non_manifold_edges, 281u);
 }
 
-/// "../textures/fat/diffuse-base.png" is told where it leads, and found once it lies beside the organ.
+/// "../textures/fat/diffuse-base.png" is reported, and found when it is next to the organ.
 TEST_F(Data, ATextureInAnotherFolderIsToldAndFoundBesideTheOrgan) {
     const fs::path from = folder / "organs/Warp-Surgical";
     EXPECT_TRUE(
@@ -220,13 +219,13 @@ TEST_F(Data, ATextureInAnotherFolderIsToldAndFoundBesideTheOrgan) {
     EXPECT_EQ(organ.images[0].width, 2048);
 }
 
-/// Vertex order differs, so every vertex of one is looked up on the surface of the other.
+/// The order of vertices differs, so every vertex of one is looked up on the surface of the other.
 TEST_F(Data, CompressedTwinIsTheSameSurface) {
     const Organ plain = load_organ(folder / "organs/HuBMAP-CCF/VH_F_Liver.glb");
     const Organ twin = load_organ(folder / "organs/whynpc9-anatomy/liver-hubmap.glb");
     ASSERT_EQ(twin.positions.size(), plain.positions.size());
     EXPECT_EQ(twin.triangle_count(), plain.triangle_count());
-    // Its meshes were quantized one by one, which tears the seams between them: sewn, they hang together nearly as in
+    // Its meshes were quantized separately, which tears the seams between them; sewn, they are connected almost as in
     // the other.
     EXPECT_EQ(report(plain).components, 9u);
     EXPECT_LE(report(twin).components, 11u);

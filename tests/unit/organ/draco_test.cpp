@@ -1,4 +1,4 @@
-// KHR_draco_mesh_compression: what Draco's own encoder packs is read, and what is damaged is refused in one line.
+// KHR_draco_mesh_compression: data of Draco's own encoder is read, and damaged data is refused with one line.
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
@@ -110,7 +110,7 @@ TEST_F(DracoGltf, WhatTheEncoderPacksIsReadByEitherMethod) {
         }
         EXPECT_NEAR(area, 10'150, 60) << "of a sheet of 100 mm that bulges";
         for (std::size_t v = 0; v < organ.positions.size(); ++v) {
-            // Which point of the sheet it is, its texture coordinate says; the rest goes with it.
+            // Texture coordinates identify the points of the sheet; other attributes belong to them.
             const glm::ivec2 at_point(glm::round(organ.uvs[v] * static_cast<float>(side)));
             EXPECT_LT(glm::distance(organ.positions[v], 1000.0f * place(at_point.x, at_point.y)), 0.02f) << v;
             EXPECT_NEAR(organ.colors[v].r, static_cast<float>(20 * at_point.x) / 255, 1e-6f) << v;
@@ -124,7 +124,7 @@ TEST_F(DracoGltf, AMeshThatIsShownTwiceIsDecodedOnceAndWhatIsNotPackedIsTaken) {
     file.json["nodes"] = json::parse(R"([{"mesh": 0}, {"mesh": 0, "translation": [0, 0, 1]}])");
     file.json["scenes"][0]["nodes"] = {0, 1};
     EXPECT_EQ(load(file).triangle_count(), 4U * side * side);
-    // The extension is only used, and the accessors have bytes: those count.
+    // The extension is optional and the accessors have bytes, so these count.
     Triangle plain;
     plain.primitive()["extensions"]["KHR_draco_mesh_compression"] = {{"bufferView", 0},
                                                                      {"attributes", {{"POSITION", 0}}}};
@@ -167,7 +167,7 @@ TEST_F(DracoGltf, DamagedDataIsRefusedAtEveryByte) {
             cut.bytes.resize(std::max<std::size_t>(length, 1));
             EXPECT_EQ(fault(gltf_of(cut)), at + "its compressed data is damaged") << length;
         }
-        // Any byte may be another one: it is refused or read, and no more is asked of the machine than for the sheet.
+        // With any byte changed it is refused or read, and needs no more memory than the sheet.
         std::size_t refused = 0;
         for (std::size_t i = 0; i < packed.bytes.size(); ++i) {
             Packed wrong = packed;

@@ -1,4 +1,4 @@
-// What stands in a URI: base64 and escapes.
+// The contents of URIs: base64 and escapes.
 #include "organ/file.h"
 
 #include <gtest/gtest.h>

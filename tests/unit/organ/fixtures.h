@@ -1,4 +1,4 @@
-// Small files for the tests of the organ loaders, and the way to the folder of real ones.
+// Small files for the tests of the organ loaders, and the path of the folder of real ones.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -20,7 +20,7 @@ namespace lapfx::test {
 
 namespace fs = std::filesystem;
 
-/// A folder of its own for each test, removed at its end.
+/// A temporary folder for each test, removed at its end.
 class TemporaryFolder {
   public:
     TemporaryFolder() {
@@ -63,7 +63,7 @@ inline bool has_warning(const std::vector<std::string>& warnings, const std::str
     return false;
 }
 
-/// Bytes of numbers, as a glTF buffer has them.
+/// Bytes of numbers, as in a glTF buffer.
 template <class T>
 std::string bytes_of(const std::vector<T>& values) {
     std::string bytes(values.size() * sizeof(T), '\0');
@@ -75,7 +75,7 @@ inline std::string word(std::uint32_t value) {
     return bytes_of<std::uint32_t>({value});
 }
 
-/// A .glb of a JSON and one binary chunk.
+/// A .glb with a JSON and one binary chunk.
 inline std::string glb(const nlohmann::json& json, std::string binary) {
     std::string text = json.dump();
     while (text.size() % 4 != 0) text += ' ';
@@ -95,7 +95,7 @@ struct Triangle {
         "buffers": [{"byteLength": 36}]})");
     std::string binary = bytes_of<float>({0, 0, 0, 0.1f, 0, 0, 0, 0.1f, 0});
 
-    /// Appends bytes as a buffer view of their own and returns its index.
+    /// Appends bytes as a new buffer view and returns its index.
     int add_view(const std::string& bytes) {
         while (binary.size() % 4 != 0) binary += '\0';
         json["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", binary.size()}, {"byteLength", bytes.size()}});
@@ -120,7 +120,7 @@ constexpr const char* cube_obj =
     "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nv 0 0 10\nv 10 0 10\nv 10 10 10\nv 0 10 10\n"
     "f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n";
 
-/// The folder of real meshes, which is not part of the project; empty when it is not there.
+/// The folder of real meshes, which is not part of the project; empty when it is missing.
 inline fs::path data_folder() {
     const char* given = std::getenv("LAPFX_TEST_DATA");
     const fs::path folder = given ? fs::path(given) : fs::path(LAPFX_SOURCE_DIR) / ".." / "shared" / "data";

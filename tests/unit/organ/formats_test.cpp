@@ -1,4 +1,4 @@
-// One table of formats: what loads, dialogs, drops, exports and help say of a file is the same.
+// One table of formats: loading, dialogs, drops, exports and help agree about every file.
 #include <gtest/gtest.h>
 
 #include <set>

@@ -15,7 +15,7 @@ TEST(Mend, EachKindIsCounted) {
                              "v 5 5 5\n"             // unused
                              "v 20 0 0\nv 30 0 0\n"  // on a line with the first
                              "f 1 10 11\n"           // no area
-                             "f 4 3 2\nf 3 2 4\n"    // there already, once more turned on
+                             "f 4 3 2\nf 3 2 4\n"    // repeated, with its corners rotated
                              "f 2 3 4\n");           // its back: another triangle
     EXPECT_EQ(organ.triangle_count(), 13u);
     EXPECT_TRUE(has_warning(organ.warnings, "1 triangle without area left out"));
@@ -30,7 +30,7 @@ TEST(Mend, DuplicateTriangles) {
 }
 
 TEST(Complete, NormalsAreSmoothAcrossSplitVertices) {
-    // The cube's corners, each face with texture coordinates of its own.
+    // The cube's corners, each face with its own texture coordinates.
     std::string text(cube_obj, std::strchr(cube_obj, 'f'));
     text +=
         "vt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
@@ -40,7 +40,7 @@ TEST(Complete, NormalsAreSmoothAcrossSplitVertices) {
     EXPECT_GT(organ.positions.size(), 8u);
     for (std::size_t v = 0; v < organ.positions.size(); ++v) {
         EXPECT_NEAR(glm::length(organ.normals[v]), 1.0f, 1e-5f);
-        // Outwards, and the same at every copy of a corner, but for the way a quad is split.
+        // Outwards, and the same at every copy of a corner, except for how a quad is split.
         EXPECT_GT(glm::dot(organ.normals[v], organ.positions[v] - glm::vec3(5)), 0.0f);
         for (std::size_t w = 0; w < v; ++w) {
             if (organ.positions[w] == organ.positions[v]) {

@@ -1,4 +1,4 @@
-// The text of an OBJ is read to its end, and no further.
+// The text of an OBJ is read to its end, and not beyond.
 #include "organ/obj_text.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// What pack_organ() gives away: the organ loads from it as from its own folder.
+// The result of pack_organ(): the organ loads from it as from its own folder.
 #include "lapfx/authoring/pack.h"
 
 #include <gmock/gmock.h>
@@ -99,7 +99,7 @@ TEST_F(Pack, LinesThatEndInCrAloneStayLines) {
 class Opened {
   public:
     explicit Opened(const fs::path& folder) : queue_(::inotify_init1(IN_NONBLOCK | IN_CLOEXEC)) {
-        // With the closing between them, two times are not told as one.
+        // Closing in between makes two reads distinct.
         EXPECT_GE(::inotify_add_watch(queue_, folder.c_str(), IN_OPEN | IN_CLOSE), 0);
     }
     ~Opened() { ::close(queue_); }
@@ -188,7 +188,7 @@ TEST_F(Pack, AFileThatIsAPictureAndABufferIsBoth) {
     EXPECT_EQ(text_of("own.bin").size(), 4U);
 }
 
-/// Its own text is none of the libraries that come along: what that names would be called as before.
+/// The text of the OBJ must not count as one of its libraries, because names in that would not be replaced.
 TEST_F(Pack, AMeshThatIsItsOwnLibraryIsPackedAsBoth) {
     picture("my skin.png");
     const fs::path mesh = from.write(

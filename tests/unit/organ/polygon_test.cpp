@@ -1,4 +1,4 @@
-// Polygons become triangles that cover them once.
+// Polygons become triangles that cover them exactly once.
 #include "organ/polygon.h"
 
 #include <gtest/gtest.h>
@@ -17,7 +17,7 @@ double area_of(std::span<const glm::vec3> ring) {
     return 0.5 * glm::length(sum);
 }
 
-/// n - 2 triangles, `flat` of them without area; none turned round; together as large as the ring.
+/// n - 2 triangles, `flat` of them without area; none reversed; their areas add up to that of the ring.
 void expect_covered(const std::vector<glm::vec3>& ring, std::size_t flat = 0) {
     std::vector<std::uint32_t> corners;
     EXPECT_TRUE(triangulate(ring, corners));
@@ -78,7 +78,7 @@ TEST(Polygon, TwoHolesAtOneCut) {
 }
 
 TEST(Polygon, CornersOnAnEdgeStayCorners) {
-    // A fan from the first corner would leave the second one out, and tear the surface from its neighbour there.
+    // A fan from the first corner would skip the second one, and separate the surface from its neighbour there.
     expect_covered({{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {10, 10, 0}, {0, 10, 0}});
     expect_covered({{0, 0, 0}, {5, 0, 0}, {10, 0, 0}, {5, 5, 0}});
     std::vector<glm::vec3> square;
@@ -93,7 +93,7 @@ TEST(Polygon, CornersOnAnEdgeStayCorners) {
     expect_covered(square);
 }
 
-/// Rings of which ears alone leave triangles without area: corners on edges, also beside a hole and its cut.
+/// Rings for which cutting ears alone leaves triangles without area: corners on edges, also next to a hole and its cut.
 const std::vector<std::vector<glm::vec3>> with_corners_on_edges{
     {{1, 2, 0}, {2, 2, 0}, {3, 2, 0}, {3, 3, 0}, {2, 3, 0}, {2, 4, 0}, {1, 4, 0}},
     {{1, 1, 0}, {4, 1, 0}, {4, 2, 0}, {3, 2, 0}, {3, 3, 0}, {2, 3, 0}, {2, 4, 0}, {1, 4, 0}},
@@ -131,7 +131,7 @@ const std::vector<std::vector<glm::vec3>> with_corners_on_edges{
 
 TEST(Polygon, CornersOnEdgesLeaveNoTriangleWithoutArea) {
     for (std::vector<glm::vec3> ring : with_corners_on_edges) {
-        for (glm::vec3& p : ring) p *= 0.1f;  // in floats, the corners lie only nearly on the edges
+        for (glm::vec3& p : ring) p *= 0.1f;  // in floats, the corners are only almost on the edges
         for (std::size_t turned = 0; turned < ring.size(); ++turned) {
             expect_covered(ring);
             std::rotate(ring.begin(), ring.begin() + 1, ring.end());
@@ -230,7 +230,7 @@ TEST(Polygon, NoRingTakesMoreThanTheSquareOfItsCorners) {
         EXPECT_EQ(corners.size(), 3 * (ring.size() - 2));
         return looks;
     };
-    // All corners turn left, and the last one lies in every triangle of theirs.
+    // All corners turn left, and the last one is inside each of their triangles.
     std::vector<glm::vec3> round, triangle, star;
     for (std::size_t i = 0; i + 1 < n; ++i) {
         round.push_back(on_circle(10.0, static_cast<double>(i * (n / 3 + 1) % n) / n));

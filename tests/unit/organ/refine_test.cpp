@@ -1,4 +1,4 @@
-// Coarse organs: what splitting them makes, and that blood and burns on them are those of a fine mesh.
+// Coarse organs: the result of splitting them, and that blood and burns are those of a fine mesh.
 #include "lapfx/refine.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ namespace {
 
 constexpr double longest = 4.5;
 
-/// A box of 12 triangles around the origin, its faces with corners of their own, so that every edge is a seam.
+/// A box of 12 triangles around the origin whose faces have separate corners, so that every edge is a seam.
 Organ box(double side) {
     Organ organ;
     std::vector<glm::vec3> normals;
@@ -111,9 +111,9 @@ TEST(Refine, BurnsAreThoseOfAFineMesh) {
         }
         return sum;
     };
-    // A char of 2 mm is narrower than the edges that carry it, up to 4.5 mm: what the vertices have is exact (the next
-    // test), and what lies between them no value there can tell. Edges of at most 2 mm would bring it to 0.03, and take
-    // five times as many.
+    // A char of 2 mm is narrower than the edges around it, up to 4.5 mm: values at vertices are exact (the next test),
+    // but they say nothing about places between them. Edges of at most 2 mm would reduce the error to 0.03, with five
+    // times as many triangles.
     constexpr double within = 0.12;
     for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
         const double fine = charred(test::plane(120.0, 240), model);
@@ -252,8 +252,8 @@ TEST(Refine, WhatHasNoMiddleIsLeft) {
 
 TEST(Refine, ALengthThatWillDoIsFoundAtOnceInAnyUnit) {
     const organ::RefinePlan room = organ::plan_refine(box(5000.0));
-    // Twelve halves of squares, halved 14 times, and those halves once more; edges of 39 mm remain, the next step would
-    // be 1.25 x.
+    // Twelve halves of squares, halved 14 times, and those halves again; edges of 39 mm remain, the next step would be
+    // 1.25 x.
     EXPECT_EQ(room.triangles, 12U << 15);
     EXPECT_NEAR(room.length, longest * std::pow(1.25, 10), 1e-9);
     for (const double side : {5e3, 5e4, 5e6, 5e8}) {
@@ -262,7 +262,7 @@ TEST(Refine, ALengthThatWillDoIsFoundAtOnceInAnyUnit) {
         EXPECT_GT(plan.triangles, 50'000U) << side;
         EXPECT_LE(plan.triangles, 12U + organ::most_added) << side;
     }
-    // Long and thin: there is hardly an area to tell by.
+    // Long and thin, with almost no area to estimate from.
     Organ needle = test::plane(1.0, 1);
     for (glm::vec3& p : needle.positions) p.x *= 1e8F;
     const organ::RefinePlan thin = organ::plan_refine(needle);

@@ -12,15 +12,15 @@
 namespace lapfx::test {
 namespace {
 
-/// Adds `from` to `to`, with vertices of its own.
+/// Adds `from` to `to`, with separate vertices.
 void add(Organ& to, const Organ& from, const glm::vec3& by = glm::vec3(0.0f)) {
     const auto base = static_cast<std::uint32_t>(to.positions.size());
     for (const glm::vec3& p : from.positions) to.positions.push_back(p + by);
     for (const std::uint32_t i : from.indices) to.indices.push_back(base + i);
 }
 
-/// plane(side, n) in two halves that share no vertex: the right one's vertices on the seam x = 0 lie `gap` mm to either
-/// side of it. Both ends of the seam are whole, so that it is one component, and nothing is bridged.
+/// plane(side, n) in two halves without common vertices: those of the right half on the seam x = 0 are `gap` mm to
+/// either side of it. Both ends of the seam are intact, so that it is one component, and nothing is bridged.
 Organ torn_plane(double side, std::uint32_t n, double gap) {
     const Organ whole = plane(side, n);
     Organ torn;
@@ -39,7 +39,7 @@ Organ torn_plane(double side, std::uint32_t n, double gap) {
     return drawable(std::move(torn), std::vector<glm::vec3>(2 * count, glm::vec3(0.0f, 1.0f, 0.0f)));
 }
 
-/// mm2 of blood after 6 s: speed 4 mm/s to 16 mm, from beside the seam.
+/// mm2 of blood after 6 s: speed 4 mm/s to 16 mm, from a place next to the seam.
 double bled_area(const Organ& organ, double scale) {
     const Surface surface(organ);
     BleedingParameters b;
@@ -53,7 +53,7 @@ double bled_area(const Organ& organ, double scale) {
     return field.amount().area;
 }
 
-/// Points that became one although they lie apart.
+/// Points that were joined although they are apart.
 std::uint32_t sewn(const Organ& organ) {
     return organ::weld_surface(organ.positions, organ.indices).sewn;
 }
@@ -79,7 +79,7 @@ TEST(Weld, SeamsCountOncePerPlaceThatMoved) {
 }
 
 TEST(Weld, RoundingFarFromTheOriginIsSewn) {
-    Organ organ;  // halves that were moved by float arithmetic, each in its own way
+    Organ organ;  // halves that float arithmetic has moved differently
     add(organ, plane(2.0, 20));
     for (glm::vec3& p : organ.positions) p = (p + glm::vec3(800.0f, -700.0f, 900.0f));
     Organ torn = torn_plane(2.0, 20, 0.0);
@@ -117,7 +117,7 @@ TEST(Weld, WhatOnlyComesNearStaysApart) {
 }
 
 TEST(Weld, NoEdgeLosesItsLength) {
-    // A fan of needles whose tips lie nearer together than any tolerance of their long sides.
+    // A fan of needles whose tips are closer together than any tolerance of their long sides.
     Organ organ;
     for (int i = 0; i < 200; ++i) {
         const float x = static_cast<float>(i);
@@ -133,7 +133,7 @@ TEST(Weld, NoEdgeLosesItsLength) {
 }
 
 TEST(Weld, AChainOfNearEdgesDoesNotCollapseATriangle) {
-    // Each edge lies near the next; the first and the last are the length of a triangle's edge apart.
+    // Each edge is close to the next; the first and the last are the length of a triangle's edge apart.
     Organ organ;
     constexpr int steps = 125;
     for (int i = 0; i <= steps; ++i) {

@@ -1,4 +1,4 @@
-// Bundles: everything inside, nothing half, nothing of others touched.
+// Bundles: everything is inside, nothing is half written, and other files are not touched.
 #include "output/bundle.h"
 
 #include <gmock/gmock.h>
@@ -175,8 +175,8 @@ TEST_F(BundleTest, ABundleIsReplacedAndAnythingElseIsNot) {
     EXPECT_THAT(check_bundle_folder(to_ / "file"), HasSubstr("not a folder"));
 }
 
-/// A file system of 256 KiB, where this user may make one; else a limit on the size of files, which fails writes as
-/// well.
+/// A file system of 256 KiB, if this user may make one; otherwise a limit on the size of files, which also makes writes
+/// fail.
 TEST_F(BundleTest, AFullDiskIsToldAndNothingIsLeft) {
     const fs::path small = to_ / "small";
     fs::create_directory(small);

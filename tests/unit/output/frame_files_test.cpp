@@ -1,4 +1,4 @@
-// Frames on their way to files: all of them or none.
+// Writing frames to files: all of them or none.
 #include "output/frame_files.h"
 
 #include "output/kinds.h"

@@ -1,5 +1,5 @@
-// Every place where a path comes from outside: a file that somebody was given reaches nothing beyond its folder, and a
-// bundle of it is written nowhere but into the bundle.
+// Every place that takes a path from outside: a file from somebody else reaches nothing beyond its folder, and its
+// bundle is written only into the bundle.
 #include <gmock/gmock.h>
 
 #include <opencv2/imgcodecs.hpp>
@@ -49,12 +49,12 @@ class Outside : public testing::Test {
     fs::path write(const std::string& name, const std::string& text) const {
         return all_.write("home/Downloads/case/" + name, text);
     }
-    /// Names of one and the same file outside, from the case.
+    /// Names of the same outside file, from the case.
     std::vector<std::string> ways_to(const std::string& file) const {
         return {"../../" + file, "maps/../../../" + file, (all_ / ("home/" + file)).string(), "maps/home/" + file,
                 "file://" + (all_ / ("home/" + file)).string()};
     }
-    /// Every file and folder, with what is in it, but for those of the bundle.
+    /// Every file and folder with its contents, except those of the bundle.
     std::vector<std::string> everything() const {
         std::vector<std::string> found;
         for (const auto& entry : fs::recursive_directory_iterator(all_.path())) {
@@ -248,7 +248,7 @@ TEST_F(Outside, AClipLiesInThePresetsFolder) {
         return test::faults_of([&] { write_bundle(made); });
     };
     EXPECT_THAT(bundle_of("s%d.png"), ElementsAre(HasSubstr("by a symbolic link;")));
-    // A folder of the same name is no way around.
+    // A folder of the same name does not help either.
     fs::create_directory(case_ / "s%d.png");
     for (const char* number : {"0", "1", "2"}) fs::remove(case_ / ("s" + std::string(number) + ".png"));
     fs::create_symlink(all_ / "home/skin.png", case_ / "s0.png");
@@ -274,7 +274,7 @@ TEST_F(Outside, WhatASceneNamesIsAMeshAPresetAndAVideo) {
                 ElementsAre(HasSubstr("/preset: ")));
     EXPECT_THAT(scene_with(R"(, "organ": {"file": "o.obj"}, "reference": {"file": "concat:a|b"})"),
                 ElementsAre(HasSubstr("/reference/file: ")));
-    // A person chooses an organ from anywhere. What it is not, is neither shown nor passed on.
+    // A person chooses an organ from anywhere. A file that is not one is neither shown nor copied.
     const std::vector<std::string> before = everything();
     EXPECT_THAT(test::faults_of([&] { write_bundle(bundle("../../.ssh/id_rsa")); }),
                 ElementsAre(HasSubstr("is not a mesh")));

@@ -1,4 +1,5 @@
-// What is written beside its place: gone with whoever made it, also when that was killed, and never while it is made.
+// Files written next to their place: they are removed together with their process, also when it is killed, and never
+// while it writes.
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/stat.h>

@@ -122,7 +122,7 @@ TEST(Compare, ValuesThatNoRowAllowsAreComparedToo) {
     EXPECT_TRUE(equal(preset_table(), &a, &b)) << "a file has one zero";
 }
 
-/// The rows say themselves what amounts depend on: whatever changes them has said so.
+/// The rows say what amounts depend on: every row that changes them says so.
 TEST(Compare, AmountsChangeWithNoValueThatDoesNotSaySo) {
     const Organ organ = test::plane(60.0, 40);
     Preset preset = filled<Preset>(preset_table());

@@ -30,7 +30,7 @@ std::size_t count_entries(const Folder& folder) {
     return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder.path()), {}));
 }
 
-/// An ordinary user to whom the folder and its files belong, for a scope: permissions do not hold for root.
+/// Becomes an ordinary user who owns the folder and its files, for a scope, because permissions do not apply to root.
 class OrdinaryUser {
   public:
     explicit OrdinaryUser(const Folder& folder) : before_(::geteuid()) {
@@ -166,8 +166,7 @@ TEST(WriteFile, WriteProtectedFileIsKept) {
     EXPECT_EQ(test::read_text(path), "old");
 }
 
-/// In a program of its own: tries to write more than the system lets it, and exits with 7 when all is as it
-/// should be.
+/// In a separate process: tries to write more than the system permits, and exits with 7 when the result is right.
 [[noreturn]] void write_beyond_the_limit(const Folder& folder) {
     std::signal(SIGXFSZ, SIG_IGN);
     const rlimit limit{100, 100};
@@ -182,7 +181,7 @@ TEST(WriteFile, WriteProtectedFileIsKept) {
 }
 
 TEST(WriteFile, FullDiskIsNamedAndLeavesNothing) {
-    // A limit on the size of files stands for the full disk.
+    // A limit on the size of files simulates the full disk.
     const Folder folder;
     folder.write("a", "old");
     EXPECT_EXIT(write_beyond_the_limit(folder), testing::ExitedWithCode(7), "");

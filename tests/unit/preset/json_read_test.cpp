@@ -1,4 +1,4 @@
-// The strict reader: every fault at once, each with its pointer, what was found and what is allowed.
+// The strict reader: every fault at once, each with its pointer, the value found and the allowed ones.
 #include <gmock/gmock.h>
 
 #include "unit/preset/support.h"
@@ -175,7 +175,7 @@ TEST(ReadPreset, AnObjectThatMayBeLeftOutIsThereOnlyWhenItIsWritten) {
     EXPECT_THAT(preset_faults(clip(R"(, "keying": {"luma_low": 300})")),
                 ElementsAre(testing::StartsWith("p.json: /smoke/clips/0/keying/luma_low: 300 is above")));
 
-    without.smoke.clips[0].keying.luma_low = -1.0;  // means nothing while it is not there
+    without.smoke.clips[0].keying.luma_low = -1.0;  // means nothing while the object does not exist
     EXPECT_TRUE(check(preset_table(), &without).empty());
     set_parameter(preset_table(), &without, "smoke.clips.0.keying.luma_low", "17");
     EXPECT_TRUE(without.smoke.clips[0].own_keying);

@@ -1,4 +1,4 @@
-// Syntax: what is not JSON is a fault at its line and column, whatever it holds.
+// Syntax: text that is not JSON is a fault at its line and column.
 #include "preset/json.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// What is written is what is read: the same text and the same values, at both ends of every range.
+// Written documents read back as the same text and the same values, at both ends of every range.
 #include "preset/json_write.h"
 
 #include <gmock/gmock.h>

@@ -1,4 +1,4 @@
-// Names from outside become paths in one place.
+// Names from outside become paths in a single place.
 #include <gmock/gmock.h>
 
 #include "lapfx/authoring/file.h"

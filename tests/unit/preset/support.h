@@ -1,4 +1,4 @@
-// What the tests of documents share.
+// Shared by the tests of documents.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -53,7 +53,7 @@ inline std::string read_text(const std::filesystem::path& path) {
     return text.str();
 }
 
-/// A folder of its own for a test, removed at its end.
+/// A temporary folder for a test, removed at its end.
 class Folder {
   public:
     Folder() {

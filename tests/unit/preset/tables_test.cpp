@@ -1,4 +1,4 @@
-// What has to hold for every row of the tables of presets and scenes.
+// Rules for every row of the tables of presets and scenes.
 #include "preset/tables.h"
 
 #include <set>
@@ -50,7 +50,7 @@ TEST(Tables, EveryMemberOfAPresetHasItsRow) {
     expect_complete<CauteryParameters>(*preset.find("cautery"));
     const Table& smoke = *preset.find("smoke");
     expect_complete<SmokeParameters>(smoke);
-    expect_complete<SmokeClip>(*smoke.find("clips"), 1);  // own_keying: whether `keying` is there
+    expect_complete<SmokeClip>(*smoke.find("clips"), 1);  // own_keying: whether `keying` exists
     expect_complete<KeyingParameters>(*smoke.find("keying"));
     expect_complete<PlumeParameters>(*smoke.find("plume"));
     expect_complete<HazeParameters>(*smoke.find("haze"));
@@ -79,6 +79,8 @@ void expect_sound(const Table& root, void* document) {
         EXPECT_FALSE(row.name.empty());
         EXPECT_FALSE(row.help.empty());
         EXPECT_EQ(row.help.back(), '.');
+        EXPECT_EQ(row.unit.find('.'), std::string_view::npos) << "a unit is not a sentence: " << row.unit;
+        EXPECT_LE(row.unit.size(), 24U) << "a unit is short: " << row.unit;
         EXPECT_EQ(row.key.find_first_not_of("abcdefghijklmnopqrstuvwxyz0123456789_"), std::string_view::npos);
         if (row.kind == Kind::text || row.kind == Kind::path) return;
         EXPECT_LT(row.minimum, row.maximum);
@@ -127,6 +129,7 @@ TEST(Tables, BleedingRowsHoldTheirRangesAndUnits) {
     EXPECT_EQ(speed.minimum, 0.0);
     EXPECT_EQ(speed.maximum, 60.0);
     EXPECT_EQ(speed.unit, "mm/s");
+    EXPECT_EQ(preset_table().find("smoke")->find("keying")->find_row("noise_drift")->unit, "clip heights/s");
     EXPECT_EQ(preset_table().find("bleeding")->find_row("noise_scale")->scale, Scale::logarithmic);
     EXPECT_EQ(preset_table().find("bleeding")->find_row("sped"), nullptr);
     EXPECT_EQ(preset_table().find("bleding"), nullptr);

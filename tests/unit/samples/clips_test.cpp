@@ -99,7 +99,7 @@ TEST(ClipNoise, RepeatsAfterItsPeriod) {
 }
 
 TEST(ClipLoop, LastFrameLeadsIntoTheFirst) {
-    // Pictures whose value is their time: the blend must end just before what came before the first frame.
+    // Pictures whose value is their time: the blend must end just before the first frame.
     std::vector<float> out;
     LoopBlend loop(10, 4, [&](int, const Picture& p) { out.push_back(p.value[0]); });
     for (int n = -4; n < 10; ++n) {

@@ -1,4 +1,4 @@
-// The sample reference: what was committed is what its page says, and the camera that filmed it.
+// The sample reference: the committed file matches its page, and the camera that filmed it.
 #include <cmath>
 #include <filesystem>
 

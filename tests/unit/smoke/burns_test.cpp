@@ -33,7 +33,7 @@ TEST(Burns, JoinContactsThatGoOnInTimeAndPlace) {
     EXPECT_EQ(spans({contact(0, 1, 0, 2), contact(1, 2, 2, 5, ToolAction::coagulate)}), (Spans{{0, 1}, {1, 2}}));
 }
 
-// What a haptic thread sends becomes many contacts, and they are one burn: also where the pedal gives another power.
+// Samples of a haptic thread become many contacts, which are one burn, also when the pedal changes the power.
 TEST(Burns, ARecordedStayIsOne) {
     tool::Recorder recorder;
     for (int i = 0; i <= 2000; ++i) {
@@ -95,7 +95,7 @@ TEST(Burns, KeepTheirNumberWhileTheyGoOn) {
     }
 }
 
-/// Tissue lies where |x| <= 10.
+/// Tissue is where |x| <= 10.
 bool on_tissue(const glm::dvec3& place) {
     return std::abs(place.x) <= 10.0;
 }
@@ -118,7 +118,7 @@ TEST(Burns, SuctionIsTakenWhereverItIs) {
     EXPECT_EQ(burns.suctions()[0], (Suction{1.0, 3.0}));
 }
 
-/// Whatever has been written, taken back and written again: what is there is that of the log as it is.
+/// After any writing, undoing and writing again, the burns are those of the present log.
 TEST(Burns, FollowTheLog) {
     std::mt19937 random(5);
     const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };

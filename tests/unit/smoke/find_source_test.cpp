@@ -1,4 +1,4 @@
-// Where smoke starts, of made-up plumes whose source is known.
+// Finding where smoke starts, for made-up plumes with a known source.
 #include "smoke/find_source.h"
 
 #include <gtest/gtest.h>

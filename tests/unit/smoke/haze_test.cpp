@@ -74,7 +74,7 @@ TEST(Haze, SuctionTakesItsShareWhileItRuns) {
 }
 
 TEST(Haze, GoingOnFromAnyMomentGivesTheSame) {
-    // The semigroup property: E at t follows from E at any earlier time alone.
+    // The semigroup property: E at t depends only on E at any earlier time.
     const HazeParameters h = haze(0.3, 0.1, 0.8);
     const Emissions emissions{{0.0, 100.0, 0.7}};
     const Suctions suctions{{20.0, 40.0}};

@@ -1,4 +1,4 @@
-// Pictures of keying on the CPU: against the references of smoke/keying_pixel.h, and against values that are known.
+// Pictures of keying on the CPU, compared with the references of smoke/keying_pixel.h and with known values.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -181,7 +181,7 @@ TEST(KeyingReader, AFrameThatCannotBeReadIsTold) {
     {
         cv::VideoWriter writer(path.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('M', 'J', 'P', 'G'), 20.0,
                                cv::Size(640, 480));
-        cv::Mat noise(480, 640, CV_8UC3);  // large frames: what is cut off has not been read ahead
+        cv::Mat noise(480, 640, CV_8UC3);  // large frames, so that the missing part has not been read ahead
         for (int i = 0; i < 24; ++i) {
             cv::randu(noise, 0, 255);
             writer.write(noise);

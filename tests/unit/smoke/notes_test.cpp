@@ -1,4 +1,4 @@
-// What a person is told of smoke that no clip shows.
+// Notes for a person about smoke that no clip shows.
 #include <gtest/gtest.h>
 
 #include "lapfx/authoring/smoke_notes.h"

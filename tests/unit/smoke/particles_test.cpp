@@ -31,7 +31,7 @@ std::vector<Particle> at(double time, const std::vector<ToolContact>& contacts =
     return {room.begin(), room.begin() + static_cast<std::ptrdiff_t>(count)};
 }
 
-/// By shape, which tells one speck from another.
+/// By shape, which distinguishes specks.
 std::map<std::uint32_t, Particle> by_shape(double time, double fat = 1.0) {
     std::map<std::uint32_t, Particle> found;
     for (const Particle& p : at(time, {contact()}, fat)) found[p.shape] = p;
@@ -139,7 +139,7 @@ TEST(Particles, AContactThatGoesOnKeepsTheSpecksThatAreThere) {
     for (std::size_t i = 0; i < shorter.size(); ++i) EXPECT_EQ(shorter[i].position, longer[i].position);
     const auto with_others = at(2.0, {contact(0.0, 0.5, {9, 9, 9}), contact(1.0, 1.0), contact(3.0, 1.0)});
     EXPECT_EQ(with_others[0].position, shorter[0].position) << "others before and after do not matter";
-    // The fat under it is measured anew: some are more or fewer, but all of less fat are among those of more.
+    // When the fat is measured again, there are more or fewer specks, but those of less fat are among those of more.
     const auto lean = by_shape(2.0, 0.5), fatter = by_shape(2.0, 0.6);
     EXPECT_GE(fatter.size(), lean.size());
     for (const auto& [shape, p] : lean) {

@@ -1,4 +1,4 @@
-// Suggested keying against smoke whose opacity is known, and against clips that are not what keying is for.
+// Suggested keying for smoke of known opacity, and for clips that keying is not made for.
 #include "lapfx/authoring/suggest.h"
 
 #include <gmock/gmock.h>
@@ -44,7 +44,7 @@ Smoke plume() {
 Smoke thick_plume() {
     return test::evenly_lit(shaded_plume(), 0.7f, 6.0f);
 }
-/// How bright it would be if it were thick nobody can tell.
+/// Nobody can know how bright it would be if it were thick.
 Smoke dim_plume() {
     return test::evenly_lit(shaded_plume(), 0.7f);
 }
@@ -73,9 +73,9 @@ class SuggestFromFile : public testing::Test {
 };
 
 TEST_F(SuggestFromFile, EvenlyLitSmokeOnBlackIsKeyedTo3Percent) {
-    // What is dim could as well be thin: whole smoke of brightness 0.7 and white smoke of opacity 0.7 are the same
-    // picture, so nothing in it tells them apart. 0.85 is taken, 0.15 from either; a tighter bound for the one is a
-    // looser one for the other.
+    // Dim smoke could also be thin: full smoke of brightness 0.7 and white smoke of opacity 0.7 are the same picture,
+    // so nothing in it distinguishes them. 0.85 is used, 0.15 from either; a tighter bound for one is a looser bound
+    // for the other.
     const Smoke dim = dim_plume(), thick = thick_plume();
     for (const Smoke& smoke : {plume(), thick, wisps(), dim})
         for (const float noise : {0.0f, 3.0f}) {
@@ -105,7 +105,7 @@ TEST_F(SuggestFromFile, ColouredAndGreyBackgroundsKeyLikeBlackAndGreen) {
     EXPECT_LE(on_blue.error.smoke, 0.06);
     EXPECT_GT(on_blue.found.keying.chroma_high, 60.0);
     const Result on_grey = suggest(thick_plume(), {.background = grey, .sensor_noise = 2.0f});
-    // White smoke of opacity 0.52 before this grey is the same picture as this smoke: 0.76 is taken, 0.24 from either.
+    // White smoke of opacity 0.52 before this grey is the same picture as this smoke: 0.76 is used, 0.24 from either.
     EXPECT_LE(on_grey.error.smoke, 0.18);
     EXPECT_EQ(on_grey.found.polarity, ClipPolarity::light);
     EXPECT_GT(on_grey.found.keying.luma_low, luma(grey));
@@ -143,15 +143,15 @@ KeyingSuggestion suggest_for(const std::function<glm::vec3(glm::ivec2, int)>& co
     return survey.suggest();
 }
 
-/// Opacity of a soft ball that wanders; `peak` may be over 1, then its middle is whole.
+/// Opacity of a soft ball that moves; with a `peak` over 1 its middle is opaque.
 float ball(glm::ivec2 at, int picture, float peak) {
     const glm::vec2 middle(32.0f + 4.0f * static_cast<float>(picture), 32.0f);
     const float r = glm::distance(glm::vec2(at), middle) / 24.0f;
     return std::min(peak * std::max(1.0f - r * r, 0.0f), 1.0f);
 }
 
-/// Luma is opacity times brightness: smoke of one luma all over is dim and whole, or bright and thin. What it is taken
-/// for lies between, and is as far from the one as from the other.
+/// Luma is opacity times brightness: smoke of one luma everywhere is dim and opaque, or bright and thin. The assumption
+/// is between both, equally far from either.
 TEST(SuggestKeying, SmokeOfOneLumaIsTakenForTheMiddleOfWhatItCanBe) {
     const auto smoke = [](float level, float base) {
         return suggest_for([=](glm::ivec2 at, int n) { return glm::vec3(base + (level - base) * ball(at, n, 3.0f)); });
@@ -166,7 +166,7 @@ TEST(SuggestKeying, SmokeOfOneLumaIsTakenForTheMiddleOfWhatItCanBe) {
             EXPECT_NEAR(found, 0.5 * (1.0 + least), 0.03) << base << ' ' << level;
             EXPECT_THAT(s.reason, HasSubstr("dim or thin"));
         }
-    // An opacity of .85 of smoke as white as it comes, which counted as 1.
+    // An opacity of .85 of the whitest smoke, which counted as 1.
     EXPECT_LT(key_alpha(glm::vec3(0.85f * 255.0f), keying_of(smoke(0.85f * 255.0f, 0.0f).keying, ClipPolarity::light)),
               0.94f);
 }
@@ -231,7 +231,7 @@ TEST(SuggestKeying, BarsAreCroppedAndSmokeAtEdgesFades) {
         const KeyingSuggestion without = barred(background, 0);
         EXPECT_EQ(without.crop, ClipCrop{}) << without.reason;
     }
-    // Smoke that stays away from the edges and ends by itself.
+    // Smoke that does not reach the edges.
     const KeyingSuggestion away =
         suggest_for([](glm::ivec2 at, int n) { return glm::vec3(200.0f * ball(at, n, 0.8f)); }, 8, {120, 110});
     EXPECT_EQ(away.crop, ClipCrop{}) << away.reason;

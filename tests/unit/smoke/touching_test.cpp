@@ -1,4 +1,4 @@
-// Which part of a contact makes smoke: the one over tissue.
+// Only the part of a contact over tissue makes smoke.
 #include "smoke/touching.h"
 
 #include <gtest/gtest.h>
@@ -8,7 +8,7 @@
 namespace lapfx::smoke {
 namespace {
 
-/// Tissue lies where |x| <= 10.
+/// Tissue is where |x| <= 10.
 bool tissue(const glm::dvec3& place) {
     return std::abs(place.x) <= 10.0;
 }

@@ -1,5 +1,5 @@
-// The closed lists of the core (lapfx/tool.h, lapfx/view.h): each row is of its enumerator, and all that it names is
-// there.
+// The closed lists of the core (lapfx/tool.h, lapfx/view.h): each row belongs to its enumerator, and everything that it
+// names exists.
 #include <gtest/gtest.h>
 
 #include <set>

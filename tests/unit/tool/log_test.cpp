@@ -109,7 +109,7 @@ TEST(Log, AStrokeBeforeOthersCostsThoseThatComeAfterIt) {
     EXPECT_EQ(log.pieces()[5].before, 4u) << "joints of what comes after it stay";
 }
 
-/// However it came to be, a log is that of its list; and a reader that follows it by revisions has all of it.
+/// A log depends only on its list, however it was made, and a reader that follows it by revisions misses nothing.
 TEST(Log, IsAFunctionOfItsListAndCurve) {
     std::mt19937 random(3);
     const auto number = [&](int below) { return static_cast<int>(random() % static_cast<unsigned>(below)); };
@@ -234,7 +234,7 @@ TEST(LogPower, NeverMorePiecesThanThereIsRoomForAndFewerLeaveFinerSteps) {
     }
 }
 
-/// Heat: one stay under a curve is as many small ones, each with the power of its time.
+/// Heat: one stay under a curve equals many small ones, each with the power of its time.
 TEST(LogPower, HeatIsThatOfManySmallContacts) {
     CauteryParameters parameters = cautery::simple_parameters();
     for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {

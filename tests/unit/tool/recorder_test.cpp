@@ -203,7 +203,7 @@ TEST(Recorder, TellsHowManyContactsAreAsTheyWere) {
     EXPECT_EQ(recorder.take_same(), 1u);
 }
 
-/// What 1 kHz samples of a stroke do is what the stroke does.
+/// 1 kHz samples of a stroke have the effect of the stroke.
 TEST(Recorder, RecordedHeatIsThatOfTheWholeContact) {
     const ToolContact whole = along({-8, 0, 0.3}, {8, 0, 0.3}, 1.0, 20.0);
     Recorder recorder;

@@ -11,7 +11,7 @@ using ui::Mods;
 
 TEST(UiKeys, LettersFollowTheLayout) {
     EXPECT_EQ(key_from(GLFW_KEY_Z, "z", true), key_of('Z'));
-    EXPECT_EQ(key_from(GLFW_KEY_Y, "z", true), key_of('Z'));  // German: Ctrl+Z is where Z stands
+    EXPECT_EQ(key_from(GLFW_KEY_Y, "z", true), key_of('Z'));  // German: Ctrl+Z is on the key labelled Z
     EXPECT_EQ(key_from(GLFW_KEY_Q, "a", true), key_of('A'));  // French
     EXPECT_EQ(key_from(GLFW_KEY_SLASH, "-", true), key_of('-'));
 }

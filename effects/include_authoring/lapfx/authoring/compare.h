@@ -12,7 +12,7 @@ namespace lapfx {
 bool equal(const Parameter& row, const void* a, const void* b);
 /// Whether all rows, lists and parts are equal.
 bool equal(const Table& table, const void* a, const void* b);
-/// The redo bits of all that differs; 0 when all is equal.
+/// The redo bits of everything that differs; 0 when all is equal.
 unsigned difference(const Table& table, const void* a, const void* b);
 
 }  // namespace lapfx
