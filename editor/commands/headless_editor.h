@@ -1,4 +1,4 @@
-// The whole editor without a window, with a clock that advances by frames, for pictures, dumps and benchmarks.
+// The whole editor without a window, with a clock that goes by frames: for pictures of it, dumps and benches.
 //
 //     HeadlessEditor headless({1440, 900}, 1.0F, "auto");
 //     headless.editor().document.open(...);
@@ -16,7 +16,7 @@ namespace lapfx::commands {
 
 class HeadlessEditor {
   public:
-    /// `exact`: see EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
+    /// `exact`: as EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
     HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact = true,
                    std::shared_ptr<app::EarlyLoad> early = nullptr);
     ~HeadlessEditor();
@@ -27,13 +27,13 @@ class HeadlessEditor {
     ui::Ui& ui() { return *ui_; }
     const Context& context() const { return context_; }
 
-    /// One frame, `seconds` after the last one: the panels are built and the preview is drawn.
+    /// One, `seconds` after the last: the panels are built and the preview is drawn.
     void frame(double seconds = 1.0 / 60);
-    /// The three parts of a frame: time advances and results of jobs are taken, panels are built, the preview is drawn.
+    /// The three parts of a frame: time goes on and results of jobs are taken, panels are built, the preview is drawn.
     void advance(double seconds = 1.0 / 60);
     void build();
     void draw() { drew_ = editor_->draw(); }
-    /// Runs frames until none is requested soon; an endless request is stopped after a while.
+    /// Until no other frame is asked for soon; what asks for ever is left as it is then.
     void settle();
     /// Sends the UI of the last frame to the GPU.
     void draw_ui();

@@ -61,7 +61,7 @@ IN_COMMENTS = [
     (r"\b(?:tells?|told) of\b", '"says about", "reports"'),
     (r"\bonce more\b|\banew\b", '"again"'),
     (r"\b(?:takes?|taken|took) the place of\b|\bin the place of\b", '"replaces", "instead of"'),
-    (r"\bfor ever\b|\bfor good\b", '"always"'),
+    (r"\bfor good\b", '"always"'),
     (r"\bby chance\b", '"at random"'),
     (r"\bbut for (?!\w+ing\b)", '"except"'),
     (r"\b(?:takes?|taken) away\b", '"removes"'),
