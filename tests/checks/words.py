@@ -55,7 +55,7 @@ IN_TEXTS = EVERYWHERE + [
 IN_COMMENTS = [
     (r"\b(?:is|are) not heard of\b", '"is ignored"'),
     (r"\bby whom\b", "a sentence with its subject"),
-    (r"\b(?:goes|go|going|went) on\b", '"continues"'),
+    (r"\b(?<!time )(?:goes|go|going|went) on\b", '"continues"'),
     (r"\bthat (?:is|are|was|were) there\b|\bwhat (?:is|was|were) there\b", '"exists", "earlier"'),
     (r"\bcomes? to be\b", '"exists", "happens"'),
     (r"\b(?:tells?|told) of\b", '"says about", "reports"'),
