@@ -27,7 +27,7 @@ out vec4 v_place;  // xy: px from the middle of the shape; zw: in the texture
 
 const uint fill_kind = 0u, glyph_kind = 1u, line_kind = 2u, image_kind = 3u, gradient_kind = 4u, checker_kind = 5u,
            shadow_kind = 6u, compare_kind = 7u;
-const float endless = 1e6, no_border = 1e8;  // px; a border wider than any shape, so nothing is left inside
+const float endless = 1e6, no_border = 1e8;  // px; a border wider than any shape leaves nothing inside
 
 vec4 clip;
 vec2 corner;

@@ -1,6 +1,6 @@
-// The cost of the editor compared with the scene that it shows: frames of the playing sample scene, in each of which a
-// value changes. Everything except drawing the scene counts as the editor: the change of the document, Editor::update,
-// the preview following the document, the panels and drawing them.
+// What the editor costs beside the scene that it stands around: a frame of both on the sample scene, playing, with a
+// value that changes in every frame. All that is not drawing the scene counts as the editor: the change of the
+// document, Editor::update, what the preview does to follow the document, the panels and drawing them.
 //
 // The cost of a drag: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
 // scale), over that of a frame in which nothing is edited, for the same parts. Both take turns, and the best of five

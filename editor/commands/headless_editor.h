@@ -1,4 +1,4 @@
-// The whole editor without a window, with a clock that advances by frames, for pictures, dumps and benchmarks.
+// The whole editor without a window, with a clock that goes by frames: for pictures of it, dumps and benches.
 //
 //     HeadlessEditor headless({1440, 900}, 1.0F, "auto");
 //     headless.editor().document.open(...);
@@ -16,7 +16,7 @@ namespace lapfx::commands {
 
 class HeadlessEditor {
   public:
-    /// `exact`: see EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
+    /// `exact`: as EditorOptions::exact. Throws Error (no_gl) without OpenGL, std::runtime_error without fonts.
     HeadlessEditor(glm::ivec2 size, float scale, const std::string& backend, bool exact = true,
                    std::shared_ptr<app::EarlyLoad> early = nullptr);
     ~HeadlessEditor();

@@ -21,7 +21,7 @@ unsigned all_of(const Table& table, unsigned above) {
     return bits;
 }
 
-/// Calls differs(bits) for each difference until it answers false, and then gives false.
+/// Calls differs(bits) for what differs, until it answers false; then that is the answer too.
 template <class Differs>
 bool look(const Table& table, const void* a, const void* b, unsigned above, Differs& differs) {
     const unsigned here = above | table.redo;

@@ -157,7 +157,8 @@ TEST_F(DocumentFiles, UndoAfterSavingElsewhereStillFindsClips) {
     EXPECT_EQ(document_.preset().smoke.clips[0].file, "a.mp4") << "found on the search path";
 }
 
-/// However files are named: undo and redo restore every letter, and an untouched document is not unsaved.
+/// However files are named, and from wherever: undo and redo give back every letter, and what was not touched is not
+/// unsaved.
 TEST_F(DocumentFiles, AValueIsWhatItWasThroughUndoAndRedo) {
     fs::create_directories(in("home/clips"));
     for (const char* name : {"home/organ.obj", "home/clips/a.avi", "tool.obj", "home/smoke_01.png"})
