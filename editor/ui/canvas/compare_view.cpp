@@ -55,7 +55,7 @@ struct ComparedLook {
     std::string_view title;  ///< of the difference
     CompareState state;
     Pick pick;
-    bool flicker, nearest, grid;
+    bool flicker, grid;
     int side;
     int half;  ///< that the pointer is in: where the readout goes
     Readout readout;
@@ -86,7 +86,7 @@ void draw_line(Painter& painter, const View& view, const CompareState& state) {
 }
 
 PictureLook plain(const ComparedLook& look, int which) {
-    PictureLook picture{.picture = look.pictures[which], .nearest = look.nearest, .grid = look.grid};
+    PictureLook picture{.picture = look.pictures[which], .grid = look.grid};
     picture.pick = look.pick, picture.side = look.side;
     return picture;
 }
@@ -368,7 +368,6 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
                                                     .state = state,
                                                     .pick = pick,
                                                     .flicker = result.flicker,
-                                                    .nearest = options.nearest,
                                                     .grid = options.grid,
                                                     .side = options.sample_box,
                                                     .half = half,

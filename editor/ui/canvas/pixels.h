@@ -63,7 +63,6 @@ struct PictureLook {
     Picture picture;
     ImageHandle second = 0;
     CompareLook compare = {};
-    bool nearest = false;
     bool grid = true;
     Pick pick = {};
     int side = 1;

@@ -79,9 +79,6 @@ class PlotData {
     std::vector<double> areas_, widths_;  ///< of all line pieces before each block
 };
 
-/// `series` less `reference` at each sample of the series; NaN where there is no reference.
-std::vector<double> residual_of(const PlotData& series, const PlotData& reference);
-
 struct PlotSeries;
 /// One line of names, then one for each place that a series has a sample at within low..high, empty where it has none
 /// (or a gap). Names with commas, quotes or line breaks are quoted.

@@ -52,8 +52,6 @@ struct TimelineState {
 struct TimelineOptions {
     double length = 1, rate = 25;  ///< s and 1/s, above 0 (assert)
     TimeUnit unit = TimeUnit::timecode;
-    std::span<const ImageHandle> thumbnails = {};  ///< evenly over the length
-    float thumbnail_aspect = 16.0F / 9;
     Size width = {SizeKind::grow, 1};
     std::string_view tip = {};
 };

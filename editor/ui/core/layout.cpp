@@ -199,6 +199,7 @@ bool put(std::span<Node> nodes, int a, float window) {
     nodes[0].extent[a] = window;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         Node& node = nodes[i];
+        if (node.first == no_node && node.scroll == nullptr && !node.overlay) continue;  // nothing in it to place
         if (node.overlay) put_overlay(nodes, node, find_before(nodes, i, node.placement->anchor), a, window);
         const float inside = std::max(0.0F, node.extent[a] - pads(node, a));
         if (node.scroll != nullptr) moved |= keep_scroll(node, a, inside);

@@ -101,31 +101,7 @@ bool is_chord(Key key, Mods mods) {
     return has(mods, Mods::command) && printable(key);
 }
 
-bool moves_by_arrows(Role role) {
-    switch (role) {
-        case Role::tab_list:
-        case Role::menu:
-        case Role::menu_bar:
-        case Role::list:
-        case Role::tree:
-        case Role::grid:
-        case Role::table:
-        case Role::palette:
-            return true;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
-
-bool Ui::press_shortcut(Key key, Mods mods) {
-    const bool modal =
-        std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
-    if (modal || options_.shortcuts == nullptr || !options_.shortcuts->press(key, mods)) return false;
-    again_ = true;
-    return true;
-}
 
 /// Backspace and Ctrl+C are meant for what one points at, unless a ring or an open text says where the keyboard is.
 bool Ui::takes_under_pointer(const Event& event) {
@@ -250,14 +226,6 @@ bool Ui::scroll_by_key(Key key) {
     return false;
 }
 
-/// Of the overlay that has the keyboard to itself; 0: the window.
-std::uint8_t Ui::focus_layer() const {
-    for (std::size_t i = overlays_.size(); i-- > 0;) {
-        if (overlays_[i].kind != OverlayKind::passive) return static_cast<std::uint8_t>(i + 1);
-    }
-    return 0;
-}
-
 void Ui::move_focus(int step) {
     const auto& all = nodes_before();
     const std::uint8_t layer = focus_layer();
@@ -313,7 +281,7 @@ bool Ui::move_by_arrow(Key key) {
     const std::uint32_t current = index_before(focus_);
     if (current == no_node) return false;
     std::uint32_t group = current;
-    while (group != no_node && !moves_by_arrows(all[group].role))
+    while (group != no_node && !arrows_move_focus(all[group].role))
         group = all[group].overlay ? no_node : all[group].parent;
     if (group == no_node) return false;
     const int a = key == Key::left || key == Key::right ? 0 : 1;

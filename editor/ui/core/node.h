@@ -26,12 +26,10 @@ enum class Role : std::uint8_t {
     radio,
     combo,
     text_field,
-    text_area,
     search_field,
     slider,
     range,
     color,
-    gradient,
     section,
     tab_list,
     tab,
@@ -44,14 +42,11 @@ enum class Role : std::uint8_t {
     column_header,
     row,
     cell,
-    tree,
-    tree_item,
     grid,
     image,
     progress,
     status,
     tooltip,
-    toast,
     menu_bar,
     menu,
     menu_item,
@@ -66,6 +61,7 @@ enum class Role : std::uint8_t {
     link,
 };
 std::string_view name_of(Role role);
+bool arrows_move_focus(Role role);  ///< from one of its children to the next
 
 /// What a node wants to be told of. Bits.
 enum class Sense : std::uint32_t {
@@ -119,16 +115,15 @@ enum class Is : std::uint16_t {
     focused = 1 << 3,
     ringed = 1 << 4,  ///< focused, and the keyboard was used last: shows its ring
     checked = 1 << 5,
-    mixed = 1 << 6,
-    selected = 1 << 7,
-    expanded = 1 << 8,
-    changed = 1 << 9,  ///< from its default
-    locked = 1 << 10,
-    invalid = 1 << 11,  ///< what is typed cannot be taken
-    read_only = 1 << 12,
-    duplicate = 1 << 13,  ///< another widget beside it has the same label: a mistake of the program
-    busy = 1 << 14,
-    modal = 1 << 15,
+    selected = 1 << 6,
+    expanded = 1 << 7,
+    changed = 1 << 8,  ///< from its default
+    locked = 1 << 9,
+    invalid = 1 << 10,  ///< what is typed cannot be taken
+    read_only = 1 << 11,
+    duplicate = 1 << 12,  ///< another widget beside it has the same label: a mistake of the program
+    busy = 1 << 13,
+    modal = 1 << 14,
 };
 constexpr Is operator|(Is a, Is b) {
     return static_cast<Is>(static_cast<int>(a) | static_cast<int>(b));
@@ -225,6 +220,7 @@ struct alignas(64) Node {
     bool placed = false;     ///< out of the flow, by `placement`
     bool overlay = false;    ///< the root of an overlay
     std::uint8_t layer = 0;  ///< 0: the window, then the overlays, in their order
+    bool moved = false;      ///< of the last build: its widget stands elsewhere in the one that is made now
     const Placement* placement = nullptr;
     ScrollState* scroll = nullptr;
     HeightForWidth height_for_width = nullptr;

@@ -83,25 +83,10 @@ void Ui::route(Event& event) {
     }
 }
 
-bool Ui::key_down(Key key) const {
-    return std::find(keys_down_.begin(), keys_down_.end(), key) != keys_down_.end();
-}
-
 /// The first of what is typed: the next is for a text that is open.
 bool Ui::opens_entry(const Event& event) {
     const Node* node = event.kind == EventKind::text ? before(focus_) : nullptr;
     return node != nullptr && !has(node->sense, Sense::editing);
-}
-
-void Ui::send(Id target, const Event& event) {
-    if (target == 0) return;
-    if (!routing_) {  // its widget may have been built already: in the next build it is told
-        late_.emplace_back(target, event);
-        again_ = true;
-        return;
-    }
-    routed_.emplace_back(target, event);
-    seen_.at(target).events = build_;
 }
 
 /// Topmost node there that senses any of `senses`. An overlay hides what lies under it.
@@ -260,109 +245,6 @@ void Ui::route_drop(Event& event) {
         dropped_ = event.paths;
     } else {
         send(nodes_before()[index].id, event);
-    }
-}
-
-void Ui::set_focus(Id id, bool by_keyboard) {
-    ringed_ = by_keyboard && id != 0;
-    if (id == focus_) return;
-    send(std::exchange(focus_, id), {.kind = EventKind::focus_out, .time = time()});
-    send(focus_, {.kind = EventKind::focus_in, .time = time()});
-    rested_since_ = time();
-    again_ = true;
-}
-
-/// In the layout that is known; what has just been built is revealed by the next build.
-void Ui::reveal(Id id) {
-    const std::uint32_t index = index_before(id);
-    if (index == no_node || index >= nodes_before().size()) {
-        reveal_ = id;
-        again_ = true;
-        return;
-    }
-    Rect rect = nodes_before()[index].rect();
-    for (std::uint32_t i = nodes_before()[index].parent; i != no_node; i = nodes_before()[i].parent) {
-        const Node& area = nodes_before()[i];
-        if (area.overlay && area.scroll == nullptr) break;
-        if (area.scroll == nullptr) continue;
-        const Rect view = area.inside();
-        for (int a = 0; a < 2; ++a) {
-            if (!area.scrolls[a]) continue;
-            const float low = a == 0 ? rect.x : rect.y, high = a == 0 ? rect.right() : rect.bottom();
-            const float from = a == 0 ? view.x : view.y, to = a == 0 ? view.right() : view.bottom();
-            const float by = low < from ? low - from : high > to ? std::min(high - to, low - from) : 0.0F;
-            area.scroll->offset[a] += by;
-            rect = rect.moved(a == 0 ? glm::vec2(-by, 0) : glm::vec2(0, -by));
-            if (by != 0) again_ = true;
-        }
-    }
-}
-
-Response Ui::respond(Node& node) {
-    Response r;
-    const Id id = node.id;
-    const bool concerned =
-        node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
-    if (!concerned) {  // nearly all
-        r.pointer = pointer_;
-        r.mods = mods_;
-        return r;
-    }
-    if (id == 0 || has(node.is, Is::disabled)) {
-        if (id != 0 && id == hot_) node.is |= Is::hovered;
-        return r;
-    }
-    r.hovered = id == hot_;
-    r.focused = id == focus_;
-    for (int b = 0; b < 3; ++b) {
-        if (active_[b] == id) r.held = true, r.button = static_cast<Button>(b);
-    }
-    node.is |= when(r.hovered, Is::hovered) | when(r.held, Is::held) | when(r.focused, Is::focused) |
-               when(r.focused && ringed_, Is::ringed);
-    r.pointer = pointer_;
-    r.pressed_at = pressed_at_;
-    r.mods = mods_;
-    if (r.held) r.drag = moved_;
-    if (!node.has_events) return r;
-    for (const auto& [target, event] : routed_) {
-        if (target == id) take(r, node, event);
-    }
-    return r;
-}
-
-void Ui::take(Response& r, const Node& node, const Event& event) {
-    r.mods = event.mods;
-    switch (event.kind) {
-        case EventKind::press:
-            r.button = event.button;
-            if (event.button == Button::left) r.pressed = true, r.clicks = event.clicks;
-            if (event.button == Button::right) r.context = true;
-            break;
-        case EventKind::release:
-            if (event.button != Button::left) break;
-            r.released = true;
-            r.drag = moved_;
-            r.clicked |= rect_before(node.id).contains(event.at);
-            break;
-        case EventKind::key:
-            if (event.key == Key::menu) r.context = true;
-            if (has(node.sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space))
-                r.clicked = true;
-            break;
-        case EventKind::wheel:
-            r.wheel += event.delta.y;
-            break;
-        case EventKind::cancel:
-            r.cancelled = true;
-            break;
-        case EventKind::focus_in:
-            r.focus_in = true, r.by_tab = event.key == Key::tab;
-            break;
-        case EventKind::focus_out:
-            r.focus_out = true;
-            break;
-        default:
-            break;
     }
 }
 

@@ -71,6 +71,7 @@ class Instances {
     void shorten(std::size_t size) { size_ = std::min(size, size_); }
     void leave(std::size_t count) { room(count); }  ///< places that are written later, or not at all
     Instance& add() { return *new (room(1)) Instance; }
+    Instance* add(std::size_t count) { return room(count); }  ///< the first of so many, to be written by the caller
     /// Gives the first of the copies.
     Instance* add(std::span<const Instance> more) {
         Instance* to = room(more.size());

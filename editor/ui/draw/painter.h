@@ -31,38 +31,36 @@ enum class Icon : std::uint8_t {
     unlock,
     play,
     pause,
-    stop,
     loop,
     step_back,
     step_forward,
     star,
     star_filled,
     undo,
-    redo,
     folder,
     file,
     eye,
-    eye_off,
     eyedropper,
     warning,
     error,
     info,
     reset,
-    grip,
     copy,
     dice,
     link,
     gear,
     image,
-    drag_up_down,
     sort_up,
     sort_down,
 };
 
+inline constexpr std::size_t icon_count = static_cast<std::size_t>(Icon::sort_down) + 1;
+std::string_view name_of(Icon icon);  ///< "chevron right"
+
 /// How two pictures are shown over each other. A compare instance (CompareInstance) holds it so: uv[0] position in
 /// 1/65535, uv[1] angle in 1/65536 turn, uv[2] gain as a half float, uv[3] mix in 1/65535, radius the mode, border
 /// bits: 1 nearest, 2 the first picture is upside down (a host's texture), 4 the second is.
-enum class CompareMode : std::uint8_t { wipe, difference, onion, first, second };
+enum class CompareMode : std::uint8_t { wipe, difference, onion };
 struct CompareLook {
     CompareMode mode = CompareMode::wipe;
     float position = 0.5F;  ///< wipe: where the line crosses the middle of the rectangle, 0..1 along its normal

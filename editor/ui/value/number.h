@@ -22,8 +22,6 @@ std::string_view format_time(std::span<char> buffer, double seconds, int decimal
 enum class ValueScale : std::uint8_t {
     linear,
     logarithmic,  ///< equal ratios, equal ways; from 0 on, its first hundredth is linear up to `smallest`
-    symmetric,    ///< logarithmic to both sides of 0
-    decibel,      ///< the value is an amplitude; ways are dB; 0 is the lowest
 };
 
 /// From a value to its place along a slider, 0..1, and back. Monotonic; exact at both ends, and back and forth within
@@ -32,7 +30,7 @@ struct ValueRange {
     double minimum = 0, maximum = 1;
     ValueScale scale = ValueScale::linear;
     double smallest =
-        0;  ///< of logarithmic and symmetric scales: magnitude that counts as nothing; 0: a ten-thousandth of the range
+        0;  ///< of a logarithmic scale: magnitude that counts as nothing; 0: a ten-thousandth of the range
 
     double place_of(double value) const;
     double value_at(double place) const;

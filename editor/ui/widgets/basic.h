@@ -39,14 +39,8 @@ bool icon_button(Ui& ui, Icon icon, std::string_view label, const ButtonOptions&
 Edit toggle(Ui& ui, std::string_view label, bool& on, const ButtonOptions& options = {});
 Edit checkbox(Ui& ui, std::string_view label, bool& on, std::string_view tip = {});
 
-enum class Tristate : std::uint8_t { off, on, mixed };
-/// A click makes mixed on.
-Edit checkbox(Ui& ui, std::string_view label, Tristate& state, std::string_view tip = {});
-
 /// One of a few, side by side in one piece. `chosen` is clamped. Arrows choose.
 Edit segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices);
-/// One of a few, each with a round mark, below each other.
-Edit radio(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices);
 
 Color color_of(const Theme& theme, Tone tone);
 

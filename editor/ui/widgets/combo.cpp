@@ -10,6 +10,7 @@ namespace lapfx::ui {
 
 namespace {
 
+constexpr std::size_t filter_from = 12;  // so many choices have a field to filter them
 constexpr int most_rows = 14;
 constexpr float bar_width = 0.45F, least_bar = 2;  // em
 
@@ -340,7 +341,7 @@ Edit combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::str
     node.is |= Is::expanded;
     bool leaves = false;
     Node& root = *ui.open_overlay_node(list_name, Role::group, ui.join({name, " choices"}), Axis::y);
-    const bool taken = put_list(ui, c, root, chosen, choices, choices.size() >= options.filter_from, leaves);
+    const bool taken = put_list(ui, c, root, chosen, choices, choices.size() >= filter_from, leaves);
     ui.close_overlay_node();
     if (taken) chosen = static_cast<int>(c.shown[static_cast<std::size_t>(c.at)]);
     if (taken || leaves) ui.close_overlay(list_name);

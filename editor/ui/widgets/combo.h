@@ -14,8 +14,7 @@ struct ComboOptions {
     std::string_view tip = {};
     std::string_view placeholder = {};  ///< dim, while nothing is chosen
     Size width = {SizeKind::grow, 1};
-    bool caption = false;          ///< the label is seen, at the left
-    std::size_t filter_from = 12;  ///< so many choices have a field to filter them
+    bool caption = false;  ///< the label is seen, at the left
 };
 
 /// `chosen`: -1 is none; others are clamped. `choices` are told from a new list by their number and place, and must not

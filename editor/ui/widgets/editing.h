@@ -1,5 +1,4 @@
-// A text while it has the keyboard: keys, typed characters, clipboard, undo and the blinking of the caret, for fields
-// of one line and of many.
+// A text while it has the keyboard: keys, typed characters, clipboard, undo and the blinking of the caret.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -8,9 +7,9 @@
 namespace lapfx::ui {
 
 struct EditingRules {
-    TextLimits limits;
-    bool read_only = false;     ///< can be selected and copied
-    bool keys_outside = false;  ///< Enter, Esc, up, down and the page keys are the caller's
+    std::size_t bytes = 1 << 20;  ///< what would go beyond is cut
+    bool read_only = false;       ///< can be selected and copied
+    bool keys_outside = false;    ///< Enter, Esc, up, down and the page keys are the caller's
     bool escape_empties = false;
 };
 
@@ -28,8 +27,7 @@ struct Editing {
     Edit close();
     /// In place of all that is there, as one step that can be undone.
     void replace(Ui& ui, std::string_view with, std::string& text, Edit& result);
-    /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all
-    /// (of many lines: the line).
+    /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all.
     void press(Ui& ui, const Event& event, std::size_t byte);
     /// What a right click or the Menu key offers: built last by the field `id`, which keeps its text under edit while
     /// it is open.

@@ -1,4 +1,4 @@
-// What table, tree and thumbnails have in common: lines of items of which those in sight are built, a selection, and
+// What table and thumbnails have in common: lines of items of which those in sight are built, a selection, and
 // the keys and presses that move it. The list has the keyboard, not its items.
 //
 // Press selects; with Ctrl one more or one less, with Shift from the last to this one (where several may be selected).
@@ -51,19 +51,16 @@ struct RowListOptions {
     float line_height = 24;   ///< px
     std::size_t columns = 1;  ///< items in a line
     bool multiple = false;
-    bool left_right = false;          ///< Left and Right are told as `sideways`, when there is one column
     const NameOf* name_of = nullptr;  ///< of an item, to be found by typing; must last as long as the list
     ScrollOptions area;
 };
 
 struct RowEvents {
-    bool selected = false;          ///< the selection has changed
-    std::size_t opened = no_row;    ///< Enter or a double click
-    std::size_t context = no_row;   ///< right button or Menu key: for a menu; it is selected by then
-    std::size_t marked = no_row;    ///< space, where only one can be selected
-    std::size_t hovered = no_row;   ///< under the pointer
-    std::size_t sideways = no_row;  ///< the current one, when Left or Right was pressed
-    int direction = 0;              ///< of `sideways`: -1 Left, 1 Right
+    bool selected = false;         ///< the selection has changed
+    std::size_t opened = no_row;   ///< Enter or a double click
+    std::size_t context = no_row;  ///< right button or Menu key: for a menu; it is selected by then
+    std::size_t marked = no_row;   ///< space, where only one can be selected
+    std::size_t hovered = no_row;  ///< under the pointer
 };
 
 class RowList {

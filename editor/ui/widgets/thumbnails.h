@@ -20,7 +20,6 @@ struct Thumbnail {
 struct ThumbnailOptions {
     float cell = 8;            ///< em, width of a picture; what is left over is shared out
     float aspect = 16.0F / 9;  ///< of pictures
-    bool stars = true;
     Size width = grow(), height = grow();
 };
 
