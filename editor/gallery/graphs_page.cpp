@@ -17,7 +17,7 @@ void speeds(ui::Ui& ui, GraphsState& s) {
     ui::plot(ui, "Speed", series, {.x_name = "Time", .x_unit = "s", .y_name = "Speed", .y_unit = "mm/s"});
 }
 
-/// Time goes on while it plays: the timeline shows it, whose it is moves it.
+/// Moves the time while it plays: the timeline only shows it.
 void play(ui::Ui& ui, ui::TimelineState& state, double length) {
     double& seen = ui.memory<double>(ui.id_of("clock"));
     const double passed = ui.time() - std::exchange(seen, ui.time());

@@ -1,4 +1,4 @@
-// A bit of everything on one screen: what golden pictures are made of.
+// A bit of everything on one screen; the golden pictures show this page.
 #include <array>
 
 #include "gallery/gallery.h"

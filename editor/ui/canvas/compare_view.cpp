@@ -240,7 +240,7 @@ void take(Ui& ui, const View& view, LineDrag& drag, const Event& event, CompareS
     drag.held = false;
 }
 
-/// Gives whether a press of this build, or what is held, is the line's.
+/// Returns whether a press of this build, or what is held, is the line's.
 bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState& state, Edit& edit) {
     LineDrag& drag = ui.memory<LineDrag>(id);
     bool taken = drag.held;

@@ -1,4 +1,4 @@
-// A function of one input given by points with straight lines between them. Pure; the editor is curve_editor.h.
+// A function of one input: points with straight lines between them. No UI; the editor is curve_editor.h.
 #pragma once
 
 #include <optional>
@@ -28,7 +28,7 @@ class Curve {
     const CurvePoint& point(std::size_t i) const { return points_[i]; }
     std::size_t size() const { return points_.size(); }
 
-    /// Gives its index; nothing when there is a point at this x already, or a number is not finite.
+    /// Returns its index; nothing when there is a point at this x already, or a number is not finite.
     std::optional<std::size_t> insert(double x, double y);
     /// The last one stays.
     void erase(std::size_t i);

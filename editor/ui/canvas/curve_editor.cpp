@@ -172,7 +172,7 @@ class Editing {
         if (in_steps) dx = snap(p.x + dx, o_.x_step) - p.x, dy = snap(p.y + dy, o_.y_step) - p.y;
         if (shift_points(dx, dy, m_.grabbed)) report();
     }
-    /// m_.scratch, moved as far as neighbours and ranges allow, becomes the curve. Gives whether it changed.
+    /// m_.scratch, moved as far as neighbours and ranges allow, becomes the curve. Returns whether it changed.
     bool shift_points(double dx, double dy, std::size_t focused) {
         const auto& points = m_.scratch;
         const double apart = least_distance * o_.x.length();
@@ -349,7 +349,7 @@ Edit curve_editor(Ui& ui, std::string_view label, Curve& curve, const CurveEdito
     Memory& m = ui.memory<Memory>(id);
     const Frame f = frame_of(ui, ui.rect_before(id), options);
     Editing editing(ui, m, curve, options, f);
-    if (!f.graph.empty()) {  // all that happened, before anything is built
+    if (!f.graph.empty()) {  // handle all events before anything is built
         if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
         for (std::size_t i = 0; i < m.ids.size() && i < curve.size(); ++i) {
             if (ui.has_events(m.ids[i])) ui.events_of(m.ids[i], [&](const Event& e) { editing.point(i, e); });

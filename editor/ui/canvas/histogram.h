@@ -47,8 +47,7 @@ HistogramResult histogram(Ui& ui, std::string_view label, const HistogramData& d
 
 /// 0..1: the height of a bar. `most` is the count that is full height; more is cut.
 float bar_height(std::uint32_t count, std::uint32_t most, bool logarithmic);
-/// The count that is shown at full height: the most frequent but the two ends, which a clipped picture fills without
-/// end.
+/// The count that is shown at full height: the largest, without the two ends, which are huge in a clipped picture.
 std::uint32_t full_count(std::span<const std::uint32_t> bins);
 
 }  // namespace lapfx::ui

@@ -136,7 +136,7 @@ class Gestures {
     }
     static Span sorted(double a, double b) { return a < b ? Span{a, b} : Span{b, a}; }
 
-    /// Neither so narrow that doubles run out nor so wide that the data is lost.
+    /// Refuses spans that are too narrow for doubles, or so wide that the data cannot be seen.
     void show(const Span& x, const Span& y) {
         Span all_x, all_y;
         fitted_spans(state_, series_, all_x, all_y);
@@ -408,7 +408,7 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
 
 // --- readout ---
 
-/// The sample that the pointer means: of each series the one nearest along x, of these the nearest in px.
+/// The sample nearest to the pointer: of each series the one nearest along x, and of these the nearest in px.
 void find_cursor(const Frame& f, const PlotState& state, std::span<const PlotSeries> series, glm::vec2 at,
                  PlotResult& result) {
     if (!f.plot.contains(at)) return;

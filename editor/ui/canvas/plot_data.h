@@ -1,5 +1,5 @@
-// Samples of a plot with what makes drawing, fitting and asking fast: minima, maxima and areas of blocks of them, made
-// once. A million samples then cost what the pixels of the plot cost.
+// The samples of a plot, with minima, maxima and areas of blocks of them, which are computed once. So a million samples
+// cost no more than the pixels of the plot.
 #pragma once
 
 #include <span>

@@ -1,4 +1,4 @@
-// Time along px: where it stands, a range to play, clips and marks on tracks.
+// A timeline: the present time, a range to play, clips and marks on tracks.
 //
 //     ui::TimelineEdit edit = ui::timeline(u, "Time", state, tracks, {.length = 12, .rate = 25});
 //     if (edit.time.changed) player.seek(state.time);

@@ -17,8 +17,8 @@ TextStyle Building::number_style() const {
 Id Building::claim(Id base, bool& duplicate) {
     const auto index = static_cast<std::uint32_t>(nodes().size());
     std::vector<Node>& old = built_[1 - now_];
-    // Nearly all stand where they stood in the last build: then the table, which would have to be fetched, knows that
-    // already.
+    // Nearly all nodes have the index that they had in the last build. The table then needs no change, and reading it
+    // would miss the cache.
     if (index < old.size() && old[index].id == base && !old[index].moved) return base;
     Seen* seen = &seen_.at(base, *this);
     while (index_now(*seen) != no_node) {  // the second of one name is told from the first
@@ -162,7 +162,7 @@ Response Building::respond(Node& node) {
     const Id id = node.id;
     const bool concerned =
         node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
-    if (!concerned) {  // nearly all
+    if (!concerned) {  // nearly all nodes
         r.pointer = pointer_;
         r.mods = mods_;
         return r;

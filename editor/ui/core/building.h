@@ -1,5 +1,5 @@
-// What a widget is written with: nodes, what happened to them, how they look. A widget is a function that takes the Ui,
-// adds a node, asks what happened to it, and says how it is drawn:
+// What a widget is written with: nodes, what happened to them, and how they look. A widget is a function that takes the
+// Ui, adds a node, asks what happened to it, and says how it is drawn:
 //
 //     bool lamp(Ui& ui, std::string_view label, Color color) {
 //         Node& node = ui.leaf(Role::button, label, Sense::hover | Sense::press);
@@ -37,11 +37,11 @@ struct Response {
     float wheel = 0;    ///< notches
 };
 
-/// What came of an edit; bits, since all may happen in one frame. A gesture is began, changed any number of times, and
-/// then either committed or cancelled; when cancelled the value is as it was. An undo step lies between began and
-/// committed. One gesture at a time: all three at once, from a widget with one open, belong to that one. A widget that
-/// is no longer built in the middle of a gesture reports nothing more: for a listener that is a commit, as soon as
-/// nothing is held and focused.
+/// What an edit did; several may be true in one frame. A gesture begins, changes the value any number of times, and
+/// ends: committed, or cancelled, with the value as it was before. What lies between began and committed is one undo
+/// step. A widget has one gesture at a time: if began, changed and committed come together while a gesture is open,
+/// they belong to it. A widget that the program stops building in the middle of a gesture reports nothing more. Its
+/// listener takes that for a commit as soon as no node is held or has the keyboard.
 struct Edit {
     bool began = false, changed = false, committed = false, cancelled = false;
     explicit operator bool() const { return changed; }
@@ -77,21 +77,21 @@ class Building : public UiState {
     void close();
     Node& parent() { return nodes()[stack_.back().node]; }
     Node& last() { return nodes().back(); }  ///< the newest node
-    /// Ids of what is built until pop_seed() differ by `key`: for loops over things that have names of their own.
+    /// Until pop_seed(), all ids differ by `key`. For loops whose widgets have the same labels in each round.
     void push_seed(std::string_view key);
     void push_seed(std::uint64_t key);
     void pop_seed() { stack_.pop_back(); }
-    /// The id that a node with this label would have here: for what must be known of it before it is built.
+    /// The id that a node with this label would have here, for asking about it before it is built.
     Id id_of(std::string_view label) const { return hash_bytes(stack_.back().seed, split_label(label).key); }
     void push_disabled(bool disabled);
     void pop_disabled() { --disabled_, disabled_ = std::max(disabled_, 0); }
     bool disabled() const { return disabled_ > 0; }
 
-    /// Another build follows in this frame when layout gives `node` another size than it had: for what is placed inside
-    /// it by its size of before, and for pictures that are made to its size.
+    /// If layout changes the size of `node`, another build follows in this frame. For widgets that use their size of
+    /// the last build, and for pictures that are rendered at that size.
     void follow_size(const Node& node) { followed_.push_back(static_cast<std::uint32_t>(&node - nodes().data())); }
 
-    /// What happened to it, and its states hovered, held, focused, ringed. Once for each node.
+    /// Returns what happened to the node and sets its states hovered, held, focused and ringed. Once for each node.
     Response respond(Node& node);
     /// Events of this build for `id`, in order.
     template <typename F>
@@ -105,10 +105,11 @@ class Building : public UiState {
         const Seen* seen = seen_.find(id);
         return seen != nullptr && seen->events == build_;
     }
-    /// Of the last build; null: it was not there. Any widget's place before this frame's layout is the one of before.
+    /// The node in the last build; null: it was not there. Until layout runs, the last build is where a widget knows
+    /// its rectangle from.
     const Node* before(Id id) const;
     Rect rect_before(Id id) const;
-    /// What the last build had where the next node will stand; null: nothing. For what has no id.
+    /// The node of the last build at the index of the next node; null: none. For nodes without an id.
     const Node* in_place_before() const {
         const std::size_t index = built_[now_].size();
         return index < nodes_before().size() ? &nodes_before()[index] : nullptr;
@@ -122,8 +123,8 @@ class Building : public UiState {
         return static_cast<Slot<T>*>(slot.get())->value;
     }
 
-    /// `look` is copied. Function draws from it, from the node and from the painter's theme and scale alone: where T
-    /// has an operator== and nothing of these has changed, what it drew in the last frame is used again.
+    /// `look` is copied. Function uses nothing but the look, the node, and the painter's theme and scale: if T has an
+    /// operator== and none of these has changed, the drawing of the last frame is used again.
     template <auto Function, typename T>
     void draw_with(Node& node, const T& look) {
         node.arg = arena().make(look);
@@ -139,7 +140,7 @@ class Building : public UiState {
   protected:
     using UiState::UiState;
     Node& add(Role role, std::string_view label, Sense sense, bool overlay);
-    /// Where a node stands in the last build and in this one; no_node: it is not there, or not yet.
+    /// The index of a node in the last build and in this one; no_node: it is not there, or not yet.
     std::uint32_t index_before(Id id) const;
     std::uint32_t index_now(Id id) const;
 

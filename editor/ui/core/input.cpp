@@ -11,7 +11,7 @@ bool Input::key_down(Key key) const {
 
 void Input::send(Id target, const Event& event) {
     if (target == 0) return;
-    if (!routing_) {  // its widget may have been built already: in the next build it is told
+    if (!routing_) {  // its widget may have been built already; the next build tells it
         late_.emplace_back(target, event);
         again_ = true;
         return;
@@ -29,7 +29,7 @@ void Input::set_focus(Id id, bool by_keyboard) {
     again_ = true;
 }
 
-/// In the layout that is known; what has just been built is revealed by the next build.
+/// Uses the layout of the last build; a node that is new is revealed by the next one.
 void Input::reveal(Id id) {
     const std::uint32_t index = index_before(id);
     if (index == no_node || index >= nodes_before().size()) {

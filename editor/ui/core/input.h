@@ -1,5 +1,5 @@
-// Pointer and keyboard beyond what Response tells: which node has them, moving the focus, the cursor, the clipboard,
-// and when the next frame is due.
+// Pointer and keyboard beyond what a Response says: which node has them, the focus, the cursor, the clipboard, and when
+// the next frame is due.
 #pragma once
 
 #include "ui/core/building.h"
@@ -16,18 +16,17 @@ class Input : public Building {
     glm::vec2 pointer() const { return pointer_; }
     bool pointer_inside() const { return pointer_inside_; }
     Mods mods() const { return mods_; }
-    /// Whether a key is down now; for a flicker on a held key.
+    /// Whether a key is down now.
     bool key_down(Key key) const;
     void set_cursor(Cursor cursor) { output_.cursor = cursor; }
     void lock_pointer() { output_.pointer_locked = true; }
     void set_caret(const Rect& caret) { output_.caret = caret; }
     Clipboard* clipboard() const { return options_.clipboard; }
-    /// Scrolls every area around it so that it can be seen; from the next build on.
+    /// Scrolls every area around the node so that it is seen, from the next build on.
     void reveal(Id id);
-    /// Runs what belongs to the chord unless a dialog is in the way; gives whether there was anything.
+    /// Runs the command of the chord, unless a dialog is open. Returns whether there was one.
     bool press_shortcut(Key key, Mods mods);
-    /// The program is called once more before this frame is drawn: what was built earlier in it rests on what has
-    /// changed since.
+    /// Asks for another build before this frame is drawn, because nodes built earlier depend on what has just changed.
     void build_again() { again_ = true; }
     /// Files dropped where no node wanted them, one a line; empty: none in this build.
     std::string_view dropped() const { return dropped_; }

@@ -17,7 +17,7 @@ Id key_of(std::string_view name) {
 void Overlays::open_overlay(std::string_view name, OverlayKind kind, const Placement& placement) {
     const Id key = key_of(name);
     std::erase_if(overlays_, [&](const Overlay& o) { return o.key == key; });
-    // A menu or a list cannot be used from under a dialog: it closes, and the keyboard comes back to what opened it.
+    // A menu or a list cannot be used while a dialog lies over it: it closes, and its opener gets the keyboard back.
     if (kind == OverlayKind::modal) close_popups();
     assert(overlays_.size() < 200);
     overlays_.push_back({.key = key,
@@ -100,7 +100,7 @@ Node* Overlays::open_overlay_node(std::string_view name, Role role, std::string_
     return &node;
 }
 
-/// Where an overlay's widget was, for when it is scrolled away or no longer built.
+/// Keeps the rectangle of the widget that an overlay belongs to, in case it is scrolled away or no longer built.
 void Overlays::remember_anchors() {
     for (Overlay& overlay : overlays_) {
         const std::uint32_t anchor = index_now(overlay.placement.anchor);
@@ -110,7 +110,7 @@ void Overlays::remember_anchors() {
 
 void Overlays::drop_overlays_not_built() {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
-        // one opened in this build may be built in the next: what opens it can stand after what builds it
+        // an overlay opened in this build is built in the next if its opener comes after the code that builds it
         if (overlays_[i].built == build_ || overlays_[i].opened_build == build_) continue;
         const Overlay gone = overlays_[i];
         overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -135,7 +135,7 @@ void Overlays::focus_new_overlay() {
     }
 }
 
-/// Of the overlay that has the keyboard to itself; 0: the window.
+/// The layer of the overlay that has the keyboard; 0: the window.
 std::uint8_t Overlays::focus_layer() const {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
         if (overlays_[i].kind != OverlayKind::passive) return static_cast<std::uint8_t>(i + 1);

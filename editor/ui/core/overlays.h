@@ -10,13 +10,14 @@ class Overlays : public Input {
     void open_overlay(std::string_view name, OverlayKind kind, const Placement& placement);
     void close_overlay(std::string_view name);
     void close_top_overlay();
-    /// Those over it that can have the keyboard, the top one first; gives whether there were any.
+    /// Closes all overlays above this one that can have the keyboard, the top one first. Returns whether there were
+    /// any.
     bool close_overlays_over(std::string_view name);
     bool overlay_open(std::string_view name) const;
     /// Open, and no other that can have the keyboard lies over it.
     bool overlay_on_top(std::string_view name) const;
-    /// Opens its node when the overlay is open (then close_overlay_node() must follow), else gives null. An overlay
-    /// that is not built in a frame is closed. `label`: what it is called in the tree.
+    /// If the overlay is open, opens its node; close_overlay_node() must follow. Else returns null. An overlay that is
+    /// not built in a frame is closed. `label`: its name in the tree.
     Node* open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis);
     void close_overlay_node() { close(); }
     std::size_t overlay_count() const { return overlays_.size(); }

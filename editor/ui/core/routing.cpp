@@ -1,5 +1,5 @@
-// Events to widgets: who is meant is decided here, against the nodes of the last build, before the program builds the
-// next.
+// Sends events to widgets: finds the node that an event is for among those of the last build, before the program builds
+// again.
 #include <algorithm>
 #include <utility>
 
@@ -24,7 +24,7 @@ bool finite(glm::vec2 v) {
 
 }  // namespace
 
-/// Everything up to and with the next key or button: the one after that is for a UI that knows of this one.
+/// Takes events up to and including the next key or button; later ones wait for a UI that knows of this one.
 void Ui::take_events() {
     for (auto& each : routed_) each.second.paths.clear();
     routed_.clear();
@@ -83,13 +83,13 @@ void Ui::route(Event& event) {
     }
 }
 
-/// The first of what is typed: the next is for a text that is open.
+/// Whether this character opens an entry, which the next character is for.
 bool Ui::opens_entry(const Event& event) {
     const Node* node = event.kind == EventKind::text ? before(focus_) : nullptr;
     return node != nullptr && !has(node->sense, Sense::editing);
 }
 
-/// Topmost node there that senses any of `senses`. An overlay hides what lies under it.
+/// The topmost node there that has any of `senses`. An overlay hides the nodes under it.
 std::uint32_t Ui::hit(std::span<const Node> all, glm::vec2 at, Sense senses) const {
     std::uint32_t best = no_node;
     int layer = -1, covered = -1, modal = 0;
@@ -145,7 +145,7 @@ void Ui::route_press(Event& event) {
     pressed_hot_ = hot_;
     const std::uint32_t index = hit(nodes_before(), event.at, sense_of(event.button));
     const int layer = index == no_node ? -1 : nodes_before()[index].layer;
-    // A press beside what lies on top closes it, and does nothing else.
+    // A press outside the top overlay closes it and does nothing else.
     for (std::size_t i = overlays_.size(); i-- > 0;) {
         if (overlays_[i].kind == OverlayKind::passive) continue;
         bool inside = layer >= static_cast<int>(i) + 1;
@@ -175,7 +175,7 @@ void Ui::route_press(Event& event) {
     const std::size_t over = node.layer;
     const bool passive = over > 0 && over <= overlays_.size() && overlays_[over - 1].kind == OverlayKind::passive;
     if (node.role == Role::menu_item || passive) {
-        // what is chosen from a menu is for what had the keyboard before; a notice never has it
+        // a command of a menu is for the node that had the keyboard before; a notice never has it
     } else if (has(node.sense, Sense::focus)) {
         set_focus(target);
     } else if (node.role != Role::scroll_bar && node.role != Role::splitter) {
@@ -191,7 +191,7 @@ void Ui::route_release(const Event& event) {
     find_hot(nodes_before());
 }
 
-/// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its
+/// The wheel goes to the innermost node that uses it: a field with Ctrl, a canvas, or a scroll area that is not at its
 /// end.
 void Ui::route_wheel(const Event& event) {
     const bool scrolling = event.time - scrolled_at_ < scroll_ends;
@@ -224,13 +224,14 @@ void Ui::route_wheel(const Event& event) {
 }
 
 void Ui::route_text(const Event& event) {
-    // The key moved the focus, as a shortcut or as the space that chose: its letter is not meant for what has it now.
+    // This key has moved the focus, as a shortcut or as the space that chose an item. Its letter is not for the node
+    // that has the focus now.
     if (std::exchange(key_came_, false) && typed_for_ != focus_) return;
     const Node* node = before(focus_);
     if (node == nullptr) return;
     const char32_t c = event.codepoint;
-    // Of what an expression can begin with. Letters, too, unless they are a shortcut: "sqrt(16)" must not become
-    // "(16)".
+    // Characters that an expression can begin with. Letters count unless they are a shortcut: "sqrt(16)" must not
+    // become "(16)".
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' ||
                         c == '=' || (letter && !key_ran_shortcut_);

@@ -1,6 +1,6 @@
-// All that a Ui holds. Its faces (building.h, input.h, overlays.h, inspection.h, ui.h) are one object: each is a class
-// over the one before, so that what a widget calls reaches its data without another pointer. Nobody includes this but
-// them.
+// All data of a Ui. The classes Building, Input, Overlays, Inspection and Ui each derive from the one before: they
+// divide the functions by who calls them, and all reach the data without another pointer. Only their headers include
+// this one.
 #pragma once
 
 #include <array>
@@ -24,11 +24,11 @@
 
 namespace lapfx::ui {
 
-/// What shortcuts go to: the command table (shell/commands.h).
+/// Receives shortcuts: the command table (shell/commands.h).
 class Shortcuts {
   public:
     virtual ~Shortcuts() = default;
-    /// Runs what belongs to the chord; gives whether there was anything.
+    /// Runs the command of the chord. Returns whether there was one.
     virtual bool press(Key key, Mods mods) = 0;
 };
 
@@ -55,7 +55,7 @@ struct FrameOutput {
     const DrawList* list = nullptr;  ///< until the next frame
     bool changed = true;             ///< the picture differs from the last one
     Cursor cursor = Cursor::arrow;
-    bool pointer_locked = false;  ///< hide the pointer and let it go on without bounds; put it back afterwards
+    bool pointer_locked = false;  ///< hide the pointer and let it move without bounds; put it back afterwards
     Rect caret{};                 ///< where text is typed, for input methods; empty: nowhere
     double wake_at = never;  ///< s: the next frame is due then although nothing may happen; `time` or before: at once
 };
@@ -96,7 +96,7 @@ class UiState {
     FrameInput input_;
     FrameOutput output_;
     DrawList list_, shown_;  ///< of this frame and of the one before
-    /// What `shown_` was drawn with. Where it is another now, nothing of it can be used again.
+    /// What `shown_` was drawn with. If any of it differs now, nothing of `shown_` can be used again.
     struct DrawnWith {
         const Theme* theme = nullptr;
         float scale = 0;
@@ -104,7 +104,7 @@ class UiState {
         friend bool operator==(const DrawnWith&, const DrawnWith&) = default;
     } drawn_with_;
     bool reuse_ = false;
-    bool drawn_anew_ = false;  ///< else all instances are those of `shown_`, in their places
+    bool drawn_anew_ = false;  ///< false: so far all instances are equal to those of `shown_`
 
     std::vector<Node> built_[2];
     Arena arenas_[2];

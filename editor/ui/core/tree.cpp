@@ -65,7 +65,7 @@ constexpr struct {
 };
 static_assert(is_whole(roles));
 
-/// In the order of their bits. Where the keyboard shows its ring is no state of its own to a reader.
+/// In the order of their bits. The ring of the keyboard is not told apart from the focus.
 constexpr std::pair<Is, std::string_view> states[] = {
     {Is::disabled, "disabled"},   {Is::hovered, "hovered"},   {Is::held, "held"},
     {Is::focused, "focused"},     {Is::ringed, ""},           {Is::checked, "checked"},
@@ -90,7 +90,7 @@ std::string number_text(double value) {
     return {buffer, end};
 }
 
-/// What is not UTF-8 becomes U+FFFD: the tree is read by others.
+/// Bytes that are not UTF-8 become U+FFFD, because other programs read the tree.
 std::string clean(std::string_view text) {
     return ordered_json::parse(
                ordered_json(std::string(text)).dump(-1, ' ', false, ordered_json::error_handler_t::replace))
@@ -133,7 +133,7 @@ ordered_json json_of(std::span<const Node> tree, std::uint32_t index) {
     return json;
 }
 
-/// Children of nodes without a name are taken for their own.
+/// Children of a node without a name become children of its parent.
 void add_children(std::span<const Node> tree, std::uint32_t index, ordered_json& into) {
     for (std::uint32_t i = index + 1; i < tree[index].end; i = tree[i].end) {
         if (!named(tree[i])) {

@@ -13,7 +13,7 @@ constexpr double tooltip_after = 0.5;    // s that the pointer rests
 constexpr double tooltip_by_keys = 0.9;  // s that the focus stays
 constexpr Id root_seed = 0x6c617066782e7569ULL;
 constexpr int most_settling =
-    6;  // builds without an event: hover that changes the layout that changes the hover must end
+    6;  // builds in a row without an event: hover may change the layout, which changes the hover
 
 void draw_tooltip(Painter& painter, const Node& node, const TextStyle& style) {
     const Rect rect = node.rect();
@@ -68,7 +68,7 @@ void Ui::add_tooltip() {
     if (active_[0] != 0 || active_[1] != 0 || active_[2] != 0) return;
     const bool by_keys = hot_ == 0 && ringed_;
     const Id of = by_keys ? focus_ : hot_;
-    if (!by_keys && of == pressed_hot_) return;  // known by now; what the press has opened is to be seen
+    if (!by_keys && of == pressed_hot_) return;  // a tooltip must not cover what the press has opened
     const std::uint32_t index = index_now(of);
     if (index == no_node) return;
     const std::string_view tip = nodes()[index].tip;
@@ -110,7 +110,7 @@ bool Ui::end() {
     find_hot(nodes());
     if (hot != hot_) again_ = true, rested_since_ = time();
     if (queue_head_ < queue_.size()) return true;
-    // What was built before the widget that an event was for does not know yet what came of it.
+    // Nodes built before the one that an event was for do not show its effect yet.
     again_ |= !routed_.empty() || !late_.empty();
     if (again_ && settled_++ < most_settling) return true;
     unsettled_ = again_ ? unsettled_ + 1 : 0;

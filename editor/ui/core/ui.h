@@ -1,5 +1,5 @@
-// The heart of the toolkit. A frame is: events -> the program says what there is (calls; each answers at once from
-// where things were before) -> layout of the whole tree -> instances to draw.
+// The core of the toolkit. A frame is: events, then a build (the program calls widgets; each answers at once, from the
+// rectangles of the last build), then the layout of the whole tree, then the list of what is drawn.
 //
 //     ui::Ui ui(fonts, {.theme = &ui::dark_theme()});
 //     ui.push({.kind = ui::EventKind::press, .at = {40, 20}});
@@ -10,13 +10,15 @@
 //     });
 //     if (out.changed) renderer.draw(*out.list);
 //
-// A Ui has four faces, each in a header of its own, each a class over the one before: Building, which is all that most
-// widgets use; Input; Overlays; Inspection. They are one object, and nothing in them is virtual.
+// The functions of a Ui are divided by who calls them, each part a class in a header of its own: Building (building.h)
+// is all that most widgets need; Input, Overlays and Inspection follow; what is in this header is for the program that
+// owns the Ui.
 //
-// One thread, but wake(). The program is called again within one frame() while events are left (one key or button at a
-// time, so that each meets a UI that knows of the one before), once more after an event (so that what stands above a
-// widget shows what came of it, too), and when layout or hover changed: what it does must follow from its own state and
-// from what widgets answer, each answer used in the build that it is given in.
+// One thread only, except for wake(). One frame() may call the program several times. It handles one key or button per
+// build, so that each event meets a UI that knows of the event before. After the last event it builds once more, so
+// that widgets above the one that was used show the result as well. It also builds again when layout or hover has
+// changed. So a build must depend on nothing but the state of the program and the answers of widgets, and must use each
+// answer in the build that gives it.
 #pragma once
 
 #include "ui/core/inspection.h"
@@ -38,13 +40,13 @@ class Ui : public Inspection {
         }
         return emit();
     }
-    /// From any thread: a frame is wanted. `set_waker`: what that calls (it may come from any thread, too).
+    /// Asks for a frame, from any thread. `set_waker`: the function that wake() calls, on the same thread.
     void wake(const char* reason);
     void set_waker(std::function<void()> waker) { waker_ = std::move(waker); }
     void set_theme(const Theme& theme) { options_.theme = &theme; }
     void set_reduced_motion(bool reduced) { options_.reduced_motion = reduced; }
     void set_shortcuts(Shortcuts* shortcuts) { options_.shortcuts = shortcuts; }
-    /// The last frame, every node drawn anew: for tests that what frame() gave is the same picture.
+    /// Draws every node of the last frame anew. Tests compare this with the list that frame() returned.
     void redraw(DrawList& list);
 
   private:

@@ -27,7 +27,7 @@ std::string_view embedded(std::string_view name) {
     return {};
 }
 
-/// `picture`: drawn by the program of pictures.
+/// `picture`: drawn by the second program, that of pictures.
 constexpr struct {
     InstanceKind value;
     std::string_view name;
@@ -73,7 +73,7 @@ std::string log_of(GLuint name, decltype(glGetShaderiv) get, decltype(glGetShade
     return log;
 }
 
-/// Gives 0 and adds to `fault` when it does not compile. `defines` go behind the line of #version.
+/// Returns 0 and adds to `fault` when it does not compile. `before` goes behind the line of #version.
 GLuint compile(GLenum stage, std::string_view text, std::string_view before, std::string& fault) {
     const std::size_t line_end = text.find('\n');
     const std::size_t first_line = line_end == text.npos ? text.size() : line_end + 1;

@@ -14,10 +14,10 @@ namespace {
 
 constexpr std::size_t most_recent = 8;
 
-/// Whether a command may have the key. One that moves the focus, confirms or cancels everywhere is not to be had.
+/// Whether a command may have the key. Keys that move the focus, confirm or cancel everywhere are not free.
 enum class Binding : std::uint8_t { yes, with_ctrl_or_alt, no };
 
-/// Every key but those that are called by what is written on them.
+/// All keys except those whose name is the character on them.
 constexpr struct {
     Key key;
     std::string_view name;
@@ -68,7 +68,7 @@ constexpr struct {
 } mod_names[] = {
     {Mods::command, "Ctrl"}, {Mods::alt, "Alt"}, {Mods::shift, "Shift"}};  // in the order of a chord's text
 
-/// Keys that are called by what is written on them.
+/// Keys whose name is the character on them.
 constexpr std::string_view written = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ',-./;=[]`\\";
 
 bool same_word(std::string_view a, std::string_view b) {

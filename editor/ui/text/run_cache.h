@@ -1,5 +1,5 @@
-// Runs by text and style. Runs that are not used for a while go, a few slots a frame; their memory serves the next
-// ones, so that a number that changes every frame allocates nothing either. Private to text/.
+// Runs by text and style. Runs that are not used for a while are dropped, a few slots in each frame; their memory is
+// used for new ones, so that a number that changes in every frame allocates nothing. Private to text/.
 #pragma once
 
 #include <memory>

@@ -35,8 +35,8 @@ constexpr struct {
              {Kind::share, "a share"}};
 static_assert(is_whole(kinds));
 
-/// Names of one kind go over into each other: value * factor + offset is in the kind's smallest unit, so that factors
-/// are whole.
+/// Units of one kind can be converted: value * factor + offset is in the smallest unit of the kind, so that factors are
+/// whole.
 struct Unit {
     Kind kind;
     std::string_view name;
@@ -158,9 +158,8 @@ bool is_word(char32_t c) {
     return !is_space(c) && operator_of(c) == 0;
 }
 
-/// Recursive descent: sum, product, sign, power, measure, operand. A fault is kept, the first one, and moves on to the
-/// end of the text, so that every loop ends. Recursion goes by brackets and by "^", and so is bounded by the length of
-/// the text.
+/// Recursive descent: sum, product, sign, power, measure, operand. The first fault is kept; it moves the place to the
+/// end of the text, so that every loop ends. Only brackets and "^" recurse, so the length of the text bounds the depth.
 class Parser {
   public:
     Parser(std::string_view text, const ExpressionContext& context)

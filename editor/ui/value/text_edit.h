@@ -1,12 +1,11 @@
-// Editing a line of text as a pure thing: a string, a caret, a selection, a history. No drawing, no fonts, no events of
-// a widget.
+// A line of text that is edited: a string, a caret, a selection, a history. No drawing, no fonts, no events.
 //
 //     TextEdit edit("speed");
 //     edit.apply(TextCommand::select_all);
 //     edit.insert("4.5");
 //
-// Text is UTF-8. What comes in with bytes that are no UTF-8 has each shown as U+FFFD but kept as it is. Places are byte
-// offsets that never fall inside a code point, nor between a letter and the combining marks after it.
+// Text is UTF-8. Bytes that are not UTF-8 are kept and shown as U+FFFD. Places are byte offsets that never fall inside
+// a code point, nor between a letter and the combining marks after it.
 #pragma once
 
 #include <cstddef>
@@ -55,7 +54,7 @@ class TextEdit {
     bool can_undo() const;
     bool can_redo() const;
 
-    /// Gives whether anything changed, the caret and the selection among it.
+    /// Returns whether anything changed, the caret and the selection among it.
     bool apply(TextCommand command);
     /// In place of the selection. Line breaks become spaces, other control characters but tab are left out. Typing goes
     /// on in one undo step until the caret is moved, a word ends, or something else happens.

@@ -1,4 +1,4 @@
-// One of a few, side by side in one piece. Tab comes to the one that is chosen, arrows go on from it.
+// One of a few choices, side by side. Tab goes to the chosen one, arrows choose its neighbours.
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {

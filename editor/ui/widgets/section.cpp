@@ -41,7 +41,7 @@ std::string_view count_text(Ui& ui, int count) {
     return ui.copy({buffer, static_cast<std::size_t>(end - buffer)});
 }
 
-/// Gives whether the section is open.
+/// Returns whether the section is open.
 bool put_header(Ui& ui, std::string_view title, const SectionOptions& options) {
     Node& header = ui.leaf(Role::button, "##header",
                            Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_x);

@@ -77,7 +77,7 @@ Response put_star(Ui& ui, bool on) {
     return r;
 }
 
-/// Gives what happened to its star.
+/// Returns what happened to its star.
 Response put_cell(Ui& ui, RowList& list, std::size_t index, const Thumbnail& item, const Metrics& m,
                   const ThumbnailOptions& options) {
     ui.push_seed(item.key == no_key ? index : item.key);

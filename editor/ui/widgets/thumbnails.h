@@ -1,7 +1,7 @@
 // Pictures with names in a grid: presets, clips. Lines in sight are built; pictures may come later.
 //
-// Press or arrows select, Enter or a double click opens, space or the star in the corner marks; what the pointer rests
-// on is told, so that a preset can be tried on the fly.
+// A press or arrows select, Enter or a double click opens, space or the star in the corner marks an item. The item
+// under the pointer is reported, so that a preset can be shown while the pointer is on it.
 #pragma once
 
 #include "ui/widgets/rows.h"
