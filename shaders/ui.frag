@@ -60,24 +60,22 @@ vec4 compared() {
     first.rgb *= first.a;
     second.rgb *= second.a;
     switch (mode) {
-        case 0: return mix(first, second, clamp(v_place.x + 0.5, 0.0, 1.0));
-        case 1: return vec4(min(abs(first.rgb - second.rgb) * v_other.y, 1.0), 1.0);
-        case 2: return mix(first, second, v_other.z);
-        case 3: return first;
-        default: return second;
+        case wipe_mode: return mix(first, second, clamp(v_place.x + 0.5, 0.0, 1.0));
+        case difference_mode: return vec4(min(abs(first.rgb - second.rgb) * v_other.y, 1.0), 1.0);
+        default: return mix(first, second, v_other.z);
     }
 }
 
 void main() {
-    if (v_kind == 3u) {
+    if (v_kind == image_kind) {
         vec4 color = picture(u_first, v_place.zw, v_shape.x > 0.5) * v_color;
         o_color = vec4(color.rgb * color.a, color.a);
-    } else if (v_kind == 4u) {
+    } else if (v_kind == gradient_kind) {
         o_color = mix(v_color, v_other, clamp(v_place.x, 0.0, 1.0));
-    } else if (v_kind == 5u) {
+    } else if (v_kind == checker_kind) {
         ivec2 square = ivec2(floor(v_place.xy));
         o_color = ((square.x + square.y) & 1) == 0 ? v_color : v_other;
-    } else if (v_kind == 6u) {
+    } else if (v_kind == shadow_kind) {
         float outside = clamp(distance_to(v_place.xy, v_shape.xy, v_shape.z) / v_shape.w, 0.0, 1.0);
         o_color = v_color * (1.0 - outside * outside * (3.0 - 2.0 * outside));
     } else {

@@ -25,8 +25,7 @@ flat out float v_glyph;  // 1 of a glyph, 0 of a shape
 #endif
 out vec4 v_place;  // xy: px from the middle of the shape; zw: in the texture
 
-const uint fill_kind = 0u, glyph_kind = 1u, line_kind = 2u, image_kind = 3u, gradient_kind = 4u, checker_kind = 5u,
-           shadow_kind = 6u, compare_kind = 7u;
+// NAME_kind and NAME_mode: the values of InstanceKind and CompareMode, which the renderer puts in front.
 const float endless = 1e6, no_border = 1e8;  // px; a border wider than any shape leaves nothing inside
 
 vec4 clip;

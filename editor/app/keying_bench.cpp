@@ -349,8 +349,8 @@ void KeyingBench::show_pictures(Result& result) {
                                   .size = {source.width, source.height},
                                   .channels = 4,
                                   .every = std::max(1, std::min(source.width, source.height) / scope_samples)};
-    vectors_.update_chroma(counted, ui::Matrix::bt601);
-    waves_.update_luma(counted, ui::Matrix::bt601);
+    vectors_.update_chroma(counted);
+    waves_.update_luma(counted);
 }
 
 ui::Picture KeyingBench::picture(BenchView view) const {

@@ -48,7 +48,6 @@ void some_switches(ui::Ui& ui, BasicState& state) {
     ui::toggle(ui, "Lock", state.quiet_on, {.icon = ui::Icon::lock, .tip = "Randomising leaves it unchanged"});
     ui::checkbox(ui, "Unchecked", state.off);
     ui::checkbox(ui, "Checked", state.on, "With a tooltip");
-    ui::checkbox(ui, "Mixed", state.some);
 }
 
 void switches(ui::Ui& ui, BasicState& state) {

@@ -4,8 +4,6 @@
 #include "gallery/parts.h"
 #include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"
-#include "ui/widgets/gradient.h"
-#include "ui/widgets/text_area.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::gallery {
@@ -32,14 +30,9 @@ void text_fields(ui::Ui& ui, FieldsState& state) {
         ui::text_field(ui, "Empty", state.empty, {.placeholder = "What it is for"});
         ui::search_field(ui, "Search", state.search);
     }
-    {
-        const Line line(ui, "search");
-        ui::search_field(ui, "Find a clip", state.search, {.placeholder = "Clips"});
-        ui::search_field(ui, "Find nothing", state.empty, {.placeholder = "Presets"});
-    }
-    const Line line(ui, "notes");
-    ui::text_area(ui, "Notes", state.notes, {.lines = 4});
-    ui::text_area(ui, "Long notes", state.long_notes, {.lines = 4});
+    const Line line(ui, "search");
+    ui::search_field(ui, "Find a clip", state.search, {.placeholder = "Clips"});
+    ui::search_field(ui, "Find nothing", state.empty, {.placeholder = "Presets"});
 }
 
 void choices(ui::Ui& ui, FieldsState& state) {
@@ -53,12 +46,8 @@ void choices(ui::Ui& ui, FieldsState& state) {
         ui::combo(ui, "Clip", state.clip, clips, {.caption = true});
         ui::combo(ui, "Nothing chosen", state.nothing, clips, {.placeholder = "Choose a clip"});
     }
-    {
-        const Line line(ui, "ten thousand");
-        ui::combo(ui, "Frame", state.frame, state.frames);
-    }
-    const Line line(ui, "radio");
-    ui::radio(ui, "Shown as", state.view, views);
+    const Line line(ui, "ten thousand");
+    ui::combo(ui, "Frame", state.frame, state.frames);
 }
 
 void colors(ui::Ui& ui, FieldsState& state) {
@@ -68,12 +57,8 @@ void colors(ui::Ui& ui, FieldsState& state) {
         ui::color_field(ui, "Tissue", state.tissue, {.caption = true});
         ui::color_field(ui, "Glass", state.glass, {.alpha = true, .caption = true});
     }
-    {
-        const Line line(ui, "disabled", true);
-        ui::color_field(ui, "Tissue", state.tissue, {.caption = true});
-    }
-    const Line line(ui, "gradient");
-    ui::gradient_bar(ui, "Heat", state.heat);
+    const Line line(ui, "disabled", true);
+    ui::color_field(ui, "Tissue", state.tissue, {.caption = true});
 }
 
 }  // namespace

@@ -80,7 +80,7 @@ void whole_window(ui::Ui& ui, State& state) {
     shown_page(ui, state);
 }
 
-/// What can be asked for from every page.
+/// Overlays that every page can open.
 void overlays(ui::Ui& ui, ShellState& state, ui::CommandTable& commands) {
     if (std::exchange(state.wants_palette, false)) ui::open_palette(ui);
     if (std::exchange(state.wants_keys, false)) ui::toggle_cheat_sheet(ui);
@@ -118,7 +118,7 @@ void build(ui::Ui& ui, State& state) {
         whole_window(ui, state);
     }
     overlays(ui, state.shell, state.commands);
-    // What has been chosen now changes what was built before it.
+    // What has just been chosen changes widgets that were built before.
     if (state.page != page || state.light != light || state.reduced_motion != ui.options().reduced_motion)
         ui.wake("gallery");
 }

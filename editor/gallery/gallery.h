@@ -1,5 +1,5 @@
-// Every widget in every state, to look at and to test against: `lapfx gallery`. Knows nothing of windows and of the
-// effects core.
+// Every widget in every state, to look at and to test with: `lapfx gallery`. Independent of windows and of the effects
+// core.
 //
 //     ui::ImageStore images;
 //     gallery::State state(images);
@@ -22,7 +22,7 @@ struct Page {
     void (*build)(ui::Ui&, State&);
 };
 std::span<const Page> pages();
-/// -1: there is none of this name; case does not matter.
+/// The index of the page with this name, in upper or lower case; -1: there is none.
 int page_named(std::string_view name);
 
 void build(ui::Ui& ui, State& state);

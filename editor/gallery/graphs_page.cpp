@@ -10,18 +10,14 @@ namespace lapfx::gallery {
 
 namespace {
 
-void plots(ui::Ui& ui, GraphsState& s) {
-    const ui::PlotSeries speeds[] = {{.name = "measured", .data = &s.measured, .reference = true},
+void speeds(ui::Ui& ui, GraphsState& s) {
+    const ui::PlotSeries series[] = {{.name = "measured", .data = &s.measured, .reference = true},
                                      {.name = "simulated", .data = &s.simulated}};
-    const ui::PlotSeries counts[] = {{.name = "wounds", .data = &s.counts, .kind = ui::PlotKind::bars}};
-    const Part part(ui, "Plots");
-    const ui::Row row(ui, {.width = ui::grow(), .gap = 1, .cross = ui::ChildAlign::stretch});
-    ui::plot(ui, "Speed", speeds,
-             {.x_name = "Time", .x_unit = "s", .y_name = "Speed", .y_unit = "mm/s", .residual = &s.residual});
-    ui::plot(ui, "Counts", counts, {.x_name = "Size", .x_unit = "mm"});
+    const Part part(ui, "Plot");
+    ui::plot(ui, "Speed", series, {.x_name = "Time", .x_unit = "s", .y_name = "Speed", .y_unit = "mm/s"});
 }
 
-/// Time goes on while it plays: the timeline shows it, whose it is moves it.
+/// Moves the time while it plays: the timeline only shows it.
 void play(ui::Ui& ui, ui::TimelineState& state, double length) {
     double& seen = ui.memory<double>(ui.id_of("clock"));
     const double passed = ui.time() - std::exchange(seen, ui.time());
@@ -38,7 +34,7 @@ void play(ui::Ui& ui, ui::TimelineState& state, double length) {
 
 void graphs_page(ui::Ui& ui, State& state) {
     GraphsState& s = state.graphs;
-    plots(ui, s);
+    speeds(ui, s);
     {
         const Part part(ui, "Curve");
         ui::curve_editor(ui, "Response", s.curve,

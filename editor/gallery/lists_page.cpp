@@ -61,30 +61,13 @@ void preset_grid(ui::Ui& ui, ListsState& s) {
     if (events.marked != ui::no_row) s.clips[events.marked].star = !s.clips[events.marked].star;
 }
 
-void part_tree(ui::Ui& ui, ListsState& s) {
-    const auto events = ui::tree_view(ui, "Parts", s.tree, s.parts, {.multiple = true, .height = ui::px(ui.em(17))});
-    if (events.marked_item == ui::no_row) return;
-    ui::TreeItem& item = s.parts[events.marked_item];
-    item.dim = !item.dim;
-    item.mark = item.dim ? ui::Icon::eye_off : ui::Icon::eye;
-    item.mark_tip = item.dim ? "Show" : "Hide";
-    ui.build_again();  // the rows were built as it was
-}
-
 }  // namespace
 
 void lists_page(ui::Ui& ui, State& state) {
     ListsState& s = state.lists;
     {
-        const ui::Row row(ui, {.width = ui::grow(), .gap = 1.2F, .cross = ui::ChildAlign::start});
-        {
-            const Part part(ui, "Table");
-            ui.parent().size[0] = ui::grow(2);
-            clip_table(ui, s);
-        }
-        const Part part(ui, "Tree");
-        ui.parent().size[0] = ui::grow();
-        part_tree(ui, s);
+        const Part part(ui, "Table");
+        clip_table(ui, s);
     }
     const Part part(ui, "Thumbnails");
     preset_grid(ui, s);

@@ -1,10 +1,11 @@
-// A bit of everything on one screen: what golden pictures are made of.
+// A bit of everything on one screen; the golden pictures show this page.
 #include <array>
 
 #include "gallery/gallery.h"
 #include "gallery/parts.h"
 #include "ui/canvas/plot.h"
 #include "ui/shell/progress.h"
+#include "ui/widgets/color_field.h"
 #include "ui/widgets/combo.h"
 #include "ui/widgets/param.h"
 #include "ui/widgets/section.h"
@@ -32,7 +33,6 @@ void buttons(ui::Ui& ui, BasicState& state) {
     }
     ui::checkbox(ui, "Follow the tool", state.on);
     ui::checkbox(ui, "Only what has changed", state.off);
-    ui::checkbox(ui, "All clips", state.some);
 }
 
 void fields(ui::Ui& ui, FieldsState& state) {
@@ -42,7 +42,6 @@ void fields(ui::Ui& ui, FieldsState& state) {
     ui::search_field(ui, "Search", state.empty, {.placeholder = "Search"});
     ui::combo(ui, "Frame", state.frame, state.frames, {.caption = true});
     ui::color_field(ui, "Tissue", state.tissue, {.caption = true});
-    ui::gradient_bar(ui, "Heat", state.heat);
 }
 
 void params(ui::Ui& ui, ParamsState& state) {
@@ -61,10 +60,6 @@ void texts(ui::Ui& ui) {
     ui::label(ui, "Not a number", {.tone = ui::Tone::error});
     ui::separator(ui);
     ui::label(ui, "Smoke rises from where the hook touches fat and spreads under the abdominal wall.", {.wrap = true});
-}
-
-void tree(ui::Ui& ui, ListsState& state) {
-    ui::tree_view(ui, "Parts", state.tree, state.parts, {.height = ui::px(ui.em(11))});
 }
 
 void large_ones(ui::Ui& ui, State& state) {
@@ -97,8 +92,6 @@ void small_ones(ui::Ui& ui, State& state) {
         const ui::Column column(ui, {.width = ui::grow()});
         ui::heading(ui, "Fields");
         fields(ui, state.fields);
-        ui::space(ui, 0.4F);
-        tree(ui, state.lists);
     }
     const ui::Column column(ui, {.width = ui::grow(1.2F)});
     params(ui, state.params);

@@ -30,7 +30,7 @@ void tabs(ui::Ui& ui, PanelsState& s) {
         const ui::Tabs views(ui, "Views", s.tab, names, {.height = ui::fit()});
         ui::label(ui, ui.join({"The page of ", names[static_cast<std::size_t>(s.tab)]}));
     }
-    const ui::Tabs files(ui, "Files", s.many, many, {.closable = true, .height = ui::fit()});
+    const ui::Tabs files(ui, "Files", s.many, many, {.height = ui::fit()});
     ui::label(ui, ui.join({"The page of ", many[static_cast<std::size_t>(s.many)]}));
 }
 

@@ -19,8 +19,7 @@ void kinds(ui::Ui& ui, ParamsState& s) {
 void scales(ui::Ui& ui, ParamsState& s) {
     ui::param(ui, "Logarithmic", s.big,
               {.minimum = 1, .maximum = 1e5, .unit = "Hz", .scale = ui::ValueScale::logarithmic});
-    ui::param(ui, "Symmetric", s.speed, {.minimum = -100, .maximum = 100, .scale = ui::ValueScale::symmetric});
-    ui::param(ui, "Decibel", s.level, {.maximum = 4, .scale = ui::ValueScale::decibel});
+    ui::param(ui, "Logarithmic from 0", s.speed, {.maximum = 100, .scale = ui::ValueScale::logarithmic});
 }
 
 void states(ui::Ui& ui, ParamsState& s) {

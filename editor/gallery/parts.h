@@ -18,7 +18,7 @@ class Part {
     ui::Ui& ui_;
 };
 
-/// A row of examples after a dim word that says what they are. In the tree they lie below that word.
+/// A row of examples behind a caption. In the tree they are children of the caption.
 class Line {
   public:
     Line(ui::Ui& ui, std::string_view caption, bool disabled = false);

@@ -14,7 +14,6 @@ void views(ui::Ui& ui, PicturesState& s) {
         const Part part(ui, "Picture");
         ui.parent().size[0] = ui::grow();
         const ui::Row options(ui);
-        ui::checkbox(ui, "Nearest", s.nearest);
         ui::checkbox(ui, "Magnifier", s.magnifier);
     }
     const Part part(ui, "Compare");
@@ -26,17 +25,16 @@ void views(ui::Ui& ui, PicturesState& s) {
 void pictures(ui::Ui& ui, PicturesState& s) {
     const ui::Row row(ui,
                       {.width = ui::grow(), .height = ui::px(ui.em(16)), .gap = 1, .cross = ui::ChildAlign::stretch});
-    ui::image_view(ui, "Picture view", s.smoky.picture(), s.view,
-                   {.nearest = s.nearest, .magnifier = s.magnifier, .sample_box = 3}, &s.region);
+    ui::image_view(ui, "Picture view", s.smoky.picture(), s.view, {.magnifier = s.magnifier, .sample_box = 3});
     ui::compare_view(ui, "Compare view", s.clean.picture(), s.smoky.picture(), s.compare,
-                     {.first_label = "clean", .second_label = "smoke", .nearest = s.nearest, .magnifier = s.magnifier});
+                     {.first_label = "clean", .second_label = "smoke", .magnifier = s.magnifier});
 }
 
 void scopes(ui::Ui& ui, PicturesState& s) {
     const Part part(ui, "Histogram and scopes");
     const ui::Row row(ui,
                       {.width = ui::grow(), .height = ui::px(ui.em(16)), .gap = 1, .cross = ui::ChildAlign::stretch});
-    ui::histogram(ui, "Luma", {.bins = s.luma}, &s.levels, {.gamma = true, .log_counts = &s.log_counts});
+    ui::histogram(ui, "Luma", {.bins = s.luma}, &s.levels, {.log_counts = &s.log_counts});
     ui::vectorscope(ui, "Chroma", s.vectors.handle(), &s.key);
     ui::waveform(ui, "Waveform", s.waves.handle());
 }

@@ -34,28 +34,14 @@ TestPicture make_picture(ui::ImageStore& images, glm::ivec2 size, float smoke) {
     return picture;
 }
 
-std::vector<ui::TreeItem> make_parts() {
-    using ui::Icon;
-    return {{"Liver", 0, Icon::folder, Icon::eye, "Hide"},
-            {"Left lobe", 1, Icon::image, Icon::eye, "Hide"},
-            {"Right lobe", 1, Icon::image, Icon::eye, "Hide"},
-            {"Segment V, with a name that does not fit", 2, Icon::image, Icon::eye, "Hide"},
-            {"Segment VI", 2, Icon::image, Icon::eye_off, "Show", true},
-            {"Gallbladder", 0, Icon::folder, Icon::eye, "Hide"},
-            {"Fundus", 1, Icon::image, Icon::lock, "Unlock"},
-            {"Cystic duct", 1, Icon::image, Icon::eye, "Hide"},
-            {"Fat", 0, Icon::image, Icon::eye, "Hide"}};
-}
-
 }  // namespace
 
 FieldsState::FieldsState() {
-    for (int i = 0; i < 12; ++i) long_notes += "Line " + std::to_string(i + 1) + ": " + long_line + "\n";
     for (int i = 0; i < 10000; ++i) frame_names.push_back("frame " + std::to_string(i));
     frames.assign(frame_names.begin(), frame_names.end());
 }
 
-ListsState::ListsState(ui::ImageStore& images) : parts(make_parts()) {
+ListsState::ListsState(ui::ImageStore& images) {
     constexpr std::array names = {"plume_left", "plume_right", "haze", "specks",
                                   "fog_slow",   "burst",       "wisp", "curtain"};
     constexpr std::array codecs = {"ProRes 4444", "H.264", "PNG"};
@@ -73,7 +59,6 @@ ListsState::ListsState(ui::ImageStore& images) : parts(make_parts()) {
             clips.back().image = make_picture(images, {96, 54}, static_cast<float>(i % 8) / 7).image;
     }
     table.selection.only(2);
-    tree.selection.only(2);
     presets.only(1);
 }
 
@@ -95,11 +80,11 @@ PicturesState::PicturesState(ui::ImageStore& images)
       waves(images) {
     for (std::size_t i = 0; i < smoky.pixels.size(); i += 4) {
         const glm::vec3 code(smoky.pixels[i], smoky.pixels[i + 1], smoky.pixels[i + 2]);
-        ++luma[static_cast<std::size_t>(std::lround(ui::luma_chroma(code, ui::Matrix::bt601).x))];
+        ++luma[static_cast<std::size_t>(std::lround(ui::luma_chroma(code).x))];
     }
     const ui::ScopeSource source{.bytes = smoky.pixels, .size = smoky.size, .channels = 4};
-    vectors.update_chroma(source, ui::Matrix::bt601);
-    waves.update_luma(source, ui::Matrix::bt601);
+    vectors.update_chroma(source);
+    waves.update_luma(source);
 }
 
 std::string TestFiles::list(const std::string& folder, std::vector<ui::FileEntry>& entries) {
@@ -135,12 +120,8 @@ GraphsState::GraphsState() {
         simulated_values.push_back(static_cast<float>(speed * (1 + 0.04 * std::sin(t))));
     }
     for (std::size_t i = 200; i < 215; ++i) measured_values[i] = NAN;  // a gap
-    for (int i = 0; i < 40; ++i) count_values.push_back(std::round(90 * std::exp(-0.02 * (i - 14) * (i - 14))));
     measured.set(measured_values, 0, 1 / rate);
     simulated.set(simulated_values, 0, 1 / rate);
-    residual_values = ui::residual_of(simulated, measured);
-    residual.set(residual_values, 0, 1 / rate);
-    counts.set(count_values, 0, 0.25);
     time.time = 3.2;
     time.has_range = true;
     time.range = {1, 9.5};

@@ -16,16 +16,13 @@
 #include "ui/shell/file_dialog.h"
 #include "ui/shell/toast.h"
 #include "ui/widgets/dock_layout.h"
-#include "ui/widgets/gradient.h"
 #include "ui/widgets/param.h"
 #include "ui/widgets/table.h"
-#include "ui/widgets/tree_view.h"
 
 namespace lapfx::gallery {
 
 struct BasicState {
     bool on = true, off = false, quiet_on = true;
-    ui::Tristate some = ui::Tristate::mixed;
     int clicks = 0, one = 1, none = 0;
 };
 
@@ -34,16 +31,15 @@ struct FieldsState {
     std::string name = "Gallbladder dissection", empty, wrong = "12 apples", unicode = "Größe Łódź 保存 🙂",
                 code = "mix(a, b, 0.5)";
     std::string long_line = "/data/clips/2024-03-12/theatre 4/lap chole/plume_left_margin_take_07_graded_v3.mov";
-    std::string search = "plume", notes = "First take: too much haze.\nSecond take: suction on from 2.4 s.", long_notes;
+    std::string search = "plume";
     int view = 0, clip = 2, nothing = -1, frame = 417;
     std::vector<std::string> frame_names;  ///< ten thousand
     std::vector<std::string_view> frames;
     ui::Color tissue{194, 72, 63, 255}, glass{86, 180, 233, 120};
-    std::vector<ui::GradientStop> heat{{0, {14, 15, 17, 255}}, {0.45F, {194, 72, 63, 255}}, {1, {255, 236, 200, 255}}};
 };
 
 struct ParamsState {
-    double speed = 12, time = 0.25, ratio = 0.35, tilt = 0.4, level = 0.5, big = 4200, wild = 80, locked = 3.5;
+    double speed = 12, time = 0.25, ratio = 0.35, tilt = 0.4, big = 4200, wild = 80, locked = 3.5;
     float single = 0.1F;
     int count = 24;
     double low = 32, high = 190;
@@ -64,8 +60,6 @@ struct ListsState {
     std::vector<Clip> clips;
     std::vector<std::size_t> order;  ///< of clips, as the table shows them
     ui::TableState table;
-    ui::TreeState tree;
-    std::vector<ui::TreeItem> parts;
     ui::Selection presets;
 };
 
@@ -118,11 +112,10 @@ struct PicturesState {
     explicit PicturesState(ui::ImageStore& images);
     TestPicture clean, smoky;
     ui::ViewState view;
-    ui::PixelRect region{{40, 30}, {120, 80}};
     ui::CompareState compare;
     std::vector<std::uint32_t> luma;  ///< counts of 256 values
-    ui::Levels levels{40, 190, 1.2};
-    bool log_counts = false, nearest = false, magnifier = true;
+    ui::Levels levels{40, 190};
+    bool log_counts = false, magnifier = true;
     int kind = 0;
     ui::KeyCircles key{{40, 170, 70}, 20, 60, 20, 60};
     ui::ScopeImage vectors, waves;
@@ -131,9 +124,8 @@ struct PicturesState {
 struct GraphsState {
     GraphsState();
     std::vector<float> measured_values, simulated_values;
-    std::vector<double> residual_values, count_values;
-    ui::PlotData measured, simulated, residual, counts;
-    ui::Curve curve = ui::Curve::preset(ui::CurvePreset::s), standard;
+    ui::PlotData measured, simulated;
+    ui::Curve curve{{{0, 0}, {0.3, 0.15}, {0.7, 0.85}, {1, 1}}}, standard;
     ui::TimelineState time;
     std::vector<ui::TimelineTrack> tracks;
 };

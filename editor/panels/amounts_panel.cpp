@@ -57,7 +57,6 @@ void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& ti
         const std::string_view name = i == 0 ? "Scene" : std::string_view(amounts.others()[i - 1].name);
         series[i] = {.name = legend_text(ui, name, plot.data[i], info, timeline.time, count > 1),
                      .data = &plot.data[i],
-                     .kind = ui::PlotKind::line,
                      .color = static_cast<int>((kind + 2 * i) % 8),
                      .reference = i > 0};
     }
@@ -69,7 +68,6 @@ void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& ti
                   .y_unit = info.unit,
                   .width = ui::grow(),
                   .height = ui::grow(),
-                  .residual = nullptr,
                   .tip = ui.join({info.help, " Click: go to that time. Ctrl+C copies the visible values as CSV."}),
                   .state = &plot.state,
                   .mark = timeline.time});

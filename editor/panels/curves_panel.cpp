@@ -63,9 +63,9 @@ void follow(ShownCurve& shown, const Points& points, double highest, bool draggi
         for (const CurvePoint& point : or_even(points)) {
             const bool later = drawn.empty() || point.time > drawn.back().x;
             if (later && std::isfinite(point.time) && std::isfinite(point.value))
-                drawn.push_back({.x = point.time, .y = point.value, .handle = ui::CurveHandle::linear});
+                drawn.push_back({.x = point.time, .y = point.value});
         }
-        if (drawn.empty()) drawn.push_back({.x = 0, .y = 1, .handle = ui::CurveHandle::linear});
+        if (drawn.empty()) drawn.push_back({.x = 0, .y = 1});
         shown.curve.set_points(drawn);
     }
     if (dragging) return;
@@ -172,7 +172,7 @@ void value_now(ui::Ui& ui, double now, const Points& points) {
 void take(document::Document& document, ui::Toasts& toasts, const ui::Edit& edit, const CurveKind& kind,
           const Table& table, ShownCurve& shown) {
     Points drawn = points_of(shown.curve);
-    // Handles of other kinds are no change here: all goes straight.
+    // The document keeps round figures; the next frame shows these.
     if (edit.changed) shown.stale = true;
     if (drawn.size() > table.list->maximum) {
         toasts.add({.kind = ui::ToastKind::warning,
@@ -187,7 +187,7 @@ void take(document::Document& document, ui::Toasts& toasts, const ui::Edit& edit
 }  // namespace
 
 void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline& timeline, ui::Toasts& toasts) {
-    static const ui::Curve even({{.x = 0, .y = 1, .handle = ui::CurveHandle::linear}});
+    static const ui::Curve even({{.x = 0, .y = 1}});
     static const std::array tables = {document::curve_table(kinds[0].key), document::curve_table(kinds[1].key),
                                       document::curve_table(kinds[2].key)};
     static const std::array names = {tables[0]->name, tables[1]->name, tables[2]->name};
@@ -241,7 +241,6 @@ void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline&
                                             .y_unit = {},
                                             .standard = &even,
                                             .live = timeline.time,
-                                            .tools = false,
                                             .width = ui::grow(),
                                             .height = low ? ui::px(ui.em(curve_height)) : ui::grow(),
                                             .tip = table.help});

@@ -22,7 +22,6 @@ int glfw_shape(ui::Cursor cursor) {
     switch (cursor) {
         case ui::Cursor::text:
             return GLFW_IBEAM_CURSOR;
-        case ui::Cursor::hand:
         case ui::Cursor::move:  // GLFW 3.3 has no shape of its own for it
             return GLFW_HAND_CURSOR;
         case ui::Cursor::resize_x:

@@ -55,7 +55,7 @@ struct ComparedLook {
     std::string_view title;  ///< of the difference
     CompareState state;
     Pick pick;
-    bool flicker, nearest, grid;
+    bool flicker, grid;
     int side;
     int half;  ///< that the pointer is in: where the readout goes
     Readout readout;
@@ -86,7 +86,7 @@ void draw_line(Painter& painter, const View& view, const CompareState& state) {
 }
 
 PictureLook plain(const ComparedLook& look, int which) {
-    PictureLook picture{.picture = look.pictures[which], .nearest = look.nearest, .grid = look.grid};
+    PictureLook picture{.picture = look.pictures[which], .grid = look.grid};
     picture.pick = look.pick, picture.side = look.side;
     return picture;
 }
@@ -240,7 +240,7 @@ void take(Ui& ui, const View& view, LineDrag& drag, const Event& event, CompareS
     drag.held = false;
 }
 
-/// Gives whether a press of this build, or what is held, is the line's.
+/// Returns whether a press of this build, or what is held, is the line's.
 bool edit_line(Ui& ui, Id id, const View& view, const Response& r, CompareState& state, Edit& edit) {
     LineDrag& drag = ui.memory<LineDrag>(id);
     bool taken = drag.held;
@@ -368,7 +368,6 @@ CompareResult compare_view(Ui& ui, std::string_view label, const Picture& first,
                                                     .state = state,
                                                     .pick = pick,
                                                     .flicker = result.flicker,
-                                                    .nearest = options.nearest,
                                                     .grid = options.grid,
                                                     .side = options.sample_box,
                                                     .half = half,

@@ -20,7 +20,6 @@ struct CompareState {
 
 struct CompareOptions {
     std::string_view first_label = "A", second_label = "B";
-    bool nearest = false;
     bool grid = true;
     bool readout = true;
     bool magnifier = false;   ///< in it: of the picture that is seen there

@@ -11,22 +11,7 @@ void draw_curve(Painter& p, const Frame& f, const Curve& curve, float width, Col
     p.line(at(last.x, last.y), at(f.x.span.high, last.y), width, color);
     for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
         const CurvePoint &a = curve.point(i), &b = curve.point(i + 1);
-        glm::vec2 from = at(a.x, a.y);
-        const glm::vec2 to = at(b.x, b.y);
-        if (a.handle == CurveHandle::step) {
-            p.line(from, {to.x, from.y}, width, color);
-            p.line({to.x, from.y}, to, width, color);
-            continue;
-        }
-        const double straight = (b.y - a.y) / (b.x - a.x);
-        const bool is_straight = curve.slope_out(i) == straight && curve.slope_in(i + 1) == straight;
-        const int parts = is_straight ? 1 : std::clamp(static_cast<int>((to.x - from.x) / 3), 4, 128);
-        for (int k = 1; k <= parts; ++k) {
-            const double x = a.x + (b.x - a.x) * k / parts;
-            const glm::vec2 next = at(x, k == parts ? b.y : curve.evaluate(x));
-            p.line(from, next, width, color);
-            from = next;
-        }
+        p.line(at(a.x, a.y), at(b.x, b.y), width, color);
     }
 }
 
@@ -75,14 +60,6 @@ void draw_ground(Painter& p, const Node& node, const Look& look) {
     const bool disabled = has(node.is, Is::disabled);
     if (o.standard != nullptr) draw_curve(p, f, *o.standard, 1.5F * p.hairline(), on_well(t, quiet_ink));
     draw_curve(p, f, *look.curve, 2 * p.hairline(), disabled ? on_well(t, quiet_ink) : t.series[0]);
-    if (look.slopes_of < look.curve->size()) {
-        const glm::vec2 at = place_of(f, look.curve->point(look.slopes_of));
-        for (int side = 0; side < 2; ++side) {
-            const std::size_t i = look.slopes_of;
-            const double slope = side == 0 ? look.curve->slope_in(i) : look.curve->slope_out(i);
-            p.line(at, at + slope_way(f, slope, side, p.em(3)), p.hairline(), on_well(t, label_ink));
-        }
-    }
     if (!std::isnan(o.live)) {
         const glm::vec2 at{f.x.px_of(o.live), f.y.px_of(look.curve->evaluate(o.live))};
         p.fill({whole(at.x), f.graph.y, p.hairline(), f.graph.h}, with_alpha(t.series[2], 0.5F));
@@ -114,28 +91,16 @@ void draw_entry(Painter& p, const Node& node, const void* arg) {
     p.fill({inside.x + typed, box.y + p.em(0.35F), p.hairline(), box.h - p.em(0.7F)}, t.text);
 }
 
-void draw_point(Painter& p, const Node& node, const CurveHandle& handle) {
+void draw_point(Painter& p, const Node& node, const bool&) {
     const Theme& t = p.theme();
     const glm::vec2 at = node.rect().center();
     const bool disabled = has(node.is, Is::disabled), selected = has(node.is, Is::selected);
     const bool hovered = (has(node.is, Is::hovered) || has(node.is, Is::held)) && !disabled;
     const float size = p.em(hovered ? 0.8F : 0.65F);
     const Color color = disabled ? on_well(t, quiet_ink) : selected ? t.accent : on_well(t, point_ink);
-    const bool round = handle == CurveHandle::automatic || handle == CurveHandle::free;
-    if (round) {
-        p.line(at, at, size + 2 * p.hairline(), t.well);
-        p.line(at, at, size, color);
-        return;
-    }
     const Rect square{whole(at.x - size / 2), whole(at.y - size / 2), size, size};
     p.fill(square.inset(-p.hairline()), t.well);
     p.fill(square, color);
-}
-
-void draw_slope_handle(Painter& p, const Node& node, const bool&) {
-    const glm::vec2 at = node.rect().center();
-    const bool hovered = has(node.is, Is::hovered) || has(node.is, Is::held);
-    p.line(at, at, p.em(0.5F), on_well(p.theme(), hovered ? point_ink : label_ink));
 }
 
 }  // namespace lapfx::ui::curve_drawing

@@ -14,7 +14,7 @@ template <typename Em>
 Frame frame_of(const Em& measure, Rect rect, const CurveEditorOptions& o) {
     Frame f;
     f.left = measure.em(3), f.right = measure.em(0.9F), f.bottom = measure.em(1.6F);
-    f.top = measure.em(o.tools || !o.y_name.empty() ? 2.2F : 0.9F);
+    f.top = measure.em(o.y_name.empty() ? 0.9F : 2.2F);
     f.graph = {rect.x + f.left, rect.y + f.top, std::max(0.0F, rect.w - f.left - f.right),
                std::max(0.0F, rect.h - f.top - f.bottom)};
     f.x_labels = {f.graph.x, f.graph.bottom(), f.graph.w + f.right, f.bottom};
@@ -27,17 +27,11 @@ inline glm::vec2 place_of(const Frame& f, const CurvePoint& p) {
     const Span &x = f.x.span, &y = f.y.span;  // what lies outside is shown at the edge, where it can be grabbed
     return {f.x.px_of(std::clamp(p.x, x.low, x.high)), f.y.px_of(std::clamp(p.y, y.low, y.high))};
 }
-/// Of the handle of a slope, from its point, px.
-inline glm::vec2 slope_way(const Frame& f, double slope, int side, float length) {
-    glm::vec2 way(f.x.scale(), slope * f.y.scale());
-    return glm::normalize(way) * (side == 0 ? -length : length);
-}
-
 struct Look {
     const Curve* curve;
     CurveEditorOptions options;
     Rect box;
-    std::size_t slopes_of, entering;
+    std::size_t entering;
     std::string_view entry;
     bool invalid;
 };
@@ -45,7 +39,6 @@ struct Look {
 void draw_ground(Painter& p, const Node& node, const Look& look);
 /// Above the points: what is typed.
 void draw_entry(Painter& p, const Node& node, const void* arg);
-void draw_point(Painter& p, const Node& node, const CurveHandle& handle);
-void draw_slope_handle(Painter& p, const Node& node, const bool&);
+void draw_point(Painter& p, const Node& node, const bool&);
 
 }  // namespace lapfx::ui::curve_drawing

@@ -5,7 +5,6 @@
 #include "ui/canvas/curve_drawing.h"
 #include "ui/value/expression.h"
 #include "ui/value/utf8.h"
-#include "ui/widgets/basic.h"
 
 namespace lapfx::ui {
 
@@ -13,40 +12,25 @@ using namespace curve_drawing;
 
 namespace {
 
-constexpr double least_distance = 1e-4;                  // of two points, of the range of x
-constexpr double slope_step = 0.01745, steepest = 1.56;  // rad on the screen
+constexpr double least_distance = 1e-4;  // of two points, of the range of x
 constexpr std::size_t no_point = static_cast<std::size_t>(-1);
 
 /// What lasts from frame to frame.
 struct Memory {
-    enum class Drag : std::uint8_t { none, points, box, slope };
+    enum class Drag : std::uint8_t { none, points, box };
     Drag drag = Drag::none;
     bool began = false;  ///< the curve has been changed by this drag
-    bool both = false;   ///< slope: of both sides
     bool adds = false;   ///< box: to what was selected
     std::size_t grabbed = 0;
-    int side = 0;  ///< slope: 0 in, 1 out
     glm::vec2 from{0}, last{0}, way{0};
     Curve before;
     std::vector<std::uint8_t> selected, selected_before;  ///< of each point
     std::vector<CurvePoint> scratch;
-    std::vector<Id> ids;  ///< of the points, as built last
-    Id slope_ids[2] = {};
-    std::size_t slopes_of = no_point;
+    std::vector<Id> ids;              ///< of the points, as built last
     std::size_t entering = no_point;  ///< the point that is typed at
     bool invalid = false;
     std::string entry;
 };
-
-Curve scaled(const Curve& unit, const CurveEditorOptions& o, bool monotone) {
-    std::vector<CurvePoint> points(unit.points().begin(), unit.points().end());
-    const double slope = o.y.length() / o.x.length();
-    for (CurvePoint& p : points) {
-        p.x = o.x.low + p.x * o.x.length(), p.y = o.y.low + p.y * o.y.length();
-        p.slope_in *= slope, p.slope_out *= slope;
-    }
-    return Curve(std::move(points), monotone);
-}
 
 class Editing {
   public:
@@ -86,35 +70,6 @@ class Editing {
                 return;
             default:
                 return drag(e);
-        }
-    }
-    void slope(int side, const Event& e) {
-        if (e.kind == EventKind::key) return slope_key(side, e);
-        if (e.kind == EventKind::press) {
-            m_.grabbed = m_.slopes_of, m_.side = side;
-            start(Memory::Drag::slope, e);
-            m_.from = place_of(f_, curve_.point(m_.grabbed));
-        }
-        m_.both = !has(e.mods, Mods::alt);
-        drag(e);
-    }
-    void use_preset(CurvePreset preset) {
-        curve_ = scaled(Curve::preset(preset), o_, curve_.monotone());
-        m_.selected.assign(curve_.size(), 0);
-        m_.entering = no_point;
-        edit |= Edit::once();
-    }
-    void use_handle(CurveHandle handle, std::size_t focused = no_point) {
-        for (std::size_t i = 0; i < curve_.size(); ++i) {
-            if (!acted_on(i, focused) || curve_.point(i).handle == handle) continue;
-            if (handle == CurveHandle::free) {
-                curve_.make_free(i);
-            } else {
-                CurvePoint p = curve_.point(i);
-                p.handle = handle;
-                curve_.set_point(i, p);
-            }
-            edit |= Edit::once();
         }
     }
 
@@ -178,7 +133,6 @@ class Editing {
         m_.way += (e.at - m_.last) * (has(e.mods, Mods::shift) ? 0.1F : 1.0F);
         m_.last = e.at;
         if (m_.drag == Memory::Drag::box) select_box(m_.adds);
-        if (m_.drag == Memory::Drag::slope) turn(e.at);
         if (m_.drag == Memory::Drag::points && (m_.began || glm::distance(e.at, m_.from) > 3 * ui_.scale()))
             move(has(e.mods, Mods::command));
         if (e.kind != EventKind::release) return;
@@ -208,35 +162,6 @@ class Editing {
             m_.selected[i] = inside || kept ? 1 : 0;
         }
     }
-    void turn(glm::vec2 at) {
-        const glm::vec2 way = (at - m_.from) * (m_.side == 0 ? -1.0F : 1.0F);
-        const double x = std::max(1.0, static_cast<double>(way.x)) / f_.x.scale();
-        const double slope = (way.y / f_.y.scale()) / x;
-        CurvePoint p = curve_.point(m_.grabbed);
-        if (m_.side == 0 || m_.both) p.slope_in = slope;
-        if (m_.side == 1 || m_.both) p.slope_out = slope;
-        if (p == curve_.point(m_.grabbed)) return;
-        curve_.set_point(m_.grabbed, p);
-        report();
-    }
-
-    /// As seen: the slope's angle on the screen. A corner's other side stays.
-    void slope_key(int side, const Event& e) {
-        if (m_.drag != Memory::Drag::none || (e.key != Key::up && e.key != Key::down)) return;
-        CurvePoint p = curve_.point(m_.slopes_of);
-        const double factor = has(e.mods, Mods::shift) ? 0.1 : has(e.mods, Mods::command) ? 10 : 1;
-        const double by = ((e.key == Key::up) == (side == 1) ? 1 : -1) * factor * slope_step;
-        const double aspect = std::abs(f_.y.scale() / f_.x.scale());
-        const double angle = std::atan((side == 0 ? p.slope_in : p.slope_out) * aspect) + by;
-        const double slope = std::tan(std::clamp(angle, -steepest, steepest)) / aspect;
-        const bool both = p.slope_in == p.slope_out;
-        if (side == 0 || both) p.slope_in = slope;
-        if (side == 1 || both) p.slope_out = slope;
-        if (p == curve_.point(m_.slopes_of)) return;
-        curve_.set_point(m_.slopes_of, p);
-        edit |= Edit::once();
-    }
-
     /// Moves what is selected from where it was when the drag began (an inserted point: from where it came to be).
     void move(bool in_steps) {
         const bool inserted = m_.before.size() != curve_.size();
@@ -247,7 +172,7 @@ class Editing {
         if (in_steps) dx = snap(p.x + dx, o_.x_step) - p.x, dy = snap(p.y + dy, o_.y_step) - p.y;
         if (shift_points(dx, dy, m_.grabbed)) report();
     }
-    /// m_.scratch, moved as far as neighbours and ranges allow, becomes the curve. Gives whether it changed.
+    /// m_.scratch, moved as far as neighbours and ranges allow, becomes the curve. Returns whether it changed.
     bool shift_points(double dx, double dy, std::size_t focused) {
         const auto& points = m_.scratch;
         const double apart = least_distance * o_.x.length();
@@ -299,10 +224,6 @@ class Editing {
         if (focused == no_point) return;
         if (e.key == Key::enter) open_entry(focused);
         if (e.key == Key::space) m_.selected[focused] ^= 1;
-        if (e.key == key_of('A')) use_handle(CurveHandle::automatic, focused);
-        if (e.key == key_of('F')) use_handle(CurveHandle::free, focused);
-        if (e.key == key_of('L')) use_handle(CurveHandle::linear, focused);
-        if (e.key == key_of('S')) use_handle(CurveHandle::step, focused);
         if (e.key == key_of('I')) insert_after(focused);
     }
     void nudge(std::size_t focused, double x, double y) {
@@ -380,13 +301,13 @@ class Editing {
 
 // --- nodes ---
 
-/// The middle of `node` at the place of a point plus `by` px, whatever the size of the graph turns out to be.
-void put_at(Ui& ui, Node& node, const Frame& f, const CurvePoint& point, glm::vec2 by) {
+/// The middle of `node` at the place of a point, whatever the size of the graph turns out to be.
+void put_at(Ui& ui, Node& node, const Frame& f, const CurvePoint& point) {
     const auto part = [](const Span& s, double v) {
         return static_cast<float>((std::clamp(v, s.low, s.high) - s.low) / s.length());
     };
     const float u = part(f.x.span, point.x), v = 1 - part(f.y.span, point.y);
-    const glm::vec2 offset{f.left - (f.left + f.right) * u + by.x, f.top - (f.top + f.bottom) * v + by.y};
+    const glm::vec2 offset{f.left - (f.left + f.right) * u, f.top - (f.top + f.bottom) * v};
     node.placed = true;
     node.placement = ui.arena().make(Placement{.fraction = {u, v}, .offset = offset, .pivot = {0.5F, 0.5F}});
     node.size[0] = node.size[1] = px(ui.row_height());
@@ -401,7 +322,7 @@ void put_point(Ui& ui, Memory& m, const Curve& curve, const CurveEditorOptions& 
     Node& node = ui.leaf(Role::handle, name.view(), sense);
     m.ids.push_back(node.id);
     const CurvePoint& p = curve.point(i);
-    put_at(ui, node, f, p, {0, 0});
+    put_at(ui, node, f, p);
     ShortText text;
     text.add(p.x, decimals_of(o.x_step) + 1).add_unit(o.x_unit).add("; ");
     text.add(p.y, decimals_of(o.y_step) + 1).add_unit(o.y_unit);
@@ -411,69 +332,7 @@ void put_point(Ui& ui, Memory& m, const Curve& curve, const CurveEditorOptions& 
     const Response r = ui.respond(node);
     if (r.hovered || r.held) ui.set_cursor(Cursor::move);
     node.is |= when(m.selected[i] != 0, Is::selected) | when(m.entering == i && m.invalid, Is::invalid);
-    ui.draw_with<draw_point>(node, p.handle);
-}
-
-/// Handles of the slopes of the one free point that is selected.
-void put_slopes(Ui& ui, Memory& m, const Curve& curve, const Frame& f) {
-    m.slopes_of = no_point;
-    std::size_t count = 0, found = 0;
-    for (std::size_t i = 0; i < curve.size(); ++i) {
-        if (m.selected[i] != 0) ++count, found = i;
-    }
-    m.slope_ids[0] = m.slope_ids[1] = 0;
-    if (count != 1 || curve.point(found).handle != CurveHandle::free || f.graph.empty()) return;
-    m.slopes_of = found;
-    for (int side = 0; side < 2; ++side) {
-        Node& node = ui.leaf(Role::handle, side == 0 ? "Slope in" : "Slope out",
-                             Sense::hover | Sense::press | Sense::focus | Sense::arrows_y);
-        m.slope_ids[side] = node.id;
-        const double slope = side == 0 ? curve.slope_in(found) : curve.slope_out(found);
-        put_at(ui, node, f, curve.point(found), slope_way(f, slope, side, ui.em(3)));
-        node.size[0] = node.size[1] = px(ui.em(1.2F));
-        node.number = ui.number(slope, -1e9, 1e9);
-        ui.respond(node);
-        ui.draw_with<draw_slope_handle>(node, true);
-    }
-}
-
-void put_tools(Ui& ui, Editing& editing, Memory& m, Curve& curve) {
-    Node& row = ui.open(Role::none, {}, Axis::x);
-    row.placed = true;
-    row.placement = ui.arena().make(Placement{.offset = {ui.em(3), ui.em(0.15F)}});
-    row.gap = ui.em(0.1F);
-    row.size[1] = px(ui.row_height());
-    const bool any = std::find(m.selected.begin(), m.selected.end(), 1) != m.selected.end();
-    const ButtonOptions quiet{.quiet = true};
-    const auto handle_button = [&](std::string_view label, CurveHandle handle) {
-        bool on = true;  // all that are selected have it
-        for (std::size_t i = 0; i < curve.size(); ++i) on &= m.selected[i] == 0 || curve.point(i).handle == handle;
-        const bool clicked = button(ui, label, {.quiet = true, .on = on});
-        ui.last().is |= when(on, Is::checked);
-        return clicked;
-    };
-    if (any) {
-        std::optional<CurveHandle> wish;  // once all have shown what there is
-        if (handle_button("Automatic", CurveHandle::automatic)) wish = CurveHandle::automatic;
-        if (handle_button("Free", CurveHandle::free)) wish = CurveHandle::free;
-        if (handle_button("Straight", CurveHandle::linear)) wish = CurveHandle::linear;
-        if (handle_button("Hold", CurveHandle::step)) wish = CurveHandle::step;
-        if (wish) editing.use_handle(*wish);
-    } else {
-        if (button(ui, "Linear", quiet)) editing.use_preset(CurvePreset::linear);
-        if (button(ui, "Ease", quiet)) editing.use_preset(CurvePreset::ease);
-        if (button(ui, "S", quiet)) editing.use_preset(CurvePreset::s);
-        if (button(ui, "Step", quiet)) editing.use_preset(CurvePreset::step);
-        if (button(ui, "Pulse", quiet)) editing.use_preset(CurvePreset::pulse);
-    }
-    bool monotone = curve.monotone();
-    if (const Edit edit =
-            toggle(ui, "Monotone", monotone, {.tip = "Stays within the values of its points", .quiet = true});
-        edit) {
-        curve.set_monotone(monotone);
-        editing.edit |= edit;
-    }
-    ui.close();
+    ui.draw_with<draw_point>(node, true);
 }
 
 }  // namespace
@@ -490,22 +349,16 @@ Edit curve_editor(Ui& ui, std::string_view label, Curve& curve, const CurveEdito
     Memory& m = ui.memory<Memory>(id);
     const Frame f = frame_of(ui, ui.rect_before(id), options);
     Editing editing(ui, m, curve, options, f);
-    if (!f.graph.empty()) {  // all that happened, before anything is built
+    if (!f.graph.empty()) {  // handle all events before anything is built
         if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
         for (std::size_t i = 0; i < m.ids.size() && i < curve.size(); ++i) {
             if (ui.has_events(m.ids[i])) ui.events_of(m.ids[i], [&](const Event& e) { editing.point(i, e); });
         }
-        for (int side = 0; side < 2 && m.slopes_of < curve.size(); ++side) {
-            if (m.slope_ids[side] != 0 && ui.has_events(m.slope_ids[side]))
-                ui.events_of(m.slope_ids[side], [&](const Event& e) { editing.slope(side, e); });
-        }
     }
-    if (options.tools) put_tools(ui, editing, m, curve);
-    put_slopes(ui, m, curve, f);
     m.ids.clear();
     for (std::size_t i = 0; i < curve.size(); ++i) put_point(ui, m, curve, options, f, i);
 
-    Look look{&curve, options, {}, m.slopes_of, m.entering, ui.copy(m.entry), m.invalid};
+    Look look{&curve, options, {}, m.entering, ui.copy(m.entry), m.invalid};
     look.options.x_name = ui.copy(options.x_name), look.options.x_unit = ui.copy(options.x_unit);
     look.options.y_name = ui.copy(options.y_name), look.options.y_unit = ui.copy(options.y_unit);
     if (m.drag == Memory::Drag::box) {

@@ -5,10 +5,8 @@
 // Double click on the ground inserts a point and goes on dragging it; drag on it selects with a box (Shift adds).
 // Points: drag moves all that are selected (Shift: a tenth of the way, Ctrl: in steps), Shift+click adds to the
 // selection, double click or a typed digit opens an entry ("0.5" is y, "0.2; 0.5" is x and y; Enter takes, Esc leaves),
-// arrows move by a step (Shift: a tenth, Ctrl: ten), Delete and Backspace erase, I inserts half-way to the next, A F L
-// S: automatic, free, linear, step. Esc and the other button give back what was before a drag. A free point that is
-// selected alone has two handles for its slopes; both turn together, with Alt only the one that is dragged. Up and down
-// turn one by a degree as it is seen (Shift: a tenth, Ctrl: ten); sides that differ turn alone.
+// arrows move by a step (Shift: a tenth, Ctrl: ten), Delete and Backspace erase, I inserts half-way to the next. Esc
+// and the other button give back what was before a drag.
 //
 // Each point is a node: "Response/Point 3".
 #pragma once
@@ -28,7 +26,6 @@ struct CurveEditorOptions {
     const Curve* standard = nullptr;  ///< drawn as a ghost; must outlive the frame
     double live =
         std::numeric_limits<double>::quiet_NaN();  ///< the input of this moment: a dot on the curve; NaN: none
-    bool tools = true;                             ///< presets; handles while points are selected
     Size width = {SizeKind::grow, 1};
     Size height = {SizeKind::fit, 0};  ///< fit: 14 em
     std::string_view tip = {};

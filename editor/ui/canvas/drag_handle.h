@@ -31,7 +31,8 @@ struct HandleMoves {
 
 /// px: even, so that a pivot in the middle lies on a whole px.
 float handle_side(const Ui& ui);
-/// A child of the open node, as large as a control is high; the caller sets text, number and drawing of ui.last().
+/// Adds a handle to the open node, a square as high as a control; the caller then sets text, number and drawing of
+/// ui.last().
 HandleMoves put_handle(Ui& ui, const HandleOptions& options);
 
 struct HandleRange {
@@ -39,12 +40,12 @@ struct HandleRange {
     double reset = 0;                    ///< the saved value
     std::optional<double> initial = {};  ///< the default; none: `reset`
 };
-/// Makes an edit of one number from it; clamps. `dragged`: the value where moves.to is; `steps`: those of the axes that
-/// count.
+/// Turns the moves into an edit of one number, which is clamped. `dragged`: the value at moves.to; `steps`: the steps
+/// along the axes that matter.
 Edit edit_by_handle(Ui& ui, const HandleMoves& moves, const HandleRange& range, double steps, double dragged,
                     double& value);
 
-/// Canvases are dark in every theme: what is drawn on one is between it (0) and white (1).
+/// A colour between the canvas (0) and white (1): canvases are dark in every theme.
 inline Color canvas_ink(const Theme& theme, float strength = 0.9F) {
     return mix(theme.canvas, theme.text_on_accent, strength);
 }

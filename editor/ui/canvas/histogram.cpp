@@ -11,8 +11,6 @@ namespace lapfx::ui {
 
 namespace {
 
-constexpr double gamma_least = 0.1, gamma_most = 10, gamma_step = 0.05;
-
 struct Parts {
     Rect plot, axis, handles;
 };
@@ -29,14 +27,10 @@ Parts parts_of(Rect rect, float em, float row, bool handles, bool has_switch) {
 double place_of(const HistogramData& data, double value) {
     return ValueRange{.minimum = data.minimum, .maximum = data.maximum}.place_of(value);
 }
-double gamma_place(double gamma) {
-    return std::pow(0.5, gamma);
-}
-
 struct HistogramLook {
     HistogramData data;
     Levels levels;
-    bool has_levels, has_switch, gamma, logarithmic, clipped_low, clipped_high;
+    bool has_levels, has_switch, logarithmic, clipped_low, clipped_high;
     int hovered;  ///< bin; -1: none
     std::string_view readout;
 };
@@ -86,8 +80,8 @@ void draw_axis(Painter& painter, const Parts& parts, const HistogramData& data, 
 void draw_levels(Painter& painter, const Parts& parts, const HistogramLook& look) {
     const Theme& t = painter.theme();
     const Rect& plot = parts.plot;
-    const double low_place = place_of(look.data, look.levels.low), high_place = place_of(look.data, look.levels.high);
-    const float low = std::round(x_of(plot, low_place)), high = std::round(x_of(plot, high_place));
+    const float low = std::round(x_of(plot, place_of(look.data, look.levels.low)));
+    const float high = std::round(x_of(plot, place_of(look.data, look.levels.high)));
     painter.fill({plot.x, plot.y, low - plot.x, plot.h}, with_alpha(t.canvas, 0.65F));
     painter.fill({high, plot.y, plot.right() - high, plot.h}, with_alpha(t.accent, 0.3F));
     const auto mark = [&](float x, float strength) {
@@ -95,8 +89,6 @@ void draw_levels(Painter& painter, const Parts& parts, const HistogramLook& look
         painter.fill({x, plot.bottom(), painter.hairline(), painter.em(0.4F)}, t.text_dim);  // down to the grip
     };
     mark(low, 0.7F), mark(high, 0.7F);
-    const double middle = low_place + (high_place - low_place) * gamma_place(look.levels.gamma);
-    if (look.gamma) mark(std::round(x_of(plot, middle)), 0.4F);
 }
 
 void draw_histogram(Painter& painter, const Node& node, const HistogramLook& look) {
@@ -136,9 +128,9 @@ std::string_view bin_text(Ui& ui, const HistogramData& data, int bin, double tot
                     percent(ui, total > 0 ? n / total : 0)});
 }
 
-/// Colours say which is which: what becomes black, half and white.
-Color knob_color(const Theme& t, int which) {
-    return canvas_ink(t, which == 0 ? 0.1F : which == 1 ? 1.0F : 0.5F);
+/// Colours say which is which: what becomes black and what becomes white.
+Color knob_color(const Theme& t, bool high) {
+    return canvas_ink(t, high ? 1.0F : 0.1F);
 }
 
 struct Grips {
@@ -149,16 +141,16 @@ struct Grips {
     glm::vec2 origin;
 
     /// Low's grip lies left of its value and high's right, so that neither covers the other where they meet.
-    HandleMoves put(std::string_view label, double place, int which, std::string_view tip) const {
-        const glm::vec2 pivot(which == 0 ? 1 : which == 1 ? 0 : 0.5F, 0.5F);
-        const HandleMoves moves =
-            put_handle(ui, {.label = label,
-                            .tip = tip,
-                            .at = glm::vec2(x_of(parts.plot, place), parts.handles.center().y) - origin,
-                            .pivot = pivot,
-                            .cursor = Cursor::resize_x});
+    HandleMoves put(bool high, double place) const {
+        const glm::vec2 pivot(high ? 0 : 1, 0.5F);
+        const HandleMoves moves = put_handle(
+            ui, {.label = high ? "High" : "Low",
+                 .tip = high ? "Everything from here on counts fully" : "Everything up to here does not count",
+                 .at = glm::vec2(x_of(parts.plot, place), parts.handles.center().y) - origin,
+                 .pivot = pivot,
+                 .cursor = Cursor::resize_x});
         ui.draw_with<draw_knob>(ui.last(),
-                                KnobLook{.color = knob_color(ui.theme(), which), .size = {0.6F, 1.1F}, .pivot = pivot});
+                                KnobLook{.color = knob_color(ui.theme(), high), .size = {0.6F, 1.1F}, .pivot = pivot});
         return moves;
     }
     double place_at(const HandleMoves& moves) const {
@@ -180,30 +172,10 @@ struct Grips {
         if (options.initial) range.initial = high ? options.initial->high : options.initial->low;
         if (high) range.minimum = std::min(levels.low + options.step, data.maximum);
         if (!high) range.maximum = std::max(levels.high - options.step, data.minimum);
-        const HandleMoves moves =
-            put(high ? "High" : "Low", place_of(data, value), high ? 1 : 0,
-                high ? "Everything from here on counts fully" : "Everything up to here does not count");
+        const HandleMoves moves = put(high, place_of(data, value));
         const double dragged = data.minimum + place_at(moves) * (data.maximum - data.minimum);
         const Edit edit = edit_by_handle(ui, moves, range, moves.steps.x + moves.steps.y, dragged, value);
         tell(value, range.minimum, range.maximum, options.step, options.unit);
-        return edit;
-    }
-
-    Edit edit_gamma(Levels& levels) const {
-        const double low = place_of(data, levels.low), way = std::max(1e-9, place_of(data, levels.high) - low);
-        const HandleMoves moves =
-            put("Gamma", low + way * gamma_place(levels.gamma), 2, "What becomes half, between low and high");
-        const double place = std::clamp((place_at(moves) - low) / way, 1e-6, 1 - 1e-6);
-        // Left and right as it is seen to go, which for gamma is down and up.
-        const Edit edit =
-            edit_by_handle(ui, moves,
-                           {.minimum = gamma_least,
-                            .maximum = gamma_most,
-                            .step = gamma_step,
-                            .reset = options.reset.gamma,
-                            .initial = options.initial ? std::optional(options.initial->gamma) : std::nullopt},
-                           moves.steps.y - moves.steps.x, std::log(place) / std::log(0.5), levels.gamma);
-        tell(levels.gamma, gamma_least, gamma_most, gamma_step, {});
         return edit;
     }
 };
@@ -254,7 +226,6 @@ HistogramResult histogram(Ui& ui, std::string_view label, const HistogramData& d
                        .levels = {},
                        .has_levels = levels != nullptr,
                        .has_switch = options.log_counts != nullptr,
-                       .gamma = options.gamma,
                        .logarithmic = options.log_counts != nullptr && *options.log_counts,
                        .clipped_low = !data.bins.empty() && clipped(data.bins.front()),
                        .clipped_high = !data.bins.empty() && clipped(data.bins.back()),
@@ -275,7 +246,6 @@ HistogramResult histogram(Ui& ui, std::string_view label, const HistogramData& d
     if (levels != nullptr) {
         const Grips grips{ui, data, options, parts, origin};
         result.low = grips.edit_end(false, *levels);
-        if (options.gamma) result.gamma = grips.edit_gamma(*levels);
         result.high = grips.edit_end(true, *levels);
         look.levels = *levels;
     }

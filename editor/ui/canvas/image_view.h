@@ -1,4 +1,4 @@
-// A picture to look at closely: pan, zoom, exact values of pixels, an eyedropper, a rectangle of interest.
+// A picture to look at closely: pan, zoom, exact values of pixels, an eyedropper.
 #pragma once
 
 #include "ui/canvas/pixels.h"
@@ -6,14 +6,7 @@
 
 namespace lapfx::ui {
 
-/// Whole pixels of a picture.
-struct PixelRect {
-    glm::ivec2 at{0}, size{0};
-    friend bool operator==(const PixelRect&, const PixelRect&) = default;
-};
-
 struct ImageViewOptions {
-    bool nearest = false;     ///< else smooth below grid_zoom
     bool grid = true;         ///< between pixels from grid_zoom on
     bool readout = true;      ///< the box beside the pointer
     bool magnifier = false;   ///< in it
@@ -35,12 +28,9 @@ struct ImageViewResult {
     glm::ivec2 pick{0};
     glm::vec4 value{0};   ///< mean of the sample box
     bool picked = false;  ///< the eyedropper took `value` at `pick`
-    Edit region;
 };
 
-/// `region`: a rectangle with corners to drag (arrows move them by a pixel, Shift by ten); null: none. It stays inside
-/// the picture, one pixel at least.
 ImageViewResult image_view(Ui& ui, std::string_view label, const Picture& picture, ViewState& state,
-                           const ImageViewOptions& options = {}, PixelRect* region = nullptr);
+                           const ImageViewOptions& options = {});
 
 }  // namespace lapfx::ui

@@ -192,10 +192,10 @@ void draw_picture(Painter& painter, const View& view, const PictureLook& look) {
     if (look.picture.transparent) painter.checker(seen, t.control_hover, t.control_active, painter.em(0.6F));
     if (look.second != 0) {
         CompareLook compare = look.compare;
-        compare.nearest = look.nearest || pixels;
+        compare.nearest = pixels;
         painter.compare(rect, look.picture.image, look.second, compare);
     } else {
-        painter.image(rect, look.picture.image, look.nearest || pixels);
+        painter.image(rect, look.picture.image, pixels);
     }
     if (look.grid && pixels) draw_grid(painter, view, seen);
     if (look.pick.on && (view.zoom >= 2 || look.pick.by_keys)) {

@@ -5,7 +5,7 @@
 
 namespace lapfx::ui {
 
-/// The program's own pixels: what is shown may be a display of them. Asked only for pixels inside.
+/// The program's own pixels, of which the shown picture may be a display version. Called only for pixels inside.
 class PickSource {
   public:
     virtual ~PickSource() = default;
@@ -54,7 +54,7 @@ struct Readout {
     Color swatch = {0, 0, 0, 0};  ///< alpha 0: none
 };
 void draw_readout(Painter& painter, const View& view, const Readout& readout);
-/// What is shown of a value as a colour, of code values.
+/// The colour that code values are shown as.
 Color color_of(const glm::vec4& code_value);
 
 /// A picture with what lies behind it, its pixels' grid from grid_zoom on, and the sample box around the pick; clipped
@@ -63,7 +63,6 @@ struct PictureLook {
     Picture picture;
     ImageHandle second = 0;
     CompareLook compare = {};
-    bool nearest = false;
     bool grid = true;
     Pick pick = {};
     int side = 1;

@@ -20,11 +20,11 @@ double placed(const PlotState& state, double y) {
 
 /// Where the parts of a plot lie; `Em` is ui or painter.
 struct Frame {
-    Rect title, plot, x_labels, y_labels, residual;
+    Rect title, plot, x_labels, y_labels;
     Axis1 x, y;
 };
 template <typename Em>
-Frame frame_of(const Em& measure, Rect rect, const PlotState& state, bool with_residual) {
+Frame frame_of(const Em& measure, Rect rect, const PlotState& state) {
     Frame f;
     rect = rect.inset(measure.em(0.3F), 0);
     f.title = rect.cut_top(measure.em(1.75F));
@@ -32,10 +32,6 @@ Frame frame_of(const Em& measure, Rect rect, const PlotState& state, bool with_r
     f.y_labels = rect.cut_left(measure.em(3.6F));
     f.x_labels.cut_left(f.y_labels.w);
     rect.cut_right(measure.em(0.6F));
-    if (with_residual) {
-        f.residual = rect.cut_bottom(std::floor(rect.h * 0.22F));
-        rect.cut_bottom(measure.em(0.4F));
-    }
     f.plot = rect;
     f.x = {state.x, rect.x, rect.right()};
     f.y = {state.y, rect.bottom(), rect.y};
@@ -60,12 +56,8 @@ void fitted_spans(const PlotState& state, std::span<const PlotSeries> series, Sp
     for (std::size_t i = 0; i < series.size(); ++i) {
         const PlotData& data = *series[i].data;
         if (hidden(state, i) || data.size() == 0) continue;
-        const bool bars = series[i].kind == PlotKind::bars;
-        const double low = data.x(0), high = data.x(data.size() - 1);
-        const double half = bars && data.size() > 1 ? (data.x(1) - low) / 2 : 0;
-        all_x.add(low - half), all_x.add(high + half);
+        all_x.add(data.x(0)), all_x.add(data.x(data.size() - 1));
         Extremes own = data.extremes();
-        if (bars && !state.log_y) own.add(0.0);
         if (state.log_y && own.any && own.low <= 0) own.low = std::min(1.0, own.high * 1e-3);
         if (!own.any || (state.log_y && own.high <= 0)) continue;
         all_y.add(placed(state, own.low)), all_y.add(placed(state, own.high));
@@ -124,10 +116,9 @@ class Gestures {
     }
     void drag(const Response& r) {
         if (r.cancelled) {
-            const bool ranged = m_.drag == Drag::range, panned = m_.drag == Drag::pan;
+            result.moved |= m_.drag == Drag::pan;
             m_.drag = Drag::none;
             state_ = m_.before;
-            result.range_changed |= ranged, result.moved |= panned;
             return;
         }
         m_.to = r.pointer;
@@ -135,7 +126,7 @@ class Gestures {
         if (m_.drag == Drag::pan && way != glm::vec2(0)) pan(way);
         if (m_.drag == Drag::range && way.x != 0) {
             state_.range = sorted(frame_.x.value_at(m_.from.x), frame_.x.value_at(m_.to.x));
-            state_.has_range = result.range_changed = true;
+            state_.has_range = true;
         }
         if (r.held && !r.released) return;
         if (m_.drag == Drag::box) zoom_to_box();
@@ -145,7 +136,7 @@ class Gestures {
     }
     static Span sorted(double a, double b) { return a < b ? Span{a, b} : Span{b, a}; }
 
-    /// Neither so narrow that doubles run out nor so wide that the data is lost.
+    /// Refuses spans that are too narrow for doubles, or so wide that the data cannot be seen.
     void show(const Span& x, const Span& y) {
         Span all_x, all_y;
         fitted_spans(state_, series_, all_x, all_y);
@@ -197,7 +188,7 @@ class Gestures {
             fitted_spans(state_, series_, x, state_.y);
             result.moved = true;
         }
-        if (e.key == Key::escape && state_.has_range) state_.has_range = false, result.range_changed = true;
+        if (e.key == Key::escape) state_.has_range = false;
         if (e.key == key_of('C') && has(e.mods, Mods::command) && ui.clipboard() != nullptr)
             ui.clipboard()->set(plot_csv(series_, "x", state_.x.low, state_.x.high));
     }
@@ -294,9 +285,7 @@ void draw_y_ticks(Painter& p, const Frame& f, const Look& look) {
 void draw_columns(Painter& p, const Frame& f, const PlotState& state, const PlotSeries& series, Color color,
                   std::size_t first) {
     const PlotData& data = *series.data;
-    const bool bars = series.kind == PlotKind::bars;
     const float width = 1.25F * p.hairline();
-    const float zero = bars ? f.y.px_of(state.log_y ? state.y.low - 1 : 0.0) : 0;
     float before_top = 0, before_bottom = 0, before_x = 0;
     std::size_t before = 0;
     bool joined = false;
@@ -314,10 +303,6 @@ void draw_columns(Painter& p, const Frame& f, const PlotState& state, const Plot
             continue;
         }
         const float top = f.y.px_of(high), bottom = f.y.px_of(std::isnan(low) ? state.y.low - 1 : low);
-        if (bars) {
-            p.fill({x, std::min(top, zero), 1, std::abs(zero - top)}, color);
-            continue;
-        }
         const bool touch = joined && !from_gap && x - before_x < 1.5F;
         if (joined && !from_gap && !touch) {  // samples are sparse here
             const double a = placed(state, data.y(before)), b = placed(state, data.y(from_sample));
@@ -328,26 +313,6 @@ void draw_columns(Painter& p, const Frame& f, const PlotState& state, const Plot
         const float to = touch ? std::max(bottom, before_top) : bottom;
         p.line({x + 0.5F, from}, {x + 0.5F, to}, width, color);
         before_top = top, before_bottom = bottom, before_x = x, before = last - 1, joined = !to_gap;
-    }
-}
-
-void draw_bars(Painter& p, const Frame& f, const PlotState& state, const PlotData& data, Color color, std::size_t first,
-               std::size_t last) {
-    const float zero = whole(state.log_y ? f.plot.bottom() : f.y.px_of(0));
-    const auto edge = [&](std::size_t i) {  // on the left of bar i
-        const double here = data.x(std::min(i, data.size() - 1));
-        if (i == 0) return data.size() > 1 ? here - (data.x(1) - here) / 2 : here - 0.5;
-        if (i == data.size()) return here + (i > 1 ? here - data.x(i - 2) : 1.0) / 2;
-        return (data.x(i - 1) + here) / 2;
-    };
-    float left = whole(f.x.px_of(edge(first)));
-    for (std::size_t i = first; i < last; ++i) {
-        const float right = whole(f.x.px_of(edge(i + 1)));
-        const double y = placed(state, data.y(i));
-        const float top = std::isnan(y) ? zero : f.y.px_of(y);
-        const float gap = right - left >= 4 ? p.hairline() : 0.0F;
-        if (top != zero) p.fill({left, std::min(top, zero), right - left - gap, std::abs(zero - top)}, color);
-        left = right;
     }
 }
 
@@ -380,32 +345,7 @@ void draw_series(Painter& p, const Frame& f, const PlotState& state, const PlotS
     if (static_cast<float>(last - first) > 2 * f.plot.w) return draw_columns(p, f, state, series, color, first);
     if (first > 0) --first;  // what comes in from outside
     last = std::min(last + 1, data.size());
-    if (series.kind == PlotKind::bars) return draw_bars(p, f, state, data, color, first, last);
     draw_line(p, f, state, data, color, (series.reference ? 1.0F : 1.5F) * p.hairline(), first, last);
-}
-
-void draw_residual(Painter& p, Frame f, const Look& look) {
-    const Theme& t = p.theme();
-    const PlotData& data = *look.options.residual;
-    const Extremes e = data.extremes(data.index_from(look.state.x.low), data.index_from(look.state.x.high));
-    const double most = e.any ? std::max({std::abs(e.low), std::abs(e.high), 1e-300}) : 1;
-    p.ground(f.residual, t.well);
-    f.plot = f.residual;
-    PlotState state = look.state;
-    state.log_y = false;
-    state.y = {-1.1 * most, 1.1 * most};
-    f.y = {state.y, f.plot.bottom(), f.plot.y};
-    char buffer[32];
-    const int decimals = decimals_for(most / 10);
-    draw_y_tick(p, f, 0, "0");
-    Rect labels = f.y_labels;
-    labels = {labels.x, f.plot.y, labels.w - p.em(0.4F), p.em(1.2F)};
-    if (f.plot.h > p.em(3.2F))
-        p.text(labels, tick_text(buffer, most, decimals), p.number_style(), t.text_dim, Align::end);
-    p.push_clip(f.plot);
-    draw_series(p, f, state, {.name = "", .data = &data}, t.series[1]);
-    p.pop_clip();
-    p.frame(f.plot, t.border, p.hairline());
 }
 
 void draw_note(Painter& p, const Frame& f, glm::vec2 at, std::string_view text) {
@@ -432,7 +372,7 @@ void draw_cursor(Painter& p, const Frame& f, const Look& look) {
 
 void draw_plot(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
-    const Frame f = frame_of(p, node.rect(), look.state, look.options.residual != nullptr);
+    const Frame f = frame_of(p, node.rect(), look.state);
     p.ground(node.rect(), t.panel);
     p.ground(f.plot, t.well);
     ShortText name;
@@ -464,12 +404,11 @@ void draw_plot(Painter& p, const Node& node, const Look& look) {
         draw_note(p, f, {f.x.px_of(std::max(range.low, look.state.x.low)), f.plot.y}, look.statistics);
     p.pop_clip();
     p.frame(f.plot, has(node.is, Is::disabled) ? t.grid : t.border, p.hairline());
-    if (look.options.residual != nullptr) draw_residual(p, f, look);
 }
 
 // --- readout ---
 
-/// The sample that the pointer means: of each series the one nearest along x, of these the nearest in px.
+/// The sample nearest to the pointer: of each series the one nearest along x, and of these the nearest in px.
 void find_cursor(const Frame& f, const PlotState& state, std::span<const PlotSeries> series, glm::vec2 at,
                  PlotResult& result) {
     if (!f.plot.contains(at)) return;
@@ -532,14 +471,14 @@ PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> seri
     const bool toggled = legend(ui, series, state, legend_room);
 
     if (state.fitted) fitted_spans(state, series, state.x, state.y);
-    const Frame f = frame_of(ui, ui.rect_before(id), state, options.residual != nullptr);
+    const Frame f = frame_of(ui, ui.rect_before(id), state);
     Gestures gestures(memory, state, f, series);
     if (!f.plot.empty()) gestures.take(ui, id, r);
     if (state.fitted) fitted_spans(state, series, state.x, state.y);
     PlotResult result = gestures.result;
     result.moved |= toggled && state.fitted;
 
-    const Frame now = frame_of(ui, ui.rect_before(id), state, options.residual != nullptr);
+    const Frame now = frame_of(ui, ui.rect_before(id), state);
     Look look{.series = series,
               .state = state,
               .options = options,

@@ -1,4 +1,4 @@
-// Series over two axes: what was measured beside what is simulated, and histograms.
+// Series over two axes: what was measured beside what is simulated.
 //
 //     PlotData speed;                                   // made once, when the samples change
 //     speed.set(samples, 0, 1.0 / 60);
@@ -21,17 +21,11 @@
 
 namespace lapfx::ui {
 
-enum class PlotKind : std::uint8_t {
-    line,
-    bars,  ///< from 0, half-way to the neighbours on both sides
-};
-
 struct PlotSeries {
     std::string_view name;           ///< of the legend; none: not in it
     const PlotData* data = nullptr;  ///< not null; must outlive the frame
-    PlotKind kind = PlotKind::line;
-    int color = -1;          ///< 0 to 7, of the theme's series; -1: the number of the series
-    bool reference = false;  ///< a quiet line that others are compared with; no series of its own to snap to
+    int color = -1;                  ///< 0 to 7, of the theme's series; -1: the number of the series
+    bool reference = false;          ///< a quiet line that others are compared with; no series of its own to snap to
 };
 
 /// What is in sight; kept by the widget unless the program does, to link plots or to store it.
@@ -48,20 +42,17 @@ struct PlotOptions {
     std::string_view x_name = {}, x_unit = {}, y_name = {}, y_unit = {};
     Size width = {SizeKind::grow, 1};
     Size height = {SizeKind::fit, 0};  ///< fit: 14 em
-    /// Drawn in a strip of its own around 0: see residual_of().
-    const PlotData* residual = nullptr;
     std::string_view tip = {};
     PlotState* state = nullptr;
     double mark = std::numeric_limits<double>::quiet_NaN();  ///< an upright line there, as of a playhead; NaN: none
 };
 
 struct PlotResult {
-    bool moved = false;          ///< what is in sight
-    bool range_changed = false;  ///< state.range or has_range
-    int series = -1;             ///< under the pointer; -1: none
-    std::size_t index = 0;       ///< of its sample
-    bool clicked = false;        ///< the left button was pressed and released in one place of the ground
-    double x = 0;                ///< of that place
+    bool moved = false;     ///< what is in sight
+    int series = -1;        ///< under the pointer; -1: none
+    std::size_t index = 0;  ///< of its sample
+    bool clicked = false;   ///< the left button was pressed and released in one place of the ground
+    double x = 0;           ///< of that place
 };
 
 PlotResult plot(Ui& ui, std::string_view label, std::span<const PlotSeries> series, const PlotOptions& options = {});

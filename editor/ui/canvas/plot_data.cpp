@@ -171,12 +171,6 @@ RangeStatistics PlotData::statistics(double low, double high) const {
     return result;
 }
 
-std::vector<double> residual_of(const PlotData& series, const PlotData& reference) {
-    std::vector<double> rest(series.size());
-    for (std::size_t i = 0; i < rest.size(); ++i) rest[i] = series.y(i) - reference.value_at(series.x(i));
-    return rest;
-}
-
 std::string plot_csv(std::span<const PlotSeries> series, std::string_view x_name, double low, double high) {
     std::string csv;
     append_name(csv, x_name);

@@ -1,5 +1,5 @@
-// Samples of a plot with what makes drawing, fitting and asking fast: minima, maxima and areas of blocks of them, made
-// once. A million samples then cost what the pixels of the plot cost.
+// The samples of a plot, with minima, maxima and areas of blocks of them, which are computed once. So a million samples
+// cost no more than the pixels of the plot.
 #pragma once
 
 #include <span>
@@ -78,9 +78,6 @@ class PlotData {
     std::vector<std::vector<Extremes>> levels_;
     std::vector<double> areas_, widths_;  ///< of all line pieces before each block
 };
-
-/// `series` less `reference` at each sample of the series; NaN where there is no reference.
-std::vector<double> residual_of(const PlotData& series, const PlotData& reference);
 
 struct PlotSeries;
 /// One line of names, then one for each place that a series has a sample at within low..high, empty where it has none

@@ -15,13 +15,10 @@ constexpr float shown_luma = 150;  // of the vectorscope's own colours
 constexpr double most_radius = 255;
 constexpr double least_gap = 1;  // between the circles
 
-/// Weights of red and blue; green has the rest.
-struct Weights {
-    float red, blue;
-};
-Weights weights(Matrix matrix) {
-    return matrix == Matrix::bt601 ? Weights{0.299F, 0.114F} : Weights{0.2126F, 0.0722F};
-}
+/// Weights of red and blue in BT.601; green has the rest.
+struct {
+    float red = 0.299F, blue = 0.114F;
+} constexpr w;
 
 std::size_t cell(float column, float row) {
     const auto x = static_cast<std::size_t>(std::clamp(column, 0.0F, 255.0F));
@@ -86,7 +83,6 @@ struct ChromaMap {
 
 struct VectorscopeLook {
     ImageHandle image;
-    Matrix matrix;
     float zoom;
     bool has_key;
     KeyCircles key;
@@ -104,7 +100,7 @@ void draw_circle(Painter& painter, glm::vec2 middle, float radius, float width, 
 }
 
 /// Boxes where the primaries and their opposites lie at three quarters of full, as on colour bars.
-void draw_targets(Painter& painter, const ChromaMap& map, Matrix matrix) {
+void draw_targets(Painter& painter, const ChromaMap& map) {
     struct Target {
         std::string_view name;
         glm::vec3 code;
@@ -115,7 +111,7 @@ void draw_targets(Painter& painter, const ChromaMap& map, Matrix matrix) {
     const Theme& t = painter.theme();
     TextStyle style = painter.text_style(0.85F);
     for (const Target& target : targets) {
-        const glm::vec3 at = luma_chroma(target.code, matrix);
+        const glm::vec3 at = luma_chroma(target.code);
         const glm::vec2 place = map.at({at.y, at.z});
         const float side = painter.em(0.8F);
         painter.frame({std::round(place.x - side / 2), std::round(place.y - side / 2), side, side}, canvas_ink(t, 0.6F),
@@ -128,7 +124,7 @@ void draw_targets(Painter& painter, const ChromaMap& map, Matrix matrix) {
 
 void draw_key(Painter& painter, const ChromaMap& map, const VectorscopeLook& look) {
     const Theme& t = painter.theme();
-    const glm::vec3 key = luma_chroma(look.key.color, look.matrix);
+    const glm::vec3 key = luma_chroma(look.key.color);
     const glm::vec2 at = map.at({key.y, key.z});
     const float line = 1.5F * painter.hairline();
     draw_circle(painter, at, static_cast<float>(look.key.chroma_low) * map.px_per_code, line, t.series[0]);
@@ -152,7 +148,7 @@ void draw_vectorscope(Painter& painter, const Node& node, const VectorscopeLook&
     draw_circle(painter, map.at({0, 0}), 64 * map.px_per_code, painter.hairline(), canvas_ink(t, 0.16F));
     draw_circle(painter, map.at({0, 0}), 127.5F * map.px_per_code, painter.hairline(), canvas_ink(t, 0.16F));
     painter.image(map.image(), look.image, map.px_per_code >= 4);
-    draw_targets(painter, map, look.matrix);
+    draw_targets(painter, map);
     if (look.has_key) draw_key(painter, map, look);
     painter.pop_clip();
     Rect corner = square.inset(painter.em(0.5F), painter.em(0.3F));
@@ -192,9 +188,8 @@ Edit edit_radius(Ui& ui, const ChromaMap& map, glm::vec2 key, float angle, const
     return edit;
 }
 
-void edit_key(Ui& ui, const ChromaMap& map, glm::vec2 origin, const VectorscopeOptions& options, KeyCircles& key,
-              VectorscopeResult& result) {
-    const glm::vec3 color = luma_chroma(key.color, options.matrix);
+void edit_key(Ui& ui, const ChromaMap& map, glm::vec2 origin, KeyCircles& key, VectorscopeResult& result) {
+    const glm::vec3 color = luma_chroma(key.color);
     const glm::vec2 at(color.y, color.z);
     constexpr float apart = 0.6F;  // rad
     result.low = edit_radius(
@@ -252,43 +247,41 @@ void draw_waveform(Painter& painter, const Node& node, const WaveformLook& look)
 
 }  // namespace
 
-glm::vec3 luma_chroma(glm::vec3 code, Matrix matrix) {
-    const Weights w = weights(matrix);
+glm::vec3 luma_chroma(glm::vec3 code) {
     const float luma = w.red * code.r + (1 - w.red - w.blue) * code.g + w.blue * code.b;
     return {luma, (code.b - luma) / (2 * (1 - w.blue)), (code.r - luma) / (2 * (1 - w.red))};
 }
 
-glm::vec3 rgb_of(glm::vec3 luma_chroma, Matrix matrix) {
-    const Weights w = weights(matrix);
+glm::vec3 rgb_of(glm::vec3 luma_chroma) {
     const float red = luma_chroma.x + 2 * (1 - w.red) * luma_chroma.z;
     const float blue = luma_chroma.x + 2 * (1 - w.blue) * luma_chroma.y;
     return {red, (luma_chroma.x - w.red * red - w.blue * blue) / (1 - w.red - w.blue), blue};
 }
 
-void count_chroma(const ScopeSource& source, Matrix matrix, DensityGrid& grid) {
+void count_chroma(const ScopeSource& source, DensityGrid& grid) {
     grid.counts.assign(cells, 0);
     each_pixel(source, [&](std::size_t, glm::vec3 code) {
-        const glm::vec3 at = luma_chroma(code, matrix);
+        const glm::vec3 at = luma_chroma(code);
         ++grid.counts[cell(std::round(at.y) + 128, 128 - std::round(at.z))];
     });
 }
 
-void count_luma(const ScopeSource& source, Matrix matrix, DensityGrid& grid) {
+void count_luma(const ScopeSource& source, DensityGrid& grid) {
     grid.counts.assign(cells, 0);
     const auto width = static_cast<float>(std::max(source.size.x, 1));
     each_pixel(source, [&](std::size_t x, glm::vec3 code) {
         const float column = std::floor((static_cast<float>(x) + 0.5F) / width * scope_side);
-        ++grid.counts[cell(column, 255 - std::round(luma_chroma(code, matrix).x))];
+        ++grid.counts[cell(column, 255 - std::round(luma_chroma(code).x))];
     });
 }
 
-void shade_chroma(const DensityGrid& grid, Matrix matrix, std::vector<std::uint8_t>& rgba) {
+void shade_chroma(const DensityGrid& grid, std::vector<std::uint8_t>& rgba) {
     const Brightness brightness(grid);
     rgba.resize(cells * 4);
     for (std::size_t i = 0; i < cells; ++i) {
         const auto x = static_cast<float>(i % scope_side), y = static_cast<float>(i / scope_side);
         const std::uint8_t alpha = brightness.of(grid.counts[i]);
-        const glm::vec3 color = alpha == 0 ? glm::vec3(0) : rgb_of({shown_luma, x - 128, 128 - y}, matrix);
+        const glm::vec3 color = alpha == 0 ? glm::vec3(0) : rgb_of({shown_luma, x - 128, 128 - y});
         rgba[4 * i] = code_of(color.r), rgba[4 * i + 1] = code_of(color.g), rgba[4 * i + 2] = code_of(color.b);
         rgba[4 * i + 3] = alpha;
     }
@@ -307,14 +300,14 @@ ScopeImage::~ScopeImage() {
     if (handle_ != 0) store_.remove(handle_);
 }
 
-void ScopeImage::update_chroma(const ScopeSource& source, Matrix matrix) {
-    count_chroma(source, matrix, grid_);
-    shade_chroma(grid_, matrix, rgba_);
+void ScopeImage::update_chroma(const ScopeSource& source) {
+    count_chroma(source, grid_);
+    shade_chroma(grid_, rgba_);
     send();
 }
 
-void ScopeImage::update_luma(const ScopeSource& source, Matrix matrix, Color color) {
-    count_luma(source, matrix, grid_);
+void ScopeImage::update_luma(const ScopeSource& source, Color color) {
+    count_luma(source, grid_);
     shade_luma(grid_, color, rgba_);
     send();
 }
@@ -337,12 +330,7 @@ VectorscopeResult vectorscope(Ui& ui, std::string_view label, ImageHandle image,
     const Rect rect = ui.rect_before(node.id);
     const ChromaMap map(rect, options.zoom);
     const Response r = ui.respond(node);
-    VectorscopeLook look{.image = image,
-                         .matrix = options.matrix,
-                         .zoom = options.zoom,
-                         .has_key = key != nullptr,
-                         .key = {},
-                         .readout = {}};
+    VectorscopeLook look{.image = image, .zoom = options.zoom, .has_key = key != nullptr, .key = {}, .readout = {}};
     result.over = r.hovered && map.square.contains(r.pointer);
     if (result.over) {
         result.chroma = map.chroma_at(r.pointer);
@@ -350,7 +338,7 @@ VectorscopeResult vectorscope(Ui& ui, std::string_view label, ImageHandle image,
         node.text = look.readout;
     }
     if (key != nullptr) {
-        edit_key(ui, map, rect.at(), options, *key, result);
+        edit_key(ui, map, rect.at(), *key, result);
         look.key = *key;
     }
     ui.draw_with<draw_vectorscope>(ui.parent(), look);

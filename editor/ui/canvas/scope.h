@@ -8,12 +8,10 @@
 
 namespace lapfx::ui {
 
-enum class Matrix : std::uint8_t { bt601, bt709 };
-
-/// Luma 0..255, Cb and Cr -127.5..127.5 of full-range code values: (B - Y) / 1.772 and (R - Y) / 1.402 in BT.601.
-glm::vec3 luma_chroma(glm::vec3 code, Matrix matrix);
+/// Luma 0..255, Cb and Cr -127.5..127.5 of full-range code values by BT.601: (B - Y) / 1.772 and (R - Y) / 1.402.
+glm::vec3 luma_chroma(glm::vec3 code);
 /// Back; not clamped.
-glm::vec3 rgb_of(glm::vec3 luma_chroma, Matrix matrix);
+glm::vec3 rgb_of(glm::vec3 luma_chroma);
 
 inline constexpr int scope_side = 256;  ///< cells
 /// Cells counted, rows from the top. Kept and reused.
@@ -31,13 +29,13 @@ struct ScopeSource {
     int every = 1;
 };
 /// Column round(Cb) + 128, row 128 - round(Cr), clamped.
-void count_chroma(const ScopeSource& source, Matrix matrix, DensityGrid& grid);
+void count_chroma(const ScopeSource& source, DensityGrid& grid);
 /// Column by place across the picture, row 255 - round(luma).
-void count_luma(const ScopeSource& source, Matrix matrix, DensityGrid& grid);
+void count_luma(const ScopeSource& source, DensityGrid& grid);
 
 /// RGBA of scope_side squared: brighter the more, by the logarithm, so that single pixels show; the vectorscope in the
 /// colours meant.
-void shade_chroma(const DensityGrid& grid, Matrix matrix, std::vector<std::uint8_t>& rgba);
+void shade_chroma(const DensityGrid& grid, std::vector<std::uint8_t>& rgba);
 void shade_luma(const DensityGrid& grid, Color color, std::vector<std::uint8_t>& rgba);
 
 /// A scope's image, made anew when the picture changes.
@@ -48,8 +46,8 @@ class ScopeImage {
     ScopeImage(const ScopeImage&) = delete;
     ScopeImage& operator=(const ScopeImage&) = delete;
 
-    void update_chroma(const ScopeSource& source, Matrix matrix);
-    void update_luma(const ScopeSource& source, Matrix matrix, Color color = {190, 215, 200, 255});
+    void update_chroma(const ScopeSource& source);
+    void update_luma(const ScopeSource& source, Color color = {190, 215, 200, 255});
     ImageHandle handle() const { return handle_; }  ///< 0: never updated
 
   private:
@@ -69,7 +67,6 @@ struct KeyCircles {
 };
 
 struct VectorscopeOptions {
-    Matrix matrix = Matrix::bt601;
     float zoom = 1;  ///< 1 to 8: around no colour
     std::string_view tip = {};
     Size width = grow(), height = grow();

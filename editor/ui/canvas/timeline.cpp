@@ -478,7 +478,7 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
     const Id id = node.id;
     const float lanes = ui.em(1.9F) * static_cast<float>(std::max<std::size_t>(1, tracks.size()));
     node.size[0] = options.width;
-    node.size[1] = px(ui.em(1.75F) + (options.thumbnails.empty() ? 0.0F : ui.em(3.4F)) + lanes);
+    node.size[1] = px(ui.em(1.75F) + lanes);
     node.tip = ui.copy(options.tip);
     ui.respond(node);
     if (!std::isfinite(state.time)) state.time = 0;
@@ -488,7 +488,7 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
         state.view = kept({state.time, state.time + state.view.length()}, options);
     if (m.drag == Part::none && state.speed < 0 && state.time < state.view.low)
         state.view = kept({state.time - state.view.length(), state.time}, options);
-    const Frame f = frame_of(ui, ui.rect_before(id), state.view, options);
+    const Frame f = frame_of(ui, ui.rect_before(id), state.view);
     Editing editing(ui, id, m, state, tracks, options, f);
     if (!f.ruler.empty()) {  // all that happened, before anything is built
         if (ui.has_events(id)) ui.events_of(id, [&](const Event& e) { editing.ground(e); });
@@ -504,7 +504,7 @@ TimelineEdit timeline(Ui& ui, std::string_view label, TimelineState& state, std:
         }
     }
     put_buttons(ui, state);
-    const Frame now = frame_of(ui, known_rect(ui, id), state.view, options);
+    const Frame now = frame_of(ui, known_rect(ui, id), state.view);
     put_range_end(ui, m, state, options, now, true);
     put_range_end(ui, m, state, options, now, false);
     put_tracks(ui, m, editing, state, tracks, options, now);

@@ -1,4 +1,4 @@
-// Time along px: where it stands, a range to play, clips and marks on tracks.
+// A timeline: the present time, a range to play, clips and marks on tracks.
 //
 //     ui::TimelineEdit edit = ui::timeline(u, "Time", state, tracks, {.length = 12, .rate = 25});
 //     if (edit.time.changed) player.seek(state.time);
@@ -52,8 +52,6 @@ struct TimelineState {
 struct TimelineOptions {
     double length = 1, rate = 25;  ///< s and 1/s, above 0 (assert)
     TimeUnit unit = TimeUnit::timecode;
-    std::span<const ImageHandle> thumbnails = {};  ///< evenly over the length
-    float thumbnail_aspect = 16.0F / 9;
     Size width = {SizeKind::grow, 1};
     std::string_view tip = {};
 };

@@ -63,27 +63,6 @@ void draw_ruler(Painter& p, const Frame& f, const Look& look) {
     p.pop_clip();
 }
 
-void draw_thumbnails(Painter& p, const Frame& f, const Look& look) {
-    const TimelineOptions& o = look.options;
-    if (o.thumbnails.empty()) return;
-    p.ground(f.thumbnails, p.theme().canvas);
-    p.push_clip(f.thumbnails);
-    const float width = std::max(8.0F, std::round(f.thumbnails.h * o.thumbnail_aspect));
-    const float end = std::min(f.thumbnails.right(), f.x.px_of(o.length));
-    // Slots begin at time 0, so that pictures stay with their time when the view pans.
-    const double slot = width / f.x.scale();
-    for (double k = std::max(0.0, std::floor(look.state.view.low / slot));; ++k) {
-        const float x = f.x.px_of(k * slot);
-        if (x >= end) break;
-        const auto n = static_cast<double>(o.thumbnails.size());
-        const auto i = static_cast<std::size_t>(std::clamp(k * slot / o.length * n, 0.0, n - 1));
-        p.push_clip({x, f.thumbnails.y, std::min(width, end - x), f.thumbnails.h});
-        p.image({x, f.thumbnails.y, width - p.hairline(), f.thumbnails.h}, o.thumbnails[i]);
-        p.pop_clip();
-    }
-    p.pop_clip();
-}
-
 void draw_lanes(Painter& p, const Frame& f, const Look& look) {
     const Theme& t = p.theme();
     p.ground(f.lanes, t.well);
@@ -101,10 +80,9 @@ void draw_lanes(Painter& p, const Frame& f, const Look& look) {
 
 void draw_ground(Painter& p, const Node& node, const Look& look) {
     const Theme& t = p.theme();
-    const Frame f = frame_of(p, node.rect(), look.state.view, look.options);
+    const Frame f = frame_of(p, node.rect(), look.state.view);
     p.ground(node.rect(), t.panel);
     draw_ruler(p, f, look);
-    draw_thumbnails(p, f, look);
     draw_lanes(p, f, look);
     char buffer[32];
     Rect corner = f.corner;
@@ -116,7 +94,7 @@ void draw_ground(Painter& p, const Node& node, const Look& look) {
 void draw_front(Painter& p, const Node& node, const void* arg) {
     const Look& look = *static_cast<const Look*>(arg);
     const Theme& t = p.theme();
-    const Frame f = frame_of(p, node.rect(), look.state.view, look.options);
+    const Frame f = frame_of(p, node.rect(), look.state.view);
     const Rect body{f.ruler.x, f.ruler.y, f.ruler.w, node.rect().bottom() - f.ruler.y};
     p.push_clip(body);
     const auto shade = [&](double low, double high, float alpha) {

@@ -6,18 +6,17 @@
 namespace lapfx::ui::timeline_drawing {
 
 struct Frame {
-    Rect corner, ruler, thumbnails, lanes;
+    Rect corner, ruler, lanes;
     float lane = 0;  ///< px, its height
     Axis1 x;
 };
 template <typename Em>
-Frame frame_of(const Em& measure, Rect rect, const Span& view, const TimelineOptions& o) {
+Frame frame_of(const Em& measure, Rect rect, const Span& view) {
     Frame f;
     const Rect all = rect;
     rect.cut_left(measure.em(10.2F));
     f.ruler = rect.cut_top(measure.em(1.75F));
     f.corner = {all.x, all.y, f.ruler.x - all.x, f.ruler.h};
-    if (!o.thumbnails.empty()) f.thumbnails = rect.cut_top(measure.em(3.4F));
     f.lanes = rect;
     f.lane = measure.em(1.9F);
     f.x = {view, f.ruler.x, f.ruler.right()};

@@ -1,4 +1,4 @@
-// How one looks at a picture: which part, how large. Pure arithmetic, and the hand and keyboard rules that go with it.
+// How a picture is looked at: which part of it, and how large. Pure arithmetic, and how pointer and keys change it.
 // Views of several pictures that share one ViewState move together.
 #pragma once
 
@@ -47,7 +47,7 @@ void pan(ViewState& state, const Rect& area, glm::ivec2 size, glm::dvec2 px);
 /// Pans as little as is needed for the pixel to be inside `area`.
 void show_pixel(ViewState& state, const Rect& area, glm::ivec2 size, glm::ivec2 pixel);
 
-/// The way of a drag, whatever came in one build. Kept with ui.memory().
+/// The way of a drag, also if several events came in one build. Kept with ui.memory().
 struct DragWay {
     bool on = false;
     Button button = Button::left;
@@ -55,11 +55,11 @@ struct DragWay {
     glm::vec2 take(const Event& event);  ///< px since the event before; also notes press, release and cancel
 };
 
-/// What a node that shows a picture senses for steer(). Escape is not among it: it leaves the view.
+/// What a node that shows a picture must sense for steer(). Escape is left out: it leaves the view.
 inline constexpr Sense view_sense = Sense::hover | Sense::press | Sense::middle | Sense::wheel | Sense::focus |
                                     Sense::activate | Sense::digits | Sense::arrows_x | Sense::arrows_y;
 /// Wheel: zoom at the pointer, stopping at 1:1 on the way; drag with middle, or with left while the space bar is down
-/// or when `left_pans`; double click or 0: fit; 1: 1:1; + and -: powers of two. Esc during a drag puts it back. Gives
+/// or when `left_pans`; double click or 0: fit; 1: 1:1; + and -: powers of two. Esc during a drag puts it back. Returns
 /// whether it moved.
 bool steer(Ui& ui, const Node& node, ViewState& state, const Rect& area, glm::ivec2 size, bool left_pans);
 

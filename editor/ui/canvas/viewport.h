@@ -1,4 +1,5 @@
-// A picture that the program renders, as large as its node: a 3D view. What is done with it is handed on.
+// A picture that the program renders at the size of its node, such as a 3D view. What a person does with it is reported
+// to the program.
 #pragma once
 
 #include "ui/canvas/view.h"

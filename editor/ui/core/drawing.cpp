@@ -1,5 +1,5 @@
-// From laid out nodes to the list of what is drawn. What a node drew in the last frame is copied where it would draw
-// the same.
+// From nodes to the list of what is drawn. If a node would draw the same as in the last frame, its instances are
+// copied.
 #include <cstring>
 
 #include "ui/core/ui.h"
@@ -14,18 +14,26 @@ bool same_number(const Number* a, const Number* b) {
     return a == b || (a != nullptr && b != nullptr && std::memcmp(a, b, sizeof(Number)) == 0);
 }
 
-/// All that a draw function may look at, but its look.
+/// Given that what they show of their labels is the same, which the text of most is.
+bool same_text(const Node& a, const Node& b) {
+    const auto is_shown = [](const Node& n) {
+        return n.text.data() == n.shown.data() && n.text.size() == n.shown.size();
+    };
+    return (is_shown(a) && is_shown(b)) || a.text == b.text;
+}
+
+/// Compares all that a draw function may use, except its look.
 bool same_node(const Node& a, const Node& b) {
     return a.drawer == b.drawer && a.id == b.id && a.is == b.is && a.role == b.role && a.rect() == b.rect() &&
            a.clip == b.clip && a.layer == b.layer && std::memcmp(a.padding, b.padding, sizeof a.padding) == 0 &&
-           a.scroll == nullptr && a.shown == b.shown && a.text == b.text && same_number(a.number, b.number);
+           a.scroll == nullptr && a.shown == b.shown && same_text(a, b) && same_number(a.number, b.number);
 }
 
 }  // namespace
 
 const FrameOutput& Ui::emit() {
     std::swap(list_, shown_);
-    // The nodes of the build before are those of the list before only if no build lies between.
+    // `shown_` belongs to the nodes of the last build only if no build lies between.
     const DrawnWith now{&theme(), input_.scale, fonts_.atlas().resets, build_};
     reuse_ = drawn_with_ == DrawnWith{now.theme, now.scale, now.resets, build_ - 1};
     drawn_anew_ = !reuse_;
@@ -37,7 +45,7 @@ const FrameOutput& Ui::emit() {
     if (fonts_.atlas().resets != now.resets) drawn_with_ = {};  // grew while drawing
     output_.changed = !take_shown();
     if (queue_head_ < queue_.size()) wake_at(time(), "events left");
-    // What never comes to rest must not keep the machine busy for ever.
+    // A UI that never comes to rest must not keep the machine busy for ever.
     if (unsettled_ > 0 && unsettled_ <= most_unsettled) wake_at(time(), "not yet at rest");
     const bool missing = fonts_.full();
     if (missing && !letters_missing_) wake_at(time(), "letters are missing");
@@ -49,8 +57,8 @@ const FrameOutput& Ui::emit() {
     return output_;
 }
 
-/// As long as everything is what it was, in its place, nothing is copied: places are kept free. From here on that is
-/// over.
+/// As long as all instances are equal to those of the last frame, none are copied: their places stay empty. This call
+/// ends that and copies the first `count`.
 void Ui::copy_kept_places(std::uint32_t count) {
     if (drawn_anew_) return;
     drawn_anew_ = true;

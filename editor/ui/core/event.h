@@ -1,5 +1,5 @@
-// What a person does, as the UI is told it. The window's glue turns its callbacks into these; tests and scripts make
-// them up.
+// Events: what a person does with mouse and keyboard. The window makes them from its callbacks; tests and scripts make
+// their own.
 #pragma once
 
 #include <cstdint>
@@ -68,12 +68,12 @@ enum class EventKind : std::uint8_t {
     text,         ///< one code point committed by keyboard or input method
     drop,         ///< files dropped at `at`: `paths`, one a line
     pointer_out,  ///< left the window
-    focus_lost,   ///< of the window: what is held is let go
+    focus_lost,   ///< the window lost the focus: a drag is cancelled
 
     // Made by the Ui for the widget concerned, never from outside:
-    focus_in,  ///< `key` tab: by Tab, with Mods::shift backwards; none: by pointer or by program
+    focus_in,  ///< `key` is Key::tab after Tab (Mods::shift: backwards), else Key::none
     focus_out,
-    cancel,  ///< what the pointer drags is to be as it was before: Esc, the other button, the window lost focus
+    cancel,  ///< a drag is undone: by Esc, by the other button, or because the window lost the focus
 };
 
 struct Event {

@@ -35,7 +35,7 @@ struct Rect {
     Rect inset(float d) const { return inset(d, d); }
     Rect moved(glm::vec2 d) const { return {x + d.x, y + d.y, w, h}; }
 
-    /// Cuts a strip off and gives it; what is left stays here. Inner parts of a widget are made so.
+    /// Cuts a strip off and returns it; this rectangle keeps the rest. Widgets divide their room this way.
     Rect cut_left(float a) {
         a = std::clamp(a, 0.0F, w);
         const Rect strip{x, y, a, h};
@@ -81,7 +81,7 @@ constexpr Color with_alpha(Color c, float alpha) {
     c.a = static_cast<std::uint8_t>(std::clamp(alpha, 0.0F, 1.0F) * 255.0F + 0.5F);
     return c;
 }
-/// `t` of b over 1 - t of a, in sRGB as everything of the UI is blended.
+/// (1 - t) * a + t * b in sRGB, as the UI blends everything.
 constexpr Color mix(Color a, Color b, float t) {
     const auto blend = [t](std::uint8_t p, std::uint8_t q) {
         return static_cast<std::uint8_t>(static_cast<float>(p) + (static_cast<float>(q) - static_cast<float>(p)) * t +

@@ -1,4 +1,4 @@
-// Who a widget is from one frame to the next: a hash of where it stands and what it is called.
+// The id of a widget from frame to frame: a hash of its place in the tree and its label.
 #pragma once
 
 #include <cstdint>
@@ -8,11 +8,11 @@ namespace lapfx::ui {
 
 using Id = std::uint64_t;  ///< 0: none
 
-/// 64 well mixed bits of `bytes` under `seed`, never 0; not for keeping: it may change from version to version.
+/// A 64-bit hash, never 0. Do not store it in files: it may change from version to version.
 std::uint64_t hash_bytes(std::uint64_t seed, std::string_view bytes);
 
-/// A label as it is written in code. "Speed##left" shows Speed and is told from another Speed by the rest; "12
-/// clips###clips" shows what comes first and is, whatever that says, always the same widget.
+/// A label as it is written in code. "Speed##left" shows "Speed"; what follows ## tells it from another "Speed". "12
+/// clips###clips" shows "12 clips" and stays the same widget when the number changes.
 struct Label {
     std::string_view shown;  ///< may be empty
     std::string_view key;    ///< what is hashed

@@ -11,8 +11,8 @@ bool flows(const Node& node) {
     return !node.placed && !node.overlay;
 }
 
-/// Backwards, children before parents: what each would like to be. `content` is the sum (or the greatest) of its
-/// children.
+/// The size that each node asks for, children before parents. `content` is the sum of its children along its axis, else
+/// the largest of them.
 void wish(std::span<Node> nodes, int a) {
     for (std::size_t i = nodes.size(); i-- > 0;) {
         Node& node = nodes[i];
@@ -61,8 +61,8 @@ Shares count_shares(std::span<Node> nodes, const Node& node, int a, float inside
     return all;
 }
 
-/// Those that would fall below their least get that, and the others share what is then left; once more for each that
-/// did.
+/// A child whose share is below its minimum gets the minimum, and the others share the rest; repeated until no share is
+/// too small.
 void share_what_is_left(std::span<Node> nodes, const Node& node, int a, float left, float weights) {
     for (bool again = true; again;) {
         again = false;
@@ -82,7 +82,7 @@ void share_what_is_left(std::span<Node> nodes, const Node& node, int a, float le
     }
 }
 
-/// Along its axis: fractions, shares of what is left, and shrinking where there is too little.
+/// Along the axis: fractions, shares of the room that is left, and shrinking where there is too little room.
 void share_out(std::span<Node> nodes, const Node& node, int a, float inside) {
     const Shares all = count_shares(nodes, node, a, inside);
     float left = inside - all.taken;
@@ -174,7 +174,7 @@ void put_overlay(std::span<Node> nodes, Node& node, std::uint32_t anchor, int a,
 
 bool keep_scroll(Node& node, int a, float inside) {
     ScrollState& scroll = *node.scroll;
-    // what was built knew another size: which rows there are, whether a scroll bar is needed
+    // the build used another size to decide which rows are in sight and whether there is a scroll bar
     const bool resized = std::abs(scroll.content[a] - node.content[a]) > 0.5F || scroll.view[a] != inside;
     scroll.content[a] = node.content[a];
     scroll.view[a] = inside;
@@ -199,6 +199,7 @@ bool put(std::span<Node> nodes, int a, float window) {
     nodes[0].extent[a] = window;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         Node& node = nodes[i];
+        if (node.first == no_node && node.scroll == nullptr && !node.overlay) continue;  // nothing in it to place
         if (node.overlay) put_overlay(nodes, node, find_before(nodes, i, node.placement->anchor), a, window);
         const float inside = std::max(0.0F, node.extent[a] - pads(node, a));
         if (node.scroll != nullptr) moved |= keep_scroll(node, a, inside);

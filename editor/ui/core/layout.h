@@ -1,5 +1,5 @@
-// From wishes to rectangles, in one go for the whole tree, before anything is drawn: no widget is ever seen in a wrong
-// place.
+// Layout: turns the sizes that nodes ask for into rectangles, for the whole tree before anything is drawn. So no widget
+// is ever drawn in a wrong place.
 #pragma once
 
 #include <span>
@@ -9,7 +9,7 @@
 namespace lapfx::ui {
 
 /// Fills in at, extent, content and clip of every node, and the state of scroll areas. nodes[0] is the window. Linear
-/// in the number of nodes. All rectangles are on whole px. Gives whether a scroll area had to be moved back to its
+/// in the number of nodes. All rectangles are on whole px. Returns whether a scroll area had to be moved back to its
 /// content.
 bool lay_out(Ui& ui, std::span<Node> nodes, glm::vec2 window);
 

@@ -1,4 +1,4 @@
-// The keyboard: what has the focus first, then shortcuts, then moving the focus.
+// Keys: first the node that has the focus may take them, then shortcuts, then they move the focus.
 #include <algorithm>
 
 #include "ui/core/ui.h"
@@ -38,7 +38,7 @@ bool takes_when_editing(Key key, Mods mods) {
     return false;
 }
 
-/// Whether a node that senses so wants this key for itself.
+/// Whether a node with these senses takes this key.
 bool takes(Sense sense, Key key, Mods mods) {
     const bool plain = !has(mods, Mods::command) && !has(mods, Mods::alt);
     if (has(sense, Sense::every_key)) return true;
@@ -80,20 +80,20 @@ bool takes(Sense sense, Key key, Mods mods) {
                                                                        c == ',' || c == '=' || c == '+'));
 }
 
-/// A button that was clicked has the keyboard, and nobody thinks of it: space is the program's then if it has a use for
-/// it. With the ring around it, it is the button's.
+/// A button that was clicked has the keyboard, but shows no ring. Space then runs the program's shortcut, if there is
+/// one; with the ring it presses the button.
 bool only_activates(Sense sense) {
     return has(sense, Sense::activate) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key);
 }
 
-/// What would open a number's entry. Without a ring one works by pointer, and a digit is a shortcut: nobody thinks of
-/// the value that was dragged last, and it must not change unseen.
+/// Whether the key would open the entry of a number. Without a ring the person works with the pointer: a digit is then
+/// a shortcut and must not change the value that was dragged last.
 bool begins_entry(Sense sense, Key key) {
     return has(sense, Sense::digits) && !has(sense, Sense::typing | Sense::editing | Sense::keys | Sense::every_key) &&
            printable(key);
 }
 
-/// What a dialog may have a use for, wherever in it the keyboard is.
+/// Keys that a dialog may use, whichever of its nodes has the keyboard.
 bool is_chord(Key key, Mods mods) {
     if (key >= Key::f1 && key <= Key::f12) return key != Key::f6;
     const bool arrow = key == Key::left || key == Key::right || key == Key::up || key == Key::down;
@@ -101,33 +101,9 @@ bool is_chord(Key key, Mods mods) {
     return has(mods, Mods::command) && printable(key);
 }
 
-bool moves_by_arrows(Role role) {
-    switch (role) {
-        case Role::tab_list:
-        case Role::menu:
-        case Role::menu_bar:
-        case Role::list:
-        case Role::tree:
-        case Role::grid:
-        case Role::table:
-        case Role::palette:
-            return true;
-        default:
-            return false;
-    }
-}
-
 }  // namespace
 
-bool Ui::press_shortcut(Key key, Mods mods) {
-    const bool modal =
-        std::any_of(overlays_.begin(), overlays_.end(), [](const Overlay& o) { return o.kind == OverlayKind::modal; });
-    if (modal || options_.shortcuts == nullptr || !options_.shortcuts->press(key, mods)) return false;
-    again_ = true;
-    return true;
-}
-
-/// Backspace and Ctrl+C are meant for what one points at, unless a ring or an open text says where the keyboard is.
+/// Backspace and Ctrl+C are for the node under the pointer, unless a ring or an open text shows where the keyboard is.
 bool Ui::takes_under_pointer(const Event& event) {
     const Node* over = before(hot_);
     const Node* focused = before(focus_);
@@ -162,7 +138,7 @@ void Ui::route_key(const Event& event) {
     key_ran_shortcut_ = press_shortcut(event.key, event.mods);
     if (!key_ran_shortcut_ && is_chord(event.key, event.mods) && send_to_around(event, Sense::chords)) return;
     if (key_ran_shortcut_ || navigate(event) || !printable(event.key)) return;
-    // A letter that nobody wanted: to a picture under the pointer that has a use for letters.
+    // A letter that nothing took goes to the picture under the pointer, if it takes letters.
     for (std::uint32_t i = index_before(hot_); i != no_node; i = nodes_before()[i].parent) {
         const Sense sense = nodes_before()[i].sense;
         if (has(sense, Sense::hover_keys) && has(sense, Sense::typing) && takes(sense, event.key, event.mods))
@@ -195,7 +171,7 @@ bool Ui::navigate(const Event& event) {
             if (std::any_of(overlays_.begin(), overlays_.end(),
                             [](const Overlay& o) { return o.kind != OverlayKind::passive; })) {
                 close_top_overlay();
-            } else if (focus_ == 0 || !ringed_) {  // what was clicked last has the keyboard, and nobody thinks of it
+            } else if (focus_ == 0 || !ringed_) {  // a node that was only clicked has the keyboard
                 set_focus(0);
                 send_to_notice(event);
             } else {
@@ -207,13 +183,13 @@ bool Ui::navigate(const Event& event) {
     }
 }
 
-/// Where keys that nothing took belong to: what has the focus, else what is under the pointer.
+/// The node whose surroundings get the keys that nothing took: the focused one, else the one under the pointer.
 std::uint32_t Ui::key_place() {
     const std::uint32_t focused = index_before(focus_);
     return focused != no_node || !pointer_inside_ ? focused : hit(nodes_before(), pointer_, static_cast<Sense>(~0U));
 }
 
-/// The newest of what lies over the window without the keyboard and can be closed by this key.
+/// The newest notice that this key closes.
 void Ui::send_to_notice(const Event& event) {
     const auto& all = nodes_before();
     for (std::size_t i = all.size(); i-- > 0;) {
@@ -231,14 +207,14 @@ bool Ui::send_to_around(const Event& event, Sense sense) {
     return false;
 }
 
-/// The innermost area that can go that way: by what is seen of it, or to its end.
+/// Scrolls the innermost area that can go that way, by a page or to its end.
 bool Ui::scroll_by_key(Key key) {
     for (std::uint32_t i = key_place(); i != no_node; i = nodes_before()[i].parent) {
         const Node& area = nodes_before()[i];
         if (area.scroll == nullptr || !area.scrolls[1]) continue;
         ScrollState& scroll = *area.scroll;
         const float most = std::max(0.0F, scroll.content.y - scroll.view.y);
-        const float page = std::max(1.0F, scroll.view.y - row_height());  // a row is seen twice, so that one finds on
+        const float page = std::max(1.0F, scroll.view.y - row_height());  // one row of the last page stays in sight
         float to = key == Key::home ? 0.0F : most;
         if (key == Key::page_up || key == Key::page_down) to = scroll.offset.y + (key == Key::page_up ? -page : page);
         to = std::clamp(to, 0.0F, most);
@@ -248,14 +224,6 @@ bool Ui::scroll_by_key(Key key) {
         return true;
     }
     return false;
-}
-
-/// Of the overlay that has the keyboard to itself; 0: the window.
-std::uint8_t Ui::focus_layer() const {
-    for (std::size_t i = overlays_.size(); i-- > 0;) {
-        if (overlays_[i].kind != OverlayKind::passive) return static_cast<std::uint8_t>(i + 1);
-    }
-    return 0;
 }
 
 void Ui::move_focus(int step) {
@@ -275,7 +243,7 @@ void Ui::move_focus(int step) {
         if (!fits(at)) continue;
         const Id id = all[static_cast<std::size_t>(at)].id;
         set_focus(id, true);
-        for (auto& [target, sent] : routed_) {  // a field that is come to by Tab opens for typing
+        for (auto& [target, sent] : routed_) {  // a field that gets the keyboard by Tab opens for typing
             if (target == id && sent.kind == EventKind::focus_in) sent.key = Key::tab;
         }
         reveal(id);
@@ -313,7 +281,7 @@ bool Ui::move_by_arrow(Key key) {
     const std::uint32_t current = index_before(focus_);
     if (current == no_node) return false;
     std::uint32_t group = current;
-    while (group != no_node && !moves_by_arrows(all[group].role))
+    while (group != no_node && !arrows_move_focus(all[group].role))
         group = all[group].overlay ? no_node : all[group].parent;
     if (group == no_node) return false;
     const int a = key == Key::left || key == Key::right ? 0 : 1;

@@ -1,5 +1,5 @@
-// One box of the UI: where it lies, how it is found, drawn and spoken of. A frame is an array of nodes in the order
-// they were built (parents before children); layout, hit test, keyboard, tests and dumps all read that one array.
+// One box of the UI: its place, its id, its drawing and its meaning. A frame is an array of nodes in the order in which
+// they were built (parents before children). Layout, hit test, keyboard, tests and dumps all read this array.
 #pragma once
 
 #include <cstdint>
@@ -26,12 +26,10 @@ enum class Role : std::uint8_t {
     radio,
     combo,
     text_field,
-    text_area,
     search_field,
     slider,
     range,
     color,
-    gradient,
     section,
     tab_list,
     tab,
@@ -44,14 +42,11 @@ enum class Role : std::uint8_t {
     column_header,
     row,
     cell,
-    tree,
-    tree_item,
     grid,
     image,
     progress,
     status,
     tooltip,
-    toast,
     menu_bar,
     menu,
     menu_item,
@@ -66,8 +61,9 @@ enum class Role : std::uint8_t {
     link,
 };
 std::string_view name_of(Role role);
+bool arrows_move_focus(Role role);  ///< from one of its children to the next
 
-/// What a node wants to be told of. Bits.
+/// Which events a node receives. Bits.
 enum class Sense : std::uint32_t {
     none = 0,
     hover = 1 << 0,  ///< lights up, has a tooltip
@@ -78,7 +74,7 @@ enum class Sense : std::uint32_t {
     wheel = 1 << 5,
     command_wheel = 1 << 6,  ///< only with Ctrl, so that scrolling never edits
     drop = 1 << 7,
-    // keys it takes while it has the keyboard; all others go on to shortcuts and to moving the focus
+    // Keys that it receives while it has the keyboard. All other keys run shortcuts or move the focus.
     activate = 1 << 8,  ///< Enter and space: a click
     arrows_x = 1 << 9,
     arrows_y = 1 << 10,
@@ -86,18 +82,19 @@ enum class Sense : std::uint32_t {
     extremes = 1 << 12,  ///< Home and End, with Ctrl or without
     erase = 1 << 13,     ///< Backspace and Delete
     typing = 1 << 14,    ///< what is typed, Enter
-    editing = 1 << 15,   ///< a text is open: everything of a text field, Esc and Ctrl+Z among it
+    editing = 1 << 15,   ///< a text is being edited: all keys of a text field, also Esc and Ctrl+Z
     escape = 1 << 16,
-    digits = 1 << 17,       ///< of what is typed, what a number can begin with; Enter
+    digits = 1 << 17,       ///< typed characters that can begin a number; Enter
     copying = 1 << 18,      ///< Ctrl+C, Ctrl+V, Ctrl+X
     keys = 1 << 19,         ///< every key but Tab, F6 and shortcuts with Ctrl or Alt: a canvas with keys of its own
     focus_wheel = 1 << 20,  ///< the wheel while it has the keyboard, unless something else was scrolled just before
     hover_keys = 1 << 21,   ///< `erase` and `copying` under the pointer as well, unless the focus shows its ring
-    tab_keys = 1 << 22,     ///< Ctrl+PageUp and Ctrl+PageDown from anything inside it that does not take them
-    every_key = 1 << 23,    ///< whatever it is: a chord is being recorded
-    completes = 1 << 24,    ///< Tab, without Shift: a text is open of which more can be taken over
-    /// From anything inside it that does not take them: letters and arrows with Ctrl or Alt, and F1 to F12. A dialog's
-    /// own keys.
+    tab_keys =
+        1 << 22,  ///< Ctrl+PageUp and Ctrl+PageDown, if the node inside it that has the keyboard does not take them
+    every_key = 1 << 23,  ///< all of them: a shortcut is being recorded
+    completes = 1 << 24,  ///< Tab without Shift: it completes the text that is being typed
+    /// Letters and arrows with Ctrl or Alt, and F1 to F12, if the node inside it that has the keyboard does not take
+    /// them. For the keys of a dialog.
     chords = 1 << 25,
 };
 constexpr Sense operator|(Sense a, Sense b) {
@@ -110,7 +107,7 @@ constexpr bool has(Sense all, Sense one) {
     return (all & one) != Sense::none;
 }
 
-/// How a node is. Bits.
+/// The states of a node. Bits.
 enum class Is : std::uint16_t {
     nothing = 0,
     disabled = 1 << 0,
@@ -119,16 +116,15 @@ enum class Is : std::uint16_t {
     focused = 1 << 3,
     ringed = 1 << 4,  ///< focused, and the keyboard was used last: shows its ring
     checked = 1 << 5,
-    mixed = 1 << 6,
-    selected = 1 << 7,
-    expanded = 1 << 8,
-    changed = 1 << 9,  ///< from its default
-    locked = 1 << 10,
-    invalid = 1 << 11,  ///< what is typed cannot be taken
-    read_only = 1 << 12,
-    duplicate = 1 << 13,  ///< another widget beside it has the same label: a mistake of the program
-    busy = 1 << 14,
-    modal = 1 << 15,
+    selected = 1 << 6,
+    expanded = 1 << 7,
+    changed = 1 << 8,  ///< from its default
+    locked = 1 << 9,
+    invalid = 1 << 10,  ///< what is typed cannot be taken
+    read_only = 1 << 11,
+    duplicate = 1 << 12,  ///< another widget beside it has the same label: a mistake of the program
+    busy = 1 << 13,
+    modal = 1 << 14,
 };
 constexpr Is operator|(Is a, Is b) {
     return static_cast<Is>(static_cast<int>(a) | static_cast<int>(b));
@@ -167,13 +163,13 @@ constexpr Size fraction(float f) {
 }
 
 enum class Axis : std::uint8_t { x, y };
-/// Of children across their parent's axis, and along it where something is left over.
+/// How children stand across the axis of their parent, and along it where room is left.
 enum class ChildAlign : std::uint8_t { start, center, end, stretch };
 
-/// Where an overlay lies, or a child that is placed by hand.
+/// The place of an overlay, or of a child that is placed by hand.
 struct Placement {
     enum class Side : std::uint8_t { inside, below, right_of, center, pointer, bottom_right, top } side = Side::inside;
-    glm::vec2 fraction{0};  ///< inside: of the parent's rectangle, the node's own point `pivot` goes there
+    glm::vec2 fraction{0};  ///< inside: a point of the parent's rectangle; the node's own point `pivot` is put there
     glm::vec2 offset{0};    ///< px
     glm::vec2 pivot{0};     ///< inside: 0 its upper left, 1 its lower right
     Id anchor = 0;          ///< below, right_of: the node it belongs to
@@ -187,7 +183,7 @@ struct Number {
     double value = 0, minimum = 0, maximum = 0, step = 0;
 };
 
-/// Where a scroll area stands; kept from frame to frame.
+/// How far an area is scrolled; kept from frame to frame.
 struct ScrollState {
     glm::vec2 offset{0};   ///< px
     glm::vec2 content{0};  ///< px, as laid out last
@@ -199,12 +195,11 @@ inline constexpr std::uint32_t no_node = 0xffffffffU;
 /// How a kind of widget draws itself.
 struct Drawer {
     void (*draw)(Painter&, const Node&, const void* look);
-    /// Whether two looks are the same picture, given that their nodes are; null: cannot be told, it is drawn anew each
-    /// time.
+    /// Whether two looks give the same picture if their nodes do. Null: unknown, so the widget is drawn in each frame.
     bool (*same)(const void* look, const void* other);
 };
 
-/// Of 256 bytes: the index of one is found by a shift.
+/// 256 bytes, so that an index is computed by a shift.
 struct alignas(64) Node {
     using Draw = void (*)(Painter&, const Node&, const void* arg);
     using HeightForWidth = float (*)(Ui&, const Node&, float width);
@@ -219,12 +214,13 @@ struct alignas(64) Node {
     std::uint8_t padding[4] = {};  ///< px: left, top, right, bottom
     Axis axis = Axis::y;
     ChildAlign cross = ChildAlign::stretch, main = ChildAlign::start;
-    bool rigid = true;  ///< does not shrink below its wish
+    bool rigid = true;  ///< does not shrink below the size that it asks for
     bool clips = false;
     bool scrolls[2] = {false, false};
     bool placed = false;     ///< out of the flow, by `placement`
     bool overlay = false;    ///< the root of an overlay
     std::uint8_t layer = 0;  ///< 0: the window, then the overlays, in their order
+    bool moved = false;      ///< in the last build: its widget is at another index in the present one
     const Placement* placement = nullptr;
     ScrollState* scroll = nullptr;
     HeightForWidth height_for_width = nullptr;
@@ -232,12 +228,12 @@ struct alignas(64) Node {
     // made by layout
     std::uint32_t in_flow = 0;  ///< children that are not placed by hand
     bool has_placed = false;
-    bool flexible[2] = {false, false};  ///< some of them share what is left, or have a part of it
-    bool has_events = false;            ///< some of this build are for it
+    bool flexible[2] = {false, false};  ///< some of its children grow or are fractions
+    bool has_events = false;            ///< events of this build are for it
     float at[2] = {0, 0}, extent[2] = {0, 0}, content[2] = {0, 0};
     Rect clip;
 
-    // how it is spoken of
+    // meaning, for tests and screen readers
     Role role = Role::none;
     Is is = Is::nothing;
     Sense sense = Sense::none;
@@ -247,7 +243,7 @@ struct alignas(64) Node {
     const Drawer* drawer = nullptr;
     Draw draw_over = nullptr;  ///< after its children
     const void* arg = nullptr;
-    std::uint32_t first_instance = 0, instances = not_kept;  ///< what it drew, when that can be used again
+    std::uint32_t first_instance = 0, instances = not_kept;  ///< what it drew, if that can be used again
     static constexpr std::uint32_t not_kept = 0xffffffffU;
 
     Rect rect() const { return {at[0], at[1], extent[0], extent[1]}; }

@@ -23,7 +23,7 @@ struct Overlay {
     Placement placement;
     Id opener_focus = 0;  ///< gets the keyboard back
     std::uint32_t opened_build = 0, built = 0;
-    bool wants_focus = false;  ///< the keyboard goes to its first node once that is known
+    bool wants_focus = false;  ///< its first node gets the keyboard when it is built
 };
 
 }  // namespace lapfx::ui

@@ -17,7 +17,7 @@ class LineBreaker {
         std::size_t bytes;  ///< with the spaces, or the line break, that it ends with
         float width;        ///< px, of its spaces too
     };
-    /// Of `text` what goes into a line of `width` px, one character at least.
+    /// How much of `text` fits into a line of `width` px; at least one character.
     Line first_line(std::string_view text, float width);
 
   private:

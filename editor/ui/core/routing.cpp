@@ -1,5 +1,5 @@
-// Events to widgets: who is meant is decided here, against the nodes of the last build, before the program builds the
-// next.
+// Sends events to widgets: finds the node that an event is for among those of the last build, before the program builds
+// again.
 #include <algorithm>
 #include <utility>
 
@@ -24,7 +24,7 @@ bool finite(glm::vec2 v) {
 
 }  // namespace
 
-/// Everything up to and with the next key or button: the one after that is for a UI that knows of this one.
+/// Takes events up to and including the next key or button; later ones wait for a UI that knows of this one.
 void Ui::take_events() {
     for (auto& each : routed_) each.second.paths.clear();
     routed_.clear();
@@ -83,28 +83,13 @@ void Ui::route(Event& event) {
     }
 }
 
-bool Ui::key_down(Key key) const {
-    return std::find(keys_down_.begin(), keys_down_.end(), key) != keys_down_.end();
-}
-
-/// The first of what is typed: the next is for a text that is open.
+/// Whether this character opens an entry, which the next character is for.
 bool Ui::opens_entry(const Event& event) {
     const Node* node = event.kind == EventKind::text ? before(focus_) : nullptr;
     return node != nullptr && !has(node->sense, Sense::editing);
 }
 
-void Ui::send(Id target, const Event& event) {
-    if (target == 0) return;
-    if (!routing_) {  // its widget may have been built already: in the next build it is told
-        late_.emplace_back(target, event);
-        again_ = true;
-        return;
-    }
-    routed_.emplace_back(target, event);
-    seen_.at(target).events = build_;
-}
-
-/// Topmost node there that senses any of `senses`. An overlay hides what lies under it.
+/// The topmost node there that has any of `senses`. An overlay hides the nodes under it.
 std::uint32_t Ui::hit(std::span<const Node> all, glm::vec2 at, Sense senses) const {
     std::uint32_t best = no_node;
     int layer = -1, covered = -1, modal = 0;
@@ -160,7 +145,7 @@ void Ui::route_press(Event& event) {
     pressed_hot_ = hot_;
     const std::uint32_t index = hit(nodes_before(), event.at, sense_of(event.button));
     const int layer = index == no_node ? -1 : nodes_before()[index].layer;
-    // A press beside what lies on top closes it, and does nothing else.
+    // A press outside the top overlay closes it and does nothing else.
     for (std::size_t i = overlays_.size(); i-- > 0;) {
         if (overlays_[i].kind == OverlayKind::passive) continue;
         bool inside = layer >= static_cast<int>(i) + 1;
@@ -190,7 +175,7 @@ void Ui::route_press(Event& event) {
     const std::size_t over = node.layer;
     const bool passive = over > 0 && over <= overlays_.size() && overlays_[over - 1].kind == OverlayKind::passive;
     if (node.role == Role::menu_item || passive) {
-        // what is chosen from a menu is for what had the keyboard before; a notice never has it
+        // a command of a menu is for the node that had the keyboard before; a notice never has it
     } else if (has(node.sense, Sense::focus)) {
         set_focus(target);
     } else if (node.role != Role::scroll_bar && node.role != Role::splitter) {
@@ -206,7 +191,7 @@ void Ui::route_release(const Event& event) {
     find_hot(nodes_before());
 }
 
-/// To the innermost that can do something with it: a field with Ctrl, a canvas, a scroll area that has not come to its
+/// The wheel goes to the innermost node that uses it: a field with Ctrl, a canvas, or a scroll area that is not at its
 /// end.
 void Ui::route_wheel(const Event& event) {
     const bool scrolling = event.time - scrolled_at_ < scroll_ends;
@@ -239,13 +224,14 @@ void Ui::route_wheel(const Event& event) {
 }
 
 void Ui::route_text(const Event& event) {
-    // The key moved the focus, as a shortcut or as the space that chose: its letter is not meant for what has it now.
+    // This key has moved the focus, as a shortcut or as the space that chose an item. Its letter is not for the node
+    // that has the focus now.
     if (std::exchange(key_came_, false) && typed_for_ != focus_) return;
     const Node* node = before(focus_);
     if (node == nullptr) return;
     const char32_t c = event.codepoint;
-    // Of what an expression can begin with. Letters, too, unless they are a shortcut: "sqrt(16)" must not become
-    // "(16)".
+    // Characters that an expression can begin with. Letters count unless they are a shortcut: "sqrt(16)" must not
+    // become "(16)".
     const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
     const bool number = (c >= '0' && c <= '9') || c == '-' || c == '+' || c == '.' || c == ',' || c == '(' ||
                         c == '=' || (letter && !key_ran_shortcut_);
@@ -260,109 +246,6 @@ void Ui::route_drop(Event& event) {
         dropped_ = event.paths;
     } else {
         send(nodes_before()[index].id, event);
-    }
-}
-
-void Ui::set_focus(Id id, bool by_keyboard) {
-    ringed_ = by_keyboard && id != 0;
-    if (id == focus_) return;
-    send(std::exchange(focus_, id), {.kind = EventKind::focus_out, .time = time()});
-    send(focus_, {.kind = EventKind::focus_in, .time = time()});
-    rested_since_ = time();
-    again_ = true;
-}
-
-/// In the layout that is known; what has just been built is revealed by the next build.
-void Ui::reveal(Id id) {
-    const std::uint32_t index = index_before(id);
-    if (index == no_node || index >= nodes_before().size()) {
-        reveal_ = id;
-        again_ = true;
-        return;
-    }
-    Rect rect = nodes_before()[index].rect();
-    for (std::uint32_t i = nodes_before()[index].parent; i != no_node; i = nodes_before()[i].parent) {
-        const Node& area = nodes_before()[i];
-        if (area.overlay && area.scroll == nullptr) break;
-        if (area.scroll == nullptr) continue;
-        const Rect view = area.inside();
-        for (int a = 0; a < 2; ++a) {
-            if (!area.scrolls[a]) continue;
-            const float low = a == 0 ? rect.x : rect.y, high = a == 0 ? rect.right() : rect.bottom();
-            const float from = a == 0 ? view.x : view.y, to = a == 0 ? view.right() : view.bottom();
-            const float by = low < from ? low - from : high > to ? std::min(high - to, low - from) : 0.0F;
-            area.scroll->offset[a] += by;
-            rect = rect.moved(a == 0 ? glm::vec2(-by, 0) : glm::vec2(0, -by));
-            if (by != 0) again_ = true;
-        }
-    }
-}
-
-Response Ui::respond(Node& node) {
-    Response r;
-    const Id id = node.id;
-    const bool concerned =
-        node.has_events || id == hot_ || id == focus_ || id == active_[0] || id == active_[1] || id == active_[2];
-    if (!concerned) {  // nearly all
-        r.pointer = pointer_;
-        r.mods = mods_;
-        return r;
-    }
-    if (id == 0 || has(node.is, Is::disabled)) {
-        if (id != 0 && id == hot_) node.is |= Is::hovered;
-        return r;
-    }
-    r.hovered = id == hot_;
-    r.focused = id == focus_;
-    for (int b = 0; b < 3; ++b) {
-        if (active_[b] == id) r.held = true, r.button = static_cast<Button>(b);
-    }
-    node.is |= when(r.hovered, Is::hovered) | when(r.held, Is::held) | when(r.focused, Is::focused) |
-               when(r.focused && ringed_, Is::ringed);
-    r.pointer = pointer_;
-    r.pressed_at = pressed_at_;
-    r.mods = mods_;
-    if (r.held) r.drag = moved_;
-    if (!node.has_events) return r;
-    for (const auto& [target, event] : routed_) {
-        if (target == id) take(r, node, event);
-    }
-    return r;
-}
-
-void Ui::take(Response& r, const Node& node, const Event& event) {
-    r.mods = event.mods;
-    switch (event.kind) {
-        case EventKind::press:
-            r.button = event.button;
-            if (event.button == Button::left) r.pressed = true, r.clicks = event.clicks;
-            if (event.button == Button::right) r.context = true;
-            break;
-        case EventKind::release:
-            if (event.button != Button::left) break;
-            r.released = true;
-            r.drag = moved_;
-            r.clicked |= rect_before(node.id).contains(event.at);
-            break;
-        case EventKind::key:
-            if (event.key == Key::menu) r.context = true;
-            if (has(node.sense, Sense::activate) && (event.key == Key::enter || event.key == Key::space))
-                r.clicked = true;
-            break;
-        case EventKind::wheel:
-            r.wheel += event.delta.y;
-            break;
-        case EventKind::cancel:
-            r.cancelled = true;
-            break;
-        case EventKind::focus_in:
-            r.focus_in = true, r.by_tab = event.key == Key::tab;
-            break;
-        case EventKind::focus_out:
-            r.focus_out = true;
-            break;
-        default:
-            break;
     }
 }
 

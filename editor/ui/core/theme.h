@@ -1,5 +1,5 @@
-// Colours and metrics of the UI. Two themes, dark and light, of the same names; pairs of text and ground have a
-// contrast of 4.5 or more (tests/ui/core/theme_test.cpp).
+// Colours and metrics of the UI. Two themes, dark and light, both name every colour (theme.cpp); pairs of text and
+// ground have a contrast of 4.5 or more (tests/ui/core/theme_test.cpp).
 #pragma once
 
 #include "ui/core/geometry.h"
@@ -38,7 +38,7 @@ struct Theme {
     Color warning;
     Color error;
     Color shadow;
-    /// Of plots, told apart by colour-blind eyes as well (Okabe and Ito 2008).
+    /// For plots; people with colour blindness can tell them apart (Okabe and Ito 2008).
     Color series[8];
 
     // metrics; em are font heights

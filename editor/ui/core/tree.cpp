@@ -1,9 +1,10 @@
 #include "ui/core/tree.h"
 
-#include <array>
 #include <charconv>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "ui/core/closed_list.h"
 
 namespace lapfx::ui {
 
@@ -11,21 +12,73 @@ namespace {
 
 using nlohmann::ordered_json;
 
-constexpr std::array<std::string_view, 50> roles = {
-    "none",      "window",    "panel",    "group",         "label",     "heading",      "button",      "toggle",
-    "checkbox",  "radio",     "combo",    "text field",    "text area", "search field", "slider",      "range",
-    "color",     "gradient",  "section",  "tab list",      "tab",       "splitter",     "scroll area", "scroll bar",
-    "list",      "list item", "table",    "column header", "row",       "cell",         "tree",        "tree item",
-    "grid",      "image",     "progress", "status",        "tooltip",   "toast",        "menu bar",    "menu",
-    "menu item", "dialog",    "palette",  "plot",          "curve",     "timeline",     "canvas",      "handle",
-    "separator", "link"};
-static_assert(roles.size() == static_cast<std::size_t>(Role::link) + 1);
+constexpr struct {
+    Role value;
+    std::string_view name;
+    bool arrows_move_focus = false;
+} roles[] = {
+    {Role::none, "none"},
+    {Role::window, "window"},
+    {Role::panel, "panel"},
+    {Role::group, "group"},
+    {Role::label, "label"},
+    {Role::heading, "heading"},
+    {Role::button, "button"},
+    {Role::toggle, "toggle"},
+    {Role::checkbox, "checkbox"},
+    {Role::radio, "radio"},
+    {Role::combo, "combo"},
+    {Role::text_field, "text field"},
+    {Role::search_field, "search field"},
+    {Role::slider, "slider"},
+    {Role::range, "range"},
+    {Role::color, "color"},
+    {Role::section, "section"},
+    {Role::tab_list, "tab list", true},
+    {Role::tab, "tab"},
+    {Role::splitter, "splitter"},
+    {Role::scroll_area, "scroll area"},
+    {Role::scroll_bar, "scroll bar"},
+    {Role::list, "list", true},
+    {Role::list_item, "list item"},
+    {Role::table, "table", true},
+    {Role::column_header, "column header"},
+    {Role::row, "row"},
+    {Role::cell, "cell"},
+    {Role::grid, "grid", true},
+    {Role::image, "image"},
+    {Role::progress, "progress"},
+    {Role::status, "status"},
+    {Role::tooltip, "tooltip"},
+    {Role::menu_bar, "menu bar", true},
+    {Role::menu, "menu", true},
+    {Role::menu_item, "menu item"},
+    {Role::dialog, "dialog"},
+    {Role::palette, "palette", true},
+    {Role::plot, "plot"},
+    {Role::curve, "curve"},
+    {Role::timeline, "timeline"},
+    {Role::canvas, "canvas"},
+    {Role::handle, "handle"},
+    {Role::separator, "separator"},
+    {Role::link, "link"},
+};
+static_assert(is_whole(roles));
 
+/// In the order of their bits. The ring of the keyboard is not told apart from the focus.
 constexpr std::pair<Is, std::string_view> states[] = {
-    {Is::disabled, "disabled"},   {Is::hovered, "hovered"}, {Is::held, "held"},         {Is::focused, "focused"},
-    {Is::checked, "checked"},     {Is::mixed, "mixed"},     {Is::selected, "selected"}, {Is::expanded, "expanded"},
-    {Is::changed, "changed"},     {Is::locked, "locked"},   {Is::invalid, "invalid"},   {Is::read_only, "read only"},
-    {Is::duplicate, "duplicate"}, {Is::busy, "busy"},       {Is::modal, "modal"}};
+    {Is::disabled, "disabled"},   {Is::hovered, "hovered"},   {Is::held, "held"},
+    {Is::focused, "focused"},     {Is::ringed, ""},           {Is::checked, "checked"},
+    {Is::selected, "selected"},   {Is::expanded, "expanded"}, {Is::changed, "changed"},
+    {Is::locked, "locked"},       {Is::invalid, "invalid"},   {Is::read_only, "read only"},
+    {Is::duplicate, "duplicate"}, {Is::busy, "busy"},         {Is::modal, "modal"}};
+consteval bool states_are_whole() {
+    for (std::size_t i = 0; i < std::size(states); ++i) {
+        if (states[i].first != static_cast<Is>(1U << i)) return false;
+    }
+    return !is_enumerator<static_cast<Is>(1U << std::size(states))>();
+}
+static_assert(states_are_whole());
 
 bool named(const Node& node) {
     return !node.label.empty() || node.role == Role::tooltip || node.role == Role::window;
@@ -37,7 +90,7 @@ std::string number_text(double value) {
     return {buffer, end};
 }
 
-/// What is not UTF-8 becomes U+FFFD: the tree is read by others.
+/// Bytes that are not UTF-8 become U+FFFD, because other programs read the tree.
 std::string clean(std::string_view text) {
     return ordered_json::parse(
                ordered_json(std::string(text)).dump(-1, ' ', false, ordered_json::error_handler_t::replace))
@@ -73,14 +126,14 @@ ordered_json json_of(std::span<const Node> tree, std::uint32_t index) {
         if (node.number->step != 0) json["step"] = node.number->step;
     }
     for (const auto& [state, word] : states) {
-        if (has(node.is, state)) json["states"].push_back(word);
+        if (has(node.is, state) && !word.empty()) json["states"].push_back(word);
     }
     json["rect"] = {node.at[0], node.at[1], node.extent[0], node.extent[1]};
     if (!node.tip.empty()) json["tip"] = clean(node.tip);
     return json;
 }
 
-/// Children of nodes without a name are taken for their own.
+/// Children of a node without a name become children of its parent.
 void add_children(std::span<const Node> tree, std::uint32_t index, ordered_json& into) {
     for (std::uint32_t i = index + 1; i < tree[index].end; i = tree[i].end) {
         if (!named(tree[i])) {
@@ -97,7 +150,11 @@ void add_children(std::span<const Node> tree, std::uint32_t index, ordered_json&
 }  // namespace
 
 std::string_view name_of(Role role) {
-    return roles[static_cast<std::size_t>(role)];
+    return roles[static_cast<std::size_t>(role)].name;
+}
+
+bool arrows_move_focus(Role role) {
+    return roles[static_cast<std::size_t>(role)].arrows_move_focus;
 }
 
 std::string path_of(std::span<const Node> tree, std::uint32_t index) {
@@ -137,7 +194,7 @@ std::string dump_text(std::span<const Node> tree) {
         if (node.number != nullptr) text += " = " + number_text(node.number->value);
         if (!node.text.empty()) text += " '" + clean(node.text) + "'";
         for (const auto& [state, word] : states) {
-            if (has(node.is, state)) text += " [" + std::string(word) + "]";
+            if (has(node.is, state) && !word.empty()) text += " [" + std::string(word) + "]";
         }
         for (const float v : {node.at[0], node.at[1], node.extent[0], node.extent[1]}) text += " " + number_text(v);
         text += "\n";

@@ -9,7 +9,7 @@
 
 namespace lapfx::ui {
 
-/// Labels from the outermost to the node, joined by "/"; arrangements without a name do not count.
+/// The labels from the outermost node to this one, joined by "/"; nodes without a label are left out.
 std::string path_of(std::span<const Node> tree, std::uint32_t index);
 
 /// The node with this path. A path may begin with "**/": anywhere. Throws std::invalid_argument when there is none (it
@@ -23,8 +23,7 @@ std::string dump_text(std::span<const Node> tree);
 /// "tip", "children": [...]}; keys that would be empty are left out.
 std::string dump_json(std::span<const Node> tree);
 
-/// What is wrong with it for people who do not see it: nodes that take the keyboard and have no name, labels that
-/// clash.
+/// Faults for people who cannot see the UI: nodes that take the keyboard but have no name, and labels that clash.
 std::vector<std::string> faults_of(std::span<const Node> tree);
 
 }  // namespace lapfx::ui

@@ -1,5 +1,5 @@
-// What one frame of the UI looks like: a flat list of instances that one program draws. No OpenGL here;
-// ui/gl/renderer.h draws it, a test can read it.
+// What one frame of the UI looks like: a flat list of instances. No OpenGL here: ui/gl/renderer.h draws it, and a test
+// can read it.
 //
 // An instance is 32 bytes: a rectangle (or a line), four 16-bit figures whose meaning depends on the kind, a colour,
 // and the index of its clip rectangle. Order is depth: later covers earlier.
@@ -71,7 +71,8 @@ class Instances {
     void shorten(std::size_t size) { size_ = std::min(size, size_); }
     void leave(std::size_t count) { room(count); }  ///< places that are written later, or not at all
     Instance& add() { return *new (room(1)) Instance; }
-    /// Gives the first of the copies.
+    Instance* add(std::size_t count) { return room(count); }  ///< the first of so many, to be written by the caller
+    /// Returns the first of the copies.
     Instance* add(std::span<const Instance> more) {
         Instance* to = room(more.size());
         std::memcpy(static_cast<void*>(to), more.data(), more.size_bytes());

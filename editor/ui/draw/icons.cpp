@@ -5,6 +5,7 @@
 //     B x0 y0 x1 y1   solid rectangle   F x0 y0 x1 y1   its frame                    clockwise from the right
 #include <array>
 
+#include "ui/core/closed_list.h"
 #include "ui/draw/painter.h"
 
 namespace lapfx::ui {
@@ -13,55 +14,51 @@ namespace {
 
 constexpr float grid = 24;
 constexpr std::size_t most_points = 16;  // of a part, and of an arc as drawn
-constexpr auto icon_count = static_cast<std::size_t>(Icon::sort_down) + 1;
 
-const char* drawing_of(Icon icon) {
-    static constexpr std::array<const char*, icon_count> drawings = {
-        "",                                                           // none
-        "L4d9ik7",                                                    // check
-        "L5cjc",                                                      // minus
-        "L5cjc Lc5cj",                                                // plus
-        "L66ii Li66i",                                                // cross
-        "L95gc9j",                                                    // chevron_right
-        "L59cgj9",                                                    // chevron_down
-        "L5fc8jf",                                                    // chevron_up
-        "Lf58cfj",                                                    // chevron_left
-        "Oaa7 Lffll",                                                 // search
-        "Dcc4",                                                       // dot
-        "L46k6 L4ckc L4iki",                                          // menu
-        "B5bjl L8b88 Lgbg8 Ac84co",                                   // lock
-        "B5bjl L8b87 Ac74cn",                                         // unlock
-        "P84jc8k",                                                    // play
-        "B64ak Be4ik",                                                // pause
-        "B55jj",                                                      // stop
-        "L4c47j7 Lf3j7fb Lkckh5h L9d5h9l",                            // loop
-        "B447k Pj5jj9c",                                              // step_back
-        "Bh4kk P555jfc",                                              // step_forward
-        "Zc2f9m9geilch6l8e2999",                                      // star
-        "Pc2f9m9geilch6l8e2999",                                      // star_filled
-        "L93489d L48e8 Aee6iu Lek8k",                                 // undo
-        "Lf3k8fd Lk8a8 Aae66i Lakgk",                                 // redo
-        "Z3595b8l8lj3j",                                              // folder
-        "Z53d3j9jl5l Ld3d9j9",                                        // file
-        "Z2c4986c5g6k9mckfgicj8i4f Dcc3",                             // eye
-        "Z2c4986c5g6k9mckfgicj8i4f L44kk",                            // eye_off
-        "Z3l4hd8gb7k Lb6id Di63",                                     // eyedropper
-        "Zc3ml2l Lc9cf Lcici",                                        // warning
-        "Occa L88gg Lg88g",                                           // error
-        "Occa Lcbch Lc7c7",                                           // info
-        "Acc8ey L434898",                                             // reset
-        "D962 D9c2 D9i2 Df62 Dfc2 Dfi2",                              // grip
-        "F88ll Lg8g3333g8g",                                          // copy
-        "F33ll D882 Dcc2 Dgg2",                                       // dice
-        "A7c46i L78a8 L7gag Ahc4iu Le8h8 Leghg L8cgc",                // link
-        "Occ7 Dcc2 Lc2c5 Lcjcm L2c5c Ljcmc L5577 Lhhjj Lj5h7 L7h5j",  // gear
-        "F34lk L4i9cdggdki Dg92",                                     // image
-        "Lc3cl L88c3h8 L8gclgg",                                      // drag_up_down
-        "P5gc8jg",                                                    // sort_up
-        "P58cgj8",                                                    // sort_down
-    };
-    return drawings[static_cast<std::size_t>(icon)];
-}
+constexpr struct {
+    Icon value;
+    std::string_view name;
+    const char* drawing;
+} icons[] = {
+    {Icon::none, "none", ""},
+    {Icon::check, "check", "L4d9ik7"},
+    {Icon::minus, "minus", "L5cjc"},
+    {Icon::plus, "plus", "L5cjc Lc5cj"},
+    {Icon::cross, "cross", "L66ii Li66i"},
+    {Icon::chevron_right, "chevron right", "L95gc9j"},
+    {Icon::chevron_down, "chevron down", "L59cgj9"},
+    {Icon::chevron_up, "chevron up", "L5fc8jf"},
+    {Icon::chevron_left, "chevron left", "Lf58cfj"},
+    {Icon::search, "search", "Oaa7 Lffll"},
+    {Icon::dot, "dot", "Dcc4"},
+    {Icon::menu, "menu", "L46k6 L4ckc L4iki"},
+    {Icon::lock, "lock", "B5bjl L8b88 Lgbg8 Ac84co"},
+    {Icon::unlock, "unlock", "B5bjl L8b87 Ac74cn"},
+    {Icon::play, "play", "P84jc8k"},
+    {Icon::pause, "pause", "B64ak Be4ik"},
+    {Icon::loop, "loop", "L4c47j7 Lf3j7fb Lkckh5h L9d5h9l"},
+    {Icon::step_back, "step back", "B447k Pj5jj9c"},
+    {Icon::step_forward, "step forward", "Bh4kk P555jfc"},
+    {Icon::star, "star", "Zc2f9m9geilch6l8e2999"},
+    {Icon::star_filled, "star filled", "Pc2f9m9geilch6l8e2999"},
+    {Icon::undo, "undo", "L93489d L48e8 Aee6iu Lek8k"},
+    {Icon::folder, "folder", "Z3595b8l8lj3j"},
+    {Icon::file, "file", "Z53d3j9jl5l Ld3d9j9"},
+    {Icon::eye, "eye", "Z2c4986c5g6k9mckfgicj8i4f Dcc3"},
+    {Icon::eyedropper, "eyedropper", "Z3l4hd8gb7k Lb6id Di63"},
+    {Icon::warning, "warning", "Zc3ml2l Lc9cf Lcici"},
+    {Icon::error, "error", "Occa L88gg Lg88g"},
+    {Icon::info, "info", "Occa Lcbch Lc7c7"},
+    {Icon::reset, "reset", "Acc8ey L434898"},
+    {Icon::copy, "copy", "F88ll Lg8g3333g8g"},
+    {Icon::dice, "dice", "F33ll D882 Dcc2 Dgg2"},
+    {Icon::link, "link", "A7c46i L78a8 L7gag Ahc4iu Le8h8 Leghg L8cgc"},
+    {Icon::gear, "gear", "Occ7 Dcc2 Lc2c5 Lcjcm L2c5c Ljcmc L5577 Lhhjj Lj5h7 L7h5j"},
+    {Icon::image, "image", "F34lk L4i9cdggdki Dg92"},
+    {Icon::sort_up, "sort up", "P5gc8jg"},
+    {Icon::sort_down, "sort down", "P58cgj8"},
+};
+static_assert(is_whole(icons) && std::size(icons) == icon_count);
 
 int digit(char c) {
     return c <= '9' ? c - '0' : c - 'a' + 10;
@@ -176,10 +173,14 @@ class IconPen {
 
 }  // namespace
 
+std::string_view name_of(Icon icon) {
+    return icons[static_cast<std::size_t>(icon)].name;
+}
+
 void Painter::icon(const Rect& rect, Icon icon, Color color) {
     if (color.a == 0 || hidden(rect)) return;
     IconPen pen(*this, rect, color);
-    for (const char* c = drawing_of(icon); *c != 0;) {
+    for (const char* c = icons[static_cast<std::size_t>(icon)].drawing; *c != 0;) {
         const char kind = *c++;
         std::array<int, 2 * most_points> values;
         std::size_t count = 0;

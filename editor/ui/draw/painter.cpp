@@ -315,19 +315,27 @@ void Painter::run(const Run& run, glm::vec2 baseline, Color color) {
     const Rect& visible = clip();
     const float x = left + run.ink.x, y = top + run.ink.y, right = x + run.ink.w, bottom = y + run.ink.h;
     const bool inside = x >= visible.x && y >= visible.y && right <= visible.right() && bottom <= visible.bottom();
-    if (!inside && !run.ink.moved({left, top}).overlaps(visible)) return;
+    const auto outside = [&](const Instance& g, glm::vec2 by) {
+        return !Rect{g.x + by.x, g.y + by.y, g.w, g.h}.overlaps(visible);
+    };
+    // A run of which nothing is seen must not enter its clip: when it is kept, it does not either.
+    if (!inside && std::all_of(run.glyphs.begin(), run.glyphs.end(), [&](const Instance& g) {
+            return outside(g, {left, top});
+        }))
+        return;
     const std::uint8_t clip = clip_index();
-    Instance* const first = list_.instances.add(run.glyphs);
-    Instance* const end = first + run.glyphs.size();
-    for (Instance* glyph = first; glyph != end; ++glyph) {
-        glyph->x += left;
-        glyph->y += top;
-        glyph->color = color;
-        glyph->clip = clip;
+    Instance* const first = list_.instances.add(run.glyphs.size());
+    Instance* end = first;
+    for (const Instance& from : run.glyphs) {
+        Instance& glyph = *end++;
+        glyph.x = from.x + left, glyph.y = from.y + top, glyph.w = from.w, glyph.h = from.h;
+        std::memcpy(glyph.uv, from.uv, sizeof glyph.uv);
+        glyph.color = color;
+        glyph.radius = from.radius, glyph.border = from.border, glyph.kind = from.kind, glyph.clip = clip;
     }
     if (inside) return;
-    const auto outside = [&](const Instance& g) { return !Rect{g.x, g.y, g.w, g.h}.overlaps(visible); };
-    list_.instances.shorten(static_cast<std::size_t>(std::remove_if(first, end, outside) - list_.instances.data()));
+    Instance* const kept = std::remove_if(first, end, [&](const Instance& g) { return outside(g, {0, 0}); });
+    list_.instances.shorten(static_cast<std::size_t>(kept - list_.instances.data()));
 }
 
 }  // namespace lapfx::ui

@@ -31,38 +31,36 @@ enum class Icon : std::uint8_t {
     unlock,
     play,
     pause,
-    stop,
     loop,
     step_back,
     step_forward,
     star,
     star_filled,
     undo,
-    redo,
     folder,
     file,
     eye,
-    eye_off,
     eyedropper,
     warning,
     error,
     info,
     reset,
-    grip,
     copy,
     dice,
     link,
     gear,
     image,
-    drag_up_down,
     sort_up,
     sort_down,
 };
 
+inline constexpr std::size_t icon_count = static_cast<std::size_t>(Icon::sort_down) + 1;
+std::string_view name_of(Icon icon);  ///< "chevron right"
+
 /// How two pictures are shown over each other. A compare instance (CompareInstance) holds it so: uv[0] position in
 /// 1/65535, uv[1] angle in 1/65536 turn, uv[2] gain as a half float, uv[3] mix in 1/65535, radius the mode, border
 /// bits: 1 nearest, 2 the first picture is upside down (a host's texture), 4 the second is.
-enum class CompareMode : std::uint8_t { wipe, difference, onion, first, second };
+enum class CompareMode : std::uint8_t { wipe, difference, onion };
 struct CompareLook {
     CompareMode mode = CompareMode::wipe;
     float position = 0.5F;  ///< wipe: where the line crosses the middle of the rectangle, 0..1 along its normal
@@ -87,8 +85,8 @@ class Painter {
     TextStyle number_style() const;
 
     void fill(const Rect& rect, Color color, float radius = 0);
-    /// The opaque ground of what is drawn next: cleared where nothing is under it, an eighth of the cost of a fill on a
-    /// software renderer. The same node's instances must not lie under it.
+    /// The opaque background of what is drawn next. Where nothing lies under it, it is a clear, which costs a software
+    /// renderer an eighth of a fill. No instances of the same node may lie under it.
     void ground(const Rect& rect, Color color);
     /// Inside `rect`; `width` is rounded to whole px, 1 at least. Right after the fill of the same rectangle it costs
     /// nothing.
@@ -105,7 +103,7 @@ class Painter {
     void compare(const Rect& rect, ImageHandle first, ImageHandle second, const CompareLook& look);
     /// In the middle of `rect`, as large as its shorter side. Strokes may overlap: give it an opaque colour.
     void icon(const Rect& rect, Icon icon, Color color);
-    /// One line, vertically centred; too long: cut with an ellipsis. Gives the width drawn, px; 0 where `rect` is
+    /// One line, vertically centred; too long: cut with an ellipsis. Returns the width drawn, px; 0 where `rect` is
     /// clipped away.
     float text(const Rect& rect, std::string_view text, const TextStyle& style, Color color,
                Align align = Align::start);
@@ -120,9 +118,8 @@ class Painter {
     void pop_clip();
     const Rect& clip() const { return clips_.back().rect; }
 
-    // Of the core, once a node: what one node draws never becomes one with what another drew, so that it can be used
-    // again.
-    /// `bottom`: nothing that draws instances is under it.
+    // For the core, once a node: instances of two nodes are never merged, so that those of one can be used again.
+    /// `bottom`: no instances lie under the node.
     void begin_node(bool bottom) {
         node_ = {instances(), list_.batches.size(), list_.clears.size(), bottom};
         pictures_ = false;
@@ -131,12 +128,13 @@ class Painter {
     std::uint32_t instances() const { return static_cast<std::uint32_t>(list_.instances.size()); }
     /// Whether all since begin_node() was instances within clip(), without pictures. `first`: the first of them.
     bool drawn_plainly(std::uint32_t& first);
-    /// Instances of another list, with clip() for theirs. Gives the index of the first.
+    /// Instances of another list, with clip() for theirs. Returns the index of the first.
     std::uint32_t copy(std::span<const Instance> instances);
-    /// Leaves places for them free instead, if they would be the same; false: their clip has another index now.
+    /// Leaves room for them without copying. Returns false if that is not possible because their clip has another index
+    /// now.
     bool keep_places(std::span<const Instance> instances);
 
-    // Of the core, once a frame:
+    // For the core, once a frame:
     void clear(const Rect& rect, Color color);  ///< before all else, whatever the order of calls; opaque
     void start(glm::ivec2 size);
     /// Closes the last batch, notes the serials of what is shown.

@@ -5,6 +5,9 @@
 #include <cstddef>
 #include <stdexcept>
 
+#include "ui/core/closed_list.h"
+#include "ui/draw/painter.h"
+
 namespace lapfx::ui {
 
 // Written at build time by effects/cmake/write_embedded_shaders.cmake.
@@ -24,8 +27,41 @@ std::string_view embedded(std::string_view name) {
     return {};
 }
 
+/// `picture`: drawn by the second program, that of pictures.
+constexpr struct {
+    InstanceKind value;
+    std::string_view name;
+    bool picture = false;
+} kinds[] = {{InstanceKind::fill, "fill"},
+             {InstanceKind::glyph, "glyph"},
+             {InstanceKind::line, "line"},
+             {InstanceKind::image, "image", true},
+             {InstanceKind::gradient, "gradient", true},
+             {InstanceKind::checker, "checker", true},
+             {InstanceKind::shadow, "shadow", true},
+             {InstanceKind::compare, "compare", true}};
+static_assert(is_whole(kinds));
+
+constexpr struct {
+    CompareMode value;
+    std::string_view name;
+} modes[] = {{CompareMode::wipe, "wipe"}, {CompareMode::difference, "difference"}, {CompareMode::onion, "onion"}};
+static_assert(is_whole(modes));
+
+/// Both lists as constants for the shaders.
+std::string shader_constants() {
+    std::string text;
+    for (const auto& each : kinds)
+        text.append("const uint ").append(each.name) +=
+            "_kind = " + std::to_string(static_cast<int>(each.value)) + "u;\n";
+    for (const auto& each : modes)
+        text.append("const int ").append(each.name) +=
+            "_mode = " + std::to_string(static_cast<int>(each.value)) + ";\n";
+    return text;
+}
+
 int program_of(InstanceKind kind) {
-    return kind <= InstanceKind::line ? 0 : 1;
+    return kinds[static_cast<std::size_t>(kind)].picture ? 1 : 0;
 }
 
 std::string log_of(GLuint name, decltype(glGetShaderiv) get, decltype(glGetShaderInfoLog) read) {
@@ -37,11 +73,11 @@ std::string log_of(GLuint name, decltype(glGetShaderiv) get, decltype(glGetShade
     return log;
 }
 
-/// Gives 0 and adds to `fault` when it does not compile. `defines` go behind the line of #version.
-GLuint compile(GLenum stage, std::string_view text, std::string_view defines, std::string& fault) {
+/// Returns 0 and adds to `fault` when it does not compile. `before` goes behind the line of #version.
+GLuint compile(GLenum stage, std::string_view text, std::string_view before, std::string& fault) {
     const std::size_t line_end = text.find('\n');
     const std::size_t first_line = line_end == text.npos ? text.size() : line_end + 1;
-    const std::string_view parts[] = {text.substr(0, first_line), defines, "#line 2\n", text.substr(first_line)};
+    const std::string_view parts[] = {text.substr(0, first_line), before, "#line 2\n", text.substr(first_line)};
     const GLchar* texts[4];
     GLint lengths[4];
     for (int i = 0; i < 4; ++i) texts[i] = parts[i].data(), lengths[i] = static_cast<GLint>(parts[i].size());
@@ -57,9 +93,9 @@ GLuint compile(GLenum stage, std::string_view text, std::string_view defines, st
     return 0;
 }
 
-GLuint link(std::string_view vertex, std::string_view fragment, std::string_view defines, std::string& fault) {
-    const GLuint stages[] = {compile(GL_VERTEX_SHADER, vertex, defines, fault),
-                             compile(GL_FRAGMENT_SHADER, fragment, defines, fault)};
+GLuint link(std::string_view vertex, std::string_view fragment, std::string_view before, std::string& fault) {
+    const GLuint stages[] = {compile(GL_VERTEX_SHADER, vertex, before, fault),
+                             compile(GL_FRAGMENT_SHADER, fragment, before, fault)};
     GLuint program = 0;
     if (stages[0] != 0 && stages[1] != 0) {
         program = glCreateProgram();
@@ -146,8 +182,9 @@ Renderer::~Renderer() {
 bool Renderer::reload(std::string_view vertex, std::string_view fragment, std::string& fault) {
     fault.clear();
     Programs made{};
-    made[0] = link(vertex, fragment, "", fault);
-    if (fault.empty()) made[1] = link(vertex, fragment, "#define LAPFX_UI_PICTURES\n", fault);
+    const std::string constants = shader_constants();
+    made[0] = link(vertex, fragment, constants, fault);
+    if (fault.empty()) made[1] = link(vertex, fragment, "#define LAPFX_UI_PICTURES\n" + constants, fault);
     const bool good = fault.empty();
     if (good) std::swap(made, programs_);
     for (const unsigned program : made) glDeleteProgram(program);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <utility>
 
+#include "ui/core/closed_list.h"
 #include "ui/shell/menu.h"
 
 namespace lapfx::ui {
@@ -12,11 +14,19 @@ namespace {
 
 constexpr std::size_t most_recent = 8;
 
-constexpr std::pair<Key, std::string_view> key_names[] = {
+/// Whether a command may have the key. Keys that move the focus, confirm or cancel everywhere are not free.
+enum class Binding : std::uint8_t { yes, with_ctrl_or_alt, no };
+
+/// All keys except those whose name is the character on them.
+constexpr struct {
+    Key key;
+    std::string_view name;
+    Binding binding = Binding::yes;
+} keys[] = {
     {Key::space, "Space"},
-    {Key::escape, "Esc"},
-    {Key::enter, "Enter"},
-    {Key::tab, "Tab"},
+    {Key::escape, "Esc", Binding::no},
+    {Key::enter, "Enter", Binding::with_ctrl_or_alt},
+    {Key::tab, "Tab", Binding::no},
     {Key::insert, "Insert"},
     {Key::del, "Delete"},
     {Key::backspace, "Backspace"},
@@ -28,13 +38,13 @@ constexpr std::pair<Key, std::string_view> key_names[] = {
     {Key::page_down, "PageDown"},
     {Key::home, "Home"},
     {Key::end, "End"},
-    {Key::menu, "Menu"},
+    {Key::menu, "Menu", Binding::no},
     {Key::f1, "F1"},
     {Key::f2, "F2"},
     {Key::f3, "F3"},
     {Key::f4, "F4"},
     {Key::f5, "F5"},
-    {Key::f6, "F6"},
+    {Key::f6, "F6", Binding::no},
     {Key::f7, "F7"},
     {Key::f8, "F8"},
     {Key::f9, "F9"},
@@ -42,8 +52,23 @@ constexpr std::pair<Key, std::string_view> key_names[] = {
     {Key::f11, "F11"},
     {Key::f12, "F12"},
 };
+consteval bool is_listed(Key key) {
+    return key == Key::none ||
+           std::any_of(std::begin(keys), std::end(keys), [&](const auto& k) { return k.key == key; });
+}
+template <std::size_t... values>
+consteval bool all_listed(std::index_sequence<values...>) {
+    return ((!is_enumerator<static_cast<Key>(values)>() || is_listed(static_cast<Key>(values))) && ...);
+}
+static_assert(all_listed(std::make_index_sequence<512>()));
 
-/// Keys that are called by what is written on them.
+constexpr struct {
+    Mods mod;
+    std::string_view name;
+} mod_names[] = {
+    {Mods::command, "Ctrl"}, {Mods::alt, "Alt"}, {Mods::shift, "Shift"}};  // in the order of a chord's text
+
+/// Keys whose name is the character on them.
 constexpr std::string_view written = "0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZ',-./;=[]`\\";
 
 bool same_word(std::string_view a, std::string_view b) {
@@ -52,8 +77,8 @@ bool same_word(std::string_view a, std::string_view b) {
 }
 
 Key key_named(std::string_view name) {
-    for (const auto& [key, text] : key_names) {
-        if (same_word(name, text)) return key;
+    for (const auto& each : keys) {
+        if (same_word(name, each.name)) return each.key;
     }
     const bool known = name.size() == 1 && written.find(static_cast<char>(key_of(name[0]))) != std::string_view::npos;
     return known ? key_of(name[0]) : Key::none;
@@ -64,11 +89,11 @@ Key key_named(std::string_view name) {
 std::string text_of(const Chord& chord) {
     if (!chord) return {};
     std::string text;
-    if (has(chord.mods, Mods::command)) text += "Ctrl+";
-    if (has(chord.mods, Mods::alt)) text += "Alt+";
-    if (has(chord.mods, Mods::shift)) text += "Shift+";
-    for (const auto& [key, name] : key_names) {
-        if (key == chord.key) return text.append(name);
+    for (const auto& [mod, name] : mod_names) {
+        if (has(chord.mods, mod)) text.append(name) += '+';
+    }
+    for (const auto& each : keys) {
+        if (each.key == chord.key) return text.append(each.name);
     }
     const char name = static_cast<char>(chord.key);
     if (static_cast<int>(chord.key) >= 128 || written.find(name) == std::string_view::npos) return {};
@@ -79,12 +104,10 @@ std::optional<Chord> chord_from(std::string_view text) {
     Chord chord;
     for (std::size_t plus = text.find('+'); plus != std::string_view::npos; plus = text.find('+')) {
         const std::string_view word = text.substr(0, plus);
-        const Mods one = same_word(word, "Ctrl")    ? Mods::command
-                         : same_word(word, "Shift") ? Mods::shift
-                         : same_word(word, "Alt")   ? Mods::alt
-                                                    : Mods::none;
-        if (one == Mods::none) return std::nullopt;
-        chord.mods = chord.mods | one;
+        const auto* one = std::find_if(std::begin(mod_names), std::end(mod_names),
+                                       [&](const auto& each) { return same_word(word, each.name); });
+        if (one == std::end(mod_names)) return std::nullopt;
+        chord.mods = chord.mods | one->mod;
         text.remove_prefix(plus + 1);
     }
     chord.key = key_named(text);
@@ -93,19 +116,12 @@ std::optional<Chord> chord_from(std::string_view text) {
 }
 
 bool bindable(const Chord& chord) {
+    if (!chord) return false;
+    const auto* key =
+        std::find_if(std::begin(keys), std::end(keys), [&](const auto& each) { return each.key == chord.key; });
+    const Binding binding = key == std::end(keys) ? Binding::yes : key->binding;
     const bool plain = !has(chord.mods, Mods::command) && !has(chord.mods, Mods::alt);
-    switch (chord.key) {
-        case Key::none:
-        case Key::escape:
-        case Key::tab:
-        case Key::f6:
-        case Key::menu:
-            return false;
-        case Key::enter:
-            return !plain;
-        default:
-            return true;
-    }
+    return binding == Binding::yes || (binding == Binding::with_ctrl_or_alt && !plain);
 }
 
 void CommandTable::add(Command command) {

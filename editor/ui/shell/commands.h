@@ -1,5 +1,5 @@
-// What the program can do, each thing once: menus, buttons, palette, key editor, cheat sheet, shortcuts, scripts and
-// tests all read this one table.
+// The commands of the program, each declared once: menus, buttons, palette, key editor, cheat sheet, shortcuts, scripts
+// and tests all read this table.
 //
 //     ui::CommandTable commands;
 //     commands.add({.id = "file.save", .title = "Save", .group = "File", .chord = {ui::key_of('S'), ui::Mods::command},
@@ -31,16 +31,16 @@ struct Chord {
 std::string text_of(const Chord& chord);
 /// The other way; case and the order of Ctrl, Shift and Alt do not matter. Nothing when it is no chord.
 std::optional<Chord> chord_from(std::string_view text);
-/// Whether a command may have it: not what moves the focus, confirms or cancels everywhere. Space may be had: a button
-/// that has the keyboard takes it before any command.
+/// Whether a command may have this chord: not the keys that move the focus, confirm or cancel everywhere. Space is
+/// allowed, because a button with the keyboard takes it before any command.
 bool bindable(const Chord& chord);
 
 struct Command {
     std::string id{};     ///< "file.save": for files and scripts, never changed
     std::string title{};  ///< "Save"
     std::string group{};  ///< "File"
-    Chord chord{};        ///< standard; may be none
-    Chord other{};        ///< runs it, too, as long as no command is bound to it; for what other programs have there
+    Chord chord{};        ///< the standard one; may be none
+    Chord other{};  ///< runs the command as well, unless another command is bound to it; for habits from other programs
     Icon icon = Icon::none;
     std::function<void()> run{};
     std::function<bool()> enabled{};  ///< empty: always
@@ -67,7 +67,7 @@ class CommandTable : public Shortcuts {
     bool checked(std::size_t index) const;
     /// Its tip; while it is not enabled, with what is missing. Valid for the frame of `ui`.
     std::string_view tip(Ui& ui, std::size_t index) const;
-    /// Gives whether it ran: not when it is disabled.
+    /// Returns whether it ran: not when it is disabled.
     bool run(std::size_t index);
     bool run(std::string_view id) { return run(index_of(id)); }
     bool press(Key key, Mods mods) override;
@@ -85,11 +85,11 @@ class CommandTable : public Shortcuts {
     }
     void reset_all();
 
-    /// What is bound otherwise than by standard: {"file.save": "Ctrl+Alt+S", "view.grid": ""}.
+    /// The bindings that differ from the standard: {"file.save": "Ctrl+Alt+S", "view.grid": ""}.
     std::string to_json() const;
-    /// In place of all bindings; what is not named gets its standard. Gives what could not be taken, for the person to
-    /// read. Commands that are unknown are kept for to_json(): they may be of a newer version. No JSON at all: nothing
-    /// is changed.
+    /// Replaces all bindings; commands that are not named get their standard chord. Returns messages about what could
+    /// not be used. Unknown commands are kept for to_json(), since they may belong to a newer version. If the text is
+    /// not JSON, nothing is changed.
     std::vector<std::string> from_json(std::string_view text);
 
     /// Indices of what was run from the palette, the newest first, 8 at most.
@@ -113,7 +113,7 @@ class CommandTable : public Shortcuts {
     std::uint32_t version_ = 0;
 };
 
-/// In a menu: title, icon, chord and mark of the command; chosen, it runs. Gives whether it ran.
+/// In a menu: title, icon, chord and mark of the command; chosen, it runs. Returns whether it ran.
 bool command_item(Ui& ui, CommandTable& table, std::string_view id);
 /// A button, or a toggle where the command can be on. Its tooltip tells title and chord. Without text when `only_icon`.
 bool command_button(Ui& ui, CommandTable& table, std::string_view id, bool only_icon = false);

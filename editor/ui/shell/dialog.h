@@ -1,4 +1,4 @@
-// Dialogs: what is below waits until they are answered.
+// Dialogs. What lies below them cannot be used until they are answered.
 //
 //     if (ui::button(u, "New preset")) ui::open_dialog(u, "new preset");
 //     if (ui::Dialog dialog(u, "new preset", "New preset"); dialog) {
@@ -50,7 +50,7 @@ class Dialog {
         return buttons(std::span(all.begin(), all.size()), stays);
     }
     void close();
-    /// Whose events are the keys (Sense::chords) that nothing in it took.
+    /// Its events are the keys (Sense::chords) that no node in it took.
     Id id() const { return id_; }
     /// Not open, and closed by Esc since the last build.
     bool cancelled() const { return cancelled_; }
@@ -67,7 +67,7 @@ class Dialog {
     ScrollState* body_ = nullptr;  ///< of what is between title and buttons, while it is built
 };
 
-/// A question, open from open_dialog(ui, name) on. Gives the index of the answer, once; Esc is the one with `cancel`.
+/// A question, open from open_dialog(ui, name) on. Returns the index of the answer, once; Esc is the one with `cancel`.
 std::optional<std::size_t> ask(Ui& ui, std::string_view name, std::string_view title, std::string_view question,
                                std::span<const DialogButton> buttons, Tone tone = Tone::normal);
 inline std::optional<std::size_t> ask(Ui& ui, std::string_view name, std::string_view title, std::string_view question,

@@ -1,11 +1,11 @@
-// Choosing files and folders: our own, so that it is there on every desktop and can be tested.
+// The dialog that chooses files and folders. It is our own, so that it is the same on every desktop and can be tested.
 //
 //     ui::FileDialog files(ui::system_files());
 //     if (ui::button(u, "Open")) files.open(u, {.task = ui::FileTask::open, .title = "Open a plate",
 //                                               .filters = {{"Pictures", {".exr", ".png"}}}});
 //     if (const auto chosen = files.build(u)) load(chosen->front());
 //
-// A folder is read when it is come to, in one go, and again by the button for it. Typed names and paths are completed
+// A folder is read when it is entered, and again by the button for that. Typed names and paths are completed
 // (shell/path_completion.h); letters typed on the list go to the next name that begins so. Wherever the keyboard is:
 // Ctrl+Shift+N makes a folder, Alt+Up goes to the one above, Ctrl+L to the name, Ctrl+H shows hidden files, F5 reads
 // again. Down goes from the name to the list where there is nothing to suggest.
@@ -42,7 +42,7 @@ class FileDialog {
     /// `beside`: what reads folders for completion; empty: that is done at once.
     explicit FileDialog(FileSystem& files, RunBeside beside = {})
         : files_(files), completion_(files, std::move(beside)) {}
-    /// Of what is selected, beside the list; null: there are none.
+    /// The picture of the selected file is shown beside the list; null: there is none.
     void show_pictures(FilePictures* pictures) { pictures_ = pictures; }
 
     void open(Ui& ui, FileRequest request);

@@ -23,10 +23,10 @@ struct FilePicture {
 class FilePictures {
   public:
     virtual ~FilePictures() = default;
-    /// A dialog begins: what was shown in the one before may have become another.
+    /// A dialog opens: pictures shown by the last one may be out of date.
     virtual void begin() {}
-    /// Of the one file that is looked at, in every build. Never waits: what is not there is made meanwhile, and the UI
-    /// woken.
+    /// The picture of the selected file; called in every build. Never waits: a picture that is missing is made in the
+    /// background, which then wakes the UI.
     virtual FilePicture picture(Ui& ui, const std::string& path, const FileEntry& file) = 0;
 };
 

@@ -24,14 +24,14 @@ struct FilePlace {
 class FileSystem {
   public:
     virtual ~FileSystem() = default;
-    /// What is in a folder, in any order, without "." and "..". Gives why it cannot be read; empty: all is well.
+    /// What is in a folder, in any order, without "." and "..". Returns why it cannot be read; empty: all is well.
     virtual std::string list(const std::string& folder, std::vector<FileEntry>& entries) = 0;
     enum class Kind : std::uint8_t { nothing, file, folder };
     virtual Kind kind(const std::string& path) = 0;
     /// Where a dialog begins when it knows nothing better.
     virtual std::string home() = 0;
     virtual std::vector<FilePlace> places() = 0;
-    /// Makes one, in a folder that is there. Gives why it cannot be made; empty: it is made.
+    /// Makes one, in a folder that is there. Returns why it cannot be made; empty: it is made.
     virtual std::string make_folder(const std::string& path) = 0;
 };
 

@@ -1,5 +1,4 @@
-// Reads folders beside the UI, one at a time: a folder may lie at the other end of a slow network, or of one that is
-// gone.
+// Reads folders in the background, one at a time, because a folder may lie on a slow or broken network.
 #pragma once
 
 #include <memory>
@@ -20,11 +19,12 @@ class FolderReader {
     /// What is in `folder`; null: it is still being read, and the UI is woken when it has been. What cannot be read
     /// holds nothing. A folder asked for before another one is read anew.
     const std::vector<FileEntry>* read(Ui& ui, const std::string& folder);
-    /// What was read, and what is being read, is not wanted any more. Before the Ui goes.
+    /// Drops what was read and what is being read. Call it before the Ui is destroyed.
     void forget();
 
   private:
-    static constexpr std::size_t most_left = 4;  ///< that were given up and still hang; then no other is begun
+    static constexpr std::size_t most_left =
+        4;  ///< readings that were given up and still hang; with so many, no other is begun
     struct Reading;
 
     FileSystem& files_;

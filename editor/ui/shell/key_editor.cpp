@@ -65,7 +65,7 @@ void draw_chord(Painter& painter, const Node& node, const ChordLook& look) {
                  painter.text_style(1, look.rebound ? Weight::bold : Weight::regular), ink);
 }
 
-/// What was pressed while it waited. Gives whether a binding changed.
+/// What was pressed while it waited. Returns whether a binding changed.
 bool take_chord(CommandTable& table, EditorState& state, std::size_t command, const Chord& chord) {
     state.recording = none;
     state.fault.clear();

@@ -7,7 +7,7 @@ namespace lapfx::ui {
 
 /// Every command with its keys, to be placed in a panel; takes the room it is given. A click on the keys, or Enter,
 /// waits for a chord: the next one pressed is bound, Esc gives up. A chord that another command has is told, and taken
-/// only when asked for. Gives whether a binding changed.
+/// only when asked for. Returns whether a binding changed.
 bool key_editor(Ui& ui, CommandTable& table);
 
 /// A part of the sheet that no command has: "Mouse", {"Zoom", "wheel"}.

@@ -209,7 +209,7 @@ void count_item(Level& level, const Node& node) {
     level.passed |= node.id == level.key_target;
 }
 
-/// Gives whether the pointer has been on the item for long enough to act on it: once.
+/// Returns whether the pointer has been on the item for long enough to act on it: once.
 bool pointer_acts(Ui& ui, const Level& level, Id id, double after) {
     MenuState& state = state_of(ui);
     if (state.hot != id || state.acted) return false;

@@ -36,7 +36,7 @@ struct MenuItemOptions {
     bool enabled = true;
     bool checked = false;
 };
-/// Chosen: gives true, and all menus are closed.
+/// If it is chosen, closes all menus and returns true.
 bool menu_item(Ui& ui, std::string_view label, const MenuItemOptions& options = {});
 void menu_separator(Ui& ui);
 

@@ -140,7 +140,7 @@ RowText text_of(Ui& ui, const CommandTable& table, Items items, std::size_t inde
             .checked = table.checked(index)};
 }
 
-/// Gives whether it was clicked.
+/// Returns whether it was clicked.
 bool put_row(Ui& ui, const RowText& text, const Found& found, bool current) {
     ui.push_seed(found.index);
     ui.push_disabled(!text.enabled);
@@ -166,7 +166,7 @@ Key key_of_field(Ui& ui, Id field) {
     return key;
 }
 
-/// Gives whether `key` moved the choice.
+/// Returns whether `key` moved the choice.
 bool move(PaletteState& state, Key key) {
     const std::size_t count = state.found.size();
     if (count == 0) return false;

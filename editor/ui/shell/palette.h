@@ -1,4 +1,4 @@
-// The palette: a few letters of any command, Enter, done.
+// The palette: finds a command by a few letters and runs it.
 //
 //     commands.add({.id = "view.palette", .title = "Command palette", .chord = {key_of('P'), Mods::command},
 //                   .run = [&] { ui::open_palette(ui); }});
@@ -14,7 +14,7 @@
 
 namespace lapfx::ui {
 
-/// What is found beside the commands, once something is typed.
+/// Something that is found beside the commands, once a text is typed.
 struct PaletteItem {
     std::string title{};  ///< "Bleeding: Speed"
     std::string note{};   ///< at the end of its line
@@ -27,8 +27,8 @@ void open_palette(Ui& ui);
 
 /// While it is open: a field and what matches it, the best first; with nothing typed, what was run from it before comes
 /// first. Up and Down choose, Enter or a click runs, Esc or a press outside closes. Commands that are disabled are
-/// seen, and stay. An item is chosen when all is closed and the keyboard is back where it was. Gives whether a command
-/// ran or an item was chosen.
+/// seen, and stay. An item is chosen when all is closed and the keyboard is back where it was. Returns whether a
+/// command ran or an item was chosen.
 bool palette(Ui& ui, CommandTable& table, std::span<const PaletteItem> items = {},
              const std::function<void(std::size_t)>& choose = {});
 

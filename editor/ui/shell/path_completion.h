@@ -36,10 +36,10 @@ class PathCompletion {
     bool open() const { return open_; }
     /// Whether Tab is for it: there is more to take, or a folder is still being read.
     bool completes() const { return waits_ || extends_; }
-    /// A key of the field, which leaves Enter, Esc and arrows to this. Gives whether it was taken; `typed` may have
+    /// A key of the field, which leaves Enter, Esc and arrows to this. Returns whether it was taken; `typed` may have
     /// changed.
     bool take_key(Ui& ui, Key key, std::string& typed, const Shown& shown);
-    /// Once a frame after the field. Gives whether `typed` has changed.
+    /// Once a frame after the field. Returns whether `typed` has changed.
     bool build(Ui& ui, Id field, std::string& typed, const Shown& shown);
 
   private:

@@ -1,4 +1,4 @@
-// The line at the bottom of the window: what the program is doing, what is under the pointer, how far a job is.
+// The status bar at the bottom of the window.
 //
 //     ui::StatusBar bar(u);
 //     ui::status_text(u, "Document", "plate_0012.exr, 2048 x 1152");

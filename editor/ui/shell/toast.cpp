@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ui/core/closed_list.h"
 #include "ui/core/paragraph.h"
 #include "ui/shell/dialog.h"
 #include "ui/widgets/literal.h"
@@ -29,42 +30,25 @@ float beside_text(const Ui& ui) {
     return ui.em(stripe) + 2 * ui.em(inset) + ui.em(mark) + ui.row_height();
 }
 
+constexpr struct {
+    ToastKind value;
+    Tone tone;
+    Icon icon;
+    double seconds;  ///< that it stays; 0: until it is closed
+} kinds[] = {
+    {ToastKind::info, Tone::normal, Icon::info, 5},
+    {ToastKind::good, Tone::good, Icon::check, 5},
+    {ToastKind::warning, Tone::warning, Icon::warning, 10},
+    {ToastKind::error, Tone::error, Icon::error, 0},
+};
+static_assert(is_whole(kinds));
+
+const auto& info_of(ToastKind kind) {
+    return kinds[static_cast<std::size_t>(kind)];
+}
+
 double seconds_of(const Toast& toast) {
-    if (toast.seconds >= 0) return toast.seconds;
-    switch (toast.kind) {
-        case ToastKind::error:
-            return 0;
-        case ToastKind::warning:
-            return 10;
-        default:
-            return 5;
-    }
-}
-
-Tone tone_of(ToastKind kind) {
-    switch (kind) {
-        case ToastKind::good:
-            return Tone::good;
-        case ToastKind::warning:
-            return Tone::warning;
-        case ToastKind::error:
-            return Tone::error;
-        default:
-            return Tone::normal;
-    }
-}
-
-Icon icon_of(ToastKind kind) {
-    switch (kind) {
-        case ToastKind::good:
-            return Icon::check;
-        case ToastKind::warning:
-            return Icon::warning;
-        case ToastKind::error:
-            return Icon::error;
-        default:
-            return Icon::info;
-    }
+    return toast.seconds >= 0 ? toast.seconds : info_of(toast.kind).seconds;
 }
 
 struct ToastLook {
@@ -233,8 +217,8 @@ Toasts::Answer Toasts::build_one(Ui& ui, Shown& shown) {
     card.size[1] = px(measured.height);
     for (std::uint8_t& pad : card.padding) pad = static_cast<std::uint8_t>(std::min(ui.em(0.3F), 255.0F));
     const Response r = ui.respond(card);
-    ui.draw_with<draw_toast>(card, ToastLook{icon_of(toast.kind), color_of(ui.theme(), tone_of(toast.kind)), style,
-                                             ui.row_height(), measured.bytes});
+    ui.draw_with<draw_toast>(card, ToastLook{info_of(toast.kind).icon, color_of(ui.theme(), info_of(toast.kind).tone),
+                                             style, ui.row_height(), measured.bytes});
     Answer answer{.gone = r.clicked};
     hovered_ |= r.hovered || r.focused;
     if (r.clicked && !r.released) answer.act = toast.act;  // Enter is its button
@@ -294,7 +278,7 @@ void Toasts::build_log(Ui& ui) {
             const ToastNote& each = log_[i];
             const Row row(ui, {.width = grow(), .cross = ChildAlign::start});
             label(ui, ui.copy(ago(ui.time() - each.time)), {.tone = Tone::dim, .width = px(ui.em(6))});
-            literal(ui, words_of(ui, each.text, each.count), tone_of(each.kind));
+            literal(ui, words_of(ui, each.text, each.count), info_of(each.kind).tone);
         }
     }
     const auto pressed = dialog.buttons({{.label = "Copy all", .enabled = !log_.empty() && ui.clipboard() != nullptr},

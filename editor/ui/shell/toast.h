@@ -1,6 +1,6 @@
-// Short news in the lower right corner, for what needs no answer. They go by themselves, errors only by hand; the
-// newest lies at the bottom and is always seen. What has gone, or had no room, stays in a log. They take the keyboard
-// from nobody, but have it when asked: take_focus().
+// Notices in the lower right corner that need no answer. They go by themselves, except for errors; the newest lies at
+// the bottom and is always seen. Those that have gone, or had no room, are kept in a log. They never take the keyboard;
+// take_focus() gives it to them.
 //
 //     toasts.add({.kind = ui::ToastKind::good, .text = "Exported 240 frames", .action = "Show",
 //                 .act = [&] { show(); }});
@@ -22,7 +22,7 @@ enum class ToastKind : std::uint8_t { info, good, warning, error };
 struct Toast {
     ToastKind kind = ToastKind::info;
     std::string text{};
-    std::string action{};         ///< of a button; empty: none
+    std::string action{};         ///< text of its button; empty: none
     std::function<void()> act{};  ///< what that does; the toast goes
     double seconds = -1;          ///< that it stays; 0: until it is closed; negative: as its kind asks for
 };
@@ -64,7 +64,7 @@ class Toasts {
         bool seen = false;  ///< in the last build: its time goes on
         std::uint64_t serial = 0;
     };
-    /// What a build gives of a notice.
+    /// What happened to a notice in a build.
     struct Answer {
         bool gone = false;
         std::function<void()> act{};

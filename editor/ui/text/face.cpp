@@ -6,12 +6,21 @@
 
 #include FT_OUTLINE_H
 
+#include "ui/core/closed_list.h"
+
 namespace lapfx::ui {
 
 namespace {
 
 // From here on letters are large enough for whole px between them.
 constexpr float whole_pixel_size = 24;
+
+constexpr struct {
+    Weight value;
+    int fontconfig;
+} weights[] = {
+    {Weight::regular, FC_WEIGHT_REGULAR}, {Weight::medium, FC_WEIGHT_MEDIUM}, {Weight::bold, FC_WEIGHT_BOLD}};
+static_assert(is_whole(weights));
 
 int integer_of(const FcPattern* pattern, const char* name, int otherwise) {
     int value = otherwise;
@@ -131,7 +140,6 @@ Face& Faces::base(std::uint8_t which) {
 Faces::Base& Faces::opened(std::uint8_t which) {
     Base& base = bases_[which];
     if (base.face != nullptr) return base;
-    constexpr int weights[] = {FC_WEIGHT_REGULAR, FC_WEIGHT_MEDIUM, FC_WEIGHT_BOLD};
     const std::string& family = which % 2 == 1 ? options_.monospace : options_.family;
     base.pattern.reset(FcPatternCreate());
     FcPattern* pattern = base.pattern.get();
@@ -139,7 +147,7 @@ Faces::Base& Faces::opened(std::uint8_t which) {
     // For when there is no such family.
     FcPatternAddString(pattern, FC_FAMILY,
                        reinterpret_cast<const FcChar8*>(which % 2 == 1 ? "monospace" : "sans-serif"));
-    FcPatternAddInteger(pattern, FC_WEIGHT, weights[which / 2]);
+    FcPatternAddInteger(pattern, FC_WEIGHT, weights[which / 2].fontconfig);
     FcPatternAddInteger(pattern, FC_SLANT, FC_SLANT_ROMAN);
     FcPatternAddBool(pattern, FC_OUTLINE, FcTrue);
     FcPatternAddBool(pattern, FC_COLOR, FcFalse);

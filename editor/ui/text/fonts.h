@@ -39,8 +39,8 @@ struct CaretStop {
     float x = 0;             ///< px from the start of the run
 };
 
-/// Of a longer text a run is made of so much only: a pasted megabyte in a text field must not stop the frame. Its last
-/// stop is where it was cut.
+/// A run holds so much of a longer text, so that a pasted megabyte does not stop the frame. Its last stop is where the
+/// text was cut.
 inline constexpr std::size_t max_run_bytes = 16384;
 
 /// One line of text, shaped, always from left to right. Tabs are drawn as spaces, other control characters and bytes
@@ -87,10 +87,11 @@ class Fonts {
     /// Cached: the second call with the same text and style allocates nothing.
     const Run& run(std::string_view text, const TextStyle& style);
     LineMetrics metrics(const TextStyle& style);
-    /// Ages what has not been used; the atlas is packed anew when it is full, never in the middle of a frame.
+    /// Drops runs that have not been used for long. Packs a full atlas anew, which never happens in the middle of a
+    /// frame.
     void next_frame();
     const Atlas& atlas() const;
-    /// Letters were left out for want of room; they come after next_frame().
+    /// The atlas had no room for some letters; they come after next_frame().
     bool full() const;
     void clear_dirty();
     /// File name of the face that draws this code point, for tests and `lapfx gallery`; empty: none has it.

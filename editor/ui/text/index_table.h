@@ -1,6 +1,7 @@
-// From 64-bit hashes to indices into something of the owner's: open addressing, linear probing. Grows by doubling,
-// never shrinks; finding and erasing allocate nothing. The low bits of the hashes have to be well mixed. tsl::robin_map
-// finds as fast, but keeps keys where here the owner has them already, and gives no slots to sweep a few a frame.
+// A table from 64-bit hashes to indices that mean something to its owner: open addressing, linear probing. Grows by
+// doubling, never shrinks; finding and erasing allocate nothing. The low bits of the hashes have to be well mixed.
+// tsl::robin_map finds as fast, but keeps keys where here the owner has them already, and gives no slots to sweep a few
+// a frame.
 #pragma once
 
 #include <cstddef>

@@ -18,6 +18,7 @@ constexpr std::size_t many = 4096;
 RunCache::RunCache() {
     entries_.reserve(2 * kept_spare);
     spare_.reserve(kept_spare);
+    order_.reserve(most_order);
     for (std::uint32_t i = 0; i < kept_spare; ++i) {
         spare_.push_back(i);
         entries_.push_back(fresh());
@@ -56,6 +57,7 @@ Run& RunCache::add(std::string_view text, std::uint64_t style) {
 }
 
 void RunCache::release(std::uint32_t index) {
+    std::fill(order_.begin(), order_.end(), nullptr);  // one that is dropped may be among them
     Run& run = entries_[index]->run;
     const std::size_t held = std::max(entries_[index]->text.capacity(), run.glyphs.capacity());
     if (spare_.size() >= kept_spare || held > 8 * usual_text) {
@@ -70,6 +72,8 @@ void RunCache::release(std::uint32_t index) {
 
 void RunCache::next_frame() {
     ++frame_;
+    order_.resize(next_);
+    next_ = 0;
     const std::uint64_t allowed = table_.size() > many ? short_patience : patience;
     // All slots in about half the patience.
     for (std::size_t left = table_.slots() / (allowed / 2); left > 0; --left) {

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <utility>
 
+#include "ui/core/closed_list.h"
 #include "ui/value/utf8.h"
 
 namespace lapfx::ui {
@@ -18,12 +19,24 @@ constexpr int deepest = 64;
 
 enum class Kind { length, time, speed, area, volume, angle, frequency, power, temperature, pixels, share };
 
-constexpr std::string_view kind_names[] = {"a length", "a time",      "a speed", "an area",       "a volume",
-                                           "an angle", "a frequency", "a power", "a temperature", "a number of pixels",
-                                           "a share"};
+constexpr struct {
+    Kind value;
+    std::string_view name;
+} kinds[] = {{Kind::length, "a length"},
+             {Kind::time, "a time"},
+             {Kind::speed, "a speed"},
+             {Kind::area, "an area"},
+             {Kind::volume, "a volume"},
+             {Kind::angle, "an angle"},
+             {Kind::frequency, "a frequency"},
+             {Kind::power, "a power"},
+             {Kind::temperature, "a temperature"},
+             {Kind::pixels, "a number of pixels"},
+             {Kind::share, "a share"}};
+static_assert(is_whole(kinds));
 
-/// Names of one kind go over into each other: value * factor + offset is in the kind's smallest unit, so that factors
-/// are whole.
+/// Units of one kind can be converted: value * factor + offset is in the smallest unit of the kind, so that factors are
+/// whole.
 struct Unit {
     Kind kind;
     std::string_view name;
@@ -145,9 +158,8 @@ bool is_word(char32_t c) {
     return !is_space(c) && operator_of(c) == 0;
 }
 
-/// Recursive descent: sum, product, sign, power, measure, operand. A fault is kept, the first one, and moves on to the
-/// end of the text, so that every loop ends. Recursion goes by brackets and by "^", and so is bounded by the length of
-/// the text.
+/// Recursive descent: sum, product, sign, power, measure, operand. The first fault is kept; it moves the place to the
+/// end of the text, so that every loop ends. Only brackets and "^" recurse, so the length of the text bounds the depth.
 class Parser {
   public:
     Parser(std::string_view text, const ExpressionContext& context)
@@ -450,7 +462,7 @@ Parser::Value Parser::fail_unit(std::string_view unit, bool known) {
     if (!known) {
         reason += " is not a unit";
     } else if (field_.unit != nullptr) {
-        reason.append(" is not ").append(kind_names[static_cast<std::size_t>(field_.unit->kind)]);
+        reason.append(" is not ").append(kinds[static_cast<std::size_t>(field_.unit->kind)].name);
     } else {
         reason += field_.name.empty() ? ": the value has no unit" : " does not go with " + std::string(field_.name);
     }

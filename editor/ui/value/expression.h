@@ -1,4 +1,4 @@
-// What is typed into a number field: "12/2.2", "40%", "250 ms", "2*(3+pi)".
+// Evaluates what is typed into a number field: "12/2.2", "40%", "250 ms", "2*(3+pi)".
 //
 // Not muParser: units are only factors to it, so 1 cm * 2 cm is 200 and 2 mm + 3 s is 5; 1,5 is 5, 12/0 infinite, and
 // x=7 sets x.

@@ -45,7 +45,7 @@ struct Bend {
 
 Bend bend_of(const ValueRange& range) {
     double knee = range.smallest > 0 ? range.smallest : range.maximum * 1e-4 - range.minimum * 1e-4;
-    const bool ratios_only = range.scale != ValueScale::symmetric && range.minimum > 0;
+    const bool ratios_only = range.minimum > 0;
     if (ratios_only) return {std::min(knee, range.minimum), 1};  // the line is below the range
     const auto decades = [&](double end) { return std::max(0.0, std::log(std::abs(end) / knee)); };
     const int sides = range.minimum < 0 && range.maximum > 0 ? 2 : 1;
@@ -150,7 +150,7 @@ double ValueRange::place_of(double value) const {
     double way = value, first = minimum, last = maximum;
     if (!is_straight(*this)) {
         const Bend bend = bend_of(*this);
-        way = bend.of(scale == ValueScale::decibel ? std::max(0.0, value) : value);
+        way = bend.of(value);
         first = bend.of(minimum), last = bend.of(maximum);
     }
     const double place = (way / 2 - first / 2) / (last / 2 - first / 2);  // halves: the whole may be beyond any number
@@ -170,8 +170,7 @@ double ValueRange::value_at(double place) const {
         const Bend bend = bend_of(*this);
         value = bend.back(std::lerp(bend.of(minimum), bend.of(maximum), place));
     }
-    const double lowest = scale == ValueScale::decibel ? std::min(0.0, minimum) : -largest;
-    if (place < 0) return std::clamp(value, lowest, minimum);
+    if (place < 0) return std::clamp(value, -largest, minimum);
     return place > 1 ? std::clamp(value, maximum, largest) : std::clamp(value, minimum, maximum);
 }
 

@@ -1,4 +1,4 @@
-// Numbers as people read and drag them: decimals that fit the step, scales that are not linear, round values to aim at.
+// Numbers as people read and drag them: decimals that fit a step, logarithmic scales, round values.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ int decimals_of(double step);
 
 /// Writes `value` with so many decimals (std::to_chars, fixed; from 1e15 on, and below 1e-9 where not 0, in exponent
 /// form), never
-/// "-0". Gives the part of `buffer` that was written; 32 bytes are always enough.
+/// "-0". Returns the part of `buffer` that was written; 32 bytes are always enough.
 std::string_view format_number(std::span<char> buffer, double value, int decimals);
 /// As few digits as read back to the same double: what is copied and what a text entry begins with.
 std::string_view format_exact(std::span<char> buffer, double value);
@@ -22,8 +22,6 @@ std::string_view format_time(std::span<char> buffer, double seconds, int decimal
 enum class ValueScale : std::uint8_t {
     linear,
     logarithmic,  ///< equal ratios, equal ways; from 0 on, its first hundredth is linear up to `smallest`
-    symmetric,    ///< logarithmic to both sides of 0
-    decibel,      ///< the value is an amplitude; ways are dB; 0 is the lowest
 };
 
 /// From a value to its place along a slider, 0..1, and back. Monotonic; exact at both ends, and back and forth within
@@ -32,7 +30,7 @@ struct ValueRange {
     double minimum = 0, maximum = 1;
     ValueScale scale = ValueScale::linear;
     double smallest =
-        0;  ///< of logarithmic and symmetric scales: magnitude that counts as nothing; 0: a ten-thousandth of the range
+        0;  ///< of a logarithmic scale: below this magnitude it is linear; 0: a ten-thousandth of the range
 
     double place_of(double value) const;
     double value_at(double place) const;

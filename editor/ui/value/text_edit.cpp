@@ -13,10 +13,9 @@ constexpr std::size_t most_steps = 1000;
 constexpr std::size_t most_history_bytes = 4 << 20;
 
 /// What motion by words goes along together.
-enum class Class : std::uint8_t { space, line, word, punctuation };
+enum class Class : std::uint8_t { space, word, punctuation };
 
 Class class_of(char32_t c) {
-    if (c == '\n') return Class::line;
     if (c == ' ' || c == '\t' || c == 0xA0 || (c >= 0x2000 && c <= 0x200A) || c == 0x202F || c == 0x3000)
         return Class::space;
     if (c < 0x80) {
@@ -35,43 +34,42 @@ Class class_before(std::string_view text, std::size_t at) {
     return class_after(text, at - previous_character(text, at));
 }
 
-std::size_t begin_of_line(std::string_view text, std::size_t at) {
-    return at == 0 ? 0 : text.rfind('\n', at - 1) + 1;  // npos + 1 is 0
-}
-std::size_t end_of_line(std::string_view text, std::size_t at) {
-    return std::min(text.find('\n', at), text.size());
+/// A place at or before `at` where a character begins for certain: between two of ASCII, or the begin of the text.
+std::size_t sure_begin(std::string_view text, std::size_t at) {
+    const auto ascii = [&](std::size_t i) { return static_cast<unsigned char>(text[i]) < 0x80; };
+    while (at > 0 && !(ascii(at - 1) && ascii(at))) --at;
+    return at;
 }
 
-/// The ends of the run of characters of class `c` around `at`, which is not of line breaks. Its begin is found from the
-/// front: a step back in a row of flags has to count them all.
+/// The ends of the run of characters of class `c` around `at`. Its begin is found forwards from a place before it: a
+/// step back in a row of flags would have to count them all.
 std::size_t run_begin(std::string_view text, std::size_t at, Class c) {
-    std::size_t begin = begin_of_line(text, at);
-    for (std::size_t i = begin; i < at;) {
-        const bool other = class_after(text, i) != c;
-        i += next_character(text, i);
-        if (other) begin = i;
+    constexpr std::size_t stride = 64;  // bytes
+    for (std::size_t end = at;;) {
+        const std::size_t start = end <= stride ? 0 : sure_begin(text, end - stride);
+        std::size_t begin = start;
+        for (std::size_t i = start; i < end;) {
+            const bool other = class_after(text, i) != c;
+            i += next_character(text, i);
+            if (other) begin = i;
+        }
+        if (begin != start || start == 0) return begin;
+        end = start;
     }
-    return begin;
 }
 std::size_t run_end(std::string_view text, std::size_t at, Class c) {
     while (at < text.size() && class_after(text, at) == c) at += next_character(text, at);
     return at;
 }
 
-/// To the begin of the word, or the run of punctuation, before; a line break stops it, and is gone over on its own.
+/// To the begin of the word, or the run of punctuation, before.
 std::size_t word_before(std::string_view text, std::size_t from) {
     const std::size_t at = run_begin(text, from, Class::space);
-    if (at == 0) return 0;
-    const Class c = class_before(text, at);
-    if (c == Class::line) return at == from ? at - 1 : at;
-    return run_begin(text, at, c);
+    return at == 0 ? 0 : run_begin(text, at, class_before(text, at));
 }
 std::size_t word_after(std::string_view text, std::size_t from) {
     const std::size_t at = run_end(text, from, Class::space);
-    if (at == text.size()) return at;
-    const Class c = class_after(text, at);
-    if (c == Class::line) return at == from ? at + 1 : at;
-    return run_end(text, at, c);
+    return at == text.size() ? at : run_end(text, at, class_after(text, at));
 }
 
 std::size_t allowed_before(std::string_view text, std::size_t byte) {
@@ -86,7 +84,7 @@ std::size_t allowed_after(std::string_view text, std::size_t byte) {
 
 }  // namespace
 
-TextEdit::TextEdit(std::string text, const TextLimits& limits) : limits_(limits) {
+TextEdit::TextEdit(std::string text, std::size_t most_bytes) : most_bytes_(most_bytes) {
     reset(std::move(text));
 }
 
@@ -109,17 +107,8 @@ bool TextEdit::can_redo() const {
 bool TextEdit::apply(TextCommand command) {
     using enum TextCommand;
     close_step();
-    const std::size_t column = std::exchange(column_, no_column);
     std::size_t caret = caret_;
     switch (command) {
-        case up:
-        case down:
-        case page_up:
-        case page_down:
-        case select_up:
-        case select_down:
-            column_ = column;
-            return move(vertical_target(command), command == select_up || command == select_down);
         case left:
             return move(caret_ == anchor_ ? target(command) : selection_begin(), false);
         case right:
@@ -130,10 +119,6 @@ bool TextEdit::apply(TextCommand command) {
             return set_selection(caret_, caret_);
         case select_word:
             return apply_select_word();
-        case select_line:
-            return set_selection(begin_of_line(text_, caret_), std::min(end_of_line(text_, caret_) + 1, text_.size()));
-        case erase_line:
-            return apply_erase_line();
         case erase_left:
         case erase_right:
         case erase_word_left:
@@ -152,26 +137,13 @@ bool TextEdit::apply(TextCommand command) {
 /// Of the two characters that meet at the caret, the one that is of a word, else the one after.
 bool TextEdit::apply_select_word() {
     if (text_.empty()) return set_selection(0, 0);
-    Class c = caret_ < text_.size() ? class_after(text_, caret_) : Class::line;
-    if (caret_ > 0 && (c == Class::line || (c != Class::word && class_before(text_, caret_) == Class::word))) {
-        c = class_before(text_, caret_);
-    }
-    if (c == Class::line) return set_selection(caret_, caret_);
+    const bool at_end = caret_ == text_.size();
+    Class c = at_end ? class_before(text_, caret_) : class_after(text_, caret_);
+    if (caret_ > 0 && class_before(text_, caret_) == Class::word) c = Class::word;
     return set_selection(run_begin(text_, caret_, c), run_end(text_, caret_, c));
 }
 
-/// All lines of the selection, each with the break after it; the last line of the text with the break before it.
-bool TextEdit::apply_erase_line() {
-    std::size_t begin = begin_of_line(text_, selection_begin()), end = end_of_line(text_, selection_end());
-    if (end < text_.size()) {
-        ++end;
-    } else if (begin > 0) {
-        --begin;
-    }
-    return edit(begin, end, {}, false);
-}
-
-/// Where a motion from the caret ends, one that does not go up or down.
+/// Where a motion from the caret ends.
 std::size_t TextEdit::target(TextCommand command) const {
     using enum TextCommand;
     switch (command) {
@@ -191,12 +163,6 @@ std::size_t TextEdit::target(TextCommand command) const {
         case select_word_right:
         case erase_word_right:
             return word_after(text_, caret_);
-        case line_start:
-        case select_line_start:
-            return begin_of_line(text_, caret_);
-        case line_end:
-        case select_line_end:
-            return end_of_line(text_, caret_);
         case text_start:
         case select_text_start:
             return 0;
@@ -206,30 +172,6 @@ std::size_t TextEdit::target(TextCommand command) const {
         default:
             return caret_;
     }
-}
-
-/// Up on the first line goes to its begin, down on the last to its end; in a text of one line they do nothing.
-std::size_t TextEdit::vertical_target(TextCommand command) {
-    using enum TextCommand;
-    if (!limits_.lines) return caret_;
-    std::size_t begin = begin_of_line(text_, caret_);
-    if (column_ == no_column) {
-        column_ = 0;
-        for (std::size_t at = begin; at < caret_; at += next_character(text_, at)) ++column_;
-    }
-    const bool upwards = command == up || command == select_up || command == page_up;
-    const int lines = command == page_up || command == page_down ? page_lines : 1;
-    for (int moved = 0; moved < lines; ++moved) {
-        const std::size_t end = end_of_line(text_, begin);
-        if (upwards ? begin == 0 : end == text_.size()) {
-            if (moved == 0) return upwards ? 0 : text_.size();
-            break;
-        }
-        begin = upwards ? begin_of_line(text_, begin - 1) : end + 1;
-    }
-    const std::size_t end = end_of_line(text_, begin);
-    for (std::size_t i = 0; i < column_ && begin < end; ++i) begin += next_character(text_, begin);
-    return begin;
 }
 
 bool TextEdit::move(std::size_t to, bool selecting) {
@@ -244,7 +186,7 @@ bool TextEdit::set_selection(std::size_t anchor, std::size_t caret) {
 
 bool TextEdit::insert(std::string_view text) {
     const std::size_t kept = text_.size() - (selection_end() - selection_begin());
-    std::string inserted = cleaned(text, limits_.bytes - std::min(limits_.bytes, kept));
+    std::string inserted = cleaned(text, most_bytes_ - std::min(most_bytes_, kept));
     if (inserted.empty()) return false;
     const bool typing = decode(inserted).bytes == inserted.size();
     return edit(selection_begin(), selection_end(), std::move(inserted), typing);
@@ -258,7 +200,6 @@ bool TextEdit::insert(char32_t codepoint) {
 
 void TextEdit::place(std::size_t byte, bool select) {
     close_step();
-    column_ = no_column;
     byte = std::min(byte, text_.size());
     const std::size_t before = allowed_before(text_, byte), after = allowed_after(text_, byte);
     move(byte - before <= after - byte ? before : after, select);
@@ -266,9 +207,8 @@ void TextEdit::place(std::size_t byte, bool select) {
 
 void TextEdit::replace(std::string text) {
     close_step();
-    std::string inserted = cleaned(text, limits_.bytes);
+    std::string inserted = cleaned(text, most_bytes_);
     if (inserted == text_) {
-        column_ = no_column;
         set_selection(text_.size(), text_.size());
     } else {
         edit(0, text_.size(), std::move(inserted), false);
@@ -276,15 +216,14 @@ void TextEdit::replace(std::string text) {
 }
 
 void TextEdit::reset(std::string text) {
-    text_ = cleaned(text, limits_.bytes);
+    text_ = cleaned(text, most_bytes_);
     caret_ = anchor_ = text_.size();
-    column_ = no_column;
     undo_.clear();
     redo_.clear();
     history_bytes_ = 0;
 }
 
-/// Without control characters, with one kind of line break or none, and at most `room` bytes of whole characters.
+/// Without control characters, with spaces for line breaks, and at most `room` bytes of whole characters.
 std::string TextEdit::cleaned(std::string_view text, std::size_t room) const {
     std::string out;
     out.reserve(std::min(text.size(), room + 8));
@@ -293,7 +232,7 @@ std::string TextEdit::cleaned(std::string_view text, std::size_t room) const {
         bytes = d.bytes;
         if (d.codepoint == '\r' && text.substr(at + 1).starts_with('\n')) continue;
         if (d.codepoint == '\r' || d.codepoint == '\n' || d.codepoint == 0x2028 || d.codepoint == 0x2029) {
-            out += limits_.lines ? '\n' : ' ';
+            out += ' ';
         } else if (d.codepoint == '\t' || (d.codepoint >= 0x20 && (d.codepoint < 0x7F || d.codepoint >= 0xA0))) {
             out.append(text, at, bytes);
         }
@@ -313,8 +252,8 @@ bool TextEdit::edit(std::size_t begin, std::size_t end, std::string inserted, bo
         if (!typing || begin != end || undo_.empty() || !undo_.back().open) return false;
         const Step& last = undo_.back();
         if (last.at + last.inserted.size() != begin) return false;
-        const auto is_blank = [](Class c) { return c == Class::space || c == Class::line; };
-        return is_blank(class_after(inserted, 0)) || !is_blank(class_before(last.inserted, last.inserted.size()));
+        return class_after(inserted, 0) == Class::space ||
+               class_before(last.inserted, last.inserted.size()) != Class::space;
     };
     if (goes_on()) {
         undo_.back().inserted += inserted;
@@ -328,7 +267,6 @@ bool TextEdit::edit(std::size_t begin, std::size_t end, std::string inserted, bo
     }
     text_.replace(begin, end - begin, inserted);
     caret_ = anchor_ = allowed_after(text_, begin + inserted.size());  // what met here may be one character now
-    column_ = no_column;
     return true;
 }
 

@@ -1,4 +1,4 @@
-// UTF-8 as it comes from outside: any bytes at all.
+// Decodes UTF-8 from outside, which may be any bytes.
 #pragma once
 
 #include <cstddef>

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ui/core/closed_list.h"
 #include "ui/core/paragraph.h"
 
 namespace lapfx::ui {
@@ -10,11 +11,14 @@ namespace {
 
 struct TextLook {
     std::string_view text;
-    const Run* run;
+    const Run* run;  ///< of text and style; null: the text wraps
     TextStyle style;
     Color color;
     Align align;
-    friend bool operator==(const TextLook&, const TextLook&) = default;
+    friend bool operator==(const TextLook& a, const TextLook& b) {
+        const bool same_text = a.run == b.run && (a.run != nullptr || (a.text == b.text && a.style == b.style));
+        return same_text && a.color == b.color && a.align == b.align;
+    }
 };
 
 void draw_label(Painter& painter, const Node& node, const TextLook& look) {
@@ -110,7 +114,7 @@ Response put_button(Ui& ui, Role role, std::string_view text, const ButtonOption
 }
 
 struct CheckLook {
-    Tristate state;
+    bool on;
     const Run* run;
     friend bool operator==(const CheckLook&, const CheckLook&) = default;
 };
@@ -121,13 +125,11 @@ void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
     Rect rect = node.rect();
     Rect box = rect.cut_left(painter.em(1.1F));
     box = {box.x, whole(box.center().y - painter.em(1.1F) / 2), painter.em(1.1F), painter.em(1.1F)};
-    const bool filled = look.state != Tristate::off;
-    const Color ground = filled ? (hovered ? t.accent_hover : t.accent) : (hovered ? t.field_hover : t.field);
+    const Color ground = look.on ? (hovered ? t.accent_hover : t.accent) : (hovered ? t.field_hover : t.field);
     painter.fill(box, disabled ? t.field : ground, painter.em(0.25F));
-    if (!filled || disabled) painter.frame(box, hovered ? t.text_dim : t.border, painter.hairline(), painter.em(0.25F));
-    if (filled)
-        painter.icon(box.inset(painter.em(0.12F)), look.state == Tristate::on ? Icon::check : Icon::minus,
-                     disabled ? t.text_disabled : t.text_on_accent);
+    if (!look.on || disabled)
+        painter.frame(box, hovered ? t.text_dim : t.border, painter.hairline(), painter.em(0.25F));
+    if (look.on) painter.icon(box.inset(painter.em(0.12F)), Icon::check, disabled ? t.text_disabled : t.text_on_accent);
     rect.cut_left(painter.em(0.5F));
     painter.text(rect, node.shown, *look.run, painter.text_style(), disabled ? t.text_disabled : t.text);
 }
@@ -135,18 +137,16 @@ void draw_checkbox(Painter& painter, const Node& node, const CheckLook& look) {
 }  // namespace
 
 Color color_of(const Theme& theme, Tone tone) {
-    switch (tone) {
-        case Tone::dim:
-            return theme.text_dim;
-        case Tone::good:
-            return theme.good;
-        case Tone::warning:
-            return theme.warning;
-        case Tone::error:
-            return theme.error;
-        default:
-            return theme.text;
-    }
+    static constexpr struct {
+        Tone value;
+        Color Theme::*color;
+    } tones[] = {{Tone::normal, &Theme::text},
+                 {Tone::dim, &Theme::text_dim},
+                 {Tone::good, &Theme::good},
+                 {Tone::warning, &Theme::warning},
+                 {Tone::error, &Theme::error}};
+    static_assert(is_whole(tones));
+    return theme.*tones[static_cast<std::size_t>(tone)].color;
 }
 
 void label(Ui& ui, std::string_view text, const LabelOptions& options) {
@@ -207,24 +207,17 @@ Edit toggle(Ui& ui, std::string_view text, bool& on, const ButtonOptions& option
     return Edit::once();
 }
 
-Edit checkbox(Ui& ui, std::string_view text, Tristate& state, std::string_view tip) {
+Edit checkbox(Ui& ui, std::string_view text, bool& on, std::string_view tip) {
     Node& node = ui.leaf(Role::checkbox, text, Sense::hover | Sense::press | Sense::focus | Sense::activate);
     const Run& run = ui.fonts().run(node.shown, ui.text_style());
     node.size[0] = px(std::ceil(ui.em(1.6F) + run.width));
     node.size[1] = px(ui.row_height());
     node.tip = ui.copy(tip);
     const Response r = ui.respond(node);
-    if (r.clicked) state = state == Tristate::on ? Tristate::off : Tristate::on;
-    node.is |= when(state == Tristate::on, Is::checked) | when(state == Tristate::mixed, Is::mixed);
-    ui.draw_with<draw_checkbox>(node, CheckLook{state, &run});
+    if (r.clicked) on = !on;
+    node.is |= when(on, Is::checked);
+    ui.draw_with<draw_checkbox>(node, CheckLook{on, &run});
     return r.clicked ? Edit::once() : Edit{};
-}
-
-Edit checkbox(Ui& ui, std::string_view text, bool& on, std::string_view tip) {
-    Tristate state = on ? Tristate::on : Tristate::off;
-    const Edit edit = checkbox(ui, text, state, tip);
-    on = state == Tristate::on;
-    return edit;
 }
 
 }  // namespace lapfx::ui

@@ -26,27 +26,21 @@ void separator(Ui& ui);
 struct ButtonOptions {
     Icon icon = Icon::none;
     std::string_view tip = {};
-    bool primary = false;  ///< what one came for
+    bool primary = false;  ///< the main action
     bool quiet = false;    ///< no ground until the pointer is on it
     bool on = false;       ///< pressed in: a toggle
     Size width = {SizeKind::fit, 0};
 };
-/// Gives whether it was clicked, by pointer, Enter or space.
+/// Returns whether it was clicked, by pointer, Enter or space.
 bool button(Ui& ui, std::string_view label, const ButtonOptions& options = {});
-/// Only the icon is seen; `label` is its name and, unless there is another, its tooltip.
+/// Shows only the icon; `label` is its name and, if there is no other, its tooltip.
 bool icon_button(Ui& ui, Icon icon, std::string_view label, const ButtonOptions& options = {});
 /// A button that stays down.
 Edit toggle(Ui& ui, std::string_view label, bool& on, const ButtonOptions& options = {});
 Edit checkbox(Ui& ui, std::string_view label, bool& on, std::string_view tip = {});
 
-enum class Tristate : std::uint8_t { off, on, mixed };
-/// A click makes mixed on.
-Edit checkbox(Ui& ui, std::string_view label, Tristate& state, std::string_view tip = {});
-
-/// One of a few, side by side in one piece. `chosen` is clamped. Arrows choose.
+/// One of a few choices, side by side. `chosen` is clamped. Arrow keys choose.
 Edit segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices);
-/// One of a few, each with a round mark, below each other.
-Edit radio(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices);
 
 Color color_of(const Theme& theme, Tone tone);
 

@@ -1,5 +1,4 @@
-// One of a few: side by side in one piece, or each with a round mark. Tab comes to the one that is chosen, arrows go on
-// from it.
+// One of a few choices, side by side. Tab goes to the chosen one, arrows choose its neighbours.
 #include "ui/widgets/basic.h"
 
 namespace lapfx::ui {
@@ -31,23 +30,6 @@ void draw_segment(Painter& painter, const Node& node, const ChoiceLook& look) {
     painter.text(node.rect().inset(painter.em(0.4F), 0), node.shown, painter.text_style(), ink, Align::center);
 }
 
-void draw_radio(Painter& painter, const Node& node, const ChoiceLook& look) {
-    const Theme& t = painter.theme();
-    const bool disabled = has(node.is, Is::disabled), hovered = has(node.is, Is::hovered) && !disabled;
-    Rect rect = node.rect();
-    const float side = painter.em(1.1F);
-    const Rect mark{rect.x, whole(rect.center().y - side / 2), side, side};
-    const Color on = hovered ? t.accent_hover : t.accent;
-    painter.fill(mark, look.chosen && !disabled ? on : hovered ? t.field_hover : t.field, side / 2);
-    if (!look.chosen || disabled) painter.frame(mark, hovered ? t.text_dim : t.border, painter.hairline(), side / 2);
-    if (look.chosen) {
-        const Rect dot = mark.inset(whole(side * 0.32F));
-        painter.fill(dot, disabled ? t.text_disabled : t.text_on_accent, dot.w / 2);
-    }
-    rect.cut_left(painter.em(1.6F));
-    painter.text(rect, node.shown, painter.text_style(), disabled ? t.text_disabled : t.text);
-}
-
 /// Where a key leads from choice `at` of `count`; arrows go round.
 int step(Key key, int at, int count) {
     switch (key) {
@@ -76,11 +58,6 @@ void lay_segment(Ui& ui, Node& node) {
         static_cast<std::uint8_t>(std::min(std::ceil(wish / 2), 255.0F));  // is its wish
     if (const float had = ui.rect_before(node.id).w; had > 0 && had + 1 < wish) node.tip = node.shown;
 }
-void lay_radio(Ui& ui, Node& node) {
-    node.size[0] = px(std::ceil(ui.em(1.6F) + ui.text_width(node.shown)));
-}
-
-template <auto Draw, auto Lay>
 Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
     const int count = static_cast<int>(choices.size());
     if (count == 0) return {};
@@ -94,7 +71,7 @@ Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
         if (i == chosen) sense = sense | Sense::focus | Sense::arrows_x | Sense::arrows_y | Sense::extremes;
         Node& node = ui.leaf(Role::radio, choices[static_cast<std::size_t>(i)], sense);
         node.size[1] = px(ui.row_height());
-        Lay(ui, node);
+        lay_segment(ui, node);
         ids[i] = node.id;
         node.is |= when(i == chosen, Is::checked);
         if (ui.respond(node).clicked) next = i;
@@ -105,7 +82,7 @@ Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
                 by_key = true;
             });
         }
-        ui.draw_with<Draw>(node, ChoiceLook{i == chosen, i == 0, i == count - 1});
+        ui.draw_with<draw_segment>(node, ChoiceLook{i == chosen, i == 0, i == count - 1});
     }
     if (next == chosen) return {};
     chosen = next;
@@ -118,15 +95,7 @@ Edit choose(Ui& ui, int& chosen, std::span<const std::string_view> choices) {
 Edit segmented(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices) {
     Node& node = ui.open(Role::group, label, Axis::x);
     node.size[0] = grow();
-    const Edit edit = choose<draw_segment, lay_segment>(ui, chosen, choices);
-    ui.close();
-    return edit;
-}
-
-Edit radio(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices) {
-    Node& node = ui.open(Role::group, label, Axis::y);
-    node.cross = ChildAlign::start;
-    const Edit edit = choose<draw_radio, lay_radio>(ui, chosen, choices);
+    const Edit edit = choose(ui, chosen, choices);
     ui.close();
     return edit;
 }

@@ -10,6 +10,7 @@ namespace lapfx::ui {
 
 namespace {
 
+constexpr std::size_t filter_from = 12;  // so many choices have a field to filter them
 constexpr int most_rows = 14;
 constexpr float bar_width = 0.45F, least_bar = 2;  // em
 
@@ -125,7 +126,7 @@ void open_list(Ui& ui, Choosing& c, Id id, std::string_view name, int chosen, st
     ui.open_overlay(name, OverlayKind::popup, {.side = Placement::Side::below, .offset = offset, .anchor = id});
 }
 
-/// Gives whether what is marked is taken.
+/// Returns whether what is marked is taken.
 bool take_list_key(Ui& ui, Choosing& c, const Event& event, std::span<const std::string_view> choices, bool filters,
                    bool& leaves) {
     const int last = static_cast<int>(c.shown.size()) - 1;
@@ -180,7 +181,7 @@ void mark_by_pointer(Ui& ui, Choosing& c, const Rect& list) {
     if (row < c.shown.size()) c.at = static_cast<int>(row);
 }
 
-/// Only the rows that are seen; above and below them room for the others. Gives whether one was clicked.
+/// Only the rows that are seen; above and below them room for the others. Returns whether one was clicked.
 bool put_rows(Ui& ui, Choosing& c, int chosen, std::span<const std::string_view> choices) {
     const float row = ui.row_height(), view = list_height(ui, c.shown.size());
     const float all = row * static_cast<float>(c.shown.size());
@@ -227,7 +228,7 @@ void put_bar(Ui& ui, Choosing& c) {
     ui.draw_with<draw_bar>(node, &c.scroll);
 }
 
-/// The open list. Gives whether the marked choice is taken; `leaves`: the list is to be closed in any case.
+/// The open list. Returns whether the marked choice is taken; `leaves`: the list is to be closed in any case.
 bool put_list(Ui& ui, Choosing& c, Node& root, int chosen, std::span<const std::string_view> choices, bool filters,
               bool& leaves) {
     root.size[0] = px(c.width);
@@ -340,7 +341,7 @@ Edit combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::str
     node.is |= Is::expanded;
     bool leaves = false;
     Node& root = *ui.open_overlay_node(list_name, Role::group, ui.join({name, " choices"}), Axis::y);
-    const bool taken = put_list(ui, c, root, chosen, choices, choices.size() >= options.filter_from, leaves);
+    const bool taken = put_list(ui, c, root, chosen, choices, choices.size() >= filter_from, leaves);
     ui.close_overlay_node();
     if (taken) chosen = static_cast<int>(c.shown[static_cast<std::size_t>(c.at)]);
     if (taken || leaves) ui.close_overlay(list_name);

@@ -1,9 +1,9 @@
 // One of many: shows what is chosen and drops down a list.
 //
-// Closed: up and down choose the one before or after, Ctrl+wheel as well, letters the next that begins so; a press,
-// Enter or space opens. Open: arrows, pages, Home and End move, Enter or a click takes, Esc leaves all as it was. A
-// long list has a field above it: only what contains all typed words is shown. Ten thousand choices cost no more than
-// those that are seen.
+// Closed: up and down, or Ctrl+wheel, choose the one before or after; letters choose the next that begins with them; a
+// press, Enter or space opens the list. Open: arrows, page keys, Home and End move; Enter or a click chooses; Esc
+// closes without a change. A long list has a field above it and shows only choices that contain all words typed there.
+// Ten thousand choices cost no more than those in sight.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -14,12 +14,11 @@ struct ComboOptions {
     std::string_view tip = {};
     std::string_view placeholder = {};  ///< dim, while nothing is chosen
     Size width = {SizeKind::grow, 1};
-    bool caption = false;          ///< the label is seen, at the left
-    std::size_t filter_from = 12;  ///< so many choices have a field to filter them
+    bool caption = false;  ///< the label is seen, at the left
 };
 
-/// `chosen`: -1 is none; others are clamped. `choices` are told from a new list by their number and place, and must not
-/// be changed where they are while the list is open.
+/// `chosen`: -1 is none; others are clamped. The list recognises new `choices` by their number and address, so do not
+/// change them in place while it is open.
 Edit combo(Ui& ui, std::string_view label, int& chosen, std::span<const std::string_view> choices,
            const ComboOptions& options = {});
 

@@ -42,8 +42,8 @@ struct DockLayout {
     void close(std::string_view panel);
     /// Brings it to the front; a closed one comes into the first leaf.
     void show(std::string_view panel);
-    /// Makes it hold exactly `panels`: unknown names are dropped, those missing (of a newer version of the program)
-    /// come into the first leaf. Fractions and active tabs out of range are put right.
+    /// Makes it hold exactly `panels`: unknown names are dropped, missing ones (of a newer version of the program) go
+    /// into the first leaf. Fractions and active tabs that are out of range are clamped.
     void fit(std::span<const std::string_view> panels);
 
   private:

@@ -21,9 +21,9 @@ constexpr KeyCommand key_commands[] = {
     {Key::left, TextCommand::left, TextCommand::select_left, TextCommand::word_left, TextCommand::select_word_left},
     {Key::right, TextCommand::right, TextCommand::select_right, TextCommand::word_right,
      TextCommand::select_word_right},
-    {Key::home, TextCommand::line_start, TextCommand::select_line_start, TextCommand::text_start,
+    {Key::home, TextCommand::text_start, TextCommand::select_text_start, TextCommand::text_start,
      TextCommand::select_text_start},
-    {Key::end, TextCommand::line_end, TextCommand::select_line_end, TextCommand::text_end,
+    {Key::end, TextCommand::text_end, TextCommand::select_text_end, TextCommand::text_end,
      TextCommand::select_text_end},
     {Key::backspace, TextCommand::erase_left, TextCommand::erase_left, TextCommand::erase_word_left,
      TextCommand::erase_word_left},
@@ -45,7 +45,7 @@ std::optional<TextCommand> command_of(const Event& event) {
 void Editing::open(Ui& ui, const std::string& text, const EditingRules& rules) {
     rules_ = rules;
     original_ = given_ = text;
-    edit = TextEdit(text, rules.limits);
+    edit = TextEdit(text, rules.bytes);
     known_ = hash_bytes(0, edit.text());
     edit.apply(TextCommand::select_all);
     began_ = false;
@@ -120,11 +120,6 @@ bool Editing::take_key(Ui& ui, const Event& event, std::string& text, Edit& resu
     }
     if (event.key == Key::enter) {
         if (rules_.keys_outside) return false;
-        if (rules_.limits.lines && !rules_.read_only && !has(event.mods, Mods::command)) {
-            edit.insert("\n");
-            changed(ui, text, result);
-            return true;
-        }
         result.committed |= began_;
         began_ = false;
         original_ = given_;
@@ -164,7 +159,7 @@ void Editing::press(Ui& ui, const Event& event, std::size_t byte) {
     touch(ui);
     edit.place(byte, has(event.mods, Mods::shift));
     if (event.clicks == 2) edit.apply(TextCommand::select_word);
-    if (event.clicks == 3) edit.apply(rules_.limits.lines ? TextCommand::select_line : TextCommand::select_all);
+    if (event.clicks == 3) edit.apply(TextCommand::select_all);
 }
 
 bool Editing::menu_open(Ui& ui, Id id) {

@@ -1,5 +1,4 @@
-// A text while it has the keyboard: keys, typed characters, clipboard, undo and the blinking of the caret, for fields
-// of one line and of many.
+// A text while it has the keyboard: keys, typed characters, clipboard, undo and the blinking of the caret.
 #pragma once
 
 #include "ui/core/ui.h"
@@ -8,9 +7,9 @@
 namespace lapfx::ui {
 
 struct EditingRules {
-    TextLimits limits;
-    bool read_only = false;     ///< can be selected and copied
-    bool keys_outside = false;  ///< Enter, Esc, up, down and the page keys are the caller's
+    std::size_t bytes = 1 << 20;  ///< what would go beyond is cut
+    bool read_only = false;       ///< can be selected and copied
+    bool keys_outside = false;    ///< Enter, Esc, up, down and the page keys are the caller's
     bool escape_empties = false;
 };
 
@@ -20,25 +19,24 @@ struct Editing {
 
     /// The keyboard has come: all is selected, as is usual for Tab.
     void open(Ui& ui, const std::string& text, const EditingRules& rules);
-    /// Takes over what the program has made of its text meanwhile.
+    /// Takes over the program's text if the program has changed it.
     void follow(Ui& ui, const std::string& text);
-    /// A key or a typed character. What has come of it is in `text` and `result` at once. Gives whether it was taken.
+    /// Handles a key or a typed character and updates `text` and `result`. Returns whether it was used.
     bool take(Ui& ui, const Event& event, std::string& text, Edit& result);
     /// The keyboard has gone: what was typed is committed.
     Edit close();
-    /// In place of all that is there, as one step that can be undone.
+    /// Replaces the whole text, as one undo step.
     void replace(Ui& ui, std::string_view with, std::string& text, Edit& result);
-    /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all
-    /// (of many lines: the line).
+    /// A press with the left button on `byte`: places the caret; with Shift selects; twice the word, three times all.
     void press(Ui& ui, const Event& event, std::size_t byte);
-    /// What a right click or the Menu key offers: built last by the field `id`, which keeps its text under edit while
-    /// it is open.
+    /// The menu of a right click or the Menu key. The field `id` builds it last, and keeps its text open for editing
+    /// while the menu is open.
     void menu(Ui& ui, Id id, std::string_view label, const Response& response, std::string& text, Edit& result);
     static bool menu_open(Ui& ui, Id id);
     /// Starts the blinking anew: after every input the caret is seen.
     void touch(Ui& ui) { active_ = ui.time(); }
-    /// Whether the caret is to be seen now; asks for the frame in which that changes. After ten seconds it stays, and
-    /// nothing wakes the program any more.
+    /// Whether the caret is drawn now; asks for the frame in which that changes. After ten seconds without input the
+    /// caret stays, and the program can sleep.
     bool caret_shown(Ui& ui) const;
     bool began() const { return began_; }
 

@@ -1,5 +1,5 @@
-// Text as it is, where label() and button() leave out what follows ##: names and paths of files, and what was read from
-// them.
+// Text that is shown as it is, where label() and button() leave out what follows ##. For names and paths of files, and
+// for text read from them.
 //
 //     if (!fault.empty()) ui::literal(u, fault, ui::Tone::error);
 #pragma once

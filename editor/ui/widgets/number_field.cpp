@@ -14,7 +14,7 @@ constexpr float pad = 0.45F;  // em between the field's edge and its text
 
 void NumberEntry::open(Ui& ui, std::string_view text) {
     text_ = begun_with_ = text;
-    editing_.open(ui, text_, {.limits = {.bytes = 256}, .keys_outside = true});
+    editing_.open(ui, text_, {.bytes = 256, .keys_outside = true});
     reason_.clear();
     scroll_ = 0;
     evaluated_once_ = selecting_ = false;

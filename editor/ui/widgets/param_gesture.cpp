@@ -72,7 +72,7 @@ Edit NumberGesture::take(NumberState& s, const Response& r) {
     return edit_;
 }
 
-/// Gives whether that is another value. What is no number is refused.
+/// Returns whether that is another value. What is no number is refused.
 bool NumberGesture::set(double next) {
     if (!std::isfinite(next)) return false;
     if (o_.integer) next = std::round(next);

@@ -58,7 +58,7 @@ bool put_name(Ui& ui, const ParamOptions& o) {
     return r.pressed && r.clicks == 2;
 }
 
-/// Gives where it was.
+/// Returns where it was.
 Rect open_row(Ui& ui, Role role, std::string_view label, const ParamOptions& o) {
     Node& node = ui.open(role, label, Axis::x, Sense::hover);
     node.size[0] = o.width;

@@ -1,5 +1,5 @@
-// What a param does to its number, without a UI: limits, steps, drags, how it is written. Pure functions. All numbers
-// are those that are shown (the value times ParamOptions::display).
+// The arithmetic of a param without a UI: limits, steps, drags, text. Pure functions. All numbers are as they are
+// shown: the value times ParamOptions::display.
 #pragma once
 
 #include <limits>
@@ -12,7 +12,7 @@
 
 namespace lapfx::ui {
 
-/// All numbers here are in what is shown.
+/// All numbers are as they are shown.
 struct ParamOptions {
     double minimum = 0, maximum = 1;  ///< soft: of the bar, of dragging and stepping
     double hard_minimum = -std::numeric_limits<double>::infinity();
@@ -42,14 +42,15 @@ ParamOptions percent(ParamOptions percents = {.minimum = 0, .maximum = 100, .ste
 /// s. Typed in ms or min just as well.
 ParamOptions seconds(ParamOptions options);
 
-/// With ranges that can be counted on, whatever a program has worked out: soft ends that are no numbers are 0 and 1,
-/// hard ones none at all, and those in the wrong order are swapped.
+/// The same with valid ranges: soft ends that are not numbers become 0 and 1, hard ones are dropped, and ends in the
+/// wrong order are swapped.
 ParamOptions sound(ParamOptions options);
 
 struct ParamLimits {
     double low, high;
 };
-/// Where dragging and stepping may go: the soft range, within the hard one; from a value outside of it, back to it.
+/// How far dragging and stepping may go: the soft range within the hard one. From a value outside of it they may only
+/// go back to it.
 ParamLimits limits_of(const ParamOptions& options, double from);
 
 /// Of `options`, or a round one. Scales that are not linear have one at each place: the power of ten below `value`.
@@ -57,20 +58,20 @@ double step_of(const ParamOptions& options, double value);
 /// `count` steps on, a tenth of a step each when `fine`.
 double stepped(const ParamOptions& options, double value, double count, bool fine);
 
-/// One move of a drag. `raw` is where the drag stands exactly, and goes on by `pixels` of the `way` px that the soft
-/// range is long; it is kept within `limits`. Given is what to show for it: the roundest number within half a pixel, or
-/// with Ctrl (command) the next step. Shift: a tenth of the way, a tenth of the step. Whatever changes between two
-/// moves, the value does not jump.
+/// One move of a drag. `raw` is the exact value of the drag; it moves by `pixels` on a soft range that is `way` px
+/// long, and stays within `limits`. Returns the value to show: the roundest number within half a pixel, or with Ctrl
+/// (command) the nearest step. Shift: a tenth of the way, a tenth of the step. If range, scale or way change between
+/// two moves, the value does not jump.
 double dragged(const ParamOptions& options, double& raw, double pixels, double way, Mods mods,
                const ParamLimits& limits);
 
 bool is_standard(const ParamOptions& options, double value);
-/// Without what rounding has put at its end: 0.1F is 0.1, and an angle of pi/4 is 45.
+/// Without rounding errors in the last digits: 0.1F is 0.1, and an angle of pi/4 is 45.
 double cleaned(const ParamOptions& options, double value);
 int decimals_for(const ParamOptions& options, double value);
 /// As it is shown, without its unit. `buffer`: 32 bytes.
 std::string_view format_param(std::span<char> buffer, const ParamOptions& options, double value);
-/// As it is copied and as typing begins: all of it.
+/// With all its digits, as it is copied and as an entry begins.
 std::string_view format_whole(std::span<char> buffer, const ParamOptions& options, double value);
 
 }  // namespace lapfx::ui

@@ -11,7 +11,7 @@ ScrollOptions with_senses(const RowListOptions& options) {
     area.sense = area.sense | Sense::press | Sense::focus | Sense::arrows_y | Sense::pages | Sense::extremes |
                  Sense::activate | Sense::context;
     if (options.name_of != nullptr) area.sense = area.sense | Sense::typing;
-    if (options.columns > 1 || options.left_right) area.sense = area.sense | Sense::arrows_x;
+    if (options.columns > 1) area.sense = area.sense | Sense::arrows_x;
     return area;
 }
 
@@ -134,17 +134,11 @@ void RowList::take_keys() {
         const bool spelling = options_.name_of != nullptr && ui_.memory<TypeAhead>(area_.id()).open(ui_.time());
         const std::size_t at = find(selection_.current);
         const auto page = static_cast<std::size_t>(area_.state().view.y / options_.line_height);
-        const bool side = event.key == Key::left || event.key == Key::right;
         if (event.key == Key::enter) open(at);
         if (event.key == Key::menu) events_.context = at;
         if (event.key == Key::space && at != no_row && !spelling) {
             if (options_.multiple) selection_.toggle(selection_.current), events_.selected = true;
             if (!options_.multiple) events_.marked = at;
-        }
-        if (side && options_.columns == 1) {
-            events_.sideways = at;
-            events_.direction = event.key == Key::left ? -1 : 1;
-            return;
         }
         const std::size_t to = item_after(event.key, at, options_.count, options_.columns, page);
         if (to == no_row) return;

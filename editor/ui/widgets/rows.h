@@ -1,5 +1,5 @@
-// What table, tree and thumbnails have in common: lines of items of which those in sight are built, a selection, and
-// the keys and presses that move it. The list has the keyboard, not its items.
+// What tables and thumbnails have in common: lines of items, of which only those in sight are built; a selection; the
+// keys and presses that move it. The list has the keyboard, not its items.
 //
 // Press selects; with Ctrl one more or one less, with Shift from the last to this one (where several may be selected).
 // Arrows, PageUp, PageDown, Home and End go to another item and select it, with Shift all between; Enter or a double
@@ -51,35 +51,33 @@ struct RowListOptions {
     float line_height = 24;   ///< px
     std::size_t columns = 1;  ///< items in a line
     bool multiple = false;
-    bool left_right = false;          ///< Left and Right are told as `sideways`, when there is one column
     const NameOf* name_of = nullptr;  ///< of an item, to be found by typing; must last as long as the list
     ScrollOptions area;
 };
 
 struct RowEvents {
-    bool selected = false;          ///< the selection has changed
-    std::size_t opened = no_row;    ///< Enter or a double click
-    std::size_t context = no_row;   ///< right button or Menu key: for a menu; it is selected by then
-    std::size_t marked = no_row;    ///< space, where only one can be selected
-    std::size_t hovered = no_row;   ///< under the pointer
-    std::size_t sideways = no_row;  ///< the current one, when Left or Right was pressed
-    int direction = 0;              ///< of `sideways`: -1 Left, 1 Right
+    bool selected = false;         ///< the selection has changed
+    std::size_t opened = no_row;   ///< Enter or a double click
+    std::size_t context = no_row;  ///< right button or Menu key: for a menu; it is selected by then
+    std::size_t marked = no_row;   ///< space, where only one can be selected
+    std::size_t hovered = no_row;  ///< under the pointer
 };
 
 class RowList {
   public:
     using KeyOf = FunctionRef<std::uint64_t(std::size_t)>;
 
-    /// `key_of(item)`: different for each item, not no_key; called for those in sight, and for all when a key moves the
-    /// selection. Must last as long as the list.
+    /// `key_of(item)`: different for each item, never no_key. Called for the items in sight, and for all items when a
+    /// key moves the selection. Must last as long as the list.
     RowList(Ui& ui, std::string_view label, Selection& selection, const KeyOf& key_of, const RowListOptions& options);
 
     std::size_t first() const { return std::min(window_.first() * options_.columns, options_.count); }
     std::size_t last() const { return std::min(window_.last() * options_.columns, options_.count); }
-    /// To be called for each item built, once; its sense is `item_sense`. Fills in its states (selected, hovered).
+    /// Call it once for each item that is built, with a node that senses `item_sense`. Sets its states selected and
+    /// hovered.
     Response respond(std::size_t item, Node& node);
     static constexpr Sense item_sense = Sense::hover | Sense::press | Sense::context;
-    /// Whether this is where the keyboard is, and shows.
+    /// Whether this item shows the ring of the keyboard.
     bool ringed(std::size_t item) const;
     const RowEvents& events() const { return events_; }
     ScrollArea& area() { return area_; }

@@ -1,4 +1,4 @@
-// What is larger than its place: an area that scrolls, and lists of which only the rows in sight are built.
+// Scrolling: an area whose content may be larger than itself, and lists of which only the rows in sight are built.
 //
 //     ui::ScrollArea area(u, "Parameters");
 //     ...
@@ -50,9 +50,8 @@ class ScrollArea {
     float top_;
 };
 
-/// Which lines of equal height within an area are in sight; those above and below are room only. In the very first
-/// frame, before there is a layout, as many as the window can hold. Up to 16 million px (700,000 lines) positions are
-/// exact.
+/// Which lines of equal height are in sight in an area; those above and below are empty room. In the very first frame,
+/// before there is a layout, as many as the window can hold. Up to 16 million px (700,000 lines) positions are exact.
 class LineWindow {
   public:
     /// `height`: px of a line, at least 1. The area's gap must be 0.

@@ -11,10 +11,6 @@ namespace {
 struct Folding {
     bool known = false, open = false;
 };
-struct ChangedOnly {
-    bool on = false;
-};
-constexpr Id filter_id = 0x6368616e6765646fULL;
 
 struct HeaderLook {
     std::string_view title, count;
@@ -45,7 +41,7 @@ std::string_view count_text(Ui& ui, int count) {
     return ui.copy({buffer, static_cast<std::size_t>(end - buffer)});
 }
 
-/// Gives whether the section is open.
+/// Returns whether the section is open.
 bool put_header(Ui& ui, std::string_view title, const SectionOptions& options) {
     Node& header = ui.leaf(Role::button, "##header",
                            Sense::hover | Sense::press | Sense::focus | Sense::activate | Sense::arrows_x);
@@ -74,8 +70,6 @@ bool put_header(Ui& ui, std::string_view title, const SectionOptions& options) {
 }  // namespace
 
 Section::Section(Ui& ui, std::string_view label, const SectionOptions& options) : ui_(ui) {
-    if (options.changed == 0 && changed_only(ui)) return;
-    built_ = true;
     Node& outer = ui.open(Role::section, label, Axis::y);
     outer.gap = ui.em(ui.theme().gap);
     const std::string_view title = outer.shown;
@@ -97,17 +91,8 @@ Section::Section(Ui& ui, std::string_view label, const SectionOptions& options) 
 }
 
 Section::~Section() {
-    if (!built_) return;
     if (open_) ui_.close();
     ui_.close();
-}
-
-bool changed_only(Ui& ui) {
-    return ui.memory<ChangedOnly>(filter_id).on;
-}
-
-void set_changed_only(Ui& ui, bool on) {
-    ui.memory<ChangedOnly>(filter_id).on = on;
 }
 
 }  // namespace lapfx::ui

@@ -39,13 +39,8 @@ class Section {
 
   private:
     Ui& ui_;
-    bool built_ = false, open_ = false;
+    bool open_ = false;
     int clicked_ = -1;
 };
-
-/// A filter for all sections and parameters of this Ui: with it on, sections with no changed value are not there, and a
-/// row for a value may ask, and leave itself out.
-bool changed_only(Ui& ui);
-void set_changed_only(Ui& ui, bool on);
 
 }  // namespace lapfx::ui

@@ -7,9 +7,9 @@
 //     });
 //     if (events.sorted) sort(clips, state.sort_column, state.descending);
 //
-// A click on a header sorts by it, another one turns the order round. Its right edge is dragged to make the column
-// wider or, by a double click, as wide as what is in sight of it needs. With the keyboard: Tab to a header, arrows to
-// the next, Enter sorts, Shift+Left and Shift+Right resize, Backspace brings the standard width back.
+// A click on a header sorts by it, another click reverses the order. Dragging the right edge of a header makes the
+// column wider; a double click on it makes the column as wide as the cells in sight need. With the keyboard: Tab to a
+// header, arrows to the next, Enter sorts, Shift+Left and Shift+Right resize, Backspace brings the standard width back.
 #pragma once
 
 #include "ui/widgets/basic.h"

@@ -189,9 +189,8 @@ Tabs::Tabs(Ui& ui, std::string_view label, int& active, std::span<const std::str
         if (event.kind == EventKind::key && count > 0)
             active = (active + (event.key == Key::page_down ? 1 : count - 1)) % count;
     });
-    events_ = tab_strip(ui, "tabs", active, names, {.closable = options.closable});
-    if (events_.chosen >= 0) {
-        active = events_.chosen;
+    if (const int chosen = tab_strip(ui, "tabs", active, names).chosen; chosen >= 0) {
+        active = chosen;
         ui.build_again();  // the tabs were built with the other one chosen
     }
     changed_ = active != before;

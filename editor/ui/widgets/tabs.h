@@ -34,7 +34,6 @@ TabEvents tab_strip(Ui& ui, std::string_view label, int active, std::span<const 
                     const TabOptions& options = {});
 
 struct TabsOptions {
-    bool closable = false;
     Size width = grow(), height = grow();
     float padding = 0.6F;  ///< em, around the page
 };
@@ -50,11 +49,9 @@ class Tabs {
     Tabs& operator=(const Tabs&) = delete;
 
     bool changed() const { return changed_; }
-    int closed() const { return events_.closed; }  ///< is to be closed; -1: none
 
   private:
     Ui& ui_;
-    TabEvents events_;
     bool changed_ = false;
 };
 

@@ -207,7 +207,7 @@ Edit put_field(Ui& ui, std::string_view label, std::string& text, const TextFiel
         if (!was_focused) {
             field = {};
             field.editing.open(ui, text,
-                               {.limits = {.bytes = options.bytes, .lines = false},
+                               {.bytes = options.bytes,
                                 .read_only = options.read_only,
                                 .keys_outside = options.keys_outside,
                                 .escape_empties = search});

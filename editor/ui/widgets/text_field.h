@@ -1,8 +1,9 @@
 // Text of one line that can be edited.
 //
-// A press places the caret, two take the word, three all; dragging selects and scrolls beyond the edges. Tab comes to
-// the field with all selected. Enter commits and stays, leaving commits, Esc goes back to what was committed last and,
-// when nothing has changed, leaves. Ctrl+Z is the field's as long as it has something to undo, then the program's.
+// A press places the caret, a double press selects the word, a triple press selects all; a drag selects, and scrolls
+// beyond the edges. Tab comes to the field with all selected. Enter commits and stays; leaving the field commits as
+// well. Esc goes back to the text that was committed last or, if that is unchanged, leaves the field. Ctrl+Z undoes in
+// the field as long as it has something to undo, then in the program.
 #pragma once
 
 #include "ui/core/ui.h"

@@ -77,7 +77,7 @@ Response put_star(Ui& ui, bool on) {
     return r;
 }
 
-/// Gives what happened to its star.
+/// Returns what happened to its star.
 Response put_cell(Ui& ui, RowList& list, std::size_t index, const Thumbnail& item, const Metrics& m,
                   const ThumbnailOptions& options) {
     ui.push_seed(item.key == no_key ? index : item.key);
@@ -91,7 +91,7 @@ Response put_cell(Ui& ui, RowList& list, std::size_t index, const Thumbnail& ite
     list.respond(index, node);
     node.is |= when(item.image == 0, Is::busy) | when(item.changed, Is::changed) | when(item.star, Is::checked);
     ui.draw_with<draw_cell>(node, CellLook{item.image, options.aspect, item.changed, list.ringed(index)});
-    const Response star = options.stars ? put_star(ui, item.star) : Response{};
+    const Response star = put_star(ui, item.star);
     ui.close();
     ui.pop_seed();
     return star;

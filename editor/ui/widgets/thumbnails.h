@@ -1,7 +1,7 @@
 // Pictures with names in a grid: presets, clips. Lines in sight are built; pictures may come later.
 //
-// Press or arrows select, Enter or a double click opens, space or the star in the corner marks; what the pointer rests
-// on is told, so that a preset can be tried on the fly.
+// A press or arrows select, Enter or a double click opens, space or the star in the corner marks an item. The item
+// under the pointer is reported, so that a preset can be shown while the pointer is on it.
 #pragma once
 
 #include "ui/widgets/rows.h"
@@ -20,7 +20,6 @@ struct Thumbnail {
 struct ThumbnailOptions {
     float cell = 8;            ///< em, width of a picture; what is left over is shared out
     float aspect = 16.0F / 9;  ///< of pictures
-    bool stars = true;
     Size width = grow(), height = grow();
 };
 

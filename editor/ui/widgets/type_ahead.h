@@ -1,4 +1,4 @@
-// Letters typed on a list lead to its next item that begins with them: for lists, tables and closed combos.
+// Type-ahead: letters typed on a list go to the next item that begins with them. For lists, tables and closed combos.
 #pragma once
 
 #include <cstddef>

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "bench/ui/cases.h"
+#include "ui/canvas/histogram.h"
 #include "ui/canvas/plot.h"
 #include "ui/core/ui.h"
 #include "ui/gl/renderer.h"
@@ -22,8 +23,8 @@ class OurToolkit : public Toolkit {
         values_.resize(1000, 0.5);
         flags_.resize(1000, 0);
         texts_.resize(1000, "some text");
-        for (int i = 0; i < 256; ++i) bars_.push_back(std::exp(-0.0005 * (i - 128) * (i - 128)));
-        bar_data_.set(std::span<const double>(bars_));
+        for (int i = 0; i < 256; ++i)
+            bars_.push_back(static_cast<std::uint32_t>(1000 * std::exp(-0.0005 * (i - 128) * (i - 128))));
         for (int c = 0; c < 8; ++c) {
             for (int i = 0; i < 512; ++i) curves_[c].push_back(std::sin(0.02 * i * (c + 1)));
             curve_data_[c].set(std::span<const double>(curves_[c]));
@@ -107,8 +108,7 @@ class OurToolkit : public Toolkit {
     }
 
     void plots() {
-        const PlotSeries bars[] = {{.name = "bars", .data = &bar_data_, .kind = PlotKind::bars}};
-        plot(ui_, "bars", bars, {.height = px(100)});
+        histogram(ui_, "bars", {.bins = bars_}, nullptr, {.height = 100 / ui_.em(1)});
         for (int c = 0; c < 8; ++c) {
             ui_.push_seed(static_cast<std::uint64_t>(c));
             const PlotSeries series[] = {{.name = "curve", .data = &curve_data_[c]}};
@@ -149,9 +149,10 @@ class OurToolkit : public Toolkit {
     std::unique_ptr<Renderer> renderer_;
     std::vector<double> values_;
     std::vector<int> flags_;
-    std::vector<double> bars_, curves_[8];
+    std::vector<double> curves_[8];
+    std::vector<std::uint32_t> bars_;
     std::vector<float> million_;
-    PlotData bar_data_, curve_data_[8], million_data_;
+    PlotData curve_data_[8], million_data_;
     PlotState million_state_;
     bool change_all_ = false;
     std::vector<std::string> texts_;

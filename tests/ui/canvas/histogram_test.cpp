@@ -28,18 +28,18 @@ TEST(BarHeight, IsLinearOrLogarithmicAndCut) {
 struct Shown {
     std::vector<std::uint32_t> bins = std::vector<std::uint32_t>(256, 10);
     HistogramData data{.bins = bins};
-    Levels levels{.low = 51, .high = 204, .gamma = 1};
-    HistogramOptions options{.reset = {.low = 20, .high = 230, .gamma = 1}, .gamma = true, .width = px(562)};
+    Levels levels{.low = 51, .high = 204};
+    HistogramOptions options{.reset = {.low = 20, .high = 230}, .width = px(562)};
     bool log = false, disabled = false;
     HistogramResult last;
-    Edit low, high, gamma;  ///< all there was
+    Edit low, high;  ///< all there was
     int began = 0, changed = 0, committed = 0, cancelled = 0;
     Harness ui{[this](Ui& u) {
         options.log_counts = &log;
         u.push_disabled(disabled);
         last = histogram(u, "Luma", data, &levels, options);
         u.pop_disabled();
-        low |= last.low, high |= last.high, gamma |= last.gamma;
+        low |= last.low, high |= last.high;
         const Edit any = last.any();
         began += any.began, changed += any.changed, committed += any.committed, cancelled += any.cancelled;
     }};
@@ -51,11 +51,9 @@ TEST(Histogram, HandlesStandAtTheirValues) {
     Shown s;
     EXPECT_EQ(s.ui.rect("Luma/Low").right(), plot_left + 102);
     EXPECT_EQ(s.ui.rect("Luma/High").x, plot_left + 408);
-    EXPECT_EQ(s.ui.rect("Luma/Gamma").center().x, plot_left + 255) << "gamma 1: half way";
     EXPECT_EQ(s.ui.value("Luma/Low"), 51);
     EXPECT_EQ(s.ui.node("Luma/Low").number->maximum, 203);
     EXPECT_EQ(s.ui.node("Luma/High").number->minimum, 52);
-    EXPECT_EQ(s.ui.text("Luma/Gamma"), "1.00");
 }
 
 TEST(Histogram, HandlesAreDraggedAlongTheAxis) {
@@ -92,19 +90,6 @@ TEST(Histogram, HandlesThatMeetCanBothBeTaken) {
     }
 }
 
-TEST(Histogram, TheGammaHandleIsWhereHalfIs) {
-    Shown s;
-    s.levels.gamma = 2;  // 0.25 of the way from 51 to 204
-    s.ui.frame();
-    EXPECT_NEAR(s.ui.rect("Luma/Gamma").center().x, plot_left + 102 + 306 / 4.0, 0.51);
-    s.ui.drag("Luma/Gamma", {76.5F, 0});
-    EXPECT_NEAR(s.levels.gamma, 1, 0.01);
-    s.ui.drag("Luma/Gamma", {-5000, 0});
-    EXPECT_EQ(s.levels.gamma, 10);
-    s.ui.drag("Luma/Gamma", {5000, 0});
-    EXPECT_EQ(s.levels.gamma, 0.1);
-}
-
 TEST(Histogram, KeysStepFineAndToTheEnds) {
     Shown s;
     s.ui.focus("Luma/Low").key(Key::right).key(Key::up);
@@ -117,16 +102,11 @@ TEST(Histogram, KeysStepFineAndToTheEnds) {
     EXPECT_EQ(s.levels.low, 203);
     s.ui.key(Key::home);
     EXPECT_EQ(s.levels.low, 0);
-    s.ui.focus("Luma/Gamma").key(Key::right);
-    EXPECT_NEAR(s.levels.gamma, 0.95, 1e-9) << "the grip goes right, the number down";
-    s.ui.key(Key::up);
-    EXPECT_NEAR(s.levels.gamma, 1, 1e-9);
 }
 
 TEST(Histogram, TabGoesFromLowToHigh) {
     Shown s;
     EXPECT_EQ(s.ui.key(Key::tab).focused(), "Luma/Low");
-    EXPECT_EQ(s.ui.key(Key::tab).focused(), "Luma/Gamma");
     EXPECT_EQ(s.ui.key(Key::tab).focused(), "Luma/High");
     EXPECT_EQ(s.ui.key(Key::tab).focused(), "Luma/Log");
 }
@@ -155,7 +135,6 @@ TEST(Histogram, EditsSayWhichValue) {
     s.ui.press("Luma/High").drag_by({-60, 0});
     EXPECT_TRUE(s.high.changed);
     EXPECT_FALSE(s.low.changed);
-    EXPECT_FALSE(s.gamma.changed);
 }
 
 TEST(Histogram, ReadsOutTheBinUnderThePointer) {
@@ -256,7 +235,7 @@ TEST(Histogram, NothingIsUnnamedAndHandlesHaveTips) {
     Shown s;
     EXPECT_THAT(faults_of(s.ui.ui().tree()), testing::IsEmpty());
     EXPECT_NE(s.ui.tip("Luma/Low"), "");
-    EXPECT_NE(s.ui.tip("Luma/Gamma"), "");
+    EXPECT_NE(s.ui.tip("Luma/High"), "");
 }
 
 TEST(Histogram, SteadyFramesAndDragsAllocateNothing) {

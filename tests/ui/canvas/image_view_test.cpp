@@ -29,18 +29,16 @@ struct Viewed {
     ViewState state;
     Picture picture{.image = 7, .size = {200, 100}, .pixels = &ramp};
     ImageViewOptions options{.width = px(400), .height = px(300)};
-    bool with_region = false, disabled = false;
-    PixelRect region{{50, 20}, {100, 60}};
+    bool disabled = false;
     ImageViewResult last;
-    int moved = 0, picked = 0, began = 0, committed = 0, cancelled = 0;
+    int moved = 0, picked = 0;
     glm::vec4 taken{0};
     Harness ui{[this](Ui& u) {
         u.push_disabled(disabled);
-        last = image_view(u, "Clip", picture, state, options, with_region ? &region : nullptr);
+        last = image_view(u, "Clip", picture, state, options);
         u.pop_disabled();
         moved += last.view_changed;
         if (last.picked) ++picked, taken = last.value;
-        began += last.region.began, committed += last.region.committed, cancelled += last.region.cancelled;
     }};
     std::size_t drawn(InstanceKind kind) const {
         std::size_t count = 0;
@@ -134,18 +132,12 @@ TEST(ImageView, ThePixelGridComesWithLargePixelsAndSmoothingGoes) {
     EXPECT_EQ(v.drawn(InstanceKind::fill), before);
 }
 
-TEST(ImageView, NearestAndCheckerboardOnRequest) {
+TEST(ImageView, ACheckerboardLiesBehindATransparentPicture) {
     Viewed v;
     EXPECT_EQ(v.drawn(InstanceKind::checker), 0U);
-    v.options.nearest = true;
     v.picture.transparent = true;
     v.ui.frame();
     EXPECT_EQ(v.drawn(InstanceKind::checker), 1U);
-    for (const Instance& each : v.ui.output().list->instances) {
-        if (each.kind == InstanceKind::image) {
-            EXPECT_EQ(each.border, 1);
-        }
-    }
 }
 
 TEST(ImageView, TheMagnifierIsASecondImage) {
@@ -190,69 +182,6 @@ TEST(ImageView, WithoutTheEyedropperAClickTakesNothing) {
     EXPECT_EQ(v.picked, 0);
 }
 
-TEST(ImageView, CornersOfTheRegionAreDragged) {
-    Viewed v;
-    v.with_region = true;
-    v.ui.frame();
-    EXPECT_EQ(v.ui.rect("Clip/Upper left").center(), glm::vec2(100, 90));
-    EXPECT_EQ(v.ui.rect("Clip/Lower right").center(), glm::vec2(300, 210));
-    v.ui.drag("Clip/Upper left", {-20, 10});
-    EXPECT_EQ(v.region, (PixelRect{{40, 25}, {110, 55}}));
-    v.ui.drag("Clip/Upper right", {20, -10});
-    EXPECT_EQ(v.region, (PixelRect{{40, 20}, {120, 60}}));
-    v.ui.drag("Clip/Lower left", {20, 10});
-    EXPECT_EQ(v.region, (PixelRect{{50, 20}, {110, 65}}));
-    v.ui.drag("Clip/Lower right", {1000, 1000});
-    EXPECT_EQ(v.region, (PixelRect{{50, 20}, {150, 80}}));
-    EXPECT_EQ(v.began, 4);
-    EXPECT_EQ(v.committed, 4);
-    EXPECT_EQ(v.state, ViewState{}) << "the picture stays";
-}
-
-TEST(ImageView, TheRegionIsMovedWholeAndStaysInside) {
-    Viewed v;
-    v.with_region = true;
-    v.ui.frame().drag("Clip/Move", {20, 10});
-    EXPECT_EQ(v.region, (PixelRect{{60, 25}, {100, 60}}));
-    v.ui.drag("Clip/Move", {-1000, -1000});
-    EXPECT_EQ(v.region, (PixelRect{{0, 0}, {100, 60}}));
-}
-
-TEST(ImageView, CornersNeverPassEachOther) {
-    Viewed v;
-    v.with_region = true;
-    v.ui.frame().drag("Clip/Upper left", {1000, 1000});
-    EXPECT_EQ(v.region, (PixelRect{{149, 79}, {1, 1}}));
-}
-
-TEST(ImageView, ArrowsMoveACornerByAPixelOrTen) {
-    Viewed v;
-    v.with_region = true;
-    v.ui.frame().focus("Clip/Upper left").key(Key::right).key(Key::down);
-    EXPECT_EQ(v.region, (PixelRect{{51, 21}, {99, 59}}));
-    v.ui.key(Key::left, Mods::shift);
-    EXPECT_EQ(v.region, (PixelRect{{41, 21}, {109, 59}}));
-    EXPECT_EQ(v.ui.text("Clip/Upper left"), "41, 21   109, 59");
-    EXPECT_EQ(v.committed, 3);
-}
-
-TEST(ImageView, EscapePutsTheRegionBack) {
-    Viewed v;
-    v.with_region = true;
-    v.ui.frame().press("Clip/Upper left").drag_by({-20, 10}).key(Key::escape);
-    EXPECT_EQ(v.region, (PixelRect{{50, 20}, {100, 60}}));
-    EXPECT_EQ(v.cancelled, 1);
-    EXPECT_EQ(v.committed, 0);
-}
-
-TEST(ImageView, ARegionFromOutsideIsBroughtInside) {
-    Viewed v;
-    v.with_region = true;
-    v.region = {{190, -5}, {0, 500}};
-    v.ui.frame();
-    EXPECT_EQ(v.region, (PixelRect{{190, 0}, {1, 100}}));
-}
-
 TEST(ImageView, LinkedViewsMoveTogether) {
     ViewState state;
     const Picture picture{.image = 7, .size = {200, 100}, .pixels = &ramp};
@@ -277,7 +206,6 @@ TEST(ImageView, DisabledItNeitherMovesNorPicks) {
 
 TEST(ImageView, NothingIsUnnamedAndATipIsShown) {
     Viewed v;
-    v.with_region = true;
     v.options.tip = "The clip as filmed";
     v.ui.frame();
     EXPECT_THAT(faults_of(v.ui.ui().tree()), testing::IsEmpty());
@@ -286,7 +214,6 @@ TEST(ImageView, NothingIsUnnamedAndATipIsShown) {
 
 TEST(ImageView, SteadyFramesAndDragsAllocateNothing) {
     Viewed v;
-    v.with_region = true;
     v.options.magnifier = true;
     v.state = {.fitted = false, .zoom = 10};
     v.ui.move({200, 150}).frame();

@@ -109,16 +109,6 @@ TEST(PlotData, AreasOfPartsAddUpToTheWhole) {
     }
 }
 
-TEST(PlotData, ResidualIsTakenAtEachSample) {
-    const std::vector<double> y = {1, 2, 3}, reference_y = {0, 4}, reference_x = {0, 2};
-    PlotData data, reference;
-    data.set(y, 0, 1);
-    reference.set(reference_y, reference_x);
-    EXPECT_EQ(residual_of(data, reference), (std::vector<double>{1, 0, -1}));
-    data.set(y, 1, 1);
-    EXPECT_TRUE(std::isnan(residual_of(data, reference)[2])) << "there is no reference at 3";
-}
-
 TEST(PlotData, CsvHasALineForEachPlaceOfAnySeries) {
     const std::vector<double> a = {1, nan_value, 3}, b = {0.5, 0.25};
     PlotData first, second;

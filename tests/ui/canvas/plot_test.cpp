@@ -35,7 +35,7 @@ struct Scene {
         u.push_disabled(disabled);
         result = plot(u, "Plot", series, options);
         u.pop_disabled();
-        all.moved |= result.moved, all.range_changed |= result.range_changed;
+        all.moved |= result.moved;
     }
 };
 
@@ -142,7 +142,6 @@ TEST_F(PlotTest, ShiftDragZoomsToABox) {
 TEST_F(PlotTest, CtrlDragAsksForARange) {
     drag_from({x_px(2, 0, 10), middle().y}, {x_px(6, 0, 10) - x_px(2, 0, 10), 10}, Mods::command);
     EXPECT_TRUE(scene.state.has_range);
-    EXPECT_TRUE(scene.all.range_changed);
     EXPECT_NEAR(scene.state.range.low, 2, 1e-4);
     EXPECT_NEAR(scene.state.range.high, 6, 1e-4);
     EXPECT_EQ(scene.state.x, (Span{0, 10}));
@@ -294,45 +293,6 @@ TEST(Plot, AMillionSamplesAreALineForEachPixel) {
     EXPECT_LE(tall, 3) << "itself, and what touches it";
 }
 
-TEST(Plot, BarsReachHalfWayToTheirNeighboursFromZero) {
-    const std::vector<double> y = {1, 2, 4};
-    PlotData data;
-    data.set(y, 0, 1);
-    PlotState state;
-    Harness ui([&](Ui& u) {
-        const PlotSeries series[] = {{"", &data, PlotKind::bars}};
-        plot(u, "Plot", series, {.state = &state});
-    });
-    EXPECT_EQ(state.x, (Span{-0.5, 2.5}));
-    EXPECT_LT(state.y.low, 0);
-    const Color color = dark_theme().series[0];
-    std::vector<Rect> bars;
-    for (const Instance& i : ui.output().list->instances) {
-        if (i.kind == InstanceKind::fill && i.color == color) bars.push_back({i.x, i.y, i.w, i.h});
-    }
-    ASSERT_EQ(bars.size(), 3U);
-    EXPECT_NEAR(bars[2].h / bars[0].h, 4, 0.05);
-    EXPECT_NEAR(bars[1].h / bars[0].h, 2, 0.05);
-    EXPECT_EQ(bars[0].bottom(), bars[2].bottom());
-    EXPECT_NEAR(bars[1].x, bars[0].right() + 1, 0.01);
-}
-
-TEST(Plot, ResidualHasAStripOfItsOwn) {
-    const std::vector<double> y = {1, 2, 3}, r = {0.1, -0.2, 0.1};
-    PlotData data, residual;
-    data.set(y);
-    residual.set(r);
-    bool shown = false;
-    Harness ui([&](Ui& u) {
-        const PlotSeries series[] = {{"", &data}};
-        plot(u, "Plot", series, {.residual = shown ? &residual : nullptr});
-    });
-    const std::size_t before = lines_of(*ui.output().list);
-    shown = true;
-    ui.frame();
-    EXPECT_EQ(lines_of(*ui.output().list), before + 2);
-}
-
 TEST(Plot, HoldsWithNoSeriesNoSamplesAndNoRoom) {
     PlotData empty, one, gap;
     const std::vector<double> single = {5}, nothing = {std::numeric_limits<double>::quiet_NaN()};
@@ -343,7 +303,7 @@ TEST(Plot, HoldsWithNoSeriesNoSamplesAndNoRoom) {
             PlotState state;
             Harness ui(
                 [&](Ui& u) {
-                    const PlotSeries series[] = {{"A", &empty}, {"B", &one, PlotKind::bars}, {"C", &gap}};
+                    const PlotSeries series[] = {{"A", &empty}, {"B", &one}, {"C", &gap}};
                     plot(u, "Plot", std::span(series).first(static_cast<std::size_t>(count)), {.state = &state});
                 },
                 size);

@@ -338,21 +338,6 @@ TEST_F(TimelineTest, PlayingTurnsThePage) {
     EXPECT_NEAR(state.view.high, 4, 1e-12);
 }
 
-TEST_F(TimelineTest, ThumbnailsKeepTheirTime) {
-    std::vector<std::uint8_t> pixels(4, 255);
-    std::vector<ImageHandle> images;
-    for (int i = 0; i < 5; ++i) images.push_back(ui.images().add({1, 1}, pixels));
-    options.thumbnails = images;
-    options.thumbnail_aspect = 100.0F / 48;  // 2 s of the view
-    ui.frame();
-    std::vector<float> x;
-    for (const Instance& i : ui.output().list->instances) {
-        if (i.kind == InstanceKind::image) x.push_back(i.x);
-    }
-    EXPECT_THAT(x, testing::ElementsAre(143, 243, 343, 443, 543));
-    EXPECT_EQ(ui.output().list->batches.size(), 5U) << "a picture each";
-}
-
 TEST_F(TimelineTest, DisabledItTakesNothing) {
     disabled = true;
     ui.frame();

@@ -96,7 +96,7 @@ bool is_label_of_control(Role role) {
 /// Panes that one pans: what is at their edges may be cut.
 bool is_panned(Role role) {
     return role == Role::timeline || role == Role::plot || role == Role::curve || role == Role::canvas ||
-           role == Role::image || role == Role::text_field || role == Role::search_field || role == Role::text_area;
+           role == Role::image || role == Role::text_field || role == Role::search_field;
 }
 
 bool in_panned(std::span<const Node> tree, std::uint32_t node) {

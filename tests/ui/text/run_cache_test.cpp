@@ -24,6 +24,34 @@ TEST(RunCache, FindsByTextAndStyle) {
     EXPECT_EQ(cache.find("on", 1), nullptr);
 }
 
+TEST(RunCache, FindsTextsThatAreAskedForInAnotherOrder) {
+    RunCache cache;
+    const auto find_all = [&](std::initializer_list<std::string_view> texts) {
+        cache.next_frame();
+        for (const std::string_view text : texts) {
+            const ui::Run* run = cache.find(text, 1);
+            if (run == nullptr) {
+                ui::Run& added = cache.add(text, 1);
+                added.width = static_cast<float>(text.size());
+                run = &added;
+            }
+            EXPECT_EQ(run->width, static_cast<float>(text.size())) << text;
+        }
+    };
+    find_all({"a", "bb", "ccc", "dddd"});
+    find_all({"a", "bb", "ccc", "dddd"});
+    find_all({"eeeee", "a", "bb", "ccc", "dddd"});
+    find_all({"dddd", "ccc"});
+    find_all({"dddd", "ccc", "a", "a", "eeeee"});
+    EXPECT_EQ(cache.size(), 5U) << "none was added twice";
+    pass_frames(cache, 500);
+    EXPECT_EQ(cache.size(), 0U);
+    EXPECT_EQ(cache.find("dddd", 1), nullptr) << "not by the order of before";
+    find_all({"ff", "dddd", "ccc"});
+    cache.clear();
+    EXPECT_EQ(cache.find("ff", 1), nullptr);
+}
+
 TEST(RunCache, KeepsWhatIsUsedAndForgetsWhatIsNot) {
     RunCache cache;
     const ui::Run* used = &cache.add("used", 1);

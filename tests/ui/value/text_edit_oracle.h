@@ -13,44 +13,39 @@ namespace lapfx::ui {
 
 class TextEditOracle {
   public:
-    explicit TextEditOracle(const TextLimits& limits) : limits_(limits) {}
+    explicit TextEditOracle(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
     std::string text() const { return encoded(now_.text); }
     std::size_t caret() const { return encoded(now_.text.substr(0, now_.caret)).size(); }
     std::size_t anchor() const { return encoded(now_.text.substr(0, now_.anchor)).size(); }
     bool can_undo() const { return at_ > 0; }
     bool can_redo() const { return at_ < history_.size(); }
-    int page_lines = 10;
 
     void insert(const std::u32string& raw) {
         std::u32string in;
         for (std::size_t i = 0; i < raw.size(); ++i) {
             char32_t c = raw[i];
             if (c == '\r' && i + 1 < raw.size() && raw[i + 1] == '\n') continue;
-            if (c == '\r') c = '\n';
-            if (c == '\n' && !limits_.lines) c = ' ';
-            if ((c < 0x20 && c != '\n' && c != '\t') || (c >= 0x7F && c < 0xA0)) continue;
+            if (c == '\r' || c == '\n') c = ' ';
+            if ((c < 0x20 && c != '\t') || (c >= 0x7F && c < 0xA0)) continue;
             in += c;
         }
         const auto [begin, end] = selection();
         const std::size_t kept = encoded(now_.text).size() - encoded(now_.text.substr(begin, end - begin)).size();
         const std::u32string whole = in;
-        while (!in.empty() && (encoded(in).size() + kept > limits_.bytes || !boundary(whole, in.size()))) in.pop_back();
+        while (!in.empty() && (encoded(in).size() + kept > most_bytes_ || !boundary(whole, in.size()))) in.pop_back();
         if (in.empty()) return;
         change(begin, end, in, in.size() == 1);
     }
 
     void place(std::size_t codepoint, bool select) {
-        open_ = false, column_ = -1;
+        open_ = false;
         move(codepoint, select);
     }
 
     void apply(TextCommand command) {
         using enum TextCommand;
         open_ = false;
-        const bool vertical = command == up || command == down || command == page_up || command == page_down ||
-                              command == select_up || command == select_down;
-        if (!vertical) column_ = -1;
         const auto [begin, end] = selection();
         const std::size_t size = now_.text.size(), caret = now_.caret;
         switch (command) {
@@ -70,14 +65,6 @@ class TextEditOracle {
                 return move(word_before(caret), true);
             case select_word_right:
                 return move(word_after(caret), true);
-            case line_start:
-                return move(line_begin(caret), false);
-            case line_end:
-                return move(line_finish(caret), false);
-            case select_line_start:
-                return move(line_begin(caret), true);
-            case select_line_end:
-                return move(line_finish(caret), true);
             case text_start:
                 return move(0, false);
             case text_end:
@@ -86,26 +73,11 @@ class TextEditOracle {
                 return move(0, true);
             case select_text_end:
                 return move(size, true);
-            case up:
-                return move(vertically(-1), false);
-            case down:
-                return move(vertically(1), false);
-            case page_up:
-                return move(vertically(-page_lines), false);
-            case page_down:
-                return move(vertically(page_lines), false);
-            case select_up:
-                return move(vertically(-1), true);
-            case select_down:
-                return move(vertically(1), true);
             case select_all:
                 now_.anchor = 0, now_.caret = size;
                 return;
             case select_none:
                 now_.anchor = caret;
-                return;
-            case select_line:
-                now_.anchor = line_begin(caret), now_.caret = std::min(size, line_finish(caret) + 1);
                 return;
             case select_word:
                 return word();
@@ -117,11 +89,6 @@ class TextEditOracle {
                 return erase(begin < end ? begin : word_before(caret), end);
             case erase_word_right:
                 return erase(begin, begin < end ? end : word_after(caret));
-            case erase_line: {
-                const std::size_t first = line_begin(begin), last = line_finish(end);
-                if (last < size) return erase(first, last + 1);
-                return erase(first > 0 ? first - 1 : 0, last);
-            }
             case undo:
                 if (at_ > 0) now_ = history_[--at_].first;
                 return;
@@ -144,7 +111,7 @@ class TextEditOracle {
     }
     /// Only for the code points that the tests use.
     static bool boundary(const std::u32string& text, std::size_t at) {
-        if (at == 0 || at >= text.size() || text[at - 1] == '\n' || text[at - 1] == '\t') return true;
+        if (at == 0 || at >= text.size() || text[at - 1] == '\t') return true;
         const char32_t c = text[at];
         if (c == 0x301 || c == 0xFE0F || c == 0x200D) return false;
         if (text[at - 1] != 0x200D || c != 0x1F469) return true;
@@ -153,7 +120,6 @@ class TextEditOracle {
         return tied == 0 || text[tied - 1] != 0x1F469;
     }
     static int kind(char32_t c) {
-        if (c == '\n') return 0;
         if (c == ' ' || c == '\t' || c == 0xA0) return 1;
         return std::u32string(U".-+(«").find(c) != std::u32string::npos ? 2 : 3;
     }
@@ -173,19 +139,10 @@ class TextEditOracle {
     }
     int kind_before(std::size_t at) const { return at == 0 ? -1 : kind(now_.text[before(at)]); }
     int kind_after(std::size_t at) const { return at == now_.text.size() ? -1 : kind(now_.text[at]); }
-    std::size_t line_begin(std::size_t at) const {
-        while (at > 0 && now_.text[at - 1] != '\n') --at;
-        return at;
-    }
-    std::size_t line_finish(std::size_t at) const {
-        while (at < now_.text.size() && now_.text[at] != '\n') ++at;
-        return at;
-    }
     std::size_t word_before(std::size_t from) const {
         std::size_t at = from;
         while (kind_before(at) == 1) at = before(at);
         const int k = kind_before(at);
-        if (k == 0) return at == from ? before(at) : at;
         while (k > 0 && kind_before(at) == k) at = before(at);
         return at;
     }
@@ -193,7 +150,6 @@ class TextEditOracle {
         std::size_t at = from;
         while (kind_after(at) == 1) at = after(at);
         const int k = kind_after(at);
-        if (k == 0) return at == from ? after(at) : at;
         while (k > 0 && kind_after(at) == k) at = after(at);
         return at;
     }
@@ -204,25 +160,6 @@ class TextEditOracle {
         while (k > 0 && kind_before(first) == k) first = before(first);
         while (k > 0 && kind_after(last) == k) last = after(last);
         now_.anchor = first, now_.caret = last;
-    }
-    /// The lines as a list of where they begin; the column is counted in characters.
-    std::size_t vertically(int lines) {
-        if (!limits_.lines) return now_.caret;
-        std::vector<std::size_t> begins{0};
-        for (std::size_t i = 0; i < now_.text.size(); ++i) {
-            if (now_.text[i] == '\n') begins.push_back(i + 1);
-        }
-        const auto row = std::upper_bound(begins.begin(), begins.end(), now_.caret) - begins.begin() - 1;
-        if (column_ < 0) {
-            column_ = 0;
-            for (std::size_t at = begins[row]; at < now_.caret; at = after(at)) ++column_;
-        }
-        const auto last = static_cast<std::ptrdiff_t>(begins.size()) - 1;
-        const std::ptrdiff_t to = std::clamp<std::ptrdiff_t>(row + lines, 0, last);
-        if (to == row) return lines < 0 ? 0 : now_.text.size();
-        std::size_t at = begins[to];
-        for (int i = 0; i < column_ && at < line_finish(begins[to]); ++i) at = after(at);
-        return at;
     }
     void move(std::size_t to, bool select) {
         now_.caret = to;
@@ -237,7 +174,6 @@ class TextEditOracle {
         now_.caret = begin + in.size();
         while (!boundary(now_.text, now_.caret)) ++now_.caret;
         now_.anchor = now_.caret;
-        column_ = -1;
         const bool blank = typing && kind(in[0]) <= 1;
         const bool joins = typing && open_ && begin == end && begin == typed_to_ && (blank || !typed_blank_);
         history_.resize(at_);
@@ -251,12 +187,11 @@ class TextEditOracle {
         open_ = typing, typed_to_ = begin + in.size(), typed_blank_ = blank;
     }
 
-    TextLimits limits_;
+    std::size_t most_bytes_;
     Snapshot now_;
     std::vector<std::pair<Snapshot, Snapshot>> history_;
     std::size_t at_ = 0, typed_to_ = 0;
     bool open_ = false, typed_blank_ = false;
-    int column_ = -1;
 };
 
 }  // namespace lapfx::ui

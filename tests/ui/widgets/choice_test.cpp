@@ -7,22 +7,20 @@ namespace {
 
 constexpr std::string_view views[] = {"Colour", "Matte", "False colour"};
 
-struct ChoiceTest : testing::TestWithParam<bool> {
+struct ChoiceTest : testing::Test {
     int chosen = 0, edits = 0;
     bool disabled = false;
     Harness ui{[this](Ui& u) {
         u.push_disabled(disabled);
-        const Edit edit = GetParam() ? segmented(u, "View", chosen, views) : radio(u, "View", chosen, views);
+        const Edit edit = segmented(u, "View", chosen, views);
         u.pop_disabled();
         EXPECT_EQ(edit.changed, edit.committed);
         edits += edit.changed;
         button(u, "After");
     }};
 };
-INSTANTIATE_TEST_SUITE_P(Both, ChoiceTest, testing::Bool(),
-                         [](const auto& each) { return each.param ? "Segmented" : "Radio"; });
 
-TEST_P(ChoiceTest, AClickChoosesAndIsSeenInTheSameFrame) {
+TEST_F(ChoiceTest, AClickChoosesAndIsSeenInTheSameFrame) {
     ui.click("View/Matte");
     EXPECT_EQ(chosen, 1);
     EXPECT_EQ(edits, 1);
@@ -32,7 +30,7 @@ TEST_P(ChoiceTest, AClickChoosesAndIsSeenInTheSameFrame) {
     EXPECT_EQ(edits, 1) << "it was chosen";
 }
 
-TEST_P(ChoiceTest, ArrowsChooseAndGoRound) {
+TEST_F(ChoiceTest, ArrowsChooseAndGoRound) {
     ui.focus("View/Colour").key(Key::right).key(Key::down);
     EXPECT_EQ(chosen, 2);
     EXPECT_EQ(ui.focused(), "View/False colour");
@@ -47,14 +45,14 @@ TEST_P(ChoiceTest, ArrowsChooseAndGoRound) {
     EXPECT_EQ(chosen, 2);
 }
 
-TEST_P(ChoiceTest, TabStopsOnceAtWhatIsChosen) {
+TEST_F(ChoiceTest, TabStopsOnceAtWhatIsChosen) {
     ui.click("View/Matte").key(Key::tab);
     EXPECT_EQ(ui.focused(), "After");
     ui.key(Key::tab);
     EXPECT_EQ(ui.focused(), "View/Matte");
 }
 
-TEST_P(ChoiceTest, ADisabledOneKeepsItsChoice) {
+TEST_F(ChoiceTest, ADisabledOneKeepsItsChoice) {
     disabled = true;
     ui.frame().click("View/Matte").key(Key::tab).key(Key::right);
     EXPECT_EQ(chosen, 0);
@@ -62,7 +60,7 @@ TEST_P(ChoiceTest, ADisabledOneKeepsItsChoice) {
     EXPECT_TRUE(ui.is("View/Matte", Is::disabled));
 }
 
-TEST_P(ChoiceTest, AChoiceThatIsNotThereIsBroughtIntoRange) {
+TEST_F(ChoiceTest, AChoiceThatIsNotThereIsBroughtIntoRange) {
     chosen = 9;
     ui.frame();
     EXPECT_EQ(chosen, 2);
@@ -72,14 +70,14 @@ TEST_P(ChoiceTest, AChoiceThatIsNotThereIsBroughtIntoRange) {
     EXPECT_EQ(edits, 0);
 }
 
-TEST_P(ChoiceTest, TheRolesAreThoseOfRadioButtonsInAGroup) {
+TEST_F(ChoiceTest, TheRolesAreThoseOfRadioButtonsInAGroup) {
     EXPECT_EQ(ui.node("View").role, Role::group);
     EXPECT_EQ(ui.node("View/Matte").role, Role::radio);
     EXPECT_TRUE(faults_of(ui.ui().tree()).empty());
     for (const std::string_view view : views) EXPECT_GE(ui.rect("View/" + std::string(view)).h, 24);
 }
 
-TEST_P(ChoiceTest, SteadyFramesAllocateNothing) {
+TEST_F(ChoiceTest, SteadyFramesAllocateNothing) {
     ui.click("View/Matte").move({600, 400});
     for (int i = 0; i < 200; ++i) ui.frame();
     const std::size_t before = test::allocations_so_far();

@@ -81,7 +81,7 @@ TEST(ParamValue, NothingJumpsWhenRangeScaleOrWayChangeInTheMiddle) {
         double raw = unit(random) * 20 - 5;
         const auto any = [&] {
             ParamOptions o{.minimum = -10 * unit(random) - 6, .maximum = 16 + 100 * unit(random)};
-            o.scale = unit(random) < 0.5 ? ValueScale::linear : ValueScale::symmetric;
+            o.scale = unit(random) < 0.5 ? ValueScale::linear : ValueScale::logarithmic;
             o.smallest = 0.1;
             return o;
         };

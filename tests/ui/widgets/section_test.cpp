@@ -71,21 +71,6 @@ TEST(Section, TellsHowManyValuesHaveChanged) {
     EXPECT_EQ(t.ui.tip("Bleeding/header"), "Of vessels");
 }
 
-TEST(Section, WithTheFilterOnlyThoseWithChangesAreThere) {
-    One t;
-    EXPECT_FALSE(changed_only(t.ui.ui()));
-    set_changed_only(t.ui.ui(), true);
-    t.ui.frame();
-    EXPECT_TRUE(t.ui.exists("Bleeding")) << "nobody knows whether it has";
-    t.changed = 0;
-    t.ui.frame();
-    EXPECT_FALSE(t.ui.exists("Bleeding"));
-    EXPECT_TRUE(t.ui.exists("After"));
-    t.changed = 1;
-    t.ui.frame();
-    EXPECT_TRUE(t.ui.exists("Bleeding/Speed"));
-}
-
 TEST(Section, ItsButtonsDoNotFoldIt) {
     One t;
     t.ui.click("Bleeding/Copy");

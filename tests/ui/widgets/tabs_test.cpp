@@ -13,16 +13,15 @@ struct Three {
     void build(Ui& u) {
         u.push_disabled(disabled);
         {
-            Tabs tabs(u, "Views", active, names, {.closable = closable});
-            if (tabs.closed() >= 0) closed = tabs.closed();
+            Tabs tabs(u, "Views", active, names);
             changes += tabs.changed() ? 1 : 0;
             button(u, u.join({"On ", names[static_cast<std::size_t>(active)]}));
         }
         u.pop_disabled();
     }
     std::vector<std::string_view> names;
-    int active = 0, closed = -1, changes = 0;
-    bool closable = false, disabled = false;
+    int active = 0, changes = 0;
+    bool disabled = false;
     Harness ui;
 };
 
@@ -73,20 +72,27 @@ TEST(Tabs, ControlAndPageKeysTurnPagesFromAnywhereInside) {
 }
 
 TEST(Tabs, AreClosedByTheCrossTheMiddleButtonAndDelete) {
-    Three t;
-    t.ui.click("Views/tabs/Scopes", {.button = Button::middle});
-    EXPECT_EQ(t.closed, -1) << "not these";
-    t.closable = true;
-    t.ui.frame().click("Views/tabs/Scopes", {.button = Button::middle});
-    EXPECT_EQ(t.closed, 1);
-    t.ui.click("Views/tabs/Video", {.at = {0.9F, 0.5F}});
-    EXPECT_EQ(t.closed, 2);
-    EXPECT_EQ(t.active, 0) << "a press on the cross does not choose";
-    t.closed = -1;
-    t.ui.press("Views/tabs/Video", {0.9F, 0.5F}).drag_by({-40, 0}).release();
-    EXPECT_EQ(t.closed, -1) << "let go beside the cross";
-    t.ui.focus("Views/tabs/Matte").key(Key::del);
-    EXPECT_EQ(t.closed, 0);
+    constexpr std::string_view names[] = {"Matte", "Scopes", "Video"};
+    int active = 0, closed = -1;
+    bool closable = false;
+    Harness ui([&](Ui& u) {
+        const TabEvents events = tab_strip(u, "tabs", active, names, {.closable = closable});
+        if (events.chosen >= 0) active = events.chosen;
+        if (events.closed >= 0) closed = events.closed;
+    });
+    ui.click("tabs/Scopes", {.button = Button::middle});
+    EXPECT_EQ(closed, -1) << "not these";
+    closable = true;
+    ui.frame().click("tabs/Scopes", {.button = Button::middle});
+    EXPECT_EQ(closed, 1);
+    ui.click("tabs/Video", {.at = {0.9F, 0.5F}});
+    EXPECT_EQ(closed, 2);
+    EXPECT_EQ(active, 0) << "a press on the cross does not choose";
+    closed = -1;
+    ui.press("tabs/Video", {0.9F, 0.5F}).drag_by({-40, 0}).release();
+    EXPECT_EQ(closed, -1) << "let go beside the cross";
+    ui.focus("tabs/Matte").key(Key::del);
+    EXPECT_EQ(closed, 0);
 }
 
 TEST(Tabs, WhatDoesNotFitScrollsIntoSightAndIsListed) {

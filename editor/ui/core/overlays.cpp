@@ -1,9 +1,7 @@
-#include "ui/core/overlay.h"
+#include "ui/core/overlays.h"
 
 #include <algorithm>
 #include <cassert>
-
-#include "ui/core/ui.h"
 
 namespace lapfx::ui {
 
@@ -16,10 +14,10 @@ Id key_of(std::string_view name) {
 
 }  // namespace
 
-void Ui::open_overlay(std::string_view name, OverlayKind kind, const Placement& placement) {
+void Overlays::open_overlay(std::string_view name, OverlayKind kind, const Placement& placement) {
     const Id key = key_of(name);
     std::erase_if(overlays_, [&](const Overlay& o) { return o.key == key; });
-    // A menu or a list cannot be used from under a dialog: it closes, and the keyboard comes back to what opened it.
+    // A menu or a list cannot be used while a dialog lies over it: it closes, and its opener gets the keyboard back.
     if (kind == OverlayKind::modal) close_popups();
     assert(overlays_.size() < 200);
     overlays_.push_back({.key = key,
@@ -32,7 +30,7 @@ void Ui::open_overlay(std::string_view name, OverlayKind kind, const Placement& 
     again_ = true;
 }
 
-void Ui::close_overlay(std::string_view name) {
+void Overlays::close_overlay(std::string_view name) {
     const auto at =
         std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
     if (at == overlays_.end()) return;
@@ -42,25 +40,25 @@ void Ui::close_overlay(std::string_view name) {
 }
 
 /// The top one that is not passive; a submenu with those it came from.
-void Ui::close_top_overlay() {
+void Overlays::close_top_overlay() {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
         if (overlays_[i].kind != OverlayKind::passive) return close_overlay_at(i);
     }
 }
 
-void Ui::close_overlay_at(std::size_t index) {
+void Overlays::close_overlay_at(std::size_t index) {
     set_focus(overlays_[index].opener_focus, ringed_);
     overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(index));
     again_ = true;
 }
 
 /// Those that are on top, down to a dialog.
-void Ui::close_popups() {
+void Overlays::close_popups() {
     for (std::size_t i = overlays_.size(); i-- > 0 && overlays_[i].kind != OverlayKind::modal;)
         if (overlays_[i].kind != OverlayKind::passive) close_overlay_at(i);
 }
 
-bool Ui::close_overlays_over(std::string_view name) {
+bool Overlays::close_overlays_over(std::string_view name) {
     const auto at =
         std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
     if (at == overlays_.end()) return false;
@@ -70,17 +68,17 @@ bool Ui::close_overlays_over(std::string_view name) {
     return over > 0;
 }
 
-bool Ui::overlay_on_top(std::string_view name) const {
+bool Overlays::overlay_on_top(std::string_view name) const {
     const auto top = std::find_if(overlays_.rbegin(), overlays_.rend(),
                                   [](const Overlay& o) { return o.kind != OverlayKind::passive; });
     return top != overlays_.rend() && top->key == key_of(name);
 }
 
-bool Ui::overlay_open(std::string_view name) const {
+bool Overlays::overlay_open(std::string_view name) const {
     return std::any_of(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
 }
 
-Node* Ui::open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis) {
+Node* Overlays::open_overlay_node(std::string_view name, Role role, std::string_view label, Axis axis) {
     const auto at =
         std::find_if(overlays_.begin(), overlays_.end(), [&](const Overlay& o) { return o.key == key_of(name); });
     if (at == overlays_.end()) return nullptr;
@@ -102,18 +100,17 @@ Node* Ui::open_overlay_node(std::string_view name, Role role, std::string_view l
     return &node;
 }
 
-/// Where an overlay's widget was, for when it is scrolled away or no longer built.
-void Ui::remember_anchors() {
+/// Keeps the rectangle of the widget that an overlay belongs to, in case it is scrolled away or no longer built.
+void Overlays::remember_anchors() {
     for (Overlay& overlay : overlays_) {
-        const Id anchor = overlay.placement.anchor;
-        const Seen* seen = anchor == 0 ? nullptr : seen_.find(anchor);
-        if (seen != nullptr && seen->build == build_) overlay.placement.rect = nodes()[seen->node].rect();
+        const std::uint32_t anchor = index_now(overlay.placement.anchor);
+        if (anchor != no_node) overlay.placement.rect = nodes()[anchor].rect();
     }
 }
 
-void Ui::drop_overlays_not_built() {
+void Overlays::drop_overlays_not_built() {
     for (std::size_t i = overlays_.size(); i-- > 0;) {
-        // one opened in this build may be built in the next: what opens it can stand after what builds it
+        // an overlay opened in this build is built in the next if its opener comes after the code that builds it
         if (overlays_[i].built == build_ || overlays_[i].opened_build == build_) continue;
         const Overlay gone = overlays_[i];
         overlays_.erase(overlays_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -123,7 +120,7 @@ void Ui::drop_overlays_not_built() {
     }
 }
 
-void Ui::focus_new_overlay() {
+void Overlays::focus_new_overlay() {
     for (std::size_t i = 0; i < overlays_.size(); ++i) {
         Overlay& overlay = overlays_[i];
         if (!overlay.wants_focus || overlay.built != build_ || overlay_roots_[i] == no_node) continue;
@@ -136,6 +133,14 @@ void Ui::focus_new_overlay() {
         }
         again_ = true;
     }
+}
+
+/// The layer of the overlay that has the keyboard; 0: the window.
+std::uint8_t Overlays::focus_layer() const {
+    for (std::size_t i = overlays_.size(); i-- > 0;) {
+        if (overlays_[i].kind != OverlayKind::passive) return static_cast<std::uint8_t>(i + 1);
+    }
+    return 0;
 }
 
 }  // namespace lapfx::ui
