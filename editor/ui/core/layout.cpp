@@ -193,14 +193,27 @@ std::uint32_t find_before(std::span<const Node> nodes, std::uint32_t index, Id i
     return no_node;
 }
 
-bool put(std::span<Node> nodes, int a, float window) {
+/// What is seen of the window through the nodes around it.
+void clip(std::span<Node> nodes, Node& node, const Rect& window) {
+    if (node.parent == no_node || node.overlay) {
+        node.clip = window;
+        return;
+    }
+    const Node& parent = nodes[node.parent];
+    node.clip = parent.clips ? intersect(parent.clip, parent.rect()) : parent.clip;
+}
+
+/// Parents before children; `placed(node)` once the node itself has its place along this axis.
+template <typename Placed>
+bool put(std::span<Node> nodes, int a, float window, Placed&& placed) {
     bool moved = false;
     nodes[0].at[a] = 0;
     nodes[0].extent[a] = window;
     for (std::uint32_t i = 0; i < nodes.size(); ++i) {
         Node& node = nodes[i];
-        if (node.first == no_node && node.scroll == nullptr && !node.overlay) continue;  // nothing in it to place
         if (node.overlay) put_overlay(nodes, node, find_before(nodes, i, node.placement->anchor), a, window);
+        placed(node);
+        if (node.first == no_node && node.scroll == nullptr) continue;
         const float inside = std::max(0.0F, node.extent[a] - pads(node, a));
         if (node.scroll != nullptr) moved |= keep_scroll(node, a, inside);
         if (node.first == no_node) continue;
@@ -217,28 +230,16 @@ bool put(std::span<Node> nodes, int a, float window) {
     return moved;
 }
 
-void clip(std::span<Node> nodes, const Rect& window) {
-    for (Node& node : nodes) {
-        if (node.parent == no_node || node.overlay) {
-            node.clip = window;
-            continue;
-        }
-        const Node& parent = nodes[node.parent];
-        node.clip = parent.clips ? intersect(parent.clip, parent.rect()) : parent.clip;
-    }
-}
-
 }  // namespace
 
 bool lay_out(Ui& ui, std::span<Node> nodes, glm::vec2 window) {
     wish(nodes, 0);
-    bool moved = put(nodes, 0, window.x);
-    for (Node& node : nodes) {  // text that wraps: its height follows from the width it has got
+    bool moved = put(nodes, 0, window.x, [&ui](Node& node) {  // text that wraps: its height follows from its width
         if (node.height_for_width != nullptr) node.size[1] = px(node.height_for_width(ui, node, node.extent[0]));
-    }
+    });
     wish(nodes, 1);
-    moved |= put(nodes, 1, window.y);
-    clip(nodes, {0, 0, window.x, window.y});
+    const Rect all{0, 0, window.x, window.y};
+    moved |= put(nodes, 1, window.y, [&](Node& node) { clip(nodes, node, all); });
     return moved;
 }
 
