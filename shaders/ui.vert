@@ -125,7 +125,7 @@ void main() {
 
 #else
 
-// Packed as editor/ui/draw/painter.h says. v_place.x becomes the distance across the wipe's line, px.
+// Packed as editor/ui/paint/painter.h says. v_place.x becomes the distance across the wipe's line, px.
 void unpack_compare(vec2 at) {
     float angle = float(a_uv.y) / 65536.0 * 6.28318530718;
     vec2 normal = vec2(cos(angle), sin(angle));

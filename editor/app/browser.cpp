@@ -9,7 +9,7 @@
 #include "app/screen.h"
 #include "app/settings.h"
 #include "lapfx/authoring/file.h"
-#include "ui/core/id.h"
+#include "ui/value/id.h"
 #include "ui/widgets/combo.h"
 
 namespace lapfx::app {

@@ -2,9 +2,9 @@
 #include "gallery/parts.h"
 #include "ui/shell/dialog.h"
 #include "ui/shell/key_editor.h"
-#include "ui/shell/menu.h"
 #include "ui/shell/progress.h"
 #include "ui/shell/status_bar.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/text_field.h"
 
 namespace lapfx::gallery {

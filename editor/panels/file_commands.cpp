@@ -5,7 +5,7 @@
 #include "app/files.h"
 #include "app/settings.h"
 #include "panels/panels.h"
-#include "ui/shell/menu.h"
+#include "ui/widgets/menu.h"
 
 namespace lapfx::panels {
 

@@ -4,7 +4,7 @@
 
 #include "panels/panels.h"
 #include "panels/parts.h"
-#include "ui/shell/menu.h"
+#include "ui/widgets/menu.h"
 
 namespace lapfx::panels {
 

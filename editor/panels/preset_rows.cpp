@@ -2,8 +2,8 @@
 
 #include "app/tuning.h"
 #include "panels/table_rows.h"
-#include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/param.h"
 
 namespace lapfx::panels {

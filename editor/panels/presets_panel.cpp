@@ -4,8 +4,8 @@
 #include "app/files.h"
 #include "panels/panels.h"
 #include "ui/shell/dialog.h"
-#include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/text_field.h"
 #include "ui/widgets/thumbnails.h"
 

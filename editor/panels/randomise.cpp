@@ -4,9 +4,9 @@
 #include <cmath>
 
 #include "document/words.h"
-#include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
 #include "ui/widgets/field.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/param.h"
 
 namespace lapfx::panels {

@@ -30,6 +30,8 @@ INCLUDE = re.compile(r'^[ \t]*#[ \t]*include[ \t]*(?:"([^"]+)"|<([^>]+)>)', re.M
 STANDARD = re.compile(r"[a-z_0-9]+")
 # Of editor/, but its toolkit: a folder may include those below it, and those that share its number and are itself.
 EDITOR_LEVELS = {"document": 0, "output": 0, "app": 1, "panels": 2, "gallery": 2, "window": 2, "commands": 3}
+# Of its toolkit, editor/ui/: events in, list of shapes out; gl/ draws that list.
+TOOLKIT_LEVELS = {"value": 0, "draw": 1, "text": 2, "paint": 3, "gl": 4, "core": 4, "widgets": 5, "canvas": 6, "shell": 7}
 GL = ("glad/", "GL/", "EGL/", "GLES", "KHR/")
 
 
@@ -93,12 +95,21 @@ def effects_fault(path, target):
     return None
 
 
-def toolkit_fault(target, name):
-    """The UI toolkit: events in, draw list out."""
+def toolkit_fault(path, target, name):
+    """The UI toolkit: events in, draw list out; a folder knows those below it."""
     if name.startswith("GLFW/"):
         return "the UI toolkit does not know the window system"
     if target is not None and not target.startswith("editor/ui/"):
         return "the UI toolkit stands alone"
+    if target is None:
+        return None
+    here, there = (file.split("/")[2] for file in (path, target))
+    if here == there or "/" not in path[len("editor/ui/"):]:
+        return None
+    if here not in TOOLKIT_LEVELS or there not in TOOLKIT_LEVELS:
+        return f"editor/ui/{here if here not in TOOLKIT_LEVELS else there} has no level in {os.path.basename(__file__)}"
+    if TOOLKIT_LEVELS[there] >= TOOLKIT_LEVELS[here]:
+        return f"editor/ui/{there} is above or beside editor/ui/{here}"
     return None
 
 
@@ -134,7 +145,7 @@ def fault_of(path, target, name):
     if path.startswith("effects/"):
         return effects_fault(path, target)
     if path.startswith("editor/ui/"):
-        return toolkit_fault(target, name)
+        return toolkit_fault(path, target, name)
     if path.startswith("editor/"):
         return outside_fault(path, target) or editor_fault(path, target, name)
     if path.startswith("samples/"):
@@ -251,6 +262,10 @@ EXAMPLES = [
     ("the UI toolkit does not know the window system", {"editor/ui/input.h": "#include <GLFW/glfw3.h>"}),
     ("the UI toolkit stands alone", {"editor/ui/a.cpp": '#include "lapfx/preset.h"', PUBLIC + "preset.h": ""}),
     ("the UI toolkit stands alone", {"editor/ui/a.cpp": '#include "panels/b.h"', "editor/panels/b.h": ""}),
+    ("editor/ui/widgets is above or beside editor/ui/core",
+     {"editor/ui/core/a.cpp": '#include "ui/widgets/b.h"', "editor/ui/widgets/b.h": ""}),
+    ("editor/ui/new has no level", {"editor/ui/new/a.cpp": '#include "ui/core/b.h"', "editor/ui/core/b.h": ""}),
+    (None, {"editor/ui/shell/a.cpp": '#include "ui/core/b.h"', "editor/ui/core/b.h": ""}),
     ("editor/panels does not know OpenGL", {"editor/panels/a.cpp": "#include <glad/gl.h>"}),
     ("what is edited knows nothing of the UI",
      {"editor/document/a.cpp": '#include "ui/b.h"', "editor/ui/b.h": ""}),

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <string_view>
 
-#include "ui/core/theme.h"
+#include "ui/paint/theme.h"
 #include "ui/value/number.h"
 
 namespace lapfx::ui {

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <string_view>
 
-#include "ui/core/geometry.h"
-#include "ui/core/id.h"
+#include "ui/value/geometry.h"
+#include "ui/value/id.h"
 
 namespace lapfx::ui {
 

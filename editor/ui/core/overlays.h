@@ -1,4 +1,5 @@
-// What lies over the window. Menus (shell/menu.h), dialogs (shell/dialog.h) and the lists of fields are made with this.
+// What lies over the window. Menus (widgets/menu.h), dialogs (shell/dialog.h) and the lists of fields are made with
+// this.
 #pragma once
 
 #include "ui/core/input.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "ui/draw/painter.h"
+#include "ui/paint/painter.h"
 
 namespace lapfx::ui {
 

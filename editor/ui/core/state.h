@@ -17,9 +17,9 @@
 #include "ui/core/node.h"
 #include "ui/core/overlay.h"
 #include "ui/core/state_table.h"
-#include "ui/core/theme.h"
 #include "ui/draw/images.h"
-#include "ui/draw/painter.h"
+#include "ui/paint/painter.h"
+#include "ui/paint/theme.h"
 #include "ui/text/fonts.h"
 
 namespace lapfx::ui {

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "ui/core/closed_list.h"
+#include "ui/value/closed_list.h"
 
 namespace lapfx::ui {
 

@@ -14,7 +14,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/core/geometry.h"
+#include "ui/value/geometry.h"
 
 namespace lapfx::ui {
 
@@ -27,7 +27,7 @@ enum class InstanceKind : std::uint8_t {
     gradient,  ///< from `rgba` to the colour in uv[0..1] (low 16 bits first); uv[2]: 0 left to right, 1 top to bottom
     checker,   ///< squares of uv[0] px, `rgba` over the colour in uv[2..3]: what lies behind transparency
     shadow,    ///< a soft rectangle: full inside, gone uv[0] px outside
-    compare,   ///< the batch's two images: see CompareInstance in draw/painter.h
+    compare,   ///< the batch's two images: see CompareInstance in paint/painter.h
 };
 
 struct Instance {

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <stdexcept>
 
-#include "ui/core/closed_list.h"
-#include "ui/draw/painter.h"
+#include "ui/paint/painter.h"
+#include "ui/value/closed_list.h"
 
 namespace lapfx::ui {
 

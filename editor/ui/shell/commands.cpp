@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "ui/core/closed_list.h"
-#include "ui/shell/menu.h"
+#include "ui/value/closed_list.h"
+#include "ui/widgets/menu.h"
 
 namespace lapfx::ui {
 

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/core/closed_list.h"
 #include "ui/core/paragraph.h"
 #include "ui/shell/dialog.h"
+#include "ui/value/closed_list.h"
 #include "ui/widgets/literal.h"
 #include "ui/widgets/scroll.h"
 

@@ -6,7 +6,7 @@
 
 #include FT_OUTLINE_H
 
-#include "ui/core/closed_list.h"
+#include "ui/value/closed_list.h"
 
 namespace lapfx::ui {
 

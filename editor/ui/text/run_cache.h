@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "ui/core/id.h"
 #include "ui/text/fonts.h"
 #include "ui/text/index_table.h"
+#include "ui/value/id.h"
 
 namespace lapfx::ui {
 

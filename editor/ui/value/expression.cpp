@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "ui/core/closed_list.h"
+#include "ui/value/closed_list.h"
 #include "ui/value/utf8.h"
 
 namespace lapfx::ui {

@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "ui/core/closed_list.h"
 #include "ui/core/paragraph.h"
+#include "ui/value/closed_list.h"
 
 namespace lapfx::ui {
 

@@ -2,7 +2,7 @@
 
 #include <charconv>
 
-#include "ui/shell/menu.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/splitter.h"
 #include "ui/widgets/tabs.h"
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "ui/shell/menu.h"
 #include "ui/widgets/field.h"
+#include "ui/widgets/menu.h"
 
 namespace lapfx::ui {
 

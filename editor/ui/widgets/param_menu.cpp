@@ -1,5 +1,5 @@
 // What a right click on a number offers, and the fields that set its range.
-#include "ui/shell/menu.h"
+#include "ui/widgets/menu.h"
 #include "ui/widgets/param_parts.h"
 
 namespace lapfx::ui {

@@ -1,7 +1,7 @@
 #include "ui/widgets/tabs.h"
 
-#include "ui/shell/menu.h"
 #include "ui/widgets/basic.h"
+#include "ui/widgets/menu.h"
 
 namespace lapfx::ui {
 

@@ -8,8 +8,8 @@
 #include <optional>
 
 #include "support/image_compare.h"
-#include "ui/draw/painter.h"
 #include "ui/gl/renderer.h"
+#include "ui/paint/painter.h"
 #include "ui/support/gl_context.h"
 #include "ui/support/picture.h"
 #include "ui/support/shape_reference.h"

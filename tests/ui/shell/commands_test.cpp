@@ -2,8 +2,8 @@
 
 #include <gmock/gmock.h>
 
-#include "ui/shell/menu.h"
 #include "ui/support/harness.h"
+#include "ui/widgets/menu.h"
 
 namespace lapfx::ui {
 namespace {

@@ -4,7 +4,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
-#include "ui/core/geometry.h"
+#include "ui/value/geometry.h"
 
 namespace lapfx::ui::test {
 

@@ -1,4 +1,4 @@
-#include "ui/core/theme.h"
+#include "ui/paint/theme.h"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "ui/shell/menu.h"
+#include "ui/widgets/menu.h"
 
 #include <array>
 

@@ -1,4 +1,4 @@
-#include "ui/core/id.h"
+#include "ui/value/id.h"
 
 #include <gtest/gtest.h>
 

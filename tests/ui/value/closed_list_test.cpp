@@ -1,8 +1,8 @@
-#include "ui/core/closed_list.h"
+#include "ui/value/closed_list.h"
 
 #include <cstdint>
 
-#include "ui/draw/painter.h"
+#include "ui/paint/painter.h"
 #include "ui/support/harness.h"
 
 namespace lapfx::ui {

@@ -5,8 +5,8 @@
 //     B x0 y0 x1 y1   solid rectangle   F x0 y0 x1 y1   its frame                    clockwise from the right
 #include <array>
 
-#include "ui/core/closed_list.h"
-#include "ui/draw/painter.h"
+#include "ui/paint/painter.h"
+#include "ui/value/closed_list.h"
 
 namespace lapfx::ui {
 

@@ -1,8 +1,8 @@
 // Colours and metrics of the UI. Two themes, dark and light, both name every colour (theme.cpp); pairs of text and
-// ground have a contrast of 4.5 or more (tests/ui/core/theme_test.cpp).
+// ground have a contrast of 4.5 or more (tests/ui/paint/theme_test.cpp).
 #pragma once
 
-#include "ui/core/geometry.h"
+#include "ui/value/geometry.h"
 
 namespace lapfx::ui {
 

@@ -1,4 +1,4 @@
-#include "ui/draw/painter.h"
+#include "ui/paint/painter.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

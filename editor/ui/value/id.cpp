@@ -1,4 +1,4 @@
-#include "ui/core/id.h"
+#include "ui/value/id.h"
 
 #define XXH_INLINE_ALL
 #include <xxhash.h>

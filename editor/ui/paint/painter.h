@@ -5,8 +5,8 @@
 #include <string>
 #include <string_view>
 
-#include "ui/core/theme.h"
 #include "ui/draw/images.h"
+#include "ui/paint/theme.h"
 #include "ui/text/fonts.h"
 
 namespace lapfx::ui {
