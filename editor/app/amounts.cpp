@@ -35,11 +35,10 @@ void AmountSeries::add(double time, const Amounts& amounts) {
     of(AmountKind::bleeding_wounds).push_back(amounts.bleeding_wounds);
 }
 
-/// Kept from job to job: what has not changed costs nothing then. A job that was cancelled may still be in it for a
-/// moment.
+/// Kept from job to job, so that what has not changed is not worked out again. A job that was cancelled may still use
+/// it for a moment.
 struct AmountsOverTime::Model {
-    /// Gives back what it takes, the organ among it, which nobody else may need. False while a job works with it. UI
-    /// thread.
+    /// Frees its memory, also the organ, which nobody else may need. False while a job uses it. UI thread.
     bool let_go() {
         const std::unique_lock lock(mutex, std::try_to_lock);
         if (!lock) return false;
@@ -80,7 +79,7 @@ void AmountsOverTime::lay_over(AmountSeries series) {
 
 void AmountsOverTime::update(double now) {
     due_ = never;
-    if (job_ && job_->cancelled()) {  // by whoever lists jobs: it is not begun anew until something changes
+    if (job_ && job_->cancelled()) {  // by the list of jobs: it starts again when something changes
         job_.reset();
         known_ = asked_;
         stopped_ = true;
@@ -89,7 +88,7 @@ void AmountsOverTime::update(double now) {
     if (std::exchange(wanted_, false)) {
         held_ = true;
         follow(now);
-    } else if (held_ && !job_) {  // nobody looks: what has been worked out is enough
+    } else if (held_ && !job_) {  // nobody looks any more: the results stay, the model goes
         held_ = !model_->let_go();
     }
 }
@@ -109,10 +108,10 @@ void AmountsOverTime::follow(double now) {
         start();
     else
         due_ = changed_at_ + settled_after;
-    if (settled && !job_ && known_ != wanted_content_) due_ = now + look_again;  // the organ is on its way
+    if (settled && !job_ && known_ != wanted_content_) due_ = now + look_again;  // the organ is still being loaded
 }
 
-/// It is on its way, or the preview tells what keeps it.
+/// The organ is still being loaded, or the preview knows why it cannot be.
 void AmountsOverTime::without_organ() {
     const std::vector<Fault>& faults = preview_.organ_faults();
     if (preview_.loading() || faults.empty()) return;

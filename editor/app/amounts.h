@@ -29,7 +29,7 @@ enum class AmountKind : std::uint8_t { blood_area, blood_volume, haze, bleeding_
 
 struct AmountInfo {
     std::string_view name, unit;
-    int decimals;  ///< that tell something
+    int decimals;  ///< to show: more would say nothing
     std::string_view help;
 };
 inline constexpr std::array<AmountInfo, 4> amount_infos = {{
@@ -39,7 +39,7 @@ inline constexpr std::array<AmountInfo, 4> amount_infos = {{
     {"Wounds bleeding", "", 0, "Wounds whose blood is still spreading."},
 }};
 
-/// What something gave over a scene's time.
+/// Amounts over a scene's time: of the scene itself, or of what it is compared with.
 struct AmountSeries {
     std::string name;           ///< "Scene", "Reference", "A"
     std::vector<double> times;  ///< s, ascending
@@ -65,20 +65,20 @@ class AmountsOverTime {
     /// When update() wants to be called next, s; infinity: whenever.
     double due() const { return due_; }
 
-    /// Null: nothing is known yet. Of an older state of the document while it is stale().
+    /// Null while nothing is known yet; while stale(), those of an older state of the document.
     const AmountSeries* scene() const { return scene_ ? scene_.get() : nullptr; }
     bool stale() const;
-    bool stopped() const { return stopped_; }  ///< by the person: again() or a change goes on
+    bool stopped() const { return stopped_; }  ///< by a person, until again() or a change
     void again() { known_ = 0, stopped_ = false; }
     /// A panel that shows them wants another frame, at due(): nothing else would make what it shows new.
     bool wants_frame() const { return stale() && (!busy() || exact_); }
     bool has_organ() const { return !document_.scene().organ.file.empty(); }  ///< without one there are none
-    bool busy() const { return job_ != nullptr; }  ///< a job is at it; it wakes the UI at its end
+    bool busy() const { return job_ != nullptr; }  ///< a job works them out; its end wakes the UI
     /// Why they cannot be worked out.
     const std::vector<Fault>& faults() const { return faults_; }
 
-    /// Laid over the scene's by those who have others, a reference or a snapshot: set() with the same name replaces,
-    /// without times takes away.
+    /// Adds a series to compare the scene's with, such as a snapshot's. It replaces a series of the same name; without
+    /// times it only removes that one.
     void lay_over(AmountSeries series);
     const std::vector<AmountSeries>& others() const { return others_; }
     /// Changes when any series does.
@@ -98,11 +98,11 @@ class AmountsOverTime {
     bool held_ = false;                    // the model may hold something
     std::uint64_t followed_ = 0;           // version of the document
     std::uint64_t organ_ = 0;              // and of the preview's organ
-    document::Content of_;                 // what the amounts were last seen to depend on
-    std::uint64_t wanted_content_ = 0;     // counts those
-    std::uint64_t known_ = 0, asked_ = 0;  // the same, of scene_ or its faults, and of the job
+    document::Content of_;                 // the content that the amounts are wanted of
+    std::uint64_t wanted_content_ = 0;     // counts such contents
+    std::uint64_t known_ = 0, asked_ = 0;  // that count, for scene_ or its faults, and for the job
     double changed_at_ = 0.0, due_ = std::numeric_limits<double>::infinity();
-    std::shared_ptr<Model> model_;  // of the jobs, one after the other
+    std::shared_ptr<Model> model_;  // used by one job after the other
     std::shared_ptr<Job> job_;
     std::shared_ptr<const AmountSeries> scene_;
     std::vector<Fault> faults_;

@@ -28,7 +28,7 @@ std::string name_of(const std::filesystem::path& file, const std::string& name, 
     return name.empty() ? std::string("a new ") + kind : name;
 }
 
-/// The newest that can be read.
+/// Takes the newest kept state that can be read.
 bool read_newest(Autosave::Offer& offer) {
     for (const auto& file : offer.left.files) {
         try {
@@ -89,7 +89,7 @@ void Autosave::update(double now) {
             if (std::isinf(due_)) latest_ = now + wait;
             due_ = std::min(now + pause, latest_);
         }
-        // Saved: what is kept says so at once, or a crash would offer work that is on the disk.
+        // It was saved: this is written down at once, or a crash would offer work that is on the disk already.
         if (!unsaved && unsaved_ && written_) due_ = latest_ = now;
         if (!unsaved && !written_) due_ = never;
         if (!unsaved && unsaved_) {
@@ -111,7 +111,7 @@ void Autosave::update(double now) {
 
 void Autosave::write(double now) {
     due_ = never;
-    if (writer_.busy()) {  // a slow disk: the next one holds this as well
+    if (writer_.busy()) {  // a slow disk: the next write has this, too
         due_ = latest_ = now + 1;
         return;
     }
@@ -166,7 +166,7 @@ void Autosave::find() {
     if (state_folder_.empty()) return;
     for (document::LeftBehind& left : document::find_left_behind(folder_in(state_folder_))) {
         Offer offer{.left = std::move(left), .kept = {}, .name = {}, .unsaved = {}, .notes = {}};
-        if (!read_newest(offer)) continue;  // of another version: it stays for that
+        if (!read_newest(offer)) continue;  // written by another version, which may still read it
         const document::Kept& k = offer.kept;
         if (!k.scene_unsaved && !k.preset_unsaved) continue;
         offer.name = name_of(k.scene_file, k.content.scene.name, "scene") + ", " +
@@ -178,7 +178,7 @@ void Autosave::find() {
 
 namespace {
 
-/// What lies in a file, if that is still what the work began with.
+/// Reads a file, if it still is the one that the work began with.
 template <typename Read>
 auto in_file(const std::filesystem::path& file, const document::OnDisk& known, Read read)
     -> std::optional<decltype(read(file))> {

@@ -1,9 +1,9 @@
 // What is not saved yet, kept in the user's state folder, and offered again after a crash.
 //
-// Kept when nothing has been changed for 2 s, 5 s after the first change at the latest, when something went wrong, and
-// once more when it has been saved. Written on a thread of its own. What is kept goes when the editor ends with
-// everything saved or given up by choice (end()); after a crash it stays, and find() of the next editor offers it. What
-// was recovered stays as well, until the recovered work is saved.
+// It is kept 2 s after the last change, but no later than 5 s after the first one; at once when something goes wrong;
+// and once more when it has been saved. Written on a thread of its own. end() removes it, when everything has been
+// saved or given up by choice. After a crash it stays, and find() of the next editor offers it. What was recovered
+// stays as well, until that work is saved.
 #pragma once
 
 #include <cstdint>
@@ -41,7 +41,7 @@ class Autosave {
     void end();
 
     // --- after a crash ----------------------------------------------------------------------------------------------
-    /// What an ended editor left, and nobody else is offered now.
+    /// What an editor that ended by a fault had not saved, and no other editor offers now.
     struct Offer {
         document::LeftBehind left;
         document::Kept kept;
@@ -68,13 +68,14 @@ class Autosave {
     Notices& notices_;
     std::filesystem::path state_folder_;
     std::uint64_t faults_seen_ = 0;  ///< of notices_
-    document::KeepFolder folder_;    ///< of the writer's thread, but when nothing runs there
+    document::KeepFolder folder_;    ///< used by the writer's thread; by others only while nothing runs there
     std::uint64_t seen_ = 0;         ///< state() when it was last looked at
     bool unsaved_ = false, written_ = false, told_ = false, soon_ = false;
-    double due_ = std::numeric_limits<double>::infinity(), latest_ = due_;  ///< s; of what changes again and again
+    /// s; `latest_`: the limit while changes go on.
+    double due_ = std::numeric_limits<double>::infinity(), latest_ = due_;
     std::vector<Offer> offers_;
     std::vector<document::LeftBehind> recovered_;
-    Jobs writer_;  ///< last: its thread ends first
+    Jobs writer_;  ///< declared last, so that its thread ends first
 };
 
 }  // namespace lapfx::app

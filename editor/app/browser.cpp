@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_files = 2000;  // of a folder; what comes after is left out
+constexpr std::size_t most_files = 2000;  // read from one folder; more are left out
 constexpr std::size_t longest = std::size_t{4} << 20;
 constexpr double thumbnail_at = 0.6;  // of the scene's duration: blood and smoke are both there
 
@@ -43,7 +43,7 @@ std::vector<std::string> split_tags(std::string_view text) {
     return tags;
 }
 
-/// What comes after "format":, of a file that may be cut off anywhere; empty: no text does.
+/// The text after "format": in a file that may be cut off anywhere; empty: there is none.
 std::string_view format_of(std::string_view text) {
     constexpr std::string_view key = "\"format\"", space = " \t\r\n";
     const std::size_t found = text.find(key);
@@ -57,7 +57,7 @@ std::string_view format_of(std::string_view text) {
     return text.substr(1, text.find('"', 1) - 1);
 }
 
-/// A scene or a schema lies in such folders, too. What cannot be told may be a preset that is broken.
+/// Scenes and schemas lie in such folders, too. A file whose format cannot be told may be a broken preset.
 bool other_kind(std::string_view text) {
     const std::string_view format = format_of(text);
     return format == "lapfx.scene" || (format.empty() && text.find("\"$schema\"") != std::string_view::npos);
@@ -74,7 +74,7 @@ std::uint64_t key_of(const fs::path& path) {
     return ui::hash_bytes(0, path.string()) >> 1;
 }
 
-/// False: it is no preset.
+/// False: the file is no preset.
 bool read_preset(const fs::path& path, PresetFile& file) {
     std::error_code error;
     file.file = path;
@@ -209,7 +209,7 @@ void Browser::render_with(const fs::path& program) {
     maker_ = std::make_unique<ThumbnailMaker>(std::move(options));
 }
 
-/// On the scene that is open, as its file is, else on the sample.
+/// On the scene that is open, as it lies in its file; without one, on the sample.
 void Browser::want_thumbnails() {
     if (maker_ == nullptr) start_maker();
     const fs::path& open = document_.scene_file();
@@ -244,7 +244,7 @@ void Browser::show() {
 }
 
 void Browser::update(double) {
-    if (scanning_ && scanning_->cancelled()) scanning_.reset();  // by whoever lists jobs; "Look again" reads anew
+    if (scanning_ && scanning_->cancelled()) scanning_.reset();  // by the list of jobs; "Look again" starts it again
     take_thumbnails();
     const bool seen = std::exchange(shown_, false);
     if (!seen) {

@@ -77,10 +77,9 @@ class Browser {
     void remove_folder(const std::filesystem::path& folder);
     const std::vector<std::string>& own_folders() const;  ///< those that were added
 
-    /// Another program than this one renders thumbnails, although pictures of the editor must not wait for them: for
-    /// tests.
+    /// For tests: thumbnails are rendered by this program, even where the options say that none are rendered.
     void render_with(const std::filesystem::path& program);
-    /// What is there now and what is still to come; for tests and the panel's status.
+    /// Whether folders are still to be read or thumbnails still to come.
     bool busy() const;
 
   private:
@@ -106,7 +105,7 @@ class Browser {
     std::vector<PresetFile> files_;
     std::vector<std::string> tags_, chosen_tags_;
     std::vector<std::size_t> found_;
-    bool sorted_ = false;  ///< found_ holds for tags and files as they are, and for these three
+    bool sorted_ = false;  ///< found_ is up to date for tags, files and the three values below
     std::string found_for_;
     PresetOrder found_order_ = PresetOrder::name;
     bool found_stars_ = false;

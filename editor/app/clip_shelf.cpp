@@ -18,9 +18,9 @@ namespace {
 
 constexpr glm::ivec2 thumbnail_size{128, 72};
 constexpr double between_asking = 0.25;  // s
-constexpr std::size_t most_clips = 64;   // of a preset's table
+constexpr std::size_t most_clips = 64;   // as many as the table of presets allows
 
-/// What a job finds out of a file.
+/// What a job has found out about a file.
 struct Found {
     fs::path path;
     ClipReport report;
@@ -36,7 +36,7 @@ std::string within(const fs::path& path, const fs::path& folder) {
     return relative.generic_string();
 }
 
-/// Whole numbers without decimals, else one.
+/// A whole number without decimals, any other with one.
 std::string short_number(double value) {
     const auto tenths = std::llround(10 * value);
     std::string text = std::to_string(tenths / 10);
@@ -68,7 +68,7 @@ Error cannot_copy(const fs::path& from, const fs::path& to, const std::string& r
             Fault{.file = to.string(), .place = "", .reason = "cannot copy " + from.string() + ": " + reason}};
 }
 
-/// Never half a file: written beside, then renamed. False: cancelled.
+/// Written under another name, then renamed: there is never half a file. False: cancelled.
 bool copy_file(const fs::path& from, const fs::path& to, const std::function<bool(std::uintmax_t)>& goes_on) {
     const Beside part(to, Beside::Kind::file, to.extension().string());
     std::ifstream in(from, std::ios::binary);
@@ -83,7 +83,7 @@ bool copy_file(const fs::path& from, const fs::path& to, const std::function<boo
     }
     out.close();
     if (!out || in.bad()) throw cannot_copy(from, to, in.bad() ? "it cannot be read" : "the disk is full or failing");
-    report_clip(part.path());  // what is copied is a clip, and a whole one
+    report_clip(part.path());  // throws where the copy is no clip, or not a whole one
     std::error_code error;
     fs::rename(part.path(), to, error);
     if (error) throw cannot_copy(from, to, error.message());
@@ -135,7 +135,7 @@ void ClipShelf::look(const std::string& key, const std::string& file) {
         KeyingReader reader(found->path, &job.stop());
         found->report = reader.report();
         KeyingFrame frame;
-        reader.read(found->report.frames * 2 / 5, frame, &job.stop());  // smoke is there by then, as a rule
+        reader.read(found->report.frames * 2 / 5, frame, &job.stop());  // most clips show smoke by then
         found->thumbnail = shrunk(source_picture(frame), thumbnail_size);
         return [=, this] {
             ClipFacts& facts = known_[key];

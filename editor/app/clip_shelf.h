@@ -61,17 +61,17 @@ class ClipShelf {
     /// Once before each frame. `now`: s.
     void update(double now);
 
-    /// Of the preset's clips, by number; of a number that is none, nothing is known.
+    /// Of the preset's clip of this number; facts without content where there is none.
     const ClipFacts& of(std::size_t clip) const;
     /// How it plays in the preview, a few times a second; null: not in it.
     const ClipStatus* playing(std::size_t clip) const;
     /// All that is wrong with a clip, file and values, a line each.
     const std::vector<std::string>& faults(std::size_t clip) const;
-    /// Not inside of the folder that the preset file is in, nor on the search path: its name would not be found again.
-    /// Copy it.
+    /// It lies neither in the folder of the preset file nor on the search path, so a preset cannot name it. It can be
+    /// copied.
     bool outside(std::size_t clip) const;
     bool any_outside() const;
-    /// Where the preset's clips are to lie; empty: nobody knows yet.
+    /// The folder that the preset's clips belong in; empty while the preset has no folder yet.
     std::filesystem::path home() const;
     /// All files are looked through anew: they have changed on the disk.
     void look_again();
@@ -82,7 +82,7 @@ class ClipShelf {
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
     /// Copies every clip that lies outside into home(), by a job, and names it there.
     void copy_beside();
-    /// Copies the clips that a preset in `folder` could not name into it, by a job, names the copies, and goes on with
+    /// Copies into `folder`, by a job, the clips that a preset there could not name, and uses the copies. Then calls
     /// `then`.
     void copy_to(const std::filesystem::path& folder, std::function<void()> then);
     /// A job of add() or copy_beside(); null: none runs.

@@ -99,14 +99,15 @@ Shot Editor::shot() const {
             .scale = scene_scale()};
 }
 
-/// A widget that went away in the middle of its gesture reports nothing more.
+/// A widget that is no longer built cannot end its gesture: it is ended here.
 void Editor::tidy_gesture() {
     const ui::Ui* const ui = screen_.ui();
     if (!document.in_gesture() || ui == nullptr) return;
     if (ui->held() == 0 && ui->focus() == 0) document.commit();
 }
 
-/// Places among the events mean others once there are more or fewer, unless whoever made them so has selected anew.
+/// When events were added or removed, the selected numbers stand for other events: nothing is selected then, unless the
+/// same change also selected something.
 void Editor::tidy_selection() {
     const std::size_t count = document.scene().events.size();
     if (std::exchange(events_before_, count) != count && selected == selected_before_) selected.clear();
@@ -114,7 +115,8 @@ void Editor::tidy_selection() {
     selected_before_ = selected;
 }
 
-/// The field that wanted a colour is not shown any more.
+/// A colour that was picked, and that no field has taken by the next frame, is dropped: its field is not shown any
+/// more.
 void Editor::tidy_eyedropper() {
     if (std::exchange(picked_before_, eyedropper.picked.has_value()) && eyedropper.picked) eyedropper = {};
 }
@@ -126,26 +128,35 @@ bool Editor::frame(double now, const std::function<void()>& build, const FrameOp
     const double passed = now_ >= 0 ? std::clamp(now - now_, 0.0, longest_step) : 0;
     now_ = now;
 
-    // 1. Update: all that has happened since the last frame, before anybody looks at it.
+    // 1. Update: all that has happened since the last frame, before the panels show it.
+    // Results of jobs come first: everything below works with them.
     if (options_.exact) jobs.finish();
-    jobs.take();                                  // results of jobs first: all that follows works with them
-    timeline.advance(passed, preview.tool_on());  // then time, which the tool and all that plays go by
-    use_tool();        // writes what the tool has done until now; it may end, as an undo step
-    tidy_gesture();    // after the tool, whose step is not left open
-    tidy_selection();  // the tool's step has selected its events
+    jobs.take();
+    // Time goes on, then the tool, which works until that time, and may end there with an undo step.
+    timeline.advance(passed, preview.tool_on());
+    use_tool();
+    // After the tool: its step must not be left open, and has selected its events.
+    tidy_gesture();
+    tidy_selection();
     tidy_eyedropper();
-    if (!preview.tool_on()) timeline.seek(timeline.time);  // the scene may have become shorter
-    amounts_->update(now);  // those that only start jobs come first: with `exact` the clips wait for all of them
+    if (!preview.tool_on()) timeline.seek(timeline.time);  // an undo may have made the scene shorter
+    // These start jobs. With `exact` clips_ waits for all jobs, so the two stand before it.
+    amounts_->update(now);
     browser_->update(now);
-    clips_->update(now);  // before the bench, which shows one of the clips
+    // The bench shows one of the clips, so they come first; it and the reference go by the time of above.
+    clips_->update(now);
     keying_->update(now);
     reference_->update(now);
-    exports_->update(now);  // draws: after all that is quick
+    // An export draws pictures; the parts that are quick are done by now. Nothing depends on previews of files.
+    exports_->update(now);
     file_previews_->update();
-    hot_reload_->update(now);  // what it puts into the document is as new as what a person does next
-    check_driver(now);         // after all that uses it
+    // What has changed on disk is in the document before the panels show it.
+    hot_reload_->update(now);
+    // The driver is asked after all that has used it.
+    check_driver(now);
+    // Last, so that they keep all that was changed above; autosave also looks for faults that were told.
     settings_->update(now);
-    if (!options_.exact) autosave_->update(now);  // last: keeps what was changed until here, and at once after a fault
+    if (!options_.exact) autosave_->update(now);
     taken(FrameStep::updated);
 
     // 2. The panels, with the events that have come: a person changes the document here.
@@ -178,13 +189,13 @@ void Editor::check_driver(double now) {
 
 bool Editor::draw_pictures() {
     const bool compared = reference_->draw(scene_scale());
-    // What nobody sees is not drawn, as long as something is: amounts follow what was drawn last.
+    // The view is not drawn while it is hidden and the comparison is drawn: amounts follow the picture drawn last.
     if (reference_->compares() && !layouts_->seen("View")) return compared;
     return preview.draw(shot()) || compared;
 }
 
-/// Following the document may bring what the panels just built knew nothing of: the first picture, a fault, something
-/// that loads.
+/// This may bring what the panels that were just built could not show: the first picture, a fault, something that is
+/// being loaded. Then another frame is wanted.
 void Editor::follow() {
     const auto told = [this] {
         return std::tuple(preview.picture(), preview.loading().has_value(), preview.preset_faults().size(),
@@ -216,8 +227,8 @@ bool Editor::draw_in_turn() {
         pace_.left_out(now_);
         return false;
     }
-    // Without a GPU the work is done where it is waited for: here, so that it is known, and not in what the panels
-    // draw.
+    // Without a GPU the work is done when it is waited for. Waiting here makes its cost known, and keeps it out of the
+    // drawing of the panels.
     if (working && options_.software) glFinish();
     pace_.drawn(now_, now_ + clock() - begin);
     return true;

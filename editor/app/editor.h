@@ -74,7 +74,7 @@ class Editor {
     ui::Eyedropper eyedropper;          ///< while wanted_by, pictures give a colour for a click (app/pick_color.h)
 
     // --- parts ------------------------------------------------------------------------------------------------------
-    // Each is constructed with what it works on, and knows of no other part; only Files has the whole editor.
+    // Each is constructed with what it works on, and reaches nothing else; only Files has the whole editor.
     Jobs jobs;
     PreviewHost preview;
     ui::CommandTable commands;
@@ -102,8 +102,8 @@ class Editor {
     HotReload& hot_reload() { return *hot_reload_; }
     const EditorOptions& options() const { return options_; }
 
-    /// Another document, or preset alone, has been opened: what was selected, held or on its way for the former one
-    /// goes.
+    /// Another document, or another preset alone, has been opened: forgets what was selected, held or under way for the
+    /// former one.
     void forget_document(bool scene_too = true);
 
     // --- a frame ----------------------------------------------------------------------------------------------------
@@ -111,14 +111,14 @@ class Editor {
     /// panels (ui::Ui::frame with panels::workspace). Gives whether a picture has changed, so that the window has to be
     /// drawn although its list is the same.
     bool frame(double now, const std::function<void()>& build, const FrameOptions& options = {});
-    /// A person does something, at the `now` of the frame() that follows: what is drawn without a GPU makes room.
+    /// A person did something, at the `now` of the frame() that follows: without a GPU the scene then gets less time.
     void touch(double now) { pace_.touch(now); }
     /// While the UI is built: the one UI that this editor has; for commands that open dialogs.
     void set_ui(ui::Ui& ui);
     ui::Ui& ui() { return *screen_.ui(); }
     ui::Clipboard* clipboard() const { return screen_.clipboard(); }  ///< null: there is none
     Shot shot() const;                                                ///< of the viewport, as it is now
-    /// When a scene that was drawn coarsely, to make room, is to be drawn whole, s; infinite: it is.
+    /// s: when a scene that was drawn coarsely to save time will be drawn whole; infinite where it is whole.
     double whole_at() const { return pace_.whole_at(); }
     /// The next frame comes at once: something moves by itself.
     bool wants_frame() const;

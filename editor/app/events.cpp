@@ -15,7 +15,7 @@ double on_grid(double value, double per_unit) {
     return std::round(value * per_unit) / per_unit;
 }
 
-/// From the first of these to the last, straight.
+/// The straight contact from the first of these to the last.
 ToolContact joined(std::span<const ToolContact> contacts) {
     ToolContact one = contacts.front();
     one.duration = contacts.back().end() - one.time;

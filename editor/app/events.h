@@ -24,8 +24,8 @@ struct Stroke {
     double start = 0, end = 0;  ///< s
 };
 
-/// In the order of the first event of each. As the core joins them, but for contacts of which it takes a part or
-/// nothing (over 600 s, or absurd; lapfx/tool.h).
+/// In the order of the first event of each. Contacts are joined as the core joins them, except those that it takes only
+/// in part or not at all (longer than 600 s, or with absurd values; lapfx/tool.h).
 std::vector<Stroke> strokes_of(std::span<const ToolContact> events);
 
 /// The stroke begins at `start` s; its length stays.

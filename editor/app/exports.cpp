@@ -55,7 +55,7 @@ std::string file_name(const std::string& text) {
     return name.empty() ? "preset" : name;
 }
 
-/// For a shell.
+/// In quotes for a shell, where it needs them.
 std::string quoted(const std::string& text) {
     if (!text.empty() &&
         text.find_first_not_of("abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+=:,./%") ==
@@ -66,7 +66,7 @@ std::string quoted(const std::string& text) {
     return out + "'";
 }
 
-/// The shortest that reads back as the same number: at a time that is a little earlier some pixels differ.
+/// The shortest text that reads back as the same number: even a slightly earlier time would change some pixels.
 std::string number(double value) {
     std::array<char, 32> text;
     const auto end = std::to_chars(text.data(), text.data() + text.size(), value);
@@ -226,10 +226,10 @@ void Exports::look_outside() {
     }
     if (found == outside_) return;
     outside_ = std::move(found);
-    form.outside_agreed = false;  // to another list
+    form.outside_agreed = false;  // the person agreed to another list
 }
 
-/// A form may be looked at many times a frame, its files only when something is new.
+/// Many widgets ask in each frame; files are looked at only when something has changed.
 void Exports::look_at_form() {
     if (checked_ == form && checked_version_ == document_.version() && checked_organ_ == preview_.organ_version())
         return;
@@ -296,7 +296,7 @@ void Exports::start() {
                                                  .began = now_});
 }
 
-/// Small, and so written at once, as by saving: it waits for nothing, and there is nothing to give up.
+/// It is small, so it is written at once, as by saving, and cannot be cancelled.
 void Exports::export_preset() {
     checked_version_ = 0;
     try {
@@ -309,7 +309,7 @@ void Exports::export_preset() {
     }
 }
 
-/// What the view has is taken from there, the rest is read beside the UI.
+/// What the view has loaded is used; the rest is loaded by a job.
 void Exports::load() {
     Running& running = *running_;
     const std::vector<fs::path>& folders = clip_folders_;
@@ -336,12 +336,13 @@ void Exports::load() {
         [this](const std::vector<Fault>& faults) { fail(faults); });
 }
 
-/// Outside of the UI's build. Of a bundle its thumbnail first, as the view shows it now, but at the scene's camera.
+/// Outside of the UI's build. For a bundle, first its thumbnail: at the time that the view shows, through the scene's
+/// camera.
 void Exports::begin() {
     output::RenderOptions options = running_->options;
     if (running_->form.what() == OutputKind::bundle)
         options = {.size = thumbnail_size, .at = timeline_.time, .clip_folders = clip_folders_};
-    running_->began = now_;  // loading told of itself
+    running_->began = now_;  // loading has a progress of its own
     running_->render =
         std::make_unique<output::RenderJob>(running_->scene, running_->preset, std::move(options), running_->loaded);
 }
@@ -413,7 +414,7 @@ void Exports::update(double now) {
     now_ = now;
     if (!running_) return;
     if (const auto& job = running_->loading ? running_->loading : running_->copying) {
-        if (job->cancelled()) cancel();  // by whoever lists jobs
+        if (job->cancelled()) cancel();  // by the list of jobs
         return;
     }
     try {
@@ -447,7 +448,7 @@ void Exports::end(const std::string& what) {
     tell_made(form_was, text);
 }
 
-/// A bundle is a document: it can be opened as it will be elsewhere. Of the others one wants to know where they are.
+/// A bundle can be opened, as it will be on another computer. Of other files the notice gives the path.
 void Exports::tell_made(const ExportForm& made, const std::string& text) {
     checked_version_ = 0;
     std::error_code error;

@@ -1,11 +1,11 @@
-// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, a frame at a time while
-// the editor lives on. What is exported is a copy made at the start: editing goes on. Nothing appears before it is
-// whole and has been loaded back.
+// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, one frame at a time, while
+// the editor can be used. What is exported is a copy made at the start, so editing goes on. A file appears only when it
+// is whole and has been read back.
 //
 //     exports.propose(OutputKind::video);
 //     exports.form.fps = 30;
 //     if (exports.faults().empty()) exports.start();
-//     each frame: exports.update(now);   // Editor::update
+//     each frame: exports.update(now);   // Editor::frame
 #pragma once
 
 #include <array>
@@ -41,7 +41,7 @@ struct ExportSize {
     std::string_view name;
     glm::ivec2 px;
 };
-/// The last is the person's own.
+/// The last one is for a size that the person types.
 inline constexpr std::array<ExportSize, 7> export_sizes = {{
     {"1280 x 1024 (5:4)", {1280, 1024}},
     {"1920 x 1080 (Full HD)", {1920, 1080}},
@@ -61,7 +61,7 @@ struct ExportForm {
     int width = 1280, height = 1024;                           ///< px, where the size is free
     double at = 0, from = 0, to = 0;                           ///< s
     double fps = 25;
-    bool outside_agreed = false;  ///< to copying what Exports::outside() lists
+    bool outside_agreed = false;  ///< the person has agreed to copy what Exports::outside() lists
     bool overlay = false;         ///< with what the view shows over the tissue
     bool amounts = false;
     std::string amounts_file;
@@ -91,7 +91,7 @@ class Exports {
 
     /// Of the dialog that asks for a file of that kind.
     static std::string title(OutputKind kind);
-    /// Fills in what the person has not said yet: names where such files were written last, beside the person's own
+    /// Fills in what the person has not set yet: names where such files were written last, beside the person's own
     /// preset or among their documents; the time that is shown, the range of play.
     void propose(OutputKind kind);
     /// What is wrong with the form as it is. Places are the options of `lapfx render`: "-o", "--size".
@@ -108,16 +108,16 @@ class Exports {
     double duration() const;  ///< s, of the scene
     bool overlaid() const;    ///< the view shows something over the tissue, which can be drawn, too
 
-    /// Of a form without faults; with some it does nothing. What goes wrong later is told by toasts. A preset is
+    /// Starts the export; with faults in the form it does nothing. What goes wrong later is told by toasts. A preset is
     /// written at once, whatever is running; of the rest there is one at a time.
     void start();
     /// The form has to wait for what is running.
     bool waits() const { return running() && form.what() != OutputKind::preset; }
     bool running() const { return static_cast<bool>(running_); }
     void cancel();
-    double progress() const;            ///< 0..1, while loading() of that; negative: nobody knows
-    bool loading() const;               ///< what the view does not have, before anything is drawn
-    const Job* job() const;             ///< that loads or copies for it now; null: none
+    double progress() const;            ///< 0..1; while loading(), that of loading; negative: unknown
+    bool loading() const;               ///< files that the view has not loaded are read; nothing is drawn yet
+    const Job* job() const;             ///< the one that loads or copies for it now; null: none
     std::string progress_text() const;  ///< "12 of 300 frames"
     std::string_view name() const;      ///< of what is being written
     double seconds_left() const;        ///< s; negative: not known
@@ -161,7 +161,7 @@ class Exports {
     std::vector<Fault> faults_;
     std::vector<output::SourceFile> outside_;
     bool replaces_ = false;
-    std::string proposed_for_;  ///< preset, for whose name the files stand
+    std::string proposed_for_;  ///< file and name of the preset that the proposed names were made from
     double now_ = 0;
 };
 

@@ -14,8 +14,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A folder that hangs must not be waited for, not even at the end. Throws std::system_error: there are too many
-/// threads.
+/// On a thread that nobody waits for, since reading a folder may hang, even when the program ends. Throws
+/// std::system_error when there are too many threads.
 void run_beside(std::function<void()> work) {
     std::thread(std::move(work)).detach();
 }

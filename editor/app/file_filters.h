@@ -1,6 +1,6 @@
 // Filters of file dialogs, from the table of formats (lapfx/authoring/formats.h).
 //
-//     editor.ask_file({.title = "Load an organ", .filters = {app::mesh_filter()}}, ...);
+//     chooser.ask({.title = "Load an organ", .filters = {app::mesh_filter()}}, ...);
 #pragma once
 
 #include "lapfx/authoring/formats.h"

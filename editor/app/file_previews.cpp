@@ -16,7 +16,7 @@ namespace {
 
 constexpr double thumbnail_at = 0.6;  // of the scene's duration, as in the panel of presets
 
-/// What is left of "lapfx: FILE: reason": the name stands above it.
+/// The reason in "lapfx: FILE: reason"; the dialog shows the name above it.
 std::string reason_in(std::string fault, const std::string& path) {
     constexpr std::string_view program = "lapfx: ";
     if (fault.starts_with(program)) fault.erase(0, program.size());
@@ -57,7 +57,7 @@ double FilePreviews::time_in_scene() const {
     return thumbnail_at * document_.scene().duration;
 }
 
-/// What is being made, and what has been and was not taken yet, is of a file that is another by now.
+/// Drops the picture that is being made or waits to be taken: it shows the file as it was.
 void FilePreviews::give_up() {
     begun_.clear();
     if (maker_ == nullptr) return;
@@ -65,8 +65,8 @@ void FilePreviews::give_up() {
     maker_->take();
 }
 
-/// Scenes, clips and organs that pictures depend on may have been written meanwhile. What is the same is still in the
-/// cache.
+/// Scenes, clips and organs that pictures depend on may have been written meanwhile. Pictures of unchanged files are
+/// still in the cache.
 void FilePreviews::begin() {
     give_up();
     for (const Kept& each : kept_)
@@ -127,7 +127,7 @@ void FilePreviews::update() {
     for (ThumbnailMaker::Result& result : maker_->take()) take(std::move(result));
     const bool asked = std::exchange(asked_, false);
     if (asked) return;
-    // What has failed is tried again when it is come back to: the machine may have been busy.
+    // A picture that failed is tried again when the file is selected again: the machine may have been busy.
     std::erase_if(kept_, [](const Kept& each) { return each.made && each.image == 0; });
     if (begun_.empty()) return;
     maker_->want({});

@@ -26,8 +26,8 @@ class FilePreviews : public ui::FilePictures {
     static constexpr glm::ivec2 size{360, 288};
     static constexpr std::size_t most_kept = 24;        ///< pictures in memory, the newest looked at
     static constexpr double rests = 0.15;               ///< s that a file is selected before its picture is begun
-    static constexpr std::chrono::seconds longest{60};  ///< then there is none
-    static constexpr int niceness = 5;                  ///< of what makes one: a person waits for it
+    static constexpr std::chrono::seconds longest{60};  ///< until a picture is given up
+    static constexpr int niceness = 5;                  ///< of the process that makes one; low, because a person waits
 
     /// All must outlive it.
     FilePreviews(const EditorOptions& options, const document::Document& document, ui::ImageStore& images,
@@ -40,11 +40,12 @@ class FilePreviews : public ui::FilePictures {
     /// Once before each frame: takes what has been made; what nobody looks at any more is not finished.
     void update();
     bool busy() const { return maker_ != nullptr && maker_->busy(); }
-    /// Another program than this one makes them, although pictures of the editor must not wait for them: for tests.
+    /// For tests: pictures are made by this program, even where the options say that none are made.
     void make_with(const std::filesystem::path& program) { program_ = program; }
 
   private:
-    /// Of a file as it was: another size or time is another one. A preset is shown on the scene that was open.
+    /// Of a file with this size and time of change; when either differs it is made anew. A preset is shown on the scene
+    /// that was open.
     struct Kept {
         std::string path;
         std::uint64_t bytes = 0;

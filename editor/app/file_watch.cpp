@@ -31,7 +31,7 @@ bool is_folder(const fs::path& path) {
     return fs::is_directory(path, error);
 }
 
-/// A file that was created is written next, and told then; a link is all there at once.
+/// A file that was created is told when it has been written; a link is whole at once.
 bool is_whole_at_once(const fs::path& path) {
     struct stat found {};
     return ::lstat(path.c_str(), &found) == 0 && (S_ISLNK(found.st_mode) || found.st_nlink > 1);
@@ -109,7 +109,7 @@ void FileWatch::publish() {
     if (wake_) wake_();
 }
 
-/// Watches the folders of all files. Of one that is not there, the nearest above it, to see it come.
+/// Watches the folders of all files; for a folder that does not exist, the nearest one above it, to see it appear.
 void FileWatch::arm(const Paths& paths) {
     rearm_ = false;
     paths_ = paths;
@@ -162,7 +162,7 @@ void FileWatch::read_events() {
     for (ssize_t at = 0; at + static_cast<ssize_t>(sizeof(inotify_event)) <= size;) {
         const auto& event = *reinterpret_cast<const inotify_event*>(bytes.data() + at);
         at += static_cast<ssize_t>(sizeof(inotify_event) + event.len);
-        if ((event.mask & IN_Q_OVERFLOW) != 0) {  // what has changed is not known: anything may
+        if ((event.mask & IN_Q_OVERFLOW) != 0) {  // events were lost: anything may have changed
             for (const fs::path& file : files_) note(file);
             continue;
         }
@@ -176,7 +176,7 @@ void FileWatch::read_events() {
             watched_.erase(event.wd);
             continue;
         }
-        // A folder that comes may be one that is missed, or lead to one.
+        // A folder that appears may be one that was missing, or contain it.
         if ((event.mask & IN_ISDIR) != 0 || !missing_.empty()) rearm_ = true;
         if (event.len == 0) continue;
         for (const fs::path& folder : folders) {

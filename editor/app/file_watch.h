@@ -1,14 +1,14 @@
 // Tells which of some files have changed on disk. It sleeps until the system says so: idle it costs nothing.
 //
 //     FileWatch watch([&] { ui.wake("file"); });
-//     watch.set({"presets/tuned.json", "shaders"});   // a file, or a folder with what is right in it
+//     watch.set({"presets/tuned.json", "shaders"});   // a file, or a folder with the files directly in it
 //     for (const auto& path : watch.take()) reload(path);  // once a frame
 //
 // Changes are told when nothing more has happened for 150 ms, at the latest after a second: programs write in pieces,
 // or beside the file and rename. Folders may vanish and come back. What a symbolic link points to is not watched.
 //
-// Not GIO's monitors: they look for a folder that is missing every few seconds, and do not tell when one above a file
-// is moved away or comes back; waiting for writers to be done would stay ours.
+// GIO's monitors are not used: they look for a missing folder only every few seconds, do not tell when a folder above a
+// file is moved away or comes back, and waiting until a program has finished writing would still be code of ours.
 #pragma once
 
 #include <filesystem>
@@ -32,7 +32,7 @@ class FileWatch {
     FileWatch(const FileWatch&) = delete;
     FileWatch& operator=(const FileWatch&) = delete;
 
-    /// These instead of the former ones; absolute, without "..". One thread.
+    /// Watches these in place of the former ones: absolute paths without "..". From one thread.
     void set(const Paths& paths);
     /// What has changed, appeared or gone since the last call, each once. Of a folder that is watched, the files in it.
     /// One thread.
@@ -54,7 +54,7 @@ class FileWatch {
     int queue_ = -1, signal_ = -1;  // inotify; eventfd: a new list, or the end
 
     std::mutex mutex_;
-    std::optional<Paths> wanted_;  // not yet armed
+    std::optional<Paths> wanted_;  // asked for, and not yet watched
     std::set<std::filesystem::path> changed_;
     bool stopping_ = false;
 

@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A file name of a preset's name: "Brisk bleed, 2" is brisk_bleed_2.
+/// A file name made from a preset's name: "Brisk bleed, 2" is brisk_bleed_2.
 std::string file_name_of(const std::string& name, const char* otherwise) {
     std::string file;
     for (const char c : name) {
@@ -77,7 +77,7 @@ void Files::ask(Question question) {
 void Files::answer(std::size_t index) {
     if (!question_ || index >= question_->answers.size()) return;
     const Then act = std::move(question_->answers[index].act);
-    question_.reset();  // what follows may ask again
+    question_.reset();  // before `act`, which may ask again
     if (act) act();
 }
 
@@ -226,7 +226,7 @@ void Files::save(Kind kind, Then then) {
     const document::OnDisk& known =
         kind == Kind::scene ? editor_.document.scene_on_disk() : editor_.document.preset_on_disk();
     const document::OnDisk now = document::OnDisk::of(to);
-    // What is gone takes nobody's work away.
+    // Where the file is gone, saving replaces nobody's work.
     if (!now.exists || now == known) return save_to(kind, to, std::move(then));
     ask({.title = in_marks(to) + " has been changed by another program",
          .text = "The file on the disk is not the one that was opened here. Saving would replace it.",
@@ -273,7 +273,7 @@ void Files::save_to(Kind kind, const fs::path& to, Then then) {
                      {.label = "Cancel", .cancel = true}}});
 }
 
-/// A document that was never given a name of its own is called as its new file is.
+/// A document that nobody has named gets the name of its new file.
 std::string Files::name_for(Kind kind, const fs::path& to) const {
     const bool scene = kind == Kind::scene;
     const fs::path& before = file(kind);
@@ -337,7 +337,7 @@ bool Files::lock(Kind kind, const fs::path& file) {
     return true;
 }
 
-/// After the document's files have changed; what another one holds is not ours.
+/// After the document's files have changed. A file that another editor has locked is not locked here.
 void Files::relock() {
     for (const Kind kind : {Kind::scene, Kind::preset})
         if (!lock(kind, file(kind))) locks_[kind == Kind::scene ? 0 : 1].reset();

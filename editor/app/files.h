@@ -52,8 +52,8 @@ class Files {
     void open_anyway(const std::vector<std::string>& files);
     /// What an editor left that ended by a fault (Autosave::offers) becomes the document.
     void recover(std::size_t offer);
-    /// The program has put something into the document by itself, at start or recovered: the same question, after the
-    /// fact.
+    /// The program itself has put something into the document, at its start or recovered: asks the same question
+    /// afterwards.
     void note_opened();
 
     /// Asks what videos are to be: clips of smoke, or, the first of them, the reference.
@@ -104,7 +104,7 @@ class Files {
     static Kinds kinds_of(const std::vector<std::string>& files);
     void become(Opened opened, const std::vector<std::string>& files, Kinds kinds);
     void relock();
-    /// False: another editor has it. What cannot be locked at all counts as ours, and is told once.
+    /// False: another editor has locked it. A file that cannot be locked at all counts as ours; that is told once.
     bool lock(Kind kind, const std::filesystem::path& file);
     std::string holder(const std::filesystem::path& file) const;
     std::vector<std::string> unsaved_words() const;

@@ -123,7 +123,7 @@ void Files::put(Opened opened, const std::vector<std::string>& files) {
         used.push_back(kind);
         names.push_back(opens);
     };
-    // What is open already is ours, or was agreed to.
+    // A file that is open already is locked by this editor, or the person has agreed to share it.
     if (kinds.scene && opened.scene_file != file(Kind::scene)) check(Kind::scene, opened.scene_file);
     if ((kinds.scene || kinds.preset) && opened.preset_file != file(Kind::preset))
         check(Kind::preset, opened.preset_file);
@@ -201,7 +201,7 @@ void Files::become(Opened opened, const std::vector<std::string>& files, Kinds k
         d.open(std::move(opened.content), opened.scene_file, opened.preset_file);
     } else {
         if (kinds.preset) d.open_preset(opened.content.preset, opened.preset_file);
-        // Organs and clips are changes like others: they are undone.
+        // Organs and clips are changes of the document, which can be undone.
         if (!kinds.preset && !document::same(opened.content.preset, d.preset())) d.gather_clips(opened.content.preset);
         d.change("Open " + fs::path(files.front()).filename().string(),
                  [&](document::Content& c) { c = std::move(opened.content); });

@@ -19,7 +19,7 @@ class GpuTimer {
     double seconds();
 
   private:
-    static constexpr std::size_t count = 4;  ///< on their way at most
+    static constexpr std::size_t count = 4;  ///< measurements under way, at most
     std::array<unsigned, count> queries_{};
     std::array<bool, count> pending_{};
     std::size_t next_ = 0;

@@ -24,7 +24,7 @@ std::string text_of(const fs::path& file) {
     return {std::istreambuf_iterator<char>(in), {}};
 }
 
-/// All of a compiler's message in one notice: what it is about, and the first thing that it says with a line.
+/// One notice for a compiler's message: what it is about, and its first line with a place.
 std::string told(const std::vector<Fault>& faults) {
     std::string text = faults.empty() ? "" : faults.front().text();
     if (faults.size() > 1) text += ": " + faults[1].text();
@@ -52,7 +52,7 @@ void HotReload::update(double) {
     if (const std::vector<fs::path> changed = watch_.take(); !changed.empty()) take(changed);
 }
 
-/// Watches what is open now.
+/// Watches the files that are open now.
 void HotReload::follow() {
     const bool loading = preview_.loading().has_value();
     const document::Document& document = document_;
@@ -118,13 +118,12 @@ void HotReload::reload_all() {
     preview_.reload_organ();
     if (!document_.preset_file().empty() && !is_gone(normal(document_.preset_file()))) reload_preset();
     if (!document_.scene_file().empty() && !is_gone(normal(document_.scene_file()))) reload_scene();
-    notices_.add({.text = "Everything that is open is read again from the disk"});
 }
 
 void HotReload::reload_shaders() {
     const bool were_broken = !shader_faults_.empty();
     std::error_code error;
-    if (!fs::is_directory(shader_folder(), error)) return;  // installed without: those that were built in serve
+    if (!fs::is_directory(shader_folder(), error)) return;  // those that were built in are used
     try {
         shader_faults_.clear();
         preview_.reload_shaders(shader_folder());
@@ -147,7 +146,7 @@ void HotReload::reload_ui_shaders() {
     throw Error(Failure::runtime, Fault{.file = "ui.vert + ui.frag", .place = "", .reason = fault});
 }
 
-/// A document that differs on disk: read at once where nothing would be lost, else by the notice's button.
+/// A document has changed on disk. It is read at once where nothing would be lost, else by a button of the notice.
 void HotReload::take_or_ask(const fs::path& file, bool unsaved, const std::function<void()>& take,
                             std::function<void()> give_in) {
     const std::string name = file.filename().string();
@@ -166,7 +165,7 @@ void HotReload::take_or_ask(const fs::path& file, bool unsaved, const std::funct
 void HotReload::reload_preset() {
     document::Document& d = document_;
     const fs::path file = d.preset_file();
-    // What differs from the disk here and not there are the changes of this editor.
+    // Values that differ from what was saved are the changes made in this editor.
     if (document::OnDisk::of(file) == d.preset_on_disk()) return;
     try {
         const Preset preset = load_preset(file);
@@ -192,7 +191,7 @@ void HotReload::reload_scene() {
     }
 }
 
-/// The answer to a notice: by then another document may be open, and the file another one once more.
+/// The notice's button was pressed. By then another document may be open, or the file may have changed again.
 void HotReload::give_in_to_preset(const fs::path& file) {
     if (document_.preset_file() != file) return;
     try {

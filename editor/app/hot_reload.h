@@ -1,6 +1,6 @@
-// What changes on disk while it is open is read again: shaders, clips, the organ with its textures and its tool, preset
-// and scene. What cannot be read, or is gone, leaves what is shown and is told once; edited work is never lost: then it
-// asks.
+// What is open is read again when it changes on disk: shaders, clips, the organ with its textures and its tool, preset
+// and scene. What cannot be read, or is gone, leaves what is shown, and is told once. Where there are unsaved changes
+// it asks, so that no work is lost.
 //
 //     hot_reload.update(now);      // once before each frame
 //     hot_reload.reload_all();     // "Reload from disk"

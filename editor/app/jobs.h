@@ -54,12 +54,12 @@ class Jobs {
     Jobs(const Jobs&) = delete;
     Jobs& operator=(const Jobs&) = delete;
 
-    /// UI thread. `failed` is told, on the UI thread, what the work threw. Of a cancelled job nothing is applied or
-    /// told. Valid until the end of the job; keep it to cancel by.
+    /// UI thread. `failed` gets, on the UI thread, what the work threw. A cancelled job applies and tells nothing. Keep
+    /// the job to cancel it.
     std::shared_ptr<Job> start(std::string name, Work work, Failed failed);
     /// UI thread, once a frame: applies what has come. Gives whether there was anything.
     bool take();
-    /// Waits for all that were started, also by what is applied meanwhile: for tests and pictures.
+    /// Waits for all jobs, also those that results of others start: for tests and pictures.
     void finish();
 
     /// Jobs that wait or run, the oldest first, without those cancelled.

@@ -20,11 +20,11 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr glm::u8vec3 grey{118, 118, 118};  // sRGB of a light that is a fifth: middle grey
+constexpr glm::u8vec3 grey{118, 118, 118};  // middle grey: sRGB of a fifth of the light
 constexpr glm::u8vec3 tissue{142, 58, 50};  // of a liver under an endoscope
 constexpr int checker_side = 16;            // px
-constexpr int scope_samples = 350;          // a side: more show nothing else
-constexpr int quick_pixels = 720 * 576;     // keyed within a frame without edges
+constexpr int scope_samples = 350;          // per side: more would not change what is seen
+constexpr int quick_pixels = 720 * 576;     // that can be keyed within a frame when no edges are found
 
 bool same_look(const KeyingLook& a, const KeyingLook& b) {
     const Table& smoke = *preset_table().find("smoke");
@@ -107,7 +107,7 @@ class BenchWork {
     using Request = KeyingBench::Request;
     using Result = KeyingBench::Result;
 
-    /// The file is open, its frame read, and no edge is drawn in or smoothed: keyed within a frame.
+    /// The file is open, its frame is read, and no edges have to be found or smoothed: keying takes less than a frame.
     bool quick(const Request& r) const {
         return reader_ && r.path == path_ && reader_->frame_at(r.time) == index_ &&
                frame_.size.x * frame_.size.y <= quick_pixels && !(r.look.keying.choke > 0) &&
@@ -247,8 +247,8 @@ bool KeyingBench::stale() const {
             preview_.picture() != 0);
 }
 
-/// The picture of the frame before is that of now once time has stood still for a frame. One that was drawn with fewer
-/// pixels is not taken: it is drawn whole in a moment.
+/// When time has stood still for a frame, the preview shows the present time. A picture that was drawn with fewer
+/// pixels is not taken: it will be drawn whole in a moment.
 void KeyingBench::follow_backdrop() {
     const double now = timeline_.time;
     const bool stands = now == time_before_ && !timeline_.playing();
@@ -278,7 +278,8 @@ void KeyingBench::update(double) {
     start(wanted);
 }
 
-/// While nobody looks it holds neither an open clip nor pictures; the next look makes them anew, in a moment.
+/// While the panel is not seen, no clip is kept open and no pictures are kept; they are made again in a moment when it
+/// is.
 void KeyingBench::let_go() {
     if (!asked_) return;
     asked_.reset();
@@ -387,7 +388,7 @@ std::size_t KeyingBench::sharing() const {
         std::count_if(clips.begin(), clips.end(), [](const SmokeClip& clip) { return !clip.own_keying; }));
 }
 
-/// What of the clip itself differs: "Polarity light to dark, Top 0 to 0.07 of the frame, 1 mask".
+/// The differences of the clip itself: "Polarity light to dark, Top 0 to 0.07 of the frame, 1 mask".
 std::string KeyingBench::clip_changes(const SmokeClip& before, const SmokeClip& after) {
     const Table& clips = *preset_table().find("smoke")->find("clips");
     std::string changes;
@@ -414,7 +415,7 @@ void KeyingBench::put_suggestion(const KeyingSuggestion& found, std::size_t numb
     document_.change("Suggest keying", [&](document::Content& c) {
         SmokeParameters& smoke = c.preset.smoke;
         SmokeClip& clip = smoke.clips[number];
-        if (!clip.own_keying) clip.keying = smoke.keying;  // what is not suggested goes on from what is seen
+        if (!clip.own_keying) clip.keying = smoke.keying;  // what is not suggested stays as it was
         found.apply(clip);
         if (whose == For::clip && !only) return;
         smoke.keying = std::exchange(clip.keying, clip_before.keying);
@@ -445,7 +446,7 @@ void KeyingBench::suggest_for_all() {
     put_suggestion(found, shelf_.selected, For::all);
 }
 
-/// Nobody looks at that clip any more: what the panel would say is said by a notice.
+/// Another clip is shown by now: a notice tells what the panel would have told.
 void KeyingBench::tell_suggestion(const KeyingSuggestion& found, const std::string& file) {
     const bool unsure = found.confidence < sure_from;
     notices_.add({.kind = unsure ? ui::ToastKind::warning : ui::ToastKind::info,
@@ -475,7 +476,7 @@ void KeyingBench::suggest(For whose) {
         suggested_for_ = file;
         suggested_clip_ = number;
         put_suggestion(found, number, whose);
-        // One that is gone gives way to the last: update() does it after this.
+        // A selected clip that is gone gives way to the last one, but only in ClipShelf::update(), after this.
         if (std::min(shelf_.selected, clips.size() - 1) != number) tell_suggestion(found, file);
     };
     suggesting_ = jobs_.start(
@@ -522,7 +523,7 @@ void KeyingBench::find_source() {
 
 void take_source(SmokeClip& clip, const SourceSuggestion& found) {
     if (!found.found) return;
-    clip.source_x = std::round(200.0 * found.place.x) / 200.0;  // finer is not known
+    clip.source_x = std::round(200.0 * found.place.x) / 200.0;  // it is not known more precisely
     clip.source_y = std::round(200.0 * found.place.y) / 200.0;
 }
 

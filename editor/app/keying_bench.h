@@ -5,9 +5,9 @@
 //     bench.show();                                    // by the panel: the pictures are wanted
 //     ui::image_view(ui, "Matte", bench.picture(BenchView::matte), view);
 //
-// Frames are read by a job, never waited for: pictures are late by it, and the newest wish is the next that is met.
-// Once a frame is there a changed threshold is seen in the next frame. In exact mode everything is done at once. UI
-// thread.
+// Frames are read by a job and never waited for: pictures come a little later, and the newest request is the next that
+// is met. Once a frame has been read, a changed threshold is seen in the next frame of the window. In exact mode
+// everything is done at once. UI thread.
 #pragma once
 
 #include <array>
@@ -42,7 +42,7 @@ struct BenchLook {
     bool grid = true;  ///< all four views, else `view`
     int view = 1;
     bool follow = false;         ///< the timeline's time, from the clip's in point on, else `time`
-    std::optional<double> time;  ///< s of the clip; none: where smoke is seen, as a rule
+    std::optional<double> time;  ///< s of the clip; none: 40 % of it, where most clips show smoke
     Behind behind = Behind::tissue;
     bool waveform = false;  ///< in place of the vectorscope
     bool eyedropper = false;
@@ -120,7 +120,7 @@ class KeyingBench {
     /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed
     /// again.
     std::string_view suggestion_changes() const;
-    /// The document as it is now came of it: undo takes it back.
+    /// The document is as the suggestion left it: undo takes it back.
     bool suggestion_undoes() const { return suggestion_undoes_ && !suggestion_changes().empty(); }
     /// How many clips have no keying of their own.
     std::size_t sharing() const;
@@ -133,7 +133,7 @@ class KeyingBench {
     friend class BenchWork;
     struct Request;
     struct Result;
-    const Request& request() const;  ///< for what is seen now
+    const Request& request() const;  ///< the one that would show what is wanted now
     void follow_backdrop();
     void let_go();
     void start(const Request& request);
@@ -156,7 +156,7 @@ class KeyingBench {
     std::shared_ptr<BenchWork> work_;
     std::shared_ptr<Job> job_;
     std::unique_ptr<Request> asked_;      ///< last
-    std::unique_ptr<Request> requested_;  ///< by request(), in every frame: its texts and lists keep their room
+    std::unique_ptr<Request> requested_;  ///< made by request(); kept, so that its texts are not allocated anew
     std::shared_ptr<const Image> backdrop_;
     double backdrop_time_ = -1, time_before_ = -1;
 

@@ -14,7 +14,7 @@ using ui::DockLayout;
 
 constexpr glm::vec2 least_window{42, 24};  // em, for panels beside each other
 
-/// All panels in one group, in their order; in front the first group's front.
+/// All panels in one group, in their order, with the front panel of the first group in front.
 DockLayout stack_of(const DockLayout& layout) {
     DockLayout stack = dock_tabs({});
     stack.nodes.front().tabs.clear();
@@ -47,12 +47,12 @@ void Layouts::check(const DockLayout& layout, std::string_view name) const {
     for (const ui::DockNode& node : layout.nodes)
         for (const std::string& tab : node.tabs)
             if (std::find(panels_.begin(), panels_.end(), tab) == panels_.end())
-                throw std::logic_error("layout " + std::string(name) + ": " + tab + " is no panel");
+                throw std::logic_error("layout " + std::string(name) + ": " + tab + " is not a panel");
 }
 
 void Layouts::bring_to_front(std::string_view panel) {
     if (std::find(panels_.begin(), panels_.end(), panel) == panels_.end())
-        throw std::logic_error(std::string(panel) + " is no panel");
+        throw std::logic_error(std::string(panel) + " is not a panel");
     shown.show(panel);
 }
 

@@ -31,7 +31,8 @@ class Layouts {
     /// the layout's main one in front, until the window is larger again.
     void fit_window(glm::vec2 ems);
     bool stacked() const { return stacked_; }
-    /// As it is, or will be again, in a window with room, with what has been closed and opened in a small one.
+    /// How panels are arranged, or will be again, in a window with room; panels that were closed or opened in a small
+    /// window are so here, too.
     const ui::DockLayout& arranged() const;
     const std::string& name() const { return name_; }
     /// Whether the panel is in front of its tabs.

@@ -1,4 +1,4 @@
-// What holds the editor's memory: for the status bar, and for whoever wonders.
+// What the editor uses memory for; the status bar tells it.
 //
 //     for (const MemoryPart& part : memory_parts(preview, reference, images, document))
 //         std::printf("%s: %.0f MB\n", part.name, part.bytes / 1e6);
@@ -33,7 +33,8 @@ struct ProcessMemory {
     static ProcessMemory now();
 };
 
-/// All that the editor knows of, the largest that depend on the document first. UI thread, context current.
+/// All parts that the editor knows of; the ones that depend most on the document come first. UI thread, context
+/// current.
 std::array<MemoryPart, 8> memory_parts(const PreviewHost& preview, const Reference& reference,
                                        const ui::ImageStore& images, const document::Document& document);
 

@@ -9,7 +9,7 @@ void Meter::frame(double now, bool playing, bool drawn) {
     if (playing && played_ && drawn && passed > 0)
         rate_ = rate_ == 0 ? 1 / passed : rate_ + weight * (1 / passed - rate_);
     if (!playing) rate_ = 0;
-    if (drawn || !playing || !played_) last_ = now;  // else one has seen nothing new yet
+    if (drawn || !playing || !played_) last_ = now;  // while it plays, the time until the next picture counts
     played_ = playing;
     if (now - looked_ < look_every) return;
     looked_ = now;

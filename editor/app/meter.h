@@ -14,7 +14,7 @@ class Meter {
     double ui = 0;   ///< s of the CPU for the last frame of the UI: built, laid out, drawn; the window tells
     /// Once a frame of the window, after it. `now`: s; `drawn`: it had another picture of the scene.
     void frame(double now, bool playing, bool drawn);
-    /// Pictures of the scene a second while it plays: what one sees, however often the window is drawn; 0: it stands.
+    /// Pictures of the scene per second while it plays, however often the window is drawn; 0: it does not play.
     double frames_per_second() const { return rate_; }
     ProcessMemory memory() const { return memory_; }  ///< at most a second old
 

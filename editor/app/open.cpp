@@ -21,7 +21,7 @@ fs::path preset_file_of(const Scene& scene) {
 
 void open_scene(Opened& opened, const fs::path& file) {
     Scene& scene = opened.content.scene = load_scene(file);
-    // As the document has them: what is loaded early is then what it asks for.
+    // With the same paths as the document: what was loaded early is then what it asks for.
     scene.folder = document::folder_of(file);
     opened.content.preset = preset_of(scene);
     opened.scene_file = file;
@@ -55,7 +55,7 @@ void open_organ(Opened& opened, const fs::path& file) {
 /// A smoke video becomes the plume; the haze stays, wherever its clips lie.
 void open_clip(Opened& opened, const fs::path& file) {
     const bool numbered =
-        file.filename().string().find('%') != std::string::npos;  // the preview tells if none is there
+        file.filename().string().find('%') != std::string::npos;  // the preview tells when no such file exists
     if (!numbered && !fs::exists(file))
         throw Error(Failure::bad_input, Fault{.file = file.string(), .place = "", .reason = "no such file"});
     Preset& preset = opened.content.preset;
@@ -66,7 +66,7 @@ void open_clip(Opened& opened, const fs::path& file) {
     opened.preset_file.clear();
 }
 
-/// Whether it begins as texts do, and no video or picture does: printable characters alone.
+/// Whether it begins with printable characters alone, as texts do, and no video or picture.
 bool is_text(const fs::path& file) {
     std::error_code error;
     if (!fs::is_regular_file(file, error)) return false;  // asked first: opening a pipe would wait for its writer

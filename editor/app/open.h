@@ -11,14 +11,15 @@ namespace lapfx::app {
 
 enum class FileKind { scene, preset, organ, video, unknown };
 
-/// By its name; of a .json by its "format". Throws Error (bad_input) for a .json that is neither scene nor preset.
+/// Told by the file's name; of a .json by its "format". Throws Error (bad_input) for a .json that is neither scene nor
+/// preset.
 FileKind kind_of(const std::filesystem::path& file);
 
 bool is_organ_name(const std::filesystem::path& file);
 /// Of a preset or a scene.
 bool is_document_name(const std::filesystem::path& file);
 
-/// What a document becomes when a file is put into it.
+/// What has been read, to become the document.
 struct Opened {
     document::Content content;
     std::filesystem::path scene_file, preset_file;  ///< empty: none of its own

@@ -17,14 +17,13 @@ void pan(SceneCamera& camera, glm::dvec2 pixels, double height);
 /// Moves the eye to `factor` times its distance from the target, within 5 mm to 2 m.
 void zoom(SceneCamera& camera, double factor);
 
-/// The same towards `place`, which stays where it is in the picture.
+/// The same, but towards `place`, which keeps its place in the picture.
 void zoom_at(SceneCamera& camera, double factor, const glm::dvec3& place);
 
 /// Looks at `place` from the same side and distance.
 void center_on(SceneCamera& camera, const glm::dvec3& place);
 
-/// How far `seen` is from what it looks at, as a part of how far `from` is: what light that comes along is farther away
-/// by.
+/// Distance of `seen` from what it looks at, over that of `from`: the lamp moves with the camera by this factor.
 double nearness(const SceneCamera& from, const SceneCamera& seen);
 
 /// Where an instrument enters so that it is seen from the right, as in a picture of two ports; mm.

@@ -36,8 +36,8 @@ inline constexpr std::array<LengthUnit, 4> length_units = {{{"mm", 1}, {"cm", 10
 /// Of length_units; none: -1.
 int unit_of(double scale);
 
-/// mm per unit that make an organ of something `longest` units long; nothing when none of the units does, or `scale`
-/// does already.
+/// mm per unit with which a mesh that is `longest` units long has the size of an organ; nothing where no unit gives
+/// that, or `scale` already does.
 std::optional<double> likely_scale(double longest, double scale);
 
 /// The ways up, and the rotations (degrees about x, then y, then z) that bring each to y.
@@ -87,7 +87,8 @@ class OrganChoice {
     /// Another organ than the scene has: its events go.
     bool replaces() const;
     bool takes_events() const { return replaces() && !document_.scene().events.empty(); }  ///< there are some to go
-    /// Into the scene, seen whole. What belonged to another organ goes: events, and where the tool came from.
+    /// Puts it into the scene, with a camera that sees it whole. What belonged to another organ is removed: events, and
+    /// the place where the tool entered.
     void load();
 
   private:

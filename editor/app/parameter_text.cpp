@@ -26,7 +26,7 @@ Json::json_pointer pointer_of(std::string_view group) {
     return pointer;
 }
 
-/// Depth is bounded before anything recurses over it.
+/// Checks how deep it is nested, before anything recurses over it.
 Json parse(std::string_view text) {
     constexpr int deepest = 32;
     if (text.size() > longest) fail("", "more than 4 MiB of text");
@@ -46,7 +46,7 @@ Json parse(std::string_view text) {
     return json;
 }
 
-/// Objects are merged, all else is replaced.
+/// Merges objects and replaces all other values.
 void lay_over(Json& below, const Json& above) {
     for (const auto& [key, value] : above.items()) {
         Json& at = below[key];

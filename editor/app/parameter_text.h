@@ -1,4 +1,4 @@
-// Parameters as text on the clipboard: what one editor copies another one, a preset file or a person takes.
+// Parameters as text on the clipboard, for another editor, a preset file or a person.
 //
 //     const std::string text = app::copy_parameters(preset, {"bleeding"});      // {"bleeding": {"speed": 4, ...}}
 //     preset = app::paste_parameters(preset, text);                             // throws Error: every fault
@@ -18,12 +18,12 @@ namespace lapfx::app {
 /// description.
 std::string copy_parameters(const Preset& preset, std::span<const std::string_view> groups);
 
-/// `preset` with what `text` has. With `group`, only that group is taken, and has to be there. Throws Error (bad_input,
-/// file "clipboard"): no JSON, unknown keys, values that are not allowed, rules that would not hold; `preset` is not
-/// touched.
+/// A copy of `preset` with the values in `text`. With `group`, only that group is taken; it must be in the text. Throws
+/// Error (bad_input, file "clipboard"): no JSON, unknown keys, values that are not allowed, rules that would not hold;
+/// `preset` is not touched.
 Preset paste_parameters(const Preset& preset, std::string_view text, std::string_view group = {});
 
-/// Of a value that 0 does not mean as a number: "automatic"; else empty.
+/// What 0 means where it is no number: "automatic"; else empty.
 std::string_view meaning_of_zero(const Parameter& row);
 
 }  // namespace lapfx::app

@@ -140,7 +140,7 @@ void Parameters::add(const Table& table, const std::string& key, const std::vect
     }
 }
 
-/// x_low and x_high with a rule between them are one range.
+/// x_low and x_high, with a rule between them, are shown as one range.
 void Parameters::pair_bounds(const ParameterGroup& group) {
     constexpr std::string_view low_end = "_low", high_end = "_high";
     for (const Rule& rule : group.table->rules) {

@@ -29,8 +29,8 @@ struct ParameterEntry {
     std::string title{};              ///< "Keying: Luma low", where the group is not seen
     std::string tip{};                ///< tip_text() and the key
     std::string words{};              ///< what search looks into
-    std::size_t high = no_entry;      ///< this is the lower of two bounds; the upper one
-    std::size_t low = no_entry;       ///< this is the upper one; the lower
+    std::size_t high = no_entry;      ///< where this is a lower bound: the upper one
+    std::size_t low = no_entry;       ///< where this is an upper bound: the lower one
     std::string range_name{};         ///< of both: "Luma"
     std::string range_title{};        ///< "Keying: Luma"
     std::vector<const Table*> way{};  ///< from the root to its struct

@@ -1,4 +1,4 @@
-// How a document names the files that it rests on.
+// How a document names the files that it uses.
 //
 //     scene.organ.file = app::path_for("/data/case/liver.glb", "/data/case");  // "liver.glb"
 #pragma once

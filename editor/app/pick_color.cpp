@@ -7,7 +7,7 @@ namespace lapfx::app {
 
 namespace {
 
-/// Code values as light, whatever asks for them.
+/// Light of a code value.
 class LinearPixels : public ui::PickSource {
   public:
     explicit LinearPixels(const ui::PickSource& source) : source_(source) {}

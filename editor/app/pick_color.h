@@ -13,8 +13,8 @@ namespace lapfx::app {
 /// Pixels a side that are averaged: noise and the blocks of a video weigh less.
 inline constexpr int picked_side = 5;
 
-/// sRGB code values, as colours of presets are: the mean around `at` in linear light, of as much as is inside of
-/// `size`.
+/// The mean around `at`, worked out in linear light, of the pixels that lie inside of `size`; in sRGB, as colours of
+/// presets are.
 ui::Color color_around(const ui::PickSource& source, glm::ivec2 size, glm::ivec2 at);
 
 /// Zero outside.

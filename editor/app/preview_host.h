@@ -27,17 +27,18 @@ struct Shot {
     double time = 0;  ///< s
     SceneCamera camera;
     Overlay overlay = Overlay::none;
-    double scale = 1;  ///< of the picture's width and height: below 1 it is drawn so much smaller, and stretched
+    double scale = 1;  ///< below 1: it is drawn with so much less width and height, and stretched
 };
 
-/// Another place to draw it into, of a size of its own, and what was drawn there last.
+/// Another texture that it can be drawn into, of a size of its own, and what was drawn there last.
 struct PreviewCopy {
     Target target;
     Shot shot;
     std::uint64_t revision = 0;  ///< of the host; 0: nothing yet
 };
 
-/// Organ and clips of a first document, on their way before there is a window or an Editor. Any thread.
+/// Organ and clips of the first document, which are loaded while the window and the Editor are still being made. Any
+/// thread.
 struct EarlyLoad {
     EarlyLoad() = default;
     EarlyLoad(const EarlyLoad&) = delete;
@@ -73,14 +74,15 @@ class PreviewHost {
     /// that is waited for. What cannot be shown (values that contradict each other, a clip or an organ that is gone)
     /// stays what it was before, all else is shown, and the faults below tell of it.
     void follow(const document::Document& document);
-    /// Makes room for pictures of this size, px; picture() is another one then. Before the list that shows it is drawn.
+    /// Pictures have this size from now on, px; picture() is another texture then. Call it before the list that shows
+    /// the picture is drawn.
     void resize(glm::ivec2 size);
     /// Draws if the picture would differ from the last one; gives whether it did. Nothing is drawn without an organ, or
     /// once the driver has failed.
     bool draw(const Shot& shot);
     /// The same into `copy`, whose target has a size.
     bool draw_into(PreviewCopy& copy, const Shot& shot);
-    /// Clips play by themselves while time stands only if one is late: whether a draw() would get a better picture.
+    /// While time stands, a clip may still be late: whether another draw() could give a better picture.
     bool late() const;
 
     bool ready() const { return preview_ != nullptr; }

@@ -34,7 +34,7 @@ std::string named_in(const fs::path& folder, const fs::path& file) {
 
 }  // namespace
 
-/// The frame that is shown; with a size, as if it had that many pixels.
+/// The frame that is shown; with a size, it is sampled as if it had that many pixels.
 class Reference::ReferencePixels : public ui::PickSource {
   public:
     explicit ReferencePixels(const Image& image) : image_(image) {}
@@ -49,7 +49,8 @@ class Reference::ReferencePixels : public ui::PickSource {
     const Image& image_;
 };
 
-/// Read back when somebody asks, once for each picture; as if it had the pixels of the reference.
+/// Read back from the GPU when a pixel is asked for, once per picture; sampled as if it had as many pixels as the
+/// reference.
 class Reference::PreviewPixels : public ui::PickSource {
   public:
     explicit PreviewPixels(const Target& target) : target_(target) {}
@@ -156,7 +157,7 @@ double Reference::time() const {
 
 int Reference::frame() const {
     if (video() == nullptr) return -1;
-    // Half a thousandth on: sums of times and offsets fall just short of a frame's own.
+    // Half a thousandth more: a sum of time and offset may fall just short of a frame's own time.
     return held_ ? std::min(*held_, video()->info().frames - 1) : video()->frame_at(time() + 5e-4);
 }
 
@@ -202,7 +203,7 @@ void Reference::show_newest() {
 }
 
 void Reference::update(double) {
-    if (choosing_ && choosing_->cancelled()) choosing_.reset();  // by whoever lists jobs
+    if (choosing_ && choosing_->cancelled()) choosing_.reset();  // by the list of jobs
     follow_scene();
     if (feed_.take()) show_newest();
     compares_ = false;
@@ -214,7 +215,7 @@ void Reference::follow() {
     if (wanted < 0) return;
     const int before = feed_.frame();
     feed_.want(wanted);
-    if (feed_.frame() != before) show_newest();  // at once only where it is exact
+    if (feed_.frame() != before) show_newest();  // with `exact` the frame is there at once
 }
 
 ui::Picture Reference::picture() const {
@@ -223,7 +224,7 @@ ui::Picture Reference::picture() const {
     return {.image = image_, .size = shown_size(), .pixels = pixels_.get()};
 }
 
-/// In the aspect that the scene gives it: no pixel is lost.
+/// In the aspect that the scene gives it; the side that is stretched grows, so that no pixel is lost.
 glm::ivec2 Reference::shown_size() const {
     const glm::dvec2 stored = glm::max(glm::dvec2(feed_.image().width, feed_.image().height), glm::dvec2(1));
     const double aspect = document_.scene().reference.aspect;
@@ -251,7 +252,7 @@ bool Reference::show_at(double zoom) {
 }
 
 ui::Picture Reference::compared_preview() {
-    // It may be made only after this frame, before it is drawn.
+    // Its size may be known only now; it is drawn after this build, before the window shows it.
     compares_ = true;
     if (copy_.target.size() != drawn_size()) {
         copy_.target.resize(drawn_size());
@@ -275,7 +276,7 @@ bool Reference::draw(double scale) {
         .time = timeline_.time, .camera = document_.scene().camera, .overlay = Overlay::none, .scale = scale};
     const bool first = copy_.revision == 0;
     if (!preview_.draw_into(copy_, shot)) return false;
-    if (first) screen_.wake("the preview next to the reference");  // it may have been built without
+    if (first) screen_.wake("the preview next to the reference");  // the panel may have been built without it
     preview_pixels_->forget();
     return true;
 }

@@ -91,7 +91,7 @@ class Reference {
     bool show_at(double zoom);
     glm::ivec2 drawn_size() const;  ///< px that the preview is drawn at
     CompareWay way = CompareWay::beside;
-    ui::CompareState compare;  ///< its view is that of the reference alone, too
+    ui::CompareState compare;  ///< its view also holds for the reference alone
 
     // --- of the editor -----------------------------------------------------------------------------------------------
     void set_wake(std::function<void()> wake) { feed_.set_wake(std::move(wake)); }
@@ -101,7 +101,7 @@ class Reference {
     /// `scale`: Shot::scale.
     bool draw(double scale);
     std::size_t memory() const { return copy_.target.memory(); }  ///< bytes on the GPU
-    bool compares() const { return compares_; }                   ///< that picture was asked for in the last build
+    bool compares() const { return compares_; }                   ///< the last build asked for compared_preview()
 
   private:
     class ReferencePixels;
@@ -130,7 +130,7 @@ class Reference {
     std::optional<int> held_;
     ui::ImageHandle image_ = 0;  ///< of the editor's images
     bool compares_ = false;
-    double zoom_ = 0;  ///< px of the screen for one of compared_size(); 0: not known yet
+    double zoom_ = 0;  ///< pixels of the screen per pixel of compared_size(); 0: not known yet
     PreviewCopy copy_;
     std::unique_ptr<ReferencePixels> pixels_, compared_pixels_;
     std::unique_ptr<PreviewPixels> preview_pixels_;

@@ -21,7 +21,8 @@ void ScenePace::drawn(double begin, double end) {
     known_ = true;
     cost_ = end - begin;
     ended_ = end;
-    // A step up costs about twice as much; down it goes at once as far as the pixels alone would tell.
+    // A step to more pixels costs about twice as much; to fewer pixels it takes as many steps at once as the cost asks
+    // for.
     if (cost_ < 0.4 * budget && step_ > 0) {
         --step_;
         return;

@@ -1,7 +1,7 @@
 // When the scene is drawn, and how finely, while a person works: panels never wait for it. Without a GPU one picture of
 // the scene takes up to half a second, and nothing else is shown meanwhile. So from an input until a moment after the
-// last one the scene gets at most half of the time, in pieces that nobody feels: with fewer pixels, as many as fit into
-// `budget`. At rest it is drawn whole again. Time is an argument; no OpenGL.
+// last one the scene gets at most half of the time, in pieces too short to notice: it is drawn with as many pixels as
+// fit into `budget`. At rest it is drawn whole again. Time is an argument; no OpenGL.
 //
 //     pace.touch(now);                                   // an input
 //     if (pace.due(now)) { draw(pace.scale(now)); pace.drawn(now, after); }
@@ -24,16 +24,16 @@ class ScenePace {
     /// What one whole picture costs, s, as far as that is known, before drawn() tells better.
     void expect(double seconds);
 
-    /// Whether it is the scene's turn. Panels that have news, those of the input at `now`, go before it once.
+    /// Whether it is the scene's turn. Right after an input the panels go first, once.
     bool due(double now) const;
     /// Factor on width and height of the picture, as it is to be drawn now.
     double scale(double now) const { return touched(now) ? steps[step_] : 1; }
     /// A picture has been drawn, with scale(begin).
     void drawn(double begin, double end);
-    /// It was its turn at `now`, and nothing had to be drawn: at rest, what was drawn with fewer pixels is not seen any
-    /// more.
+    /// It was the scene's turn at `now`, and nothing had to be drawn. At rest this means that no picture with fewer
+    /// pixels is shown any more.
     void left_out(double now) { coarse_ = coarse_ && touched(now); }
-    /// When a picture that was drawn with fewer pixels is to be drawn whole, s; infinite: it is.
+    /// s: when a picture that was drawn with fewer pixels will be drawn whole; infinite where it is whole.
     double whole_at() const { return coarse_ ? touched_ + rest : std::numeric_limits<double>::infinity(); }
 
   private:

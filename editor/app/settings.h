@@ -41,9 +41,9 @@ class Settings {
     std::vector<std::string> preset_folders;  ///< that the preset browser looks into besides its own
     std::vector<std::string> preset_stars;    ///< files of presets
 
-    /// Of a file that was opened or saved: the newest.
+    /// A file was opened or saved: it becomes the newest of the recent ones.
     void note_recent(const std::string& file);
-    /// Those of them that are not there any more leave the recent ones.
+    /// Removes those of these files that do not exist any more from the recent ones.
     void forget_missing(const std::vector<std::string>& files);
     /// Where files of a kind were chosen last, by the title of the dialog; empty: nowhere yet.
     std::string last_folder(const std::string& title) const;

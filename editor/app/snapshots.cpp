@@ -30,7 +30,7 @@ std::string Snapshots::other_file(std::size_t slot) const {
 }
 
 void Snapshots::move(const std::filesystem::path& from, const std::filesystem::path& to) {
-    if (from.empty() || from == to) return;  // without a file: of which document nobody knows
+    if (from.empty() || from == to) return;  // without a file nobody knows which document it was
     for (auto& snapshot : all_)
         if (snapshot && snapshot->file == from) snapshot->file = to;
     ++version_;
@@ -53,7 +53,7 @@ void Snapshots::show(std::size_t slot) {
     }
     bool any = false;
     for (std::size_t i = 0; i < count; ++i) any |= shown(i);
-    // From one snapshot to the next, what was tuned before the first is still what one comes back to.
+    // Going from one snapshot to another keeps the preset from before the first one.
     if (!any) before_ = document_.preset();
     document_.change(name, [&](document::Content& c) { c.preset = preset(slot); });
 }

@@ -32,13 +32,14 @@ class Snapshots {
     const std::optional<Snapshot>& at(std::size_t slot) const { return all_[slot]; }
     void keep(std::size_t slot);
     void clear(std::size_t slot);
-    /// The document's preset becomes this one. It is already: then what was there before a snapshot was shown comes
+    /// The document's preset becomes this one. If it already is, the preset from before a snapshot was shown comes
     /// back.
     void show(std::size_t slot);
     /// The preset, as the document would have it: its clips are found from the document's folder.
     Preset preset(std::size_t slot) const;
-    /// They stay when another preset is opened, to be compared with that one. The name of the file that this one was
-    /// kept of, if it is another one than the document's now; empty: it is not, or it had none.
+    /// Snapshots stay when another preset is opened, to be compared with that one. This is the name of the file that
+    /// the snapshot was kept from, where it is not the document's file now; empty where it is, or where there was no
+    /// file.
     std::string other_file(std::size_t slot) const;
     /// The document's preset has been saved under another name: those kept of it are of that file now.
     void move(const std::filesystem::path& from, const std::filesystem::path& to);

@@ -135,7 +135,8 @@ bool read_picture(const fs::path& file, glm::ivec2 most, ThumbnailMaker::Result&
     }
 }
 
-/// The longest unused pictures go, and what an editor has left that was ended; what cannot be listed or removed stays.
+/// Removes the pictures that were unused for longest, and what an editor that was ended has left. What cannot be listed
+/// or removed stays.
 void evict(const fs::path& folder) {
     std::error_code error;
     std::vector<std::pair<fs::file_time_type, fs::path>> pictures;
@@ -197,7 +198,7 @@ std::string first_line(const fs::path& log) {
         const std::string text = read_file(log, longest_text);
         return text.substr(0, text.find('\n'));
     } catch (const Error&) {
-        return {};  // nothing was said
+        return {};  // the file says nothing about it
     }
 }
 
@@ -242,7 +243,7 @@ void ThumbnailMaker::want(std::vector<Request> requests) {
     Work& w = *work_;
     {
         const std::lock_guard lock(w.mutex);
-        // One that was dropped is ended, whatever is wanted by now: it begins again.
+        // A child whose picture was dropped is ended, even if the picture is wanted again: it is started anew.
         const auto running =
             w.working && !w.dropped ? std::find(requests.begin(), requests.end(), w.now) : requests.end();
         w.dropped = w.working && running == requests.end();
@@ -298,7 +299,7 @@ ThumbnailMaker::Result ThumbnailMaker::Work::make(const Request& request) {
         const bool preset = on_scene(request);
         const fs::path file = folder / (name_of(request, preset, options) + ".png");
         if (read_picture(file, options.size, result)) {
-            fs::last_write_time(file, fs::file_time_type::clock::now(), error);  // in use: goes last
+            fs::last_write_time(file, fs::file_time_type::clock::now(), error);  // it was used: it is removed last
             return result;
         }
         if (!options.render) return result;

@@ -28,7 +28,7 @@ namespace lapfx::app {
 class ThumbnailMaker {
   public:
     static constexpr glm::ivec2 standard_size{192, 154};
-    static constexpr std::size_t most_kept = 300;                         ///< files; the longest unused go
+    static constexpr std::size_t most_kept = 300;  ///< files; those unused for longest are removed
     static constexpr std::uint64_t most_memory = std::uint64_t{4} << 30;  ///< bytes, of what makes a picture
 
     struct Options {
@@ -49,7 +49,7 @@ class ThumbnailMaker {
     };
     struct Result {
         std::filesystem::path file;
-        glm::ivec2 size{0};                ///< Options::size; of what brings its own shape one that fits into that
+        glm::ivec2 size{0};  ///< Options::size; for what has a shape of its own, the largest one that fits into that
         std::vector<std::uint8_t> rgba{};  ///< empty: there is none
         std::string fault{};               ///< why, one line; empty where it was not to be rendered
     };
@@ -65,8 +65,8 @@ class ThumbnailMaker {
     bool busy() const;
     void finish();  ///< waits for all that is wanted
 
-    /// Of memory and of processor time one that makes a picture may take no more than is good for the rest: nobody may
-    /// be there to end it. Nobody wants its core, either. 0: this one.
+    /// Limits memory and processor time of the process that makes a picture, and its core dump, since it may run with
+    /// nobody there to end it. 0: this process.
     static void limit_process(pid_t process);
 
   private:

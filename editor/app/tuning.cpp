@@ -20,7 +20,7 @@ const std::vector<ParameterEntry>& entries() {
     return parameters().entries();
 }
 
-/// The same numbers everywhere: the standard leaves its distributions to the library.
+/// Gives the same numbers everywhere; the distributions of the standard library differ.
 class Dice {
   public:
     explicit Dice(std::uint64_t seed) : bits_(seed) {}
@@ -32,7 +32,7 @@ class Dice {
     std::mt19937_64 bits_;
 };
 
-/// Around `value`, at most `share` of the range away, on the row's steps.
+/// A random value on the row's steps, at most `share` of the range from `value`.
 double thrown(const Parameter& row, const Tuning::Range& range, double value, double share, Dice& dice) {
     const bool logarithmic = row.scale == Scale::logarithmic && range.low > 0;
     const auto to = [&](double v) { return logarithmic ? std::log(v) : v; };
@@ -69,7 +69,7 @@ Value thrown(const ParameterEntry& entry, const Tuning::Range& range, const Pres
             if (row.kind == Kind::color) v = glm::round(v * 255.0) / 255.0;
             return v;
         }
-        // These have nothing near them: only the whole range changes them.
+        // Choices and switches have no neighbouring values: they change only at full strength.
         case Kind::boolean:
             return share >= 1 ? Value(dice.between(0, 1) < 0.5) : value;
         case Kind::choice:

@@ -46,7 +46,7 @@ class Tuning {
     const Preset& standard() const;
     /// What is wrong with it; empty: nothing.
     const std::string& fault(std::size_t entry) const { return states_[entry].fault; }
-    /// Where bars and randomising go: what the user has set, else what the table allows.
+    /// The range of its bar and of randomising: as the user has set it, else as the table allows.
     Range range(std::size_t entry) const;
     void set_range(std::size_t entry, const Range& range) { states_[entry].range = range; }
 
@@ -58,19 +58,19 @@ class Tuning {
     /// What is wrong with the preset, but with none of its parameters: with its clips.
     const std::vector<std::string>& other_faults() const { return other_faults_; }
 
-    /// Null stands for all groups. Each is one undo step; locked values stay with randomise(), only with that.
+    /// Null stands for all groups. Each call is one undo step. Only randomise() leaves locked values as they are.
     void reset(const ParameterGroup* group);
     void reset(std::size_t entry);
     /// From the values as they are. The same seed, preset, locks and strength give the same values. Rules between
     /// values hold if they held before. Gives how many values changed.
     int randomise(const ParameterGroup* group);
     static constexpr double standard_strength = 0.1;
-    /// How far a value goes at most, of its range; 1: anywhere in it, choices too.
+    /// How far a value may move, as a part of its range; at 1 anywhere in it, and choices change, too.
     double strength = standard_strength;
-    std::uint64_t seed = 1;  ///< of the next randomise(); it counts on
+    std::uint64_t seed = 1;  ///< of the next randomise(), which adds 1 to it
 
     std::string copy(const ParameterGroup* group) const;
-    /// False, with toasts that say why: nothing of it could be taken.
+    /// False: nothing of it could be taken; notices say why.
     bool paste(const std::string& text, const ParameterGroup* group);
     std::string copy(std::size_t entry) const;
     bool paste(const std::string& text, std::size_t entry);
@@ -78,10 +78,10 @@ class Tuning {
     // --- what the panel shows ----------------------------------------------------------------------------------------
     std::string search;
     bool changed_only = false;
-    bool wants_search = false;       ///< the field is to have the keyboard
+    bool wants_search = false;       ///< the search field gets the keyboard in the next build
     std::size_t current = no_entry;  ///< the row that has or had the keyboard
-    std::size_t wanted = no_entry;   ///< the row that is to have it, in sight, from the next build of the panel
-    void want(std::size_t entry);    ///< nothing that the panel is narrowed to hides it
+    std::size_t wanted = no_entry;   ///< the row that gets it in the next build of the panel, and comes into sight
+    void want(std::size_t entry);    ///< also ends a search that would hide it
 
   private:
     struct State {

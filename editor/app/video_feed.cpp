@@ -177,7 +177,7 @@ void VideoFeed::publish(bool with_image) {
         const std::lock_guard lock(mutex_);
         ready_ = made_;
         if (with_image) std::swap(ready_image_, made_image_);
-        fresh_image_ = with_image || (fresh_image_ && made_.frame >= 0);  // never one of the file before
+        fresh_image_ = with_image || (fresh_image_ && made_.frame >= 0);  // never an image of the former file
         fresh_ = true;
         wake = wake_;
     }

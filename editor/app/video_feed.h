@@ -1,4 +1,4 @@
-// Frames of one video at a time, decoded beside the UI: the newest wish counts, and nobody waits for it.
+// Frames of one video, decoded on a thread of its own: the newest request counts, and nobody waits for it.
 //
 //     VideoFeed feed({.wake = [&] { ui.wake("video"); }});
 //     feed.open("operation.mp4");
@@ -43,12 +43,12 @@ class VideoFeed {
     bool take();
 
     bool opening() const { return !shown_.settled; }
-    /// Null: not opened. Its read() is not yours to call.
+    /// Null: not opened. Do not call its read(): the thread does.
     const std::shared_ptr<const VideoReader>& video() const { return shown_.video; }
     /// What is wrong: without video() nothing can be shown, else the last frame stays.
     const std::vector<Fault>& faults() const { return shown_.faults; }
     const Image& image() const { return image_; }
-    int frame() const { return shown_.frame; }  ///< that image() is; -1: none yet
+    int frame() const { return shown_.frame; }  ///< the one in image(); -1: none yet
     bool good() const { return shown_.good; }   ///< false: the file could not give it, this is the one before it
 
   private:
@@ -90,7 +90,7 @@ class VideoFeed {
     Image ready_image_;  ///< with it
     bool fresh_ = false, fresh_image_ = false;
     std::function<void()> wake_;
-    std::atomic<bool> give_up_ = false;  ///< another file is wanted: no way to a frame is worth going on
+    std::atomic<bool> give_up_ = false;  ///< another file is wanted: the search for a frame ends
 
     // the thread's own
     Shown made_;

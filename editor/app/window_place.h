@@ -21,8 +21,8 @@ struct WindowPlace {
 
 inline constexpr glm::ivec2 least_window{320, 240};
 
-/// As it fits on what is there now: on the monitor with most of it, or the first where its own is gone; no larger than
-/// that one and wholly on it. `monitors`: without the desktop's bars; none: as it is.
+/// How it fits on the monitors that are there now: on the monitor with most of it, or the first where its own is gone;
+/// no larger than that one and wholly on it. `monitors`: without the desktop's bars; none: as it is.
 WindowPlace fitted(WindowPlace place, std::span<const ScreenArea> monitors);
 
 }  // namespace lapfx::app

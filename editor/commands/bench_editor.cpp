@@ -1,6 +1,6 @@
 // What the editor costs beside the scene that it stands around: a frame of both on the sample scene, playing, with a
 // value that changes in every frame. All that is not drawing the scene counts as the editor: the change of the
-// document, Editor::update, what the preview does to follow the document, the panels and drawing them.
+// document, the update, what the preview does to follow the document, the panels and drawing them.
 //
 // The cost of a drag: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
 // scale), over that of a frame in which nothing is edited, for the same parts. Both take turns, and the best of five

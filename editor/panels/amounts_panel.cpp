@@ -73,7 +73,7 @@ void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& ti
                   .mark = timeline.time});
     if (result.clicked) timeline.seek(result.x);
     if (!result.moved) return;
-    for (AmountPlot& other : plots.all) {  // time is one for all
+    for (AmountPlot& other : plots.all) {  // all plots show the same part of time
         if (&other == &plot) continue;
         other.state.fitted = plot.state.fitted;
         other.state.x = plot.state.x;
@@ -82,7 +82,7 @@ void one_plot(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& ti
 
 constexpr float least_width = 12, least_height = 6.2F;  // em of a plot; in a smaller panel they scroll
 
-/// As many plots side by side as make the smallest side of each the largest; they are best twice as wide as high.
+/// The number of columns that makes the plots largest; they are best twice as wide as high.
 std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
     std::size_t best = 1;
     float largest = -1;
@@ -109,7 +109,7 @@ void nothing_known(ui::Ui& ui, app::AmountsOverTime& amounts) {
     if (ui::button(ui, "Compute again", {.tip = "Starts again; any change of the scene also does"})) amounts.again();
 }
 
-/// It has its line whether the plots are new or not: they stay where they are.
+/// This line is always there, so that the plots do not move.
 void how_new(ui::Ui& ui, const app::AmountsOverTime& amounts, float line) {
     const ui::Row row(ui, {.width = ui::grow(), .height = ui::px(line), .cross = ui::ChildAlign::center});
     const bool old = amounts.stale() && amounts.busy();

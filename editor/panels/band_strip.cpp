@@ -15,9 +15,9 @@ namespace lapfx::panels {
 
 namespace {
 
-/// Counted beside the UI, whenever the organ or what the counts depend on is another.
+/// Counted by a job, whenever the organ or a parameter that matters has changed.
 struct Counts {
-    std::weak_ptr<const PreparedOrgan> organ;  // it may go while nobody looks at this
+    std::weak_ptr<const PreparedOrgan> organ;  // weak: it may be freed while nobody looks at this
     double vessel_width = -1;
     std::optional<TissueHistogram> histogram;
     std::vector<Fault> faults;
@@ -50,7 +50,7 @@ void count(const document::Document& document, app::Jobs& jobs, const std::share
 
 void follow(const document::Document& document, const app::PreviewHost& preview, app::Jobs& jobs, StripMemory& memory) {
     Counts& counts = *memory.counts;
-    if (counts.counting && counts.counting->cancelled()) counts.counting.reset();  // by whoever lists jobs
+    if (counts.counting && counts.counting->cancelled()) counts.counting.reset();  // by the list of jobs
     if (counts.counting) return;
     const std::shared_ptr<const PreparedOrgan> organ = preview.organ_of(document.scene());
     if (organ && (counts.organ.lock() != organ || counts.vessel_width != document.preset().vessels.vessel_width))

@@ -1,5 +1,5 @@
-// What makes the vessel and the fat overlay, to be tuned while looking at it: how often each contrast or hue occurs on
-// the organ, the band over it, and the numbers beside it.
+// Tunes the overlays of vessels and fat while one looks at them: how often each contrast or hue occurs on the organ,
+// the band that is taken from it, and the numbers beside it.
 //
 //     panels::band_strip(ui, looking.overlay, edited, preview, jobs);
 #pragma once
@@ -10,7 +10,7 @@
 
 namespace lapfx::panels {
 
-/// Nothing but for the overlays of vessels and of fat.
+/// Builds nothing for other overlays than those of vessels and of fat.
 void band_strip(ui::Ui& ui, Overlay overlay, const Edited& edited, const app::PreviewHost& preview, app::Jobs& jobs);
 
 }  // namespace lapfx::panels

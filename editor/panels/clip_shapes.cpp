@@ -58,7 +58,7 @@ void draw_shapes(ui::Painter& painter, const ui::Node&, const ShapesLook& look) 
     }
 }
 
-/// Of the clip what handles are made of, as it was before any of them was moved: edits come one at a time.
+/// What handles are made of, copied before any of them changes the clip.
 struct ShapesBefore {
     ClipCrop crop;
     ClipRole role;
@@ -89,7 +89,7 @@ ui::Edit edit_place(ui::Ui& ui, const ui::View& view, const ui::HandleMoves& mov
     DragMemory& memory = ui.memory<DragMemory>(moves.id);
     const glm::dvec2 size(view.size), before = place;
     if (moves.steps != glm::dvec2(0)) {
-        // Shift is the large step here: there is nothing finer than a pixel.
+        // Shift gives the larger step here, since there is nothing finer than a pixel.
         const double stride = std::abs(moves.steps.x) + std::abs(moves.steps.y) < 1 ? 100 : 1;
         place = clamp(place + glm::dvec2(moves.steps.x, -moves.steps.y) * stride / size);
         return place != before ? ui::Edit::once() : edit;
@@ -242,7 +242,7 @@ class Shapes {
             });
     }
 
-    /// A drag makes one; it is the last of the gesture that counts.
+    /// A drag makes a mask, when it ends.
     void draw_mask(ui::Node& node, ShapesLook& shown) {
         const ui::Response r = ui_.respond(node);
         if (r.hovered) ui_.set_cursor(ui::Cursor::crosshair);
@@ -282,7 +282,7 @@ void mask_rows(ui::Ui& ui, app::KeyingBench& bench, const Edited& edited, std::s
     const std::size_t count = bench.clip()->masks.size();
     {
         const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
-        ui.push_disabled(count >= most_masks && !look.draws_mask);  // what is on can always be switched off
+        ui.push_disabled(count >= most_masks && !look.draws_mask);  // it can always be switched off
         if (ui::button(ui, "Draw mask",
                        {.tip = "Drag a rectangle on the source picture: nothing inside it counts as smoke",
                         .on = look.draws_mask})) {

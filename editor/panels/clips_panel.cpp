@@ -220,7 +220,7 @@ void work_in_hand(ui::Ui& ui, app::ClipShelf& shelf) {
     if (ui::progress(ui, shelf.work()->name(), shelf.work()->progress(), {.cancellable = true})) shelf.cancel_work();
 }
 
-/// What is wrong with the selected clip, and the ways out.
+/// What is wrong with the selected clip, and what can be done about it.
 void clip_faults(ui::Ui& ui, app::ClipShelf& shelf, app::FileChooser& chooser, ui::CommandTable& commands) {
     const std::size_t number = shelf.selected;
     for (const std::string& fault : shelf.faults(number)) fault_line(ui, fault, ui::Tone::error);
@@ -251,7 +251,7 @@ void clip_faults(ui::Ui& ui, app::ClipShelf& shelf, app::FileChooser& chooser, u
 
 // --- the selected clip -----------------------------------------------------------------------------------------------
 
-/// Both ends of what is played, in one row; an end of 0 is the clip's.
+/// Both ends of what is played, in one row; where `out` is 0, the end of the clip.
 void in_and_out(ui::Ui& ui, const Edited& edited, const SmokeClip& clip, double duration, std::size_t number) {
     double low = std::min(clip.in, duration), high = clip.out > 0 ? std::min(clip.out, duration) : duration;
     const SmokeClip& saved = edited.saved.clip(number);
@@ -277,7 +277,7 @@ void in_and_out(ui::Ui& ui, const Edited& edited, const SmokeClip& clip, double 
 
 void file_row(ui::Ui& ui, app::ClipShelf& shelf, app::FileChooser& chooser, const SmokeClip& clip) {
     const ui::Row row(ui, {.width = ui::grow(), .cross = ui::ChildAlign::center});
-    ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // as the captions below
+    ui.parent().padding[0] = static_cast<std::uint8_t>(ui.em(0.35F));  // like the captions below
     ui::label(ui, "File", {.width = ui::fraction(0.45F)});
     ui::label(ui, clip.file, {.tone = ui::Tone::dim, .width = ui::grow()});
     if (ui::icon_button(ui, Icon::folder, "Replace file...", {.tip = "Use another file instead of this one"}))
@@ -315,7 +315,7 @@ void own_keying(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands, co
         ui::checkbox(ui, "Own keying", own, "This clip has thresholds of its own; otherwise the preset's are used");
     edited.document.take(edit, "Own keying", [&](Content& c) {
         SmokeClip& to = c.preset.smoke.clips[number];
-        if (own) to.keying = c.preset.smoke.keying;  // goes on from what is seen
+        if (own) to.keying = c.preset.smoke.keying;  // begins with the keying that is in use now
         to.own_keying = own;
     });
     ui::command_button(ui, commands, "clip.bench");
@@ -401,8 +401,7 @@ void add_clip_commands(app::Editor& editor) {
     };
     add(
         "clip.add", "Add clip...", {ui::key_of('A'), Mods::command | Mods::shift}, Icon::plus,
-        [&editor, &shelf] { ask_for_clips(editor.chooser(), shelf); }, [] { return true; }, "",
-        "Smoke videos for this preset");
+        [&editor, &shelf] { ask_for_clips(editor.chooser(), shelf); }, {}, "", "Smoke videos for this preset");
     add(
         "clip.replace", "Replace file...", {}, Icon::folder,
         [&editor, &shelf] { ask_for_another(editor.chooser(), shelf); }, any, "no clip is selected",
@@ -426,7 +425,7 @@ void add_clip_commands(app::Editor& editor) {
     add(
         "clip.copy", "Copy clips next to the preset", {}, Icon::copy, [&shelf] { shelf.copy_beside(); },
         [&editor, &shelf] { return shelf.any_outside() && editor.chooser().takes_files(shelf.home()); },
-        "no clip lies outside the preset's folder, or nothing can be copied there",
+        "all clips are in the preset's folder, or nothing can be copied there",
         "Copies clips from elsewhere into the preset's folder, and uses the copies");
     add(
         "clip.bench", "Show in keying bench", {}, Icon::eye, [&editor] { editor.layouts().bring_to_front("Keying"); },

@@ -38,7 +38,11 @@ void add_commands(app::Editor& editor) {
                          .title = "Reload from disk",
                          .group = "View",
                          .chord = {key_of('R'), Mods::command | Mods::shift},
-                         .run = [&editor] { editor.hot_reload().reload_all(); },
+                         .run =
+                             [&editor] {
+                                 editor.hot_reload().reload_all();
+                                 editor.toasts.add({.text = "What is open was read again; unsaved changes stay"});
+                             },
                          .tip = "Reads preset, scene, organ, clips and shaders again"});
 }
 

@@ -53,7 +53,7 @@ bool ascending(const Points& points) {
     return true;
 }
 
-/// Makes `shown` what the scene has. The scale stays while something is dragged.
+/// Makes `shown` equal to the scene's curve. The scale does not change during a drag.
 void follow(ShownCurve& shown, const Points& points, double highest, bool dragging) {
     if (!shown.stale && shown.points == points && dragging) return;
     if (shown.stale || shown.points != points) {
@@ -74,7 +74,7 @@ void follow(ShownCurve& shown, const Points& points, double highest, bool draggi
     shown.high = top < usual_high ? std::min(usual_high, highest) : highest;
 }
 
-/// What was drawn, in round figures where these are told apart.
+/// What was drawn, rounded where the points stay apart.
 Points points_of(const ui::Curve& curve) {
     Points exact, round;
     for (const ui::CurvePoint& p : curve.points()) {
@@ -194,7 +194,7 @@ void curves_panel(ui::Ui& ui, document::Document& document, const app::Timeline&
     auto& memory = ui.memory<CurvesShown>(ui.id_of("Curves"));
     const float height = ui.rect_before(ui.parent().id).h;
     ui.follow_size(ui.parent());
-    const bool low = height > 0 && height < ui.em(least_height);  // all of it scrolls then
+    const bool low = height > 0 && height < ui.em(least_height);  // then the whole panel scrolls
     std::optional<ui::ScrollArea> all;
     if (low) all.emplace(ui, "All of it");
     ui::Node& room = ui.open(ui::Role::group, "Area", ui::Axis::y);

@@ -29,9 +29,9 @@ class EventForm {
           first_(edited.document.scene().events[stroke.events.front()]),
           last_(edited.document.scene().events[stroke.events.back()]) {}
 
-    /// In pairs that belong together, side by side; in a narrow panel two and two.
+    /// Columns side by side; in a narrow panel two above two.
     void build(bool narrow) {
-        // Of its own name: the scene has a duration, too.
+        // In a group of its own, because the scene has a row Duration, too.
         ui::Node& all = ui_.open(ui::Role::group, "Event", ui::Axis::y);
         all.size[0] = ui::grow();
         all.gap = ui_.em(0.25F);
@@ -97,7 +97,8 @@ class EventForm {
             app::stretch_stroke(events, stroke_, stroke_.start, stroke_.start + value);
         });
     }
-    /// What was saved of it: events have no names, one of the same action and time is taken for it. Null: it is new.
+    /// The event as it was saved. Events have no names, so the saved one with the same action and time is taken. Null:
+    /// it is new.
     const ToolContact* saved() const {
         const std::vector<ToolContact>& events = edited_.saved.content().scene.events;
         const auto found = std::find_if(events.begin(), events.end(), [&](const ToolContact& event) {

@@ -1,5 +1,5 @@
-// What is exported, where to, and whether that will do: one dialog for all kinds. While an export runs it shows how far
-// it is; so does the status bar, for the dialog need not stay open.
+// What is exported, to which file, and what is wrong with that: one dialog for all kinds. While an export runs it shows
+// the progress; so does the status bar, since the dialog can be closed.
 #include "app/editor.h"
 #include "app/exports.h"
 #include "app/file_chooser.h"
@@ -49,7 +49,7 @@ ui::FileRequest request_for(const ExportForm& form) {
     return request;
 }
 
-/// A path wants the whole width: its end tells most.
+/// A path has the whole width, so that its end is seen.
 void path_row(ui::Ui& ui, const ExportForm& form, app::FileChooser& chooser, std::string_view label, std::string& path,
               std::string_view tip, bool invalid) {
     const ui::Column column(ui, {.width = ui::grow(), .gap = 0.15F});
@@ -150,7 +150,7 @@ void extra_rows(ui::Ui& ui, Exports& exports, app::FileChooser& chooser) {
     fault_line(ui, exports, "--amounts");
 }
 
-/// What will come of it, in words.
+/// What the export will write, in words.
 std::string_view summary(ui::Ui& ui, const Exports& exports) {
     const ExportForm& form = exports.form;
     char text[128];
@@ -241,7 +241,7 @@ void ask_replace(ui::Ui& ui, Exports& exports) {
                                    : " exists and will be replaced once the new one is complete."}),
                 {{.label = "Cancel", .cancel = true}, {.label = "Replace"}}, ui::Tone::warning);
     if (answer == 1U) exports.start();
-    // What was refused says why in the form: files may have changed while the question was open.
+    // If the export was refused, the form says why: files may have changed while the question was open.
     if (answer == 0U || (answer == 1U && !exports.faults().empty())) ui::open_dialog(ui, dialog_name);
 }
 
@@ -266,7 +266,7 @@ void export_dialog(ui::Ui& ui, Exports& exports, app::FileChooser& chooser, app:
             ui, "Copy lapfx render command",
             {.icon = ui::Icon::copy, .tip = "A command line that makes the same files, for scripts", .quiet = true}))
         copy_command(ui, exports, notices);
-    const std::string_view leave = exports.running() ? "Close" : "Cancel";  // what runs goes on
+    const std::string_view leave = exports.running() ? "Close" : "Cancel";  // an export that runs goes on
     const auto pressed =
         dialog.buttons({{.label = leave, .cancel = true},
                         {.label = "Export", .standard = true, .enabled = sound, .tip = why_not(ui, exports)}});
@@ -277,7 +277,7 @@ void export_dialog(ui::Ui& ui, Exports& exports, app::FileChooser& chooser, app:
         exports.start();
 }
 
-/// In short: the dialog tells all of it.
+/// In short; the dialog says more.
 void export_status(ui::Ui& ui, Exports& exports) {
     if (exports.running() && ui::progress(ui, exports.name(), exports.progress(),
                                           {.seconds_left = exports.seconds_left(),

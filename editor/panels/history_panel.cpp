@@ -1,5 +1,4 @@
-// All that was done since the document was opened, in words. A click, or Enter, goes back or forth to the state after
-// that step.
+// All steps since the document was opened, in words. A click, or Enter, goes back or forth to the state after a step.
 #include <unordered_map>
 
 #include "app/layouts.h"
@@ -72,7 +71,7 @@ void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& c
         ui, "Steps", state.table, columns, document.steps().size() + 1,
         [&](std::size_t row, std::size_t column) { return cell_of(state, document, row, column); }, {.key_of = &key});
     std::size_t target = events.opened;
-    // Arrows only look; a press goes there.
+    // The arrow keys only select; a press goes to that state.
     if (events.selected && ui.held() != 0 && events.hovered != ui::no_row) target = events.hovered;
     if (target == ui::no_row || target == document.done()) return;
     document.go_to(target);

@@ -1,4 +1,4 @@
-// The keying bench: a frame of the selected clip on its way to smoke, and the thresholds where one sees what they do:
+// The keying bench: a frame of the selected clip on its way to smoke, and the thresholds beside what they do:
 // as handles on a histogram and a vectorscope, as numbers, by eyedropper, by suggestion.
 #include "app/keying_bench.h"
 
@@ -132,7 +132,7 @@ std::string_view whole(ui::Ui& ui, float value) {
     return ui.copy(std::to_string(std::lround(value)));
 }
 
-/// Of a pixel of each view, what its thresholds go by.
+/// What is told of a pixel of each view: the values that matter there.
 std::string_view source_text(ui::Ui& ui, const glm::vec4& v) {
     return ui.join({"Luma ", whole(ui, luma(glm::vec3(v))), "  red ", whole(ui, v.r), "  green ", whole(ui, v.g),
                     "  blue ", whole(ui, v.b)});
@@ -192,7 +192,8 @@ void step_frame(const On& on, int by) {
     const ClipReport& report = on.report();
     bench.look.follow = false;
     const double frame = std::clamp(bench.frame() + by, 0, std::max(bench.frames() - 1, 0));
-    bench.look.time = (frame + 0.5) / std::max(report.frames_per_second, 1e-6);  // its middle: times are rounded
+    // The middle of the frame, so that rounding does not reach another one.
+    bench.look.time = (frame + 0.5) / std::max(report.frames_per_second, 1e-6);
 }
 
 void clip_time(ui::Ui& ui, const On& on) {
@@ -323,7 +324,7 @@ void whose_and_suggest(ui::Ui& ui, const On& on, bool narrow) {
     }
     on.document().take(edit, "Own keying", [&](Content& c) {
         SmokeClip& clip = c.preset.smoke.clips[number];
-        if (own == 1) clip.keying = c.preset.smoke.keying;  // goes on from what is seen
+        if (own == 1) clip.keying = c.preset.smoke.keying;  // begins with the keying that is in use now
         clip.own_keying = own == 1;
     });
     if (!narrow) ui::spacer(ui);
@@ -341,7 +342,7 @@ void pick_color(ui::Ui& ui, const On& on) {
     if (ui::segmented(ui, "Sample box", box, names)) bench.look.sample_box = sides[static_cast<std::size_t>(box)];
 }
 
-/// What changed, as long as it is so.
+/// What the suggestion changed, until the document changes again.
 void suggested_changes(ui::Ui& ui, const On& on, bool unsure) {
     const KeyingBench& bench = on.bench;
     const std::string_view changes = bench.suggestion_changes();
@@ -466,7 +467,7 @@ void nothing_to_show(ui::Ui& ui, const On& on) {
     if (ui::button(ui, "Look again", {.tip = "Checks whether the file is there now"})) on.shelf.look_again();
 }
 
-/// In a panel of little height the pictures have nearly all of it, and the thresholds come by scrolling.
+/// In a low panel the pictures have nearly all the room, and one scrolls to the thresholds.
 void low(ui::Ui& ui, const On& on, const ui::Rect& room) {
     const float others = 2 * ui.row_height() + ui.em(2.4F), peek = ui.em(3);
     const float height = std::max(room.h - others - peek, ui.em(least_pictures));

@@ -18,7 +18,7 @@ namespace {
 
 constexpr std::string_view dialog_name = "organ";
 constexpr std::size_t most_warnings = 4;
-/// Behind the lengths another one, which is typed.
+/// The units, and last one that is typed.
 constexpr auto unit_names = [] {
     std::array<std::string_view, app::length_units.size() + 1> names{};
     for (std::size_t i = 0; i < app::length_units.size(); ++i) names[i] = app::length_units[i].name;
@@ -162,7 +162,7 @@ class OrganDialog {
 void organ_dialog(ui::Ui& ui, app::OrganChoice& choice, ui::CommandTable& commands) {
     if (choice.take_asked()) ui::open_dialog(ui, dialog_name);
     ui::Dialog dialog(ui, dialog_name, "Load organ",
-                      {.width = 34, .height = 30});  // of one size: its buttons stay where they are
+                      {.width = 34, .height = 30});  // of a fixed size, so that its buttons do not move
     if (dialog.cancelled()) choice.give_up();
     if (!dialog) return;
     {

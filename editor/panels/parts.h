@@ -31,7 +31,7 @@ namespace lapfx::panels {
 
 /// What was dropped, as the UI has it: one a line.
 std::vector<std::string> dropped_files(std::string_view paths);
-/// Room along a row for something that takes all it gets, such as segmented(); ems: 0 is all that is left.
+/// Part of a row for a widget that takes all the room it gets, such as segmented(). `ems` 0: all that is left.
 struct Room : ui::Row {
     Room(ui::Ui& ui, float ems)
         : ui::Row(ui, {.width = ems > 0 ? ui::px(ui.em(ems)) : ui::grow(), .cross = ui::ChildAlign::center}) {}
@@ -42,9 +42,9 @@ inline std::string_view chord_of(const ui::CommandTable& commands, std::string_v
     return commands.chord_text(commands.index_of(command));
 }
 
-/// While a colour is wanted from a picture: what to do, over those that give one; of the panel's node that it lies in.
+/// While a field wants a colour from a picture: says what to do, over the picture. Built in the node of the panel.
 void pick_hint(ui::Ui& ui, ui::Eyedropper& eyedropper);
-/// Esc leaves that; with no such picture in sight the view is shown. Once a frame.
+/// Esc ends that. Where no such picture is in sight the view is shown. Once a frame.
 void follow_eyedropper(ui::Ui& ui, ui::Eyedropper& eyedropper, app::Layouts& layouts);
 
 void menu_bar(ui::Ui& ui, ui::CommandTable& commands, app::Settings& settings, app::Files& files);
@@ -63,7 +63,7 @@ struct StatusParts {
     const app::EditorOptions& options;
 };
 void status_bar(ui::Ui& ui, const StatusParts& parts);
-/// Three lines for those who see it for the first time; until they are closed.
+/// Three lines for a person who starts the editor for the first time, until they are closed.
 void first_hint(ui::Ui& ui, app::Settings& settings, bool playing);
 /// Commands and parameters by name: a command runs, a parameter's row comes into sight and has the keyboard.
 void command_palette(ui::Ui& ui, ui::CommandTable& commands, app::Layouts& layouts, app::Tuning& tuning);

@@ -1,4 +1,4 @@
-// All parameters of the preset, in sections: made from the parameter table, no row by hand.
+// All parameters of the preset, in sections. Every row is made from the parameter table.
 #include <charconv>
 #include <cmath>
 
@@ -69,7 +69,9 @@ void menu_items(ui::Ui& ui, const On& on, const ParameterGroup* group, ui::Id bo
                       {.tip = "From JSON in the clipboard", .enabled = clipboard}))
         paste_group(tuning, ui.clipboard(), group);
     if (ui::menu_item(ui, group == nullptr ? "Reset all" : "Reset group",
-                      {.icon = Icon::reset, .tip = "Back to the saved values", .enabled = changed > 0}))
+                      {.icon = Icon::reset,
+                       .tip = changed > 0 ? "Back to the saved values" : "Nothing differs from the saved values",
+                       .enabled = changed > 0}))
         tuning.reset(group);
     ui::menu_separator(ui);
     const std::string percent = std::to_string(std::lround(100 * tuning.strength));
@@ -139,7 +141,7 @@ class Sections {
 
     bool shows(std::size_t index) const {
         const ParameterEntry& entry = app::parameters()[index];
-        if (entry.low != no_entry) return false;  // in the row of its lower bound
+        if (entry.low != no_entry) return false;  // it is shown in the row of its lower bound
         const bool changed = tuning_.changed(index) || (entry.high != no_entry && tuning_.changed(entry.high));
         if (tuning_.changed_only && !changed) return false;
         return !searching() || ui::contains_words(entry.words, tuning_.search);
@@ -155,7 +157,7 @@ class Sections {
         for (const std::string& fault : tuning_.other_faults())
             ui::label(ui_, fault, {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
         const ParameterGroup& own = app::parameters().groups().front();
-        ui::Node& body = ui_.open(ui::Role::none, {}, ui::Axis::y);  // in line with what sections hold
+        ui::Node& body = ui_.open(ui::Role::none, {}, ui::Axis::y);  // indented like the rows of sections
         body.gap = ui_.em(ui_.theme().gap);
         body.padding[0] = static_cast<std::uint8_t>(std::min(255.0F, ui_.em(0.8F)));
         for (std::size_t i = own.first; i < own.last; ++i)
@@ -164,13 +166,13 @@ class Sections {
     }
 
     void put_favourites() {
-        if (searching()) return;  // they are found in their sections
+        if (searching()) return;  // a search finds them in their sections
         bool any = false;
         for (const std::size_t index : tuning_.favourites()) any |= shows(low_of(index));
         if (!any) return;
         const ui::Section section(ui_, "Favourites", {.tip = "Parameters marked as favourites in their menu"});
         if (!section) return;
-        for (std::size_t i = 0; i < tuning_.favourites().size(); ++i) {  // a row's menu may take it out of the list
+        for (std::size_t i = 0; i < tuning_.favourites().size(); ++i) {  // a menu may remove one meanwhile
             const std::size_t index = tuning_.favourites()[i];
             if (shows(low_of(index)) && !listed_with_low(index)) row(low_of(index), true);
         }
@@ -189,7 +191,7 @@ class Sections {
         bool any = false;
         for (std::size_t i = group.first; i < group.last && !any; ++i) any = shows(i);
         if (!any) return;
-        // While one searches sections are others, all open; those from before come back as they were.
+        // Sections that a search leaves are other ones, all open, so that those from before keep their state.
         const bool narrowed = searching() || tuning_.changed_only;
         const std::string_view label = narrowed ? ui_.join({group.name, "###", group.key, " found"}) : group.name;
         constexpr ui::SectionButton buttons[] = {{Icon::menu, "More"}};

@@ -111,7 +111,7 @@ class RowBuilder {
         });
     }
 
-    /// For rows that are no single number; those have one of the toolkit's with the same items.
+    /// For rows that are not a single number: a number has a menu of the toolkit with the same items.
     void put_menu(std::ptrdiff_t at, ui::Id id) {
         ui::Node& node = (&ui_.parent())[at];
         node.sense = node.sense | ui::Sense::context;
@@ -135,7 +135,11 @@ class RowBuilder {
         const bool changed = tuning_.changed(index_) || (range() && tuning_.changed(entry_.high));
         const bool locked = tuning_.locked(index_), favourite = tuning_.favourite(index_);
         ui::Clipboard* const clipboard = ui_.clipboard();
-        if (ui::menu_item(ui_, "Reset", {.icon = ui::Icon::reset, .enabled = changed})) tuning_.reset(index_);
+        if (ui::menu_item(ui_, "Reset",
+                          {.icon = ui::Icon::reset,
+                           .tip = changed ? "Back to the saved value" : "It has the saved value",
+                           .enabled = changed}))
+            tuning_.reset(index_);
         put_default();
         if (ui::menu_item(ui_, "Copy", {.icon = ui::Icon::copy, .enabled = clipboard != nullptr}))
             clipboard->set(tuning_.copy(index_));
@@ -155,7 +159,11 @@ class RowBuilder {
         const ParameterEntry* const upper = range() ? &app::parameters()[entry_.high] : nullptr;
         const bool differs =
             !entry_.same(preset(), initial()) || (upper != nullptr && !upper->same(preset(), initial()));
-        if (!ui::menu_item(ui_, "Default value", {.shortcut = "Shift+Backspace", .enabled = differs})) return;
+        if (!ui::menu_item(ui_, "Default value",
+                           {.shortcut = "Shift+Backspace",
+                            .tip = differs ? "What a preset without this value has" : "It has the default value",
+                            .enabled = differs}))
+            return;
         edited_.document.change("Default of " + std::string(title_), [&](document::Content& c) {
             for (const ParameterEntry* entry : {&entry_, upper})
                 if (entry != nullptr) entry->row->set(entry->owner(c.preset), entry->row->get(entry->owner(initial())));

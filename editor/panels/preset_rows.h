@@ -2,7 +2,7 @@
 //
 //     parameter_row(ui, edited, tuning, app::parameters().find("bleeding.speed"), false);  // "Speed  4 mm/s"
 //
-// A lower bound with its upper one is one row. What is wrong is told below the row.
+// A lower and an upper bound share a row. What is wrong with a value is told below its row.
 #pragma once
 
 #include "app/tuning.h"

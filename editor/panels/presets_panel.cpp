@@ -35,7 +35,7 @@ struct Browsing {
     std::uint64_t menu_of = ui::no_key;  ///< and of the one with the menu
 };
 
-/// Of a file, by the key of its path; files may have gone meanwhile.
+/// The number of the file with this key; ui::no_row where it is gone.
 std::size_t file_of(const Browser& browser, std::uint64_t key) {
     for (std::size_t i = 0; i < browser.files().size(); ++i)
         if (browser.files()[i].key == key) return i;
@@ -54,7 +54,7 @@ void open(ui::Ui& ui, const On& on, Browsing& b, std::size_t file) {
     }
 }
 
-/// What is not saved would be gone: its values can be had instead, which undo takes back.
+/// Opening would lose unsaved work. Taking only the values can be undone.
 void question(ui::Ui& ui, const On& on, Browsing& b) {
     if (b.asked == ui::no_key) return;
     const std::size_t file = file_of(on.browser, b.asked);
@@ -148,10 +148,16 @@ void item_items(ui::Ui& ui, const On& on, Browsing& b, std::size_t index) {
     Browser& browser = on.browser;
     const PresetFile& file = browser.files()[index];
     const bool usable = file.fault.empty(), starred = browser.starred(index);
-    if (ui::menu_item(ui, "Open", {.shortcut = "Enter", .enabled = usable})) open(ui, on, b, index);
-    if (ui::menu_item(
-            ui, "Take its values",
-            {.tip = "Uses its values in the open preset, in one undo step; name and file stay", .enabled = usable}))
+    if (ui::menu_item(ui, "Open",
+                      {.shortcut = "Enter",
+                       .tip = usable ? std::string_view("In place of the open preset") : file.fault,
+                       .enabled = usable}))
+        open(ui, on, b, index);
+    if (ui::menu_item(ui, "Take its values",
+                      {.tip = usable ? std::string_view(
+                                           "Uses its values in the open preset, in one undo step; name and file stay")
+                                     : file.fault,
+                       .enabled = usable}))
         browser.take_values(index);
     ui::menu_separator(ui);
     if (ui::menu_item(ui, "Star", {.icon = Icon::star, .checked = starred})) browser.star(index, !starred);

@@ -42,13 +42,13 @@ void ask_for_video(Reference& reference, app::FileChooser& chooser) {
         [&reference](const std::vector<std::string>& files) { reference.choose(files.front()); });
 }
 
-/// A video becomes the reference; a scene, a preset or an organ is what it is anywhere in the window.
+/// A video becomes the reference; a scene, a preset or an organ is opened, as anywhere in the window.
 void take_dropped(Reference& reference, app::Files& opens, std::string_view paths) {
     const std::vector<std::string> files = dropped_files(paths);
     if (files.empty()) return;
     const std::filesystem::path first = files.front();
     if (app::is_organ_name(first) || app::is_document_name(first)) return opens.bring(files);
-    reference.choose(files.front());  // what is no video is told in its place
+    reference.choose(files.front());  // if it is no video, the panel says so
 }
 
 void accept_drops(ui::Ui& ui, Reference& reference, app::Files& files) {
@@ -106,7 +106,7 @@ void tell_faults(ui::Ui& ui, Reference& reference, app::FileChooser& chooser, co
     ways_out(ui, reference, chooser);
 }
 
-/// Another one was chosen and cannot be opened: the one that is there stays.
+/// Another reference was chosen and cannot be opened: the former one stays.
 void warn_of_refused(ui::Ui& ui, Reference& reference, app::FileChooser& chooser) {
     if (reference.refused().empty()) return;
     ui::label(ui, reference.refused().front().text(), {.tone = ui::Tone::error, .wrap = true, .width = ui::grow()});
@@ -132,7 +132,7 @@ struct Aspect {
 };
 constexpr std::array<Aspect, 3> aspects = {{{"As stored", 0}, {"4:3", 4.0 / 3}, {"16:9", 16.0 / 9}}};
 
-/// Videos are often stored squeezed, and do not say so. What the scene has beside the usual ones is there, too.
+/// Videos are often stored squeezed without saying so. An unusual aspect of the scene is also in the list.
 void aspect_choice(ui::Ui& ui, document::Document& document) {
     const double now = document.scene().reference.aspect;
     std::array<std::string_view, aspects.size() + 1> names;
@@ -155,7 +155,7 @@ void aspect_choice(ui::Ui& ui, document::Document& document) {
     document.take(edit, "Reference aspect", [&](document::Content& c) { c.scene.reference.aspect = ratio; });
 }
 
-/// Between them while `in_a_row`, else from a list.
+/// As buttons where `in_a_row`, else as a list.
 void choose_way(ui::Ui& ui, Reference& reference, bool in_a_row) {
     int way = static_cast<int>(reference.way);
     bool chosen = false;
@@ -270,7 +270,7 @@ void align_button(ui::Ui& ui, Reference& reference) {
     ui.pop_disabled();
 }
 
-/// Where it stands, and what keeps that from being what one expects.
+/// The time that is shown, with a warning where it is not the one that was asked for.
 struct PlaceInTime {
     std::string_view warning, text;
 };
@@ -318,7 +318,7 @@ void time_row(ui::Ui& ui, Reference& reference, const Edited& edited, float room
     });
 }
 
-/// Of the picture that is seen there; of the reference where both are mixed.
+/// Takes it from the picture that is seen at that place; where both are mixed, from the reference.
 void take_color(ui::Eyedropper& eyedropper, CompareWay way, const ui::CompareResult& result, const ui::Picture& preview,
                 const ui::Picture& video) {
     const bool mixed = way == CompareWay::onion || way == CompareWay::difference;
@@ -330,7 +330,7 @@ void comparison(ui::Ui& ui, Reference& reference, ui::Eyedropper& eyedropper) {
     constexpr std::array kinds = {ui::CompareKind::side_by_side, ui::CompareKind::side_by_side, ui::CompareKind::wipe,
                                   ui::CompareKind::difference, ui::CompareKind::onion};
     reference.compare.kind = kinds[static_cast<std::size_t>(reference.way)];
-    // The view takes letters for itself.
+    // The comparison takes letters before any command.
     ui.events_of(ui.id_of("Comparison"), [&](const ui::Event& event) {
         if (event.kind == ui::EventKind::key && event.key == ui::key_of('M') && !event.repeat)
             choose_next_way(reference);
@@ -367,7 +367,7 @@ void pictures(ui::Ui& ui, Reference& reference, ui::Eyedropper& eyedropper) {
     ui.build_again();
 }
 
-/// In a panel of little height the pictures have nearly all of it, and the tools of time come by scrolling.
+/// In a low panel the pictures have nearly all the room, and one scrolls to the tools of time.
 void low(ui::Ui& ui, Reference& reference, const Edited& edited, float room) {
     ui::ScrollArea area(ui, "Compared", {.gap = 0.3F});
     {

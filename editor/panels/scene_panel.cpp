@@ -1,4 +1,4 @@
-// The scene: what the preset is seen on. Rows from the scene's table, and what is wrong between them.
+// The scene on which the preset is seen: rows from the scene's table, with what is wrong below each.
 #include <algorithm>
 
 #include "app/file_filters.h"
@@ -15,7 +15,7 @@ namespace {
 
 using document::Content;
 
-/// Faults are looked for once a version, not once a frame.
+/// Faults are looked for once per version of the document, not in every frame.
 struct SceneFaults {
     std::uint64_t version = 0;
     std::vector<Fault> all;

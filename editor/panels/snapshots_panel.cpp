@@ -20,10 +20,10 @@ using ui::Mods;
 constexpr int now = static_cast<int>(Snapshots::count);
 constexpr std::array<std::string_view, Snapshots::count + 1> sides = {"A", "B", "C", "D", "Now"};
 
-// em: of the panel's width, below which rows leave things out; of its height, below which it scrolls.
+// em: widths of the panel below which rows leave things out, and the height below which it scrolls.
 constexpr float whole_row = 24, named_row = 17, worded_row = 16, whole_height = 24, least_table = 9;
 
-/// Of the four slots, for these versions; a name has the file it is of where that is another one than the document's.
+/// Names of the four slots, for these versions; with the file where it is another one than the document's.
 struct SlotNames {
     std::uint64_t snapshots = 0, document = 0;
     std::array<std::string, Snapshots::count> name;
@@ -35,7 +35,7 @@ struct SnapshotsState {
     int left = 0, right = now;
     ui::TableState table;
     std::vector<document::Difference> differences;
-    // What they were found between.
+    // What was compared to find them.
     int compared_left = -1, compared_right = -1;
     std::uint64_t document = 0, snapshots = 0;
     std::string text;
@@ -77,7 +77,7 @@ void follow_names(const Snapshots& snapshots, const document::Document& document
     }
 }
 
-/// Of another file: which one, before its values come into this preset.
+/// The name of the kept preset, and of its file where that is another one than the one that is open.
 void name_of(ui::Ui& ui, const SlotNames& names, const Snapshots& snapshots, std::size_t slot) {
     if (!snapshots.at(slot)) return ui::label(ui, "empty", {.tone = ui::Tone::dim, .width = ui::grow()});
     ui::label(ui, names.name[slot],
@@ -121,7 +121,7 @@ void slot_row(ui::Ui& ui, Snapshots& snapshots, SnapshotsState& state, std::size
     ui.pop_seed();
 }
 
-/// Of the left side, into the preset; as one step.
+/// Takes a value of the left side into the preset, as one step.
 void take(const Snapshots& snapshots, document::Document& document, const SnapshotsState& state,
           const document::Difference& difference) {
     const Preset source = preset_of(snapshots, document, state.left);
@@ -154,7 +154,7 @@ void difference_table(ui::Ui& ui, const Snapshots& snapshots, document::Document
         ui, "Differences", s.table, columns, s.differences.size(),
         [&](std::size_t row, std::size_t column) { return cell_of(s.differences[row], column); }, {.height = height});
     std::size_t row = events.opened;
-    if (events.selected && ui.held() != 0) row = events.hovered;  // arrows only look
+    if (events.selected && ui.held() != 0) row = events.hovered;  // the arrow keys only select
     if (s.left == now || row == ui::no_row) return;
     take(snapshots, document, s, s.differences[row]);
     s.table.selection.clear();

@@ -24,7 +24,7 @@ std::string_view formatted(ui::Ui& ui, const char* format, double value) {
     return ui.copy(text);
 }
 
-/// What runs beside the UI and is shown nowhere else; the oldest, and how many more.
+/// The oldest job that no panel shows, and how many more there are.
 void jobs(ui::Ui& ui, const StatusParts& parts) {
     auto running = parts.jobs.running();
     std::erase_if(running, [exports = parts.exports.job()](const auto& job) { return job.get() == exports; });

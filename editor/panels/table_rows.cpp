@@ -28,7 +28,7 @@ struct NameLook {
     friend bool operator==(const NameLook&, const NameLook&) = default;
 };
 
-/// As the labels of numbers are.
+/// Looks like the label of a number.
 void draw_name(ui::Painter& painter, const ui::Node& node, const NameLook& look) {
     const ui::Theme& t = painter.theme();
     ui::Rect column = node.rect();
@@ -39,7 +39,7 @@ void draw_name(ui::Painter& painter, const ui::Node& node, const NameLook& look)
     painter.text(column, look.text, painter.text_style(), t.text);
 }
 
-/// A text as its field edits it: what cannot be stored is there, too.
+/// A text as its field shows it, even where it cannot be stored.
 struct TextShown {
     std::string text, stored;
 };
@@ -54,7 +54,7 @@ struct RowBuild {
     const void* saved;  ///< a struct like the owner; null: nothing to go back to
 
     void* find(document::Content& content) const { return owner(content); }
-    /// To read from: a content that is edited through the document alone.
+    /// To read from: the content is changed only through the document.
     const void* now() const { return owner(const_cast<document::Content&>(edited.document.content())); }
     template <typename T>
     const T& in(const void* of) const {
@@ -76,7 +76,7 @@ struct RowBuild {
         if (!options.step.empty()) return options.step;
         return options.prefix.empty() ? name() : ui.join({options.prefix, ": ", name()});
     }
-    /// What is not allowed is not taken: the field says why already.
+    /// A value that is not allowed is not taken; the field says why.
     ui::Edit take(ui::Edit edit, const Value& next) const {
         if (edit.changed && !row.check(next).empty()) edit.changed = false;
         edited.document.take(edit, step(), [&](document::Content& content) {
@@ -113,7 +113,7 @@ ui::Edit number_row(const RowBuild& b) {
     return b.take(edit, value);
 }
 
-/// What each of the numbers is.
+/// The letters in front of the numbers.
 std::string_view letters_of(const Parameter& row) {
     return row.key == "extinction" ? "RGB" : "XYZ";
 }
@@ -149,8 +149,7 @@ ui::Edit color_field(const RowBuild& b) {
         return static_cast<std::uint8_t>(std::lround(std::clamp(value[i], 0.0, 1.0) * 255));
     };
     ui::Color color{code(0), code(1), code(2), 255};
-    // The background of a clip is picked in the keying panel: what other pictures show is not what the key is compared
-    // with.
+    // The key colour is picked in the Keying panel, because the key is compared with pixels of the clip itself.
     ui::Eyedropper* const dropper = b.row.key == "key_color" ? nullptr : &b.edited.eyedropper;
     const ui::Edit edit = ui::color_field(b.ui, "Colour", color, {.tip = b.tip(), .eyedropper = dropper});
     return b.take(edit, glm::dvec3(color.r, color.g, color.b) / 255.0);
@@ -164,11 +163,11 @@ ui::Edit text_field(const RowBuild& b) {
                        {.tip = b.tip(), .bytes = 4 * static_cast<std::size_t>(std::max(b.row.maximum, 1.0))});
     if (!edit.began && !edit.changed && !edit.committed && !edit.cancelled) return edit;
     const ui::Edit taken = b.take(edit, shown.text);
-    if (edit.committed || edit.cancelled) shown.text = b.value<std::string>();  // without what could not be stored
+    if (edit.committed || edit.cancelled) shown.text = b.value<std::string>();  // drops what could not be stored
     return taken;
 }
 
-/// The owner is asked for again when the answer comes: rows, tables and the document outlive the dialog.
+/// When the answer comes the owner is looked up again; rows, tables and the document outlive the dialog.
 void choose_file(const RowBuild& b) {
     std::vector<ui::FileFilter> filters;
     if (b.options.files != nullptr) filters.push_back(*b.options.files);
@@ -182,7 +181,7 @@ void choose_file(const RowBuild& b) {
                          });
 }
 
-/// Shown, not typed: a file half named would be looked for with every letter.
+/// The path cannot be typed, because every letter would look for another file.
 ui::Edit path_field(const RowBuild& b) {
     ui::Ui& ui = b.ui;
     TextShown& shown = ui.memory<TextShown>(ui.id_of("File"));
@@ -213,7 +212,7 @@ ui::Edit field(const RowBuild& b) {
     }
 }
 
-/// Backspace, from the field, which has the keyboard; a text has it for itself.
+/// Takes Backspace from the field that has the keyboard; a field of text keeps it.
 void take_resets(const RowBuild& b, ui::Node& node) {
     if (b.is_text() || (b.saved == nullptr && b.options.standard == nullptr)) return;
     node.sense = node.sense | ui::Sense::erase;

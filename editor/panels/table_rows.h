@@ -4,10 +4,10 @@
 //     panels::table_rows(ui, edited, *scene_table().find("light"), light);
 //     panels::table_row(ui, edited, *scene_table().find_row("seed"), scene, {.name = "Seed"});
 //
-// A row is called as the parameter is; its tooltip has the help and what is allowed. Where it starts a step of the
-// history, that is called after it, too, or "Camera: Eye" with a prefix. It has a dot while it differs from what was
-// saved; Backspace or a double click on the name goes back to that, Shift+Backspace or the menu to the default. All
-// panels make their rows here: those of the preset panel have locks and menus added (preset_rows.h).
+// A row has the name of its parameter; its tooltip has the help and what is allowed. Its undo steps have that name,
+// too, or "Camera: Eye" with a prefix. It has a dot while it differs from what was saved; Backspace or a double click
+// on the name goes back to that, Shift+Backspace or the menu to the default. All panels make their rows here: those of
+// the preset panel have locks and menus added (preset_rows.h).
 #pragma once
 
 #include <functional>
@@ -20,7 +20,7 @@
 
 namespace lapfx::panels {
 
-/// Where the struct that has the rows lies in a content; null: nowhere now, and nothing is built or changed.
+/// Finds the struct with the rows in a content. Null: it is not there now, and nothing is built or changed.
 using OwnerOf = std::function<void*(document::Content&)>;
 
 struct TableRowOptions {
@@ -38,21 +38,21 @@ struct TableRowOptions {
     const ui::FileFilter* files = nullptr;  ///< of paths: what the dialog shows first
 };
 
-/// One parameter. Gives what came of it; the document has it already.
+/// One parameter. Gives the edit, which the document has already taken.
 ui::Edit table_row(ui::Ui& ui, const Edited& edited, const Parameter& row, const OwnerOf& owner,
                    const TableRowOptions& options = {});
 
 /// "Help. A number from 0 to 255 levels"; valid as long as the program runs.
 std::string_view tip_of(const Parameter& row);
 
-/// The parameter whose row is to come into sight and have the keyboard, by the next build of its panel; null: none.
+/// The parameter whose row comes into sight and gets the keyboard when its panel is built next; null: none.
 const Parameter*& wanted_row(ui::Ui& ui);
 
-/// What has been built since node `before` (counted from ui.parent()) comes into sight, and the `nth` of it that takes
-/// the keyboard has it.
+/// Scrolls to what has been built since node `before` (counted from ui.parent()); the `nth` node of it that takes the
+/// keyboard gets it.
 void go_to_row(ui::Ui& ui, std::ptrdiff_t before, int nth = 0);
 
-/// What a number of the UI has from its parameter: limits, step, unit, scale, tooltip.
+/// What a field takes from its parameter: limits, step, unit, scale, tooltip.
 ui::ParamOptions param_options(const Parameter& row);
 
 /// All rows of a table, but not of the tables inside it.

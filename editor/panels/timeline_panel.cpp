@@ -35,7 +35,7 @@ constexpr Speed speeds[] = {{"0.1x", 0.1}, {"0.25x", 0.25}, {"0.5x", 0.5}, {"1x"
 constexpr auto speed_names = titles_of(speeds);
 constexpr std::array<std::string_view, 3> unit_names = {"Frames", "Seconds", "Timecode"};
 
-/// The tracks of the timeline, as the document has them. In the middle of a gesture they are the widget's.
+/// The tracks of the timeline, made from the document; during a gesture the widget changes them.
 struct TimelineMemory {
     std::uint64_t version = 0;
     std::vector<std::size_t> selected;
@@ -125,7 +125,7 @@ class ItemEdits {
             stroke.start = item.start, stroke.end = item.end;
         });
     }
-    /// The widget has no items any more for those; each track's names tell them apart.
+    /// Removes the events whose items the widget has removed; items of a track are told apart by their names.
     void erase() {
         std::vector<std::size_t> gone;
         for (std::size_t t = 0; t < memory_.tracks.size(); ++t) {
@@ -202,7 +202,7 @@ void add_event(const TimelineParts& on) {
                  .strength = divides(action) ? on.tool.strength : 1.0}});
 }
 
-/// At the playhead, unless they are there already: then behind themselves.
+/// Copies them to the playhead; where they are there already, behind themselves.
 void duplicate_events(const TimelineParts& on) {
     const std::vector<ToolContact>& events = on.edited.document.scene().events;
     std::vector<ToolContact> made;
@@ -225,8 +225,7 @@ class TimelinePanel {
     }
 
     void build() {
-        // The form keeps its place below the tracks, which scroll above it; where there is no room for both all of it
-        // scrolls.
+        // Where there is room for both, the form stays below the tracks, and only these scroll; else all of it scrolls.
         const float height = ui_.rect_before(ui_.parent().id).h;
         ui_.follow_size(ui_.parent());
         const ui::Column column(ui_, {.width = ui::grow(), .height = ui::grow(), .gap = 0.4F, .padding = 0.3F});

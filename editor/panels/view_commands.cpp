@@ -34,7 +34,7 @@ void show_organ_whole(app::Looking& looking, const Preview* preview) {
     looking.endoscope = false;
 }
 
-/// Of the workspace, the one that the pointer is over; empty: none.
+/// The panel under the pointer; empty: none.
 std::string panel_under_pointer(const ui::Ui& ui) {
     const auto tree = ui.tree();
     for (std::uint32_t i = 0; ui.hot() != 0 && i < tree.size(); ++i) {
@@ -46,8 +46,8 @@ std::string panel_under_pointer(const ui::Ui& ui) {
     return {};
 }
 
-/// What one looks at: the picture under the pointer, else the organ, else, where the view is not seen, the picture that
-/// is.
+/// Shows the whole picture under the pointer; without one the whole organ, or where the view is hidden, the picture
+/// that is seen.
 void show_whole(app::Editor& editor) {
     const std::string panel = panel_under_pointer(editor.ui());
     const app::Layouts& layouts = editor.layouts();
@@ -60,7 +60,7 @@ void show_whole(app::Editor& editor) {
         show_organ_whole(editor.looking, editor.preview.preview());
 }
 
-/// Of any picture that is seen; asked in every frame, so without looking for the pointer.
+/// Whether any picture is seen; it is asked in every frame, so it does not look for the pointer.
 bool can_show_whole(app::Editor& editor) {
     const app::Layouts& layouts = editor.layouts();
     return editor.preview.ready() || (layouts.seen("Keying") && editor.keying().ready()) ||

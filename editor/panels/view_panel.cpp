@@ -61,7 +61,7 @@ double reach_of(ToolAction action, const Preset& preset) {
     return std::get<double>(table.find_row(key.substr(point + 1))->get(owner));
 }
 
-/// What lies under the pointer, looked for again only when it can be something else.
+/// What lies under the pointer; looked for again only when it may have changed.
 struct Under {
     glm::vec2 pointer{-1};
     std::uint64_t version = 0;
@@ -228,7 +228,7 @@ class ViewPanel {
         if (u.hit) u.tissue = preview->tissue(u.hit->position);
     }
 
-    /// Of what is shown, for who wants a colour.
+    /// Takes a colour from the picture for the field that wants one.
     void pick_color(const ui::ViewportResult& view) {
         memory_.drag = Drag::none;
         if (view.hovered) ui_.set_cursor(ui::Cursor::crosshair);
@@ -285,7 +285,7 @@ class ViewPanel {
         place != nullptr ? app::zoom_at(camera, factor, *place) : app::zoom(camera, factor);
     }
 
-    /// Once: who has read it knows.
+    /// Tells it once.
     void tell_fixed() {
         if (memory_.told_fixed) return;
         memory_.told_fixed = true;
@@ -384,7 +384,7 @@ class ViewPanel {
         painter.text(node.rect().inset(painter.em(0.6F), 0), node.text, painter.text_style(), t.text);
     }
 
-    /// What is on its way; the former organ stays until it is there.
+    /// What is being loaded; the former organ stays until it is ready.
     void loading() {
         const auto loading = on_.preview.loading();
         if (!loading) return;
@@ -423,7 +423,7 @@ class ViewPanel {
             on_.edited.document.undo();
     }
 
-    /// The picture shows all but what is wrong.
+    /// The picture shows everything except what is wrong.
     void preset_fault(const std::vector<Fault>& faults) {
         const ui::Panel panel(ui_, "Preset fault", {.width = ui::fit(), .height = ui::fit(), .padding = 0.6F});
         place({.fraction = {0.5F, 1}, .offset = {0, -ui_.em(2.8F)}, .pivot = {0.5F, 1}});

@@ -3,6 +3,7 @@
 
 #include "app/files.h"
 #include "app/keying_bench.h"
+#include "app/saved.h"
 #include "app/tuning.h"
 #include "editor/support/editor_test.h"
 #include "lapfx/authoring/documents.h"

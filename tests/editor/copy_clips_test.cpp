@@ -1,4 +1,5 @@
 // Clips that lie outside of the preset's folder: they are copied into folders of the user alone.
+#include "app/file_chooser.h"
 #include "app/files.h"
 #include "app/keying_bench.h"
 #include "editor/support/editor_test.h"

@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "app/autosave.h"
+#include "app/file_chooser.h"
 #include "app/files.h"
 #include "app/keying_bench.h"
 #include "app/layouts.h"

@@ -1,6 +1,7 @@
 // Pictures in the file dialog: what the program itself makes of which file, and what becomes of broken and hanging
 // ones.
 #include "app/file_previews.h"
+#include "app/file_chooser.h"
 
 #include <chrono>
 #include <fstream>

@@ -5,7 +5,9 @@
 #include <fstream>
 
 #include "app/autosave.h"
+#include "app/files.h"
 #include "app/layouts.h"
+#include "app/saved.h"
 #include "app/settings.h"
 #include "app/snapshots.h"
 #include "app/tuning.h"

@@ -2,6 +2,7 @@
 #include "app/layouts.h"
 #include <gtest/gtest.h>
 
+#include <set>
 #include <stdexcept>
 
 #include "panels/standard_layouts.h"
@@ -31,12 +32,18 @@ TEST(Layouts, APanelThatIsNoneIsAMistakeOfTheProgram) {
     EXPECT_THROW(layouts.bring_to_front("Veiw"), std::logic_error);
 }
 
-TEST(Layouts, TheStandardOnesNameEachPanelOnce) {
+TEST(Layouts, TheStandardOnesNameTheSamePanelsEachOnce) {
+    std::set<std::string> all;
     for (const app::StandardLayout& layout : panels::standard_layouts()) {
-        std::size_t tabs = 0;
-        for (const ui::DockNode& node : layout.make().nodes) tabs += node.tabs.size();
-        EXPECT_EQ(tabs, 12U) << layout.name;
+        std::vector<std::string> tabs;
+        for (const ui::DockNode& node : layout.make().nodes)
+            tabs.insert(tabs.end(), node.tabs.begin(), node.tabs.end());
+        const std::set<std::string> named(tabs.begin(), tabs.end());
+        EXPECT_EQ(named.size(), tabs.size()) << layout.name << " names one twice";
+        if (all.empty()) all = named;
+        EXPECT_EQ(named, all) << layout.name;
     }
+    EXPECT_GE(all.size(), 12U);
 }
 
 }  // namespace

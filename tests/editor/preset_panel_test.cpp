@@ -319,19 +319,21 @@ TEST_F(PresetPanel, TheClipsAreOnePressAway) {
 }
 
 TEST_F(PresetPanel, AStillPanelAllocatesNothing) {
+    app::Editor& e = editor();
+    const auto build = [&e](ui::Ui& u) {
+        panels::preset_panel(u, e.tuning(), panels::edited_in(e), e.commands, e.layouts(), e.toasts);
+    };
     ui::Harness panel(
         [&](ui::Ui& u) {
-            editor().set_ui(u);
-            panels::preset_panel(u, editor());
+            e.set_ui(u);
+            build(u);
         },
         {420, 900});
     for (const app::ParameterGroup& group : parameters().groups())
         if (!group.key.empty() && group.key != "bleeding") panel.click("Parameters/" + group.name + "/header");
     for (int i = 0; i < 5; ++i) panel.frame();
     const std::size_t before = allocations_so_far();
-    for (int i = 0; i < 10; ++i)
-        panel.ui().frame({.size = {420, 900}, .scale = 1, .time = panel.time + i},
-                         [&](ui::Ui& u) { panels::preset_panel(u, editor()); });
+    for (int i = 0; i < 10; ++i) panel.ui().frame({.size = {420, 900}, .scale = 1, .time = panel.time + i}, build);
     EXPECT_EQ(allocations_so_far() - before, 0U);
     editor().set_ui(ui().ui());
 }

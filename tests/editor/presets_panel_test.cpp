@@ -115,18 +115,20 @@ TEST_F(PresetsPanel, WhatIsNotSavedIsNotLost) {
 }
 
 TEST_F(PresetsPanel, AStillPanelAllocatesNothing) {
+    app::Editor& e = editor();
+    const auto build = [&e](ui::Ui& u) {
+        panels::presets_panel(u, e.browser(), e.document, e.files(), e.chooser(), e.toasts);
+    };
     ui::Harness panel(
         [&](ui::Ui& u) {
-            editor().set_ui(u);
-            panels::presets_panel(u, editor());
+            e.set_ui(u);
+            build(u);
         },
         {1000, 300});
     for (int i = 0; i < 5; ++i) panel.frame();
     ASSERT_TRUE(panel.exists("Presets/Slow ooze"));
     const std::size_t before = allocations_so_far();
-    for (int i = 0; i < 10; ++i)
-        panel.ui().frame({.size = {1000, 300}, .scale = 1, .time = panel.time + i},
-                         [&](ui::Ui& u) { panels::presets_panel(u, editor()); });
+    for (int i = 0; i < 10; ++i) panel.ui().frame({.size = {1000, 300}, .scale = 1, .time = panel.time + i}, build);
     EXPECT_EQ(allocations_so_far() - before, 0U);
     editor().set_ui(ui().ui());
 }

@@ -187,7 +187,7 @@ TEST_F(RestTest, WorkThatIsStoppedAmongTheJobsIsNotWaitedForEver) {
 TEST_F(RestTest, StarsAndFoldersOfPresetsAreKept) {
     editor().settings().preset_folders = {folder().string()};
     editor().settings().preset_stars = {another_preset().string()};
-    editor().settings().write(editor());
+    editor().settings().write();
     start();
     EXPECT_EQ(editor().settings().preset_folders, std::vector<std::string>{folder().string()});
     EXPECT_EQ(editor().settings().preset_stars, std::vector<std::string>{(folder() / "another.json").string()});
