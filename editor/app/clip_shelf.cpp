@@ -180,8 +180,7 @@ const ClipStatus* ClipShelf::playing(std::size_t clip) const {
 
 void ClipShelf::update(double now) {
     if (work_ && work_->cancelled()) work_.reset();
-    if (const bool changed = editor_.document.version() + grown_ != followed_;
-        changed || now - asked_ > between_asking) {
+    if (const bool changed = stale(); changed || now - asked_ > between_asking) {
         asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it
         playing_ = editor_.preview.ready() ? editor_.preview.preview()->clips() : std::vector<ClipStatus>{};
     }
@@ -191,10 +190,19 @@ void ClipShelf::update(double now) {
     follow();
 }
 
+/// Whether the clips, the folder that they may be in, or what is known of them have changed.
+bool ClipShelf::stale() const {
+    const document::Document& document = editor_.document;
+    return (document.preset_changes_since(followed_) & redo::clips) != 0 || grown_ != followed_grown_ ||
+           document.preset_file().native() != followed_file_;
+}
+
 void ClipShelf::follow() {
-    const std::uint64_t version = editor_.document.version() + grown_;
-    if (version == followed_) return;
-    followed_ = version;
+    const bool changed = stale();
+    followed_ = editor_.document.version();
+    if (!changed) return;
+    followed_grown_ = grown_;
+    followed_file_ = editor_.document.preset_file().native();
     const std::vector<SmokeClip>& clips = editor_.document.preset().smoke.clips;
     seen_ = {};
     seen_.faults.resize(clips.size());

@@ -171,7 +171,7 @@ std::optional<ui::Span> Reference::span() const {
 }
 
 void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
-    if (std::exchange(followed_, editor_.document.version()) == editor_.document.version()) return;
+    if (editor_.document.scene_changes_since(std::exchange(followed_, editor_.document.version())) == 0) return;
     const Scene& scene = editor_.document.scene();
     const fs::path file = path_from(scene.folder, scene.reference.file);
     if (file == file_) return;

@@ -115,10 +115,12 @@ void Tuning::follow() {
     clips.clear();
     for (const Fault& fault : told) clips.push_back(fault.reason);
     if (followed_ != document.version()) {
+        const unsigned scene = document.scene_changes_since(followed_),
+                       preset = document.preset_changes_since(followed_);
         followed_ = document.version();
-        follow_saved();
-        follow_saved_clips();
-        follow_values();
+        const bool saved = follow_saved(scene != 0);
+        if (saved || (preset & redo::clips) != 0) follow_saved_clips();
+        if (saved || preset != 0) follow_values();
     }
     follow_faults();
 }
@@ -135,17 +137,23 @@ void Tuning::follow_favourites() {
     }
 }
 
-void Tuning::follow_saved() {
+/// What is saved; gives whether it is a preset other than before.
+bool Tuning::follow_saved(bool scene_changed) {
     const document::Document& document = editor_.document;
+    bool other_preset = false;
     if (const auto& saved = document.saved_preset(); saved != saved_preset_) {
         saved_preset_ = saved;
         saved_.preset = saved ? *saved : Preset{};
+        other_preset = true;
     }
     if (const auto& saved = document.saved_scene(); saved != saved_scene_) {
         saved_scene_ = saved;
         saved_.scene = saved ? *saved : Scene{};
+        scene_changed = true;
     }
-    if (!document.scene_unsaved()) saved_.scene = document.scene();  // its files may be named from another folder now
+    // Its files may be named from another folder now.
+    if (scene_changed && !document.scene_unsaved()) saved_.scene = document.scene();
+    return other_preset;
 }
 
 void Tuning::follow_saved_clips() {
@@ -188,17 +196,15 @@ void Tuning::follow_values() {
 void Tuning::follow_faults() {
     for (State& state : states_) state.fault.clear();
     other_faults_.clear();
-    std::vector<Fault> faults = editor_.document.preset_faults();
-    const std::vector<Fault>& shown = editor_.preview.preset_faults();
-    faults.insert(faults.end(), shown.begin(), shown.end());
-    for (const Fault& fault : faults) {
-        const std::size_t entry = parameters().find_pointer(fault.place);
-        if (entry != no_entry) {
-            states_[entry].fault = fault.reason;
-        } else if (std::find(other_faults_.begin(), other_faults_.end(), fault.text()) == other_faults_.end()) {
-            other_faults_.push_back(fault.text());
+    for (const std::vector<Fault>* faults : {&editor_.document.preset_faults(), &editor_.preview.preset_faults()})
+        for (const Fault& fault : *faults) {
+            const std::size_t entry = parameters().find_pointer(fault.place);
+            if (entry != no_entry) {
+                states_[entry].fault = fault.reason;
+            } else if (std::find(other_faults_.begin(), other_faults_.end(), fault.text()) == other_faults_.end()) {
+                other_faults_.push_back(fault.text());
+            }
         }
-    }
 }
 
 void Tuning::mark_favourite(std::size_t entry, bool favourite) {

@@ -92,7 +92,7 @@ class Tuning {
     };
     static std::size_t index_of(const ParameterGroup& group);
     void follow_favourites();
-    void follow_saved();
+    bool follow_saved(bool scene_changed);
     void follow_saved_clips();
     void follow_values();
     void follow_faults();

@@ -34,8 +34,8 @@ class ScenePanel {
   public:
     ScenePanel(ui::Ui& ui, app::Editor& editor)
         : ui_(ui), editor_(editor), faults_(ui.memory<SceneFaults>(ui.id_of("scene faults"))) {
-        if (faults_.version == editor.document.version()) return;
-        faults_ = {.version = editor.document.version(), .all = editor.document.scene_faults()};
+        if (editor.document.scene_changes_since(faults_.version) != 0) faults_.all = editor.document.scene_faults();
+        faults_.version = editor.document.version();
     }
 
     void build() {

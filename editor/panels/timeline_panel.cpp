@@ -217,7 +217,7 @@ class TimelinePanel {
   public:
     TimelinePanel(ui::Ui& ui, app::Editor& editor)
         : ui_(ui), editor_(editor), memory_(ui.memory<TimelineMemory>(ui.id_of("timeline memory"))) {
-        if (memory_.version != editor.document.version() || memory_.selected != editor.selected)
+        if (editor.document.scene_changes_since(memory_.version) != 0 || memory_.selected != editor.selected)
             make_tracks(memory_, editor);
     }
 
