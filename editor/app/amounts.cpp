@@ -97,7 +97,8 @@ void AmountsOverTime::follow(double now) {
     const std::uint64_t organ = preview_.organ_version();
     if (followed_ != document_.version() || organ_ != organ) {
         const document::Content& content = document_.content();
-        if (wanted_content_ == 0 || organ_ != organ || !same_amounts(of_, content))
+        const bool may_differ = (document_.changes_since(followed_) & redo::amounts) != 0;
+        if (wanted_content_ == 0 || organ_ != organ || (may_differ && !same_amounts(of_, content)))
             of_ = content, ++wanted_content_, changed_at_ = now;
         followed_ = document_.version(), organ_ = organ;
     }

@@ -182,7 +182,7 @@ void ClipShelf::update(double now) {
     const std::size_t count = document_.preset().smoke.clips.size();
     if (count > 0 && selected >= count) selected = count - 1;  // one that is gone gives way to the last
     if (work_ && work_->cancelled()) work_.reset();
-    if (const bool changed = document_.version() + grown_ != followed_; changed || now - asked_ > between_asking) {
+    if (const bool changed = stale(); changed || now - asked_ > between_asking) {
         asked_ = changed ? now - between_asking : now;  // what a change does is seen once the preview has drawn it
         playing_ = preview_.ready() ? preview_.preview()->clips() : std::vector<ClipStatus>{};
     }
@@ -192,10 +192,18 @@ void ClipShelf::update(double now) {
     follow();
 }
 
+/// Whether the clips, the folder that they may be in, or what is known of them have changed.
+bool ClipShelf::stale() const {
+    return (document_.preset_changes_since(followed_) & redo::clips) != 0 || grown_ != followed_grown_ ||
+           document_.preset_file().native() != followed_file_;
+}
+
 void ClipShelf::follow() {
-    const std::uint64_t version = document_.version() + grown_;
-    if (version == followed_) return;
-    followed_ = version;
+    const bool changed = stale();
+    followed_ = document_.version();
+    if (!changed) return;
+    followed_grown_ = grown_;
+    followed_file_ = document_.preset_file().native();
     const std::vector<SmokeClip>& clips = document_.preset().smoke.clips;
     seen_ = {};
     seen_.faults.resize(clips.size());

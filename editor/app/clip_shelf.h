@@ -105,6 +105,7 @@ class ClipShelf {
     void copy(const std::map<std::string, std::filesystem::path>& from, const std::filesystem::path& to,
               std::function<void(const std::map<std::string, std::string>&)> taken);
     bool is_outside(const ClipFacts& facts) const;
+    bool stale() const;
     void follow();
 
     document::Document& document_;
@@ -116,8 +117,10 @@ class ClipShelf {
     bool exact_;
     std::map<std::string, ClipFacts> known_;  ///< by folder and name
     Seen seen_;
-    std::uint64_t grown_ = 1;  ///< with every result of a job
-    std::uint64_t followed_ = 0;
+    std::uint64_t grown_ = 1;           ///< with every result of a job
+    std::uint64_t followed_ = 0;        ///< version of the document
+    std::uint64_t followed_grown_ = 0;  ///< grown_ then
+    std::string followed_file_;         ///< of the preset then
     std::shared_ptr<Job> work_;
     std::vector<Fault> refused_;
     std::vector<ClipStatus> playing_;

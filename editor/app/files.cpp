@@ -278,13 +278,10 @@ std::string Files::name_for(Kind kind, const fs::path& to) const {
     const bool scene = kind == Kind::scene;
     const fs::path& before = file(kind);
     const document::Document& d = editor_.document;
-    const auto name_of = [&](const document::KeptContent& c) -> const std::string& {
-        return scene ? c.scene->name : c.preset->name;
-    };
     const std::string& now = scene ? d.scene().name : d.preset().name;
     const auto last = d.steps().begin() + static_cast<std::ptrdiff_t>(d.done());
     const bool typed = std::any_of(d.steps().begin(), last, [&](const document::Step& step) {
-        return name_of(step.before) != name_of(step.after);
+        return (scene ? step.scene : step.preset).changes("/name");
     });
     const bool as_made = before.empty() && !typed && now == new_name(scene);
     const bool own = !now.empty() && !as_made && now != name_in(before, scene);

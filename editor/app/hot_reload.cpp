@@ -56,9 +56,14 @@ void HotReload::update(double) {
 void HotReload::follow() {
     const bool loading = preview_.loading().has_value();
     const document::Document& document = document_;
-    if (document.version() == followed_ && loading == was_loading_) return;
+    const bool other_files = (document.changes_since(followed_) & (redo::organ | redo::clips)) != 0 ||
+                             document.preset_file().native() != preset_file_ ||
+                             document.scene_file().native() != scene_file_;
     followed_ = document.version();
+    if (!other_files && loading == was_loading_) return;
     was_loading_ = loading;
+    preset_file_ = document.preset_file().native();
+    scene_file_ = document.scene_file().native();
     std::vector<fs::path> paths{shader_folder()};
     for (const fs::path& file : {document.preset_file(), document.scene_file()})
         if (!file.empty()) paths.push_back(normal(file));

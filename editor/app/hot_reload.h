@@ -62,6 +62,7 @@ class HotReload {
     Notices& notices_;
     std::filesystem::path data_folder_;
     std::uint64_t followed_ = 0;  // version of the document
+    std::string preset_file_, scene_file_;
     bool was_loading_ = false;
     std::vector<std::filesystem::path> watched_;
     std::set<std::filesystem::path> gone_;  // told

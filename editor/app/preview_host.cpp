@@ -103,8 +103,12 @@ void PreviewHost::follow(const document::Document& document) {
     if (tool_on_) return;
     if ((organ_job_ && organ_job_->cancelled()) || (clips_job_ && clips_job_->cancelled())) cancel_loading();
     if (document.version() != followed_) {
+        if (document.scene_changes_since(followed_) != 0) wanted_.scene = document.scene();
+        if (document.preset_changes_since(followed_) != 0) {
+            wanted_.preset = document.preset();
+            wanted_faults_ = document.preset_faults();
+        }
         followed_ = document.version();
-        wanted_ = document.content();
         stale_ = true;
     }
     // What jobs bring makes it stale again: in exact mode all of it is waited for, else there is one turn.
@@ -194,7 +198,7 @@ void PreviewHost::follow_preset() {
     changed_ = true;
     shown_preset_ = wanted_.preset;
     // One value that cannot be shown keeps no other from being seen.
-    std::vector<Fault> faults = check(preset_table(), &wanted_.preset);
+    std::vector<Fault> faults = wanted_faults_;
     if (faults.empty() && clips_shown_ && (differ & redo::clips) == 0) return show_parameters(wanted_.preset);
     const Preset preset = document::mended(wanted_.preset, good_);
     if (!options_.clip_cache->knows(preset, options_.clip_folders)) {
@@ -227,7 +231,7 @@ void PreviewHost::show_parameters(const Preset& preset) {
             good_ = preset;
             preset_faults_.clear();
         }
-        if (clips_job_) preset_faults_ = check(preset_table(), &wanted_.preset);
+        if (clips_job_) preset_faults_ = wanted_faults_;
     } catch (const Error& error) {
         preset_faults_ = error.faults();
     }

@@ -163,6 +163,7 @@ class PreviewHost {
     Target target_, small_;                             ///< that is shown; that is stretched to it
     std::uint64_t followed_ = 0;                        ///< version of the document
     document::Content wanted_;                          ///< of that
+    std::vector<Fault> wanted_faults_;                  ///< of its preset
     bool stale_ = false;                                ///< it has to be looked at once more
     std::shared_ptr<const PreparedOrgan> ready_organ_;  ///< to be shown
     std::optional<Scene> shown_scene_;                  ///< none: to be looked at anew

@@ -181,7 +181,7 @@ std::optional<ui::Span> Reference::span() const {
 }
 
 void Reference::follow_scene(std::shared_ptr<VideoReader> reader) {
-    if (std::exchange(followed_, document_.version()) == document_.version()) return;
+    if (document_.scene_changes_since(std::exchange(followed_, document_.version())) == 0) return;
     const Scene& scene = document_.scene();
     const fs::path file = path_from(scene.folder, scene.reference.file);
     if (file == file_) return;

@@ -36,18 +36,22 @@ const KeyingParameters& Saved::keying(std::size_t number) {
 
 void Saved::follow() {
     if (followed_ == document_.version()) return;
+    bool scene_differs = document_.scene_changes_since(followed_) != 0;
+    bool clips_differ = (document_.preset_changes_since(followed_) & redo::clips) != 0;
     followed_ = document_.version();
     if (const auto& saved = document_.saved_preset(); saved != preset_) {
         preset_ = saved;
         content_.preset = saved ? *saved : Preset{};
+        clips_differ = true;
     }
     if (const auto& saved = document_.saved_scene(); saved != scene_) {
         scene_ = saved;
         content_.scene = saved ? *saved : Scene{};
+        scene_differs = true;
     }
-    if (!document_.scene_unsaved())
-        content_.scene = document_.scene();  // its files may be named from another folder now
-    follow_clips();
+    // Its files may be named from another folder now.
+    if (scene_differs && !document_.scene_unsaved()) content_.scene = document_.scene();
+    if (clips_differ) follow_clips();
 }
 
 void Saved::follow_clips() {

@@ -124,8 +124,11 @@ void Tuning::follow() {
     clips.clear();
     for (const Fault& fault : told) clips.push_back(fault.reason);
     if (followed_ != document.version()) {
+        const unsigned preset = document.preset_changes_since(followed_);
         followed_ = document.version();
-        follow_values();
+        const bool saved = document.saved_preset() != saved_preset_;
+        saved_preset_ = document.saved_preset();
+        if (saved || preset != 0) follow_values();
     }
     follow_faults();
 }
@@ -161,17 +164,15 @@ void Tuning::follow_values() {
 void Tuning::follow_faults() {
     for (State& state : states_) state.fault.clear();
     other_faults_.clear();
-    std::vector<Fault> faults = document_.preset_faults();
-    const std::vector<Fault>& shown = preview_.preset_faults();
-    faults.insert(faults.end(), shown.begin(), shown.end());
-    for (const Fault& fault : faults) {
-        const std::size_t entry = parameters().find_pointer(fault.place);
-        if (entry != no_entry) {
-            states_[entry].fault = fault.reason;
-        } else if (std::find(other_faults_.begin(), other_faults_.end(), fault.text()) == other_faults_.end()) {
-            other_faults_.push_back(fault.text());
+    for (const std::vector<Fault>* faults : {&document_.preset_faults(), &preview_.preset_faults()})
+        for (const Fault& fault : *faults) {
+            const std::size_t entry = parameters().find_pointer(fault.place);
+            if (entry != no_entry) {
+                states_[entry].fault = fault.reason;
+            } else if (std::find(other_faults_.begin(), other_faults_.end(), fault.text()) == other_faults_.end()) {
+                other_faults_.push_back(fault.text());
+            }
         }
-    }
 }
 
 void Tuning::mark_favourite(std::size_t entry, bool favourite) {

@@ -104,7 +104,8 @@ class Tuning {
     int changed_in_all_ = 0;
     std::vector<std::string> other_faults_, favourite_keys_;
     std::vector<std::size_t> favourites_;
-    std::uint64_t followed_ = 0;
+    std::uint64_t followed_ = 0;                  ///< version of the document
+    std::shared_ptr<const Preset> saved_preset_;  ///< that the values are compared with
     std::vector<std::string> clip_faults_;
 };
 

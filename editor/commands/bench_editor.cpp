@@ -2,9 +2,13 @@
 // value that changes in every frame. All that is not drawing the scene counts as the editor: the change of the
 // document, the update, what the preview does to follow the document, the panels and drawing them.
 //
-// The cost of a drag: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
-// scale), over that of a frame in which nothing is edited, for the same parts. Both take turns, and the best of five
-// runs counts.
+// And what a drag costs: CPU time of this thread in a frame in which the pointer moves one slider of the preset (noise
+// scale), beside drawing the scene. It is compared with two frames of the same parts; all in turns, the best of five
+// runs each:
+//   drag_over_idle   nothing is edited, but the scene is drawn as in a drag, so that both find the processor's caches
+//                    and the driver in the same state;
+//   drag_over_still  nothing is edited and nothing has to be drawn: the scene is left out, and all that the frame needs
+//                    is still in the caches.
 #include <glad/gl.h>
 
 #include <algorithm>
@@ -70,45 +74,76 @@ Costs measure(HeadlessEditor& headless, const Extent& extent, Progress& progress
 
 constexpr std::string_view dragged = "**/Favourites/Bleeding: Noise scale";
 
-/// Mean CPU time of a frame without drawing the scene, s.
-double frame_cost(HeadlessEditor& headless, int frames, bool moves, glm::vec2 at) {
-    double seconds = 0;
-    for (int i = 0; i < frames; ++i) {
+enum class FrameKind { still, idle, drag };
+
+/// Makes frames of a kind with the pointer at `at`.
+class Frames {
+  public:
+    Frames(HeadlessEditor& headless, glm::vec2 at) : headless_(headless), at_(at) {
+        again_.target.resize(headless.editor().preview.size());
+    }
+
+    /// s of CPU that they cost beside drawing the scene, on the average.
+    double cost(FrameKind kind, int frames) {
+        double seconds = 0;
+        for (int i = 0; i < frames; ++i) seconds += cost_of_one(kind, i % 2 == 0 ? 4.0F : -4.0F);
+        return seconds / frames;
+    }
+
+  private:
+    double cost_of_one(FrameKind kind, float moved) {
         glFinish();
         const double begin = thread_seconds();
-        if (moves) headless.ui().push({.kind = ui::EventKind::pointer, .at = at + glm::vec2(i % 2 == 0 ? 4 : -4, 0)});
+        if (kind == FrameKind::drag)
+            headless_.ui().push({.kind = ui::EventKind::pointer, .at = at_ + glm::vec2(moved, 0)});
         double built = 0, drawn = 0;
-        headless.frame(1.0 / 60, {.after = [&](app::FrameStep step) {
-                           if (step == app::FrameStep::followed) built = thread_seconds();
-                           if (step == app::FrameStep::drawn) glFinish(), drawn = thread_seconds();
-                       }});
-        headless.draw_ui();
-        seconds += thread_seconds() - drawn + built - begin;
+        headless_.frame(1.0 / 60, {.after = [&](app::FrameStep step) {
+                            if (step == app::FrameStep::followed) built = thread_seconds();
+                            if (step != app::FrameStep::drawn) return;
+                            if (kind == FrameKind::idle) draw_again();
+                            glFinish();
+                            drawn = thread_seconds();
+                        }});
+        headless_.draw_ui();
+        return thread_seconds() - drawn + built - begin;
     }
-    return seconds / frames;
-}
 
-/// Adds its rows and ratio. The default layout is shown.
+    /// The scene, which has not changed, as the drag draws it.
+    void draw_again() {
+        again_.revision = 0;
+        headless_.editor().preview.draw_into(again_, headless_.editor().shot());
+    }
+
+    HeadlessEditor& headless_;
+    glm::vec2 at_;
+    app::PreviewCopy again_;
+};
+
+/// Adds its rows and ratios. The default layout is shown.
 void measure_drag(HeadlessEditor& headless, const Extent& extent, BenchReport& report) {
     ui::Ui& ui = headless.ui();
     const glm::vec2 at = ui.tree()[ui::find(ui.tree(), dragged)].rect().center();
-    double idle = std::numeric_limits<double>::infinity(), drag = idle;
+    Frames frames(headless, at);
+    double still = std::numeric_limits<double>::infinity(), idle = still, drag = still;
     for (int run = 0; run < extent.runs; ++run) {
         ui.push({.kind = ui::EventKind::pointer, .at = at});
         headless.settle();
-        idle = std::min(idle, frame_cost(headless, extent.frames, false, at));
+        still = std::min(still, frames.cost(FrameKind::still, extent.frames));
+        idle = std::min(idle, frames.cost(FrameKind::idle, extent.frames));
         ui.push({.kind = ui::EventKind::press, .at = at});
         headless.frame();
         const std::uint64_t before = headless.editor().document.version();
-        drag = std::min(drag, frame_cost(headless, extent.frames, true, at));
+        drag = std::min(drag, frames.cost(FrameKind::drag, extent.frames));
         if (headless.editor().document.version() < before + static_cast<std::uint64_t>(extent.frames))
             throw std::logic_error("the slider does not move");
         ui.push({.kind = ui::EventKind::release, .at = at});
         headless.settle();
     }
+    report.rows.push_back({.of = {{"frame", "still"}}, .measured = {{"cpu_ms", 1e3 * still}}});
     report.rows.push_back({.of = {{"frame", "idle"}}, .measured = {{"cpu_ms", 1e3 * idle}}});
     report.rows.push_back({.of = {{"frame", "drag"}}, .measured = {{"cpu_ms", 1e3 * drag}}});
     report.ratios["drag_over_idle"] = drag / idle;
+    report.ratios["drag_over_still"] = drag / still;
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 #include "document/document.h"
 
 #include <algorithm>
-#include <type_traits>
 #include <utility>
 
+#include "document/words.h"
 #include "lapfx/authoring/clip.h"
 #include "lapfx/authoring/compare.h"
 #include "lapfx/authoring/documents.h"
@@ -84,17 +84,13 @@ std::string name_within(const fs::path& whole, const fs::path& folder) {
     return as_path(name.generic_string());
 }
 
-std::size_t bytes_of(const Scene& scene) {
-    const Curves& c = scene.curves;
-    return sizeof scene + scene.events.size() * sizeof(ToolContact) +
-           (c.cautery_power.size() + c.bleeding_strength.size() + c.emission.size()) * sizeof(c.emission[0]);
-}
+constexpr unsigned all_bits = ~0U;
+/// What a folder decides: where files are looked up.
+constexpr unsigned files_elsewhere = redo::picture | redo::organ | redo::clips | redo::amounts;
 
-std::size_t bytes_of(const Preset& preset) {
-    std::size_t bytes = sizeof preset + preset.description.size() + preset.tags.size();
-    for (const SmokeClip& clip : preset.smoke.clips)
-        bytes += sizeof clip + clip.file.size() + clip.masks.size() * sizeof(clip.masks[0]);
-    return bytes;
+template <class Part>
+unsigned differing(const Table& table, const Part& a, const Part& b) {
+    return difference(table, &a, &b) | (a.folder == b.folder ? 0 : files_elsewhere);
 }
 
 [[noreturn]] void fail_reading_back(const fs::path& file) {
@@ -188,7 +184,9 @@ bool same(const Content& a, const Content& b) {
     return a.scene.folder == b.scene.folder && equal(scene_table(), &a.scene, &b.scene) && same(a.preset, b.preset);
 }
 
-Document::Document() : saved_scene_(std::make_shared<Scene>()), saved_preset_(std::make_shared<Preset>()) {}
+Document::Document() : saved_scene_(std::make_shared<Scene>()), saved_preset_(std::make_shared<Preset>()) {
+    all_touched();
+}
 
 void Document::open(Content content, fs::path scene_file, fs::path preset_file) {
     scene_file_ = normal(scene_file);
@@ -231,11 +229,13 @@ void Document::recover(Recovered r) {
     change("Recovered work", [&](Content& c) { c = std::move(r.content); });
 }
 
+/// What was done before cannot be taken back any more: the content is another one.
 void Document::forget_steps() {
     steps_.clear();
     done_ = 0;
     open_ = false;
-    touched();
+    settle();
+    all_touched();
 }
 
 void Document::note_disk() {
@@ -257,104 +257,159 @@ void Document::forget_preset_file() {
     touched();
 }
 
+// --- following -------------------------------------------------------------------------------------------------------
+
+/// What changed just now differs from the last step either now or did before: `differing` are the bits of now.
+void Document::Changed::note(unsigned differing, std::uint64_t version) {
+    const unsigned bits = differing | std::exchange(open, differing);
+    for (std::size_t bit = 0; bit < at.size(); ++bit)
+        if ((bits >> bit & 1U) != 0) at[bit] = version;
+}
+
+unsigned Document::Changed::since(std::uint64_t version) const {
+    unsigned bits = 0;
+    for (std::size_t bit = 0; bit < at.size(); ++bit)
+        if (at[bit] > version) bits |= 1U << bit;
+    return bits;
+}
+
+void Document::touched() {
+    ++version_;
+    scene_changed_.note(differing(scene_table(), settled_.scene, content_.scene), version_);
+    preset_changed_.note(differing(preset_table(), settled_.preset, content_.preset), version_);
+}
+
+void Document::all_touched() {
+    ++version_;
+    for (Changed* changed : {&scene_changed_, &preset_changed_}) {
+        changed->note(all_bits, version_);
+        changed->open = 0;
+    }
+}
+
+/// The content is what the last step left.
+void Document::settle() {
+    settled_ = content_;
+    scene_changed_.open = preset_changed_.open = 0;
+}
+
+// --- changing --------------------------------------------------------------------------------------------------------
+
 void Document::begin(std::string name) {
     commit();
     open_ = true;
     name_ = std::move(name);
-    before_ = content_;
-}
-
-/// Shares with `like`, which may be null, what is the same to the letter.
-KeptContent Document::kept(const Content& content, const KeptContent* like) const {
-    const bool same_scene = like != nullptr && like->scene->folder == content.scene.folder &&
-                            equal(scene_table(), like->scene.get(), &content.scene);
-    const bool same_preset = like != nullptr && like->preset->folder == content.preset.folder &&
-                             equal(preset_table(), like->preset.get(), &content.preset);
-    return {.scene = same_scene ? like->scene : std::make_shared<const Scene>(content.scene),
-            .preset = same_preset ? like->preset : std::make_shared<const Preset>(content.preset)};
 }
 
 void Document::commit() {
     if (!open_) return;
     open_ = false;
-    if (same(before_, content_)) return;
+    // What no file would say differently, such as a clip named by another way, is no step.
+    if (same(settled_, content_)) return take_back();
     steps_.resize(done_);
-    KeptContent before = kept(before_, steps_.empty() ? nullptr : &steps_.back().after);
-    KeptContent after = kept(content_, &before);
-    before_ = {};
-    steps_.push_back(
-        {.id = ++last_step_, .name = std::move(name_), .before = std::move(before), .after = std::move(after)});
+    Step step{.id = ++last_step_,
+              .name = std::move(name_),
+              .change = {},
+              .scene = Delta(scene_table(), settled_.scene, content_.scene),
+              .preset = Delta(preset_table(), settled_.preset, content_.preset)};
+    step.change = change_of(step.name, settled_, content_);
+    step.scene.redo(settled_.scene);
+    step.preset.redo(settled_.preset);
+    scene_changed_.open = preset_changed_.open = 0;
+    steps_.push_back(std::move(step));
     forget_oldest();
     done_ = steps_.size();
-}
-
-std::size_t Document::step_memory() const {
-    std::size_t bytes = steps_.capacity() * sizeof(Step);
-    KeptContent last;  // steps share with their neighbours alone
-    const auto add = [&](const KeptContent& content) {
-        if (content.scene != last.scene) bytes += bytes_of(*content.scene);
-        if (content.preset != last.preset) bytes += bytes_of(*content.preset);
-        last = content;
-    };
-    for (const Step& step : steps_) {
-        add(step.before);
-        add(step.after);
-    }
-    return bytes;
-}
-
-void Document::forget_oldest() {
-    const auto too_much = [&] { return steps_.size() > most_steps || step_memory() > most_step_bytes; };
-    while (steps_.size() > 1 && too_much()) steps_.erase(steps_.begin());
 }
 
 void Document::cancel() {
     if (!open_) return;
     open_ = false;
-    set(before_);
+    take_back();
 }
 
-void Document::set(const Content& content) {
-    // Which preset's file the scene was saved with is no part of what is undone.
-    const std::string preset = moved_path(content_.scene.preset, content_.scene.folder, content.scene.folder);
-    content_ = content;
-    content_.scene.preset = preset;
+/// As the last step left it, to the letter.
+void Document::take_back() {
+    const Delta scene(scene_table(), settled_.scene, content_.scene);
+    const Delta preset(preset_table(), settled_.preset, content_.preset);
+    if (scene.empty() && preset.empty()) return;
+    scene.undo(content_.scene);
+    preset.undo(content_.preset);
     touched();
+}
+
+// --- history ---------------------------------------------------------------------------------------------------------
+
+std::size_t Document::step_memory() const {
+    std::size_t bytes = steps_.capacity() * sizeof(Step);
+    for (const Step& step : steps_)
+        bytes += step.name.size() + step.change.size() + step.scene.memory() + step.preset.memory();
+    return bytes;
+}
+
+void Document::forget_oldest() {
+    std::size_t bytes = step_memory();
+    std::size_t oldest = 0;  // that stays
+    while (steps_.size() - oldest > 1 && (steps_.size() - oldest > most_steps || bytes > most_step_bytes)) {
+        const Step& step = steps_[oldest++];
+        bytes -= step.name.size() + step.change.size() + step.scene.memory() + step.preset.memory();
+    }
+    steps_.erase(steps_.begin(), steps_.begin() + static_cast<std::ptrdiff_t>(oldest));
+}
+
+/// Brings content and what is settled to the state on the other side of a step.
+template <typename Apply>
+void Document::step(Apply apply) {
+    // Which preset's file the scene was saved with is no part of what is undone.
+    const std::string preset = content_.scene.preset;
+    const fs::path folder = content_.scene.folder;
+    apply(content_);
+    content_.scene.preset = moved_path(preset, folder, content_.scene.folder);
+    touched();
+    apply(settled_);
+    settled_.scene.preset = content_.scene.preset;
+    scene_changed_.open = preset_changed_.open = 0;
 }
 
 void Document::undo() {
     if (open_) return cancel();
-    if (done_ > 0) set(steps_[--done_].before.copy());
+    if (done_ == 0) return;
+    const Step& undone = steps_[--done_];
+    step([&](Content& c) { undone.scene.undo(c.scene), undone.preset.undo(c.preset); });
 }
 
 void Document::redo() {
-    if (can_redo()) set(steps_[done_++].after.copy());
+    if (!can_redo()) return;
+    const Step& redone = steps_[done_++];
+    step([&](Content& c) { redone.scene.redo(c.scene), redone.preset.redo(c.preset); });
 }
 
 void Document::rename(Named what, const std::string& name) {
     commit();
     std::string& now = what == Named::scene ? content_.scene.name : content_.preset.name;
     const std::string before = std::exchange(now, name);
-    // What was shared still is: the last one that was renamed, and what it became.
-    const auto rename = [&](auto& kept, auto& last, auto& renamed) {
-        if (kept->name != before) return;
-        if (kept != last) {
-            auto copy = std::make_shared<std::remove_const_t<std::remove_reference_t<decltype(*kept)>>>(*kept);
-            copy->name = name;
-            last = std::exchange(kept, std::move(copy));
-            renamed = kept;
-        } else {
-            kept = renamed;
-        }
-    };
-    std::shared_ptr<const Scene> last_scene, renamed_scene;
-    std::shared_ptr<const Preset> last_preset, renamed_preset;
-    for (Step& step : steps_)
-        for (KeptContent* kept : {&step.before, &step.after}) {
-            if (what == Named::scene) rename(kept->scene, last_scene, renamed_scene);
-            if (what == Named::preset) rename(kept->preset, last_preset, renamed_preset);
-        }
+    for (Step& step : steps_) (what == Named::scene ? step.scene : step.preset).replace("/name", before, name);
     touched();
+    settle();
+}
+
+/// Writing a file has named others anew, in the state of now alone: the steps before and behind it lead to and from
+/// what it is now.
+template <typename Part, typename Change>
+void Document::sew(Part Content::*part, Delta Step::*delta, const Table& table, Change change) {
+    Part before, behind;
+    if (done_ > 0) {
+        before = content_.*part;
+        (steps_[done_ - 1].*delta).undo(before);
+    }
+    if (done_ < steps_.size()) {
+        behind = content_.*part;
+        (steps_[done_].*delta).redo(behind);
+    }
+    change();
+    if (done_ > 0) steps_[done_ - 1].*delta = Delta(table, before, content_.*part);
+    if (done_ < steps_.size()) steps_[done_].*delta = Delta(table, content_.*part, behind);
+    touched();
+    settle();
 }
 
 void Document::go_to(std::size_t done) {
@@ -364,10 +419,9 @@ void Document::go_to(std::size_t done) {
     while (done_ < done) redo();
 }
 
-/// Whether a file would say something else than what was opened or saved, whatever folder its names are from now.
+/// Whether a file would say something else than what was opened or saved, whatever folder its names are from now. Of
+/// what has changed since it was asked last.
 void Document::compare() const {
-    if (compared_ == version_) return;
-    compared_ = version_;
     const auto differs = [](const Table& table, const auto& now, const auto& saved, auto move_to) {
         if (!saved) return true;
         if (saved->folder.empty() || now.folder == saved->folder) return !equal(table, &now, saved.get());
@@ -375,9 +429,14 @@ void Document::compare() const {
         move_to(moved, saved->folder);
         return !equal(table, &moved, saved.get());
     };
-    scene_differs_ = differs(scene_table(), content_.scene, saved_scene_, move_scene);
-    preset_differs_ = differs(preset_table(), content_.preset, saved_preset_,
-                              [this](Preset& preset, const fs::path& folder) { move(preset, folder); });
+    if (compared_scene_ != saved_scene_ || scene_changes_since(compared_) != 0)
+        scene_differs_ = differs(scene_table(), content_.scene, saved_scene_, move_scene);
+    if (compared_preset_ != saved_preset_ || preset_changes_since(compared_) != 0)
+        preset_differs_ = differs(preset_table(), content_.preset, saved_preset_,
+                                  [this](Preset& preset, const fs::path& folder) { move(preset, folder); });
+    compared_ = version_;
+    compared_scene_ = saved_scene_;
+    compared_preset_ = saved_preset_;
 }
 
 void Document::reload(Preset preset) {
@@ -410,11 +469,10 @@ void Document::save_preset(const fs::path& file) {
     move(moved, folder_of(file));
     lapfx::save_preset(moved, file);
     if (const Preset written = load_preset(file); !equal(preset_table(), &written, &moved)) fail_reading_back(file);
-    content_.preset = std::move(moved);
+    sew(&Content::preset, &Step::preset, preset_table(), [&] { content_.preset = std::move(moved); });
     preset_file_ = normal(file);
     preset_disk_ = OnDisk::of(file);
     saved_preset_ = std::make_shared<const Preset>(content_.preset);
-    touched();
 }
 
 void Document::save_scene(const fs::path& file) {
@@ -425,11 +483,10 @@ void Document::save_scene(const fs::path& file) {
     if (!preset_file_.empty()) moved.preset = moved_path(fs::absolute(preset_file_).string(), {}, folder);
     lapfx::save_scene(moved, file);
     if (const Scene written = load_scene(file); !equal(scene_table(), &written, &moved)) fail_reading_back(file);
-    content_.scene = std::move(moved);
+    sew(&Content::scene, &Step::scene, scene_table(), [&] { content_.scene = std::move(moved); });
     scene_file_ = normal(file);
     scene_disk_ = OnDisk::of(file);
     saved_scene_ = std::make_shared<const Scene>(content_.scene);
-    touched();
 }
 
 std::vector<std::string> Document::clips_outside(const fs::path& folder) const {
@@ -442,8 +499,10 @@ std::vector<std::string> Document::clips_outside(const fs::path& folder) const {
     return outside;
 }
 
-std::vector<Fault> Document::preset_faults() const {
-    return check(preset_table(), &content_.preset);
+const std::vector<Fault>& Document::preset_faults() const {
+    if (preset_changes_since(checked_) != 0) preset_faults_ = check(preset_table(), &content_.preset);
+    checked_ = version_;
+    return preset_faults_;
 }
 
 std::vector<Fault> Document::scene_faults() const {

@@ -4,12 +4,13 @@
 //     document.take(edit, "Speed", [&](Content& c) { c.preset.bleeding.speed = speed; });  // a gesture: one step
 //     document.undo();
 //
-// A step is the whole content before and after, which makes undo as simple as it can be; steps share what they have in
-// common. Files are named from the folder that the scene or the preset has, and both are one value: nothing but writing
-// a file names them anew. Values may break a rule between them while they are edited (faults()); they are kept, and
-// told. UI thread.
+// A step holds what differs before and after it (document/delta.h), so it is as large as the change, however large the
+// document is. Names of files are relative to the folder of the scene or of the preset; the two change together, and
+// only writing a file changes how the others are named. Values may break a rule between them while they are edited:
+// they are kept, and faults() lists them. UI thread.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <functional>
@@ -19,6 +20,7 @@
 #include <string_view>
 #include <vector>
 
+#include "document/delta.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 
@@ -29,84 +31,90 @@ struct Content {
     Preset preset;
 };
 
-/// Whether both would be written as the same files; clips are the same when their files are, however each names them.
+/// Whether both would be written as the same files. Two clips are the same when they name the same file, even from
+/// different folders.
 bool same(const Content& a, const Content& b);
 bool same(const Preset& a, const Preset& b);
 
-/// `wanted` without what breaks a rule: such values, or where that is not enough all of their group, are as in `good`,
-/// which breaks none; so is a clip that `good` has in the same place, and others are left out. For showing all that can
-/// be shown.
+/// `wanted` without what breaks a rule, so that the rest of it can be shown. Each value that breaks one is taken from
+/// `good`, which breaks none; where that does not help, its whole group is. A faulty clip is taken from the same place
+/// of `good`, and left out if there is none.
 Preset mended(Preset wanted, const Preset& good);
 
-/// What lies on the disk under a document's name, to tell when another program has written there.
+/// The file of a document as it is on the disk, to notice when another program has written it.
 struct OnDisk {
     bool exists = false;
     std::uint64_t hash = 0;  ///< of its bytes
     friend bool operator==(const OnDisk&, const OnDisk&) = default;
 
-    /// As it is now. What cannot be read counts as not there.
+    /// As the file is now. A file that cannot be read counts as missing.
     static OnDisk of(const std::filesystem::path& file);
 };
 
-/// The document `file` is written to lies in this folder.
+/// The folder that `file` is in, as an absolute path.
 std::filesystem::path folder_of(const std::filesystem::path& file);
-/// How a document in `to` has to name what one in `from` calls `file`. Names without a folder are looked up on the
-/// search path and stay what they are unless the file lies beside the old document.
+/// The name that a document in folder `to` has to use for what a document in `from` calls `file`. A name that is not
+/// found in `from` stays as it is: it is looked up on the search path.
 std::string moved_path(const std::string& file, const std::filesystem::path& from, const std::filesystem::path& to);
-/// The file of a clip that a preset in this folder names, symbolic links followed; its name where no such file lies
-/// there. Looks at the disk.
+/// The file of a clip that a preset in this folder names, with symbolic links followed; only its name if the folder has
+/// no such file. Reads the disk.
 std::filesystem::path real_clip(const std::string& file, const std::filesystem::path& folder);
-/// Names all clips, some of which may be whole paths, from one folder that holds them, symbolic links followed: `home`
-/// if it does, else the preset's own, else the deepest. Those in `shipped`, the folders of the search path, get bare
-/// names.
+/// Makes all clips, some of which may be absolute paths, relative to one folder, and makes it the preset's. It is
+/// `home` if all clips are in it (with symbolic links followed), else the preset's present folder, else the deepest
+/// folder that holds them all. Clips in `shipped`, the folders of the search path, are named without a folder.
 void gather_clips(Preset& preset, const std::filesystem::path& home, const std::vector<std::filesystem::path>& shipped);
-
-/// A content that is kept: scene and preset may be those of other steps.
-struct KeptContent {
-    std::shared_ptr<const Scene> scene;
-    std::shared_ptr<const Preset> preset;
-    Content copy() const { return {.scene = *scene, .preset = *preset}; }
-};
 
 /// One thing that was done.
 struct Step {
     std::uint64_t id = 0;  ///< no other step of this document has it
     std::string name;      ///< "Speed", "Move event"
-    KeptContent before, after;
+    std::string change;    ///< in words (document/words.h): "4 to 8.3 mm/s"; empty when nothing can be seen of it
+    Delta scene, preset;
 };
 
 class Document {
   public:
-    /// What goes beyond either is forgotten, the oldest first; the newest step never is.
+    /// Beyond either limit the oldest steps are forgotten; the newest one always stays.
     static constexpr std::size_t most_steps = 500, most_step_bytes = std::size_t{32} << 20;
 
-    /// An empty one, of which nothing would be lost.
+    /// An empty document, which counts as saved.
     Document();
     const Content& content() const { return content_; }
     const Scene& scene() const { return content_.scene; }
     const Preset& preset() const { return content_.preset; }
-    /// Grows with every change, also undone ones; for those who follow.
+    /// Grows with every change, also with undo and redo. Whoever keeps something that was made from the document
+    /// compares versions to see whether it has changed.
     std::uint64_t version() const { return version_; }
+    /// What has to be done again because of changes since `version`: the redo bits of the rows that changed
+    /// (lapfx/parameter.h), and those of all files when the folder changed. There may be bits too many, never too few:
+    /// while a gesture is open, what it changed once counts as changing with each edit.
+    unsigned scene_changes_since(std::uint64_t version) const { return scene_changed_.since(version); }
+    unsigned preset_changes_since(std::uint64_t version) const { return preset_changed_.since(version); }
+    unsigned changes_since(std::uint64_t version) const {
+        return scene_changes_since(version) | preset_changes_since(version);
+    }
 
-    /// Another content from these files (empty: none yet), whose folders become absolute; what was done before is
-    /// forgotten.
+    /// Replaces the content by one that was read from these files (an empty path: no file yet). Its folders become
+    /// absolute. The history is forgotten.
     void open(Content content, std::filesystem::path scene_file = {}, std::filesystem::path preset_file = {});
-    /// Another preset on the same scene; whether that one is saved stays what it is.
+    /// Replaces the preset only. A scene that was not saved still counts as not saved.
     void open_preset(Preset preset, std::filesystem::path preset_file = {});
-    /// What was kept of an editor that ended before all was saved: what was not still is not. It is one undo step after
-    /// what lies in the files, as far as that is known, so that it is seen what would be lost.
+    /// Work that was kept when an editor ended without saving. What was not saved then still counts as not saved. The
+    /// recovered work is one undo step after the content of the files, where that is known, so that the history shows
+    /// what would be lost.
     struct Recovered {
         Content content;
         std::optional<Scene> scene_in_file;  ///< none: there is no file, or it cannot be read, or it was changed since
         std::optional<Preset> preset_in_file;  ///< the same
         std::filesystem::path scene_file, preset_file;
-        OnDisk scene_disk, preset_disk;  ///< what lay there when it was opened or saved last
+        OnDisk scene_disk, preset_disk;  ///< the files as they were when they were last opened or saved
         bool scene_unsaved = false, preset_unsaved = false;
     };
     void recover(Recovered recovered);
 
     // --- changing --------------------------------------------------------------------------------------------------
-    /// A gesture that is open already is committed first. Without any change no step is left.
+    /// Between begin() and commit() any number of edits make one step. A gesture that is still open is committed first.
+    /// A gesture that changes nothing leaves no step.
     void begin(std::string name);
     template <typename F>
     void edit(F&& change) {
@@ -114,7 +122,7 @@ class Document {
         touched();
     }
     void commit();
-    void cancel();  ///< as it was at begin()
+    void cancel();  ///< the document is again as it was at begin()
     bool in_gesture() const { return open_; }
     template <typename F>
     void change(std::string name, F&& change) {
@@ -122,7 +130,8 @@ class Document {
         edit(std::forward<F>(change));
         commit();
     }
-    /// A gesture of a widget (anything with ui::Edit's members), in the order in which its parts belong.
+    /// Applies what a widget reports in one frame (anything with the members of ui::Edit): it may begin, change, cancel
+    /// and commit a gesture.
     template <typename Edit, typename F>
     void take(const Edit& widget, std::string_view name, F&& change) {
         if (widget.began) begin(std::string(name));
@@ -139,67 +148,84 @@ class Document {
     // --- history ---------------------------------------------------------------------------------------------------
     bool can_undo() const { return open_ || done_ > 0; }
     bool can_redo() const { return !open_ && done_ < steps_.size(); }
-    void undo();  ///< an open gesture is given up
+    void undo();  ///< of an open gesture: cancel()
     void redo();
-    /// Steps done and undone; the first done() of them are in effect.
+    /// All steps, also those that were undone; the first done() of them are in effect.
     const std::vector<Step>& steps() const { return steps_; }
     std::size_t step_memory() const;  ///< bytes that steps take
     std::size_t done() const { return done_; }
     void go_to(std::size_t done);  ///< undoes or redoes until so many are in effect
     enum class Named { scene, preset };
-    /// Called so from now on, in what was done and undone as well: it is no step, and undoing others keeps the name.
+    /// Renames the scene or preset in all steps as well, so that undoing them keeps the new name. It is no step itself.
     void rename(Named what, const std::string& name);
 
     // --- files -----------------------------------------------------------------------------------------------------
-    /// Where bare names of clips are looked up: a clip that lies there is named so, wherever the preset goes.
+    /// The search path of clips. A clip that is in one of these folders is named without a folder wherever the preset
+    /// is saved.
     void set_clip_folders(std::vector<std::filesystem::path> folders) { clip_folders_ = std::move(folders); }
-    /// The same preset for another folder: its clips are found from there.
+    /// Makes `preset` one of another folder, with the same clips.
     void move(Preset& preset, const std::filesystem::path& folder) const;
-    /// The same, from where the preset's file lies if that folder holds them. What lies outside of it is asked about
-    /// when the preset is saved.
+    /// document::gather_clips() with the folder of the preset's file as `home`. Clips outside of it are allowed until
+    /// the preset is saved: then the user is asked about them.
     void gather_clips(Preset& preset) const;
     const std::filesystem::path& scene_file() const { return scene_file_; }
     const std::filesystem::path& preset_file() const { return preset_file_; }
-    bool scene_unsaved() const;  ///< differs from what was opened or saved
+    bool scene_unsaved() const;  ///< the scene differs from what was opened or saved last
     bool preset_unsaved() const;
     bool unsaved() const { return scene_unsaved() || preset_unsaved(); }
-    /// As they were opened or saved; null: they have no file, or it could not be read. Another one is another pointer.
+    /// The documents as they were last opened or saved; null when there is no file or it could not be read. Each saving
+    /// makes a new object, so pointers can be compared.
     const std::shared_ptr<const Scene>& saved_scene() const { return saved_scene_; }
     const std::shared_ptr<const Preset>& saved_preset() const { return saved_preset_; }
-    /// Write, load back, compare, and note the file. Throw Error; then nothing changes but an open gesture, which is
-    /// committed. Paths in them are made to fit the new folder; a scene names the preset's file as the one it opens
-    /// with.
+    /// Writes the file, reads it back, compares, and makes it the document's file. Paths in the document are made
+    /// relative to the file's folder; a scene gets the preset's file as the one it opens with. An open gesture is
+    /// committed first. Throws Error; then the document and its files are as before.
     void save_preset(const std::filesystem::path& file);
     void save_scene(const std::filesystem::path& file);
-    /// Clips that a preset in this folder could not name, because they lie outside of it.
+    /// The clips that a preset in this folder must not name because they are outside of it.
     std::vector<std::string> clips_outside(const std::filesystem::path& folder) const;
-    /// As it was when it was opened or saved.
+    /// The files as they were when they were last opened or saved.
     const OnDisk& scene_on_disk() const { return scene_disk_; }
     const OnDisk& preset_on_disk() const { return preset_disk_; }
-    /// What lies there now is known and meant: the next saving does not ask.
+    /// Takes the files as they are now as known, so that the next saving does not ask about them.
     void note_disk();
-    /// Left behind: they become documents without a file, which are not saved.
+    /// The scene or preset no longer belongs to its file and counts as not saved.
     void forget_scene_file();
     void forget_preset_file();
 
-    /// As it is on disk now: one undo step, and what is on disk counts as saved and known.
+    /// Takes over what another program wrote to the file. This is one undo step, and the document then counts as saved.
     void reload(Preset preset);
     void reload(Scene scene);
 
-    /// What is wrong with the values as they are; places are JSON pointers. Of a preset, of a scene.
-    std::vector<Fault> preset_faults() const;
+    /// What is wrong with the present values; places are JSON pointers.
+    const std::vector<Fault>& preset_faults() const;
     std::vector<Fault> scene_faults() const;
 
   private:
-    void touched() { ++version_; }
-    void set(const Content& content);
-    KeptContent kept(const Content& content, const KeptContent* like) const;
+    /// Of each redo bit: the version in which something with this bit changed last.
+    struct Changed {
+        std::array<std::uint64_t, 32> at{};
+        unsigned open = 0;  ///< bits of what differs from the last step
+
+        void note(unsigned differing, std::uint64_t version);
+        unsigned since(std::uint64_t version) const;
+    };
+    void touched();
+    void all_touched();
+    void settle();
+    void take_back();
+    template <typename Apply>
+    void step(Apply apply);
+    template <typename Part, typename Change>
+    void sew(Part Content::*part, Delta Step::*delta, const Table& table, Change change);
     void forget_oldest();
     void forget_steps();
     std::string moved_clip(const std::string& file, const std::filesystem::path& from,
                            const std::filesystem::path& to) const;
 
     Content content_;
+    Content settled_;  ///< as the last step left it: differs from content_ in an open gesture only
+    Changed scene_changed_, preset_changed_;
     std::vector<std::filesystem::path> clip_folders_;
     std::uint64_t version_ = 1;
     std::vector<Step> steps_;
@@ -207,13 +233,16 @@ class Document {
     std::uint64_t last_step_ = 0;
     bool open_ = false;
     std::string name_;
-    Content before_;
     std::filesystem::path scene_file_, preset_file_;
     OnDisk scene_disk_, preset_disk_;
     std::shared_ptr<const Scene> saved_scene_;
     std::shared_ptr<const Preset> saved_preset_;
-    mutable std::uint64_t compared_ = 0;  ///< version for which the two below hold
-    mutable bool scene_differs_ = false, preset_differs_ = false;
+    mutable std::uint64_t compared_ = 0;  ///< version for which scene_differs_ and preset_differs_ hold, and with what
+    mutable std::shared_ptr<const Scene> compared_scene_;
+    mutable std::shared_ptr<const Preset> compared_preset_;
+    mutable bool scene_differs_ = true, preset_differs_ = true;
+    mutable std::uint64_t checked_ = 0;  ///< version that preset_faults_ is of
+    mutable std::vector<Fault> preset_faults_;
     void compare() const;
 };
 

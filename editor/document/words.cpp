@@ -305,26 +305,21 @@ std::string change_text(const Difference& d) {
     return before + " to " + d.after;
 }
 
-std::string change_of(const Step& step) {
-    const KeptContent &before = step.before, &after = step.after;
-    std::vector<Difference> all;
-    if (before.preset != after.preset) all = differences(*before.preset, *after.preset);
-    if (before.scene != after.scene)
-        for (Difference& d : differences(*before.scene, *after.scene)) all.push_back(std::move(d));
+std::string change_of(std::string_view name, const Content& before, const Content& after) {
+    const std::vector<Difference> all = differences(before, after);
     if (all.empty()) return {};
     if (all.size() > 1) return summary(all);
     const Difference& d = all.front();
     if (d.kind == Difference::Kind::added || d.kind == Difference::Kind::removed)
         return inside_brackets(d.item) + ' ' + change_text(d);
     if (d.kind == Difference::Kind::moved) return change_text(d);
-    const std::string what = says(step.name, d.row) ? "" : d.row + ' ';
+    const std::string what = says(name, d.row) ? "" : d.row + ' ';
     const std::string item = d.item.empty() ? "" : inside_brackets(d.item) + ", ";
     return item + what + change_text(d);
 }
 
 std::string title_of(const Step& step) {
-    const std::string change = change_of(step);
-    return change.empty() ? step.name : step.name + ": " + change;
+    return step.change.empty() ? step.name : step.name + ": " + step.change;
 }
 
 bool take_back(Preset& after, const Preset& before, const Difference& d) {

@@ -9,6 +9,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "document/document.h"
@@ -41,9 +42,9 @@ std::vector<Difference> differences(const Content& before, const Content& after)
 /// "4 to 8.3 mm/s", "added", "removed".
 std::string change_text(const Difference& difference);
 
-/// What a step did beside its name: "4 to 8.3 mm/s", "Time 0.8 to 1.2 s", "3 parameters"; empty when nothing can be
-/// seen of it.
-std::string change_of(const Step& step);
+/// What a step of this name did, beside its name: "4 to 8.3 mm/s", "Time 0.8 to 1.2 s", "3 parameters"; empty when
+/// nothing can be seen of it.
+std::string change_of(std::string_view name, const Content& before, const Content& after);
 /// "Speed: 4 to 8.3 mm/s", "Move event: cauterise, Time 0.8 to 1.2 s".
 std::string title_of(const Step& step);
 

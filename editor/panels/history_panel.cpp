@@ -1,8 +1,5 @@
 // All steps since the document was opened, in words. A click, or Enter, goes back or forth to the state after a step.
-#include <unordered_map>
-
 #include "app/layouts.h"
-#include "document/words.h"
 #include "panels/panels.h"
 #include "ui/widgets/table.h"
 
@@ -14,19 +11,9 @@ struct HistoryState {
     ui::TableState table;
     std::size_t done = 0;
     std::uint64_t newest = 0;
-    std::unordered_map<std::uint64_t, std::string> changes;  ///< by step, of those that were in sight
 };
 
-/// Words are worth keeping: they come from comparing two whole documents.
-const std::string& change_of(HistoryState& state, const document::Step& step) {
-    constexpr std::size_t most = 2 * document::Document::most_steps;
-    if (state.changes.size() > most) state.changes.clear();
-    const auto [found, fresh] = state.changes.try_emplace(step.id);
-    if (fresh) found->second = document::change_of(step);
-    return found->second;
-}
-
-ui::TableCell cell_of(HistoryState& state, const document::Document& document, std::size_t row, std::size_t column) {
+ui::TableCell cell_of(const document::Document& document, std::size_t row, std::size_t column) {
     const bool current = row == document.done();
     const ui::Tone tone = row > document.done() ? ui::Tone::dim : ui::Tone::normal;
     if (row == 0)
@@ -36,7 +23,7 @@ ui::TableCell cell_of(HistoryState& state, const document::Document& document, s
     const document::Step& step = document.steps()[row - 1];
     if (column == 0)
         return {.text = step.name, .icon = current ? ui::Icon::chevron_right : ui::Icon::none, .tone = tone};
-    return {.text = change_of(state, step), .tone = tone};
+    return {.text = step.change, .tone = tone};
 }
 
 void head(ui::Ui& ui, const document::Document& document, ui::CommandTable& commands) {
@@ -67,9 +54,9 @@ void history_panel(ui::Ui& ui, document::Document& document, ui::CommandTable& c
         ui::TableColumn{"Step", 11, ui::Align::start, false, "What was done, oldest first."},
         ui::TableColumn{"Change", 18, ui::Align::start, false, "The old value and the new one."}};
     const ui::RowList::KeyOf key(key_of);
-    const auto events = ui::table(
-        ui, "Steps", state.table, columns, document.steps().size() + 1,
-        [&](std::size_t row, std::size_t column) { return cell_of(state, document, row, column); }, {.key_of = &key});
+    const auto events = ui::table(ui, "Steps", state.table, columns, document.steps().size() + 1,
+                                  [&](std::size_t row, std::size_t column) { return cell_of(document, row, column); },
+                                  {.key_of = &key});
     std::size_t target = events.opened;
     // The arrow keys only select; a press goes to that state.
     if (events.selected && ui.held() != 0 && events.hovered != ui::no_row) target = events.hovered;

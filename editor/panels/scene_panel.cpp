@@ -34,8 +34,8 @@ class ScenePanel {
   public:
     ScenePanel(ui::Ui& ui, const Edited& edited, ui::CommandTable& commands)
         : ui_(ui), edited_(edited), commands_(commands), faults_(ui.memory<SceneFaults>(ui.id_of("scene faults"))) {
-        if (faults_.version == edited.document.version()) return;
-        faults_ = {.version = edited.document.version(), .all = edited.document.scene_faults()};
+        if (edited.document.scene_changes_since(faults_.version) != 0) faults_.all = edited.document.scene_faults();
+        faults_.version = edited.document.version();
     }
 
     void build() {

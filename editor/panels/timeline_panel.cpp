@@ -220,7 +220,7 @@ class TimelinePanel {
   public:
     TimelinePanel(ui::Ui& ui, const TimelineParts& on)
         : ui_(ui), on_(on), memory_(ui.memory<TimelineMemory>(ui.id_of("timeline memory"))) {
-        if (memory_.version != on.edited.document.version() || memory_.selected != on.selected)
+        if (on.edited.document.scene_changes_since(memory_.version) != 0 || memory_.selected != on.selected)
             make_tracks(memory_, on.edited.document, on.selected);
     }
 

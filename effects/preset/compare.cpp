@@ -21,6 +21,15 @@ unsigned all_of(const Table& table, unsigned above) {
     return bits;
 }
 
+/// Whether two lists of this size are the same byte by byte: then they are equal. Long lists of plain numbers, such as
+/// a scene's events, are told so many times faster than row by row.
+bool same_bytes(const Table& list, const void* a, const void* b, std::size_t size) {
+    if (size < 2) return false;
+    const auto* const first = static_cast<const char*>(element(list, a, 0));
+    const auto stride = static_cast<std::size_t>(static_cast<const char*>(element(list, a, 1)) - first);
+    return std::memcmp(first, element(list, b, 0), size * stride) == 0;
+}
+
 /// Calls differs(bits) for what differs, until it answers false; then that is the answer too.
 template <class Differs>
 bool look(const Table& table, const void* a, const void* b, unsigned above, Differs& differs) {
@@ -44,6 +53,7 @@ bool look(const Table& table, const void* a, const void* b, unsigned above, Diff
             if (!differs(all_of(child, here))) return false;
             continue;
         }
+        if (same_bytes(child, left, right, size)) continue;
         for (std::size_t i = 0; i < size; ++i)
             if (!look(child, element(child, left, i), element(child, right, i), here, differs)) return false;
     }

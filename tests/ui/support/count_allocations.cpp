@@ -6,10 +6,11 @@
 
 namespace {
 
-std::atomic<std::size_t> allocations{0};
+std::atomic<std::size_t> allocations{0}, bytes{0};
 
 void* allocate(std::size_t size, std::size_t alignment) {
     allocations.fetch_add(1, std::memory_order_relaxed);
+    bytes.fetch_add(size, std::memory_order_relaxed);
     // aligned_alloc wants a multiple of the alignment.
     void* memory = alignment <= alignof(std::max_align_t)
                        ? std::malloc(size == 0 ? 1 : size)
@@ -24,6 +25,10 @@ namespace lapfx::test {
 
 std::size_t allocations_so_far() {
     return allocations.load(std::memory_order_relaxed);
+}
+
+std::size_t allocated_bytes_so_far() {
+    return bytes.load(std::memory_order_relaxed);
 }
 
 }  // namespace lapfx::test

@@ -70,34 +70,97 @@ TEST(DocumentHistory, FollowsAModel) {
     }
 }
 
-TEST(DocumentHistory, StepsShareWhatTheyHaveInCommon) {
-    Document document;
+Content with_events(std::size_t count) {
     Content content;
-    content.scene.events.resize(1000);
+    content.scene.events.resize(count);
+    for (std::size_t i = 0; i < count; ++i) content.scene.events[i].time = 0.01 * static_cast<double>(i);
+    return content;
+}
+
+/// Bytes of as many steps of one slider as are kept.
+std::size_t memory_of_a_slider(Content content) {
+    Document document;
     document.open(std::move(content));
-    const std::size_t events = 1000 * sizeof(ToolContact);
-    const auto speed = [&](double value) {
-        document.change("Speed", [&](Content& c) { c.preset.bleeding.speed = value; });
-    };
-    for (int i = 1; i <= 20; ++i) speed(i);
-    for (const Step& step : document.steps()) {
-        EXPECT_EQ(step.before.scene, document.steps()[0].before.scene);
-        EXPECT_EQ(step.after.scene, step.before.scene);
-        EXPECT_NE(step.after.preset, step.before.preset);
-    }
-    for (std::size_t i = 1; i < 20; ++i)
-        EXPECT_EQ(document.steps()[i].before.preset, document.steps()[i - 1].after.preset);
-    EXPECT_LT(document.step_memory(), events + 21 * (sizeof(Preset) + 3 * sizeof(Step))) << "one scene, 21 presets";
-    const std::size_t twenty = document.step_memory();
-    for (int i = 0; i < 20; ++i) document.undo();
-    EXPECT_EQ(document.preset().bleeding.speed, BleedingParameters{}.speed);
-    for (int i = 0; i < 20; ++i) document.redo();
-    EXPECT_EQ(document.preset().bleeding.speed, 20.0);
-    EXPECT_EQ(document.step_memory(), twenty);
+    for (std::size_t i = 1; i <= Document::most_steps; ++i)
+        document.change("Speed", [&](Content& c) { c.preset.bleeding.speed = 0.1 * static_cast<double>(i); });
+    EXPECT_EQ(document.steps().size(), Document::most_steps);
+    return document.step_memory();
+}
+
+TEST(DocumentHistory, StepsHoldWhatDiffersHoweverLargeTheDocumentIs) {
+    Content large = with_events(4096);
+    large.preset.smoke.clips.resize(16, {.file = "a_clip_with_a_long_name_that_is_not_kept_in_place.mp4"});
+    const std::size_t small = memory_of_a_slider({});
+    EXPECT_EQ(memory_of_a_slider(std::move(large)), small);
+    EXPECT_LT(small, Document::most_steps * 1000) << "less than a preset each";
+    EXPECT_LT(small, Document::most_steps * sizeof(Preset));
+}
+
+TEST(DocumentHistory, AnEventPutInAmongManyIsOneEvent) {
+    Document document;
+    document.open(with_events(4096));
+    const std::string before = write_scene(document.scene());
+    document.change("Add event",
+                    [&](Content& c) { c.scene.events.insert(c.scene.events.begin() + 7, {.time = 3.25}); });
+    const std::string after = write_scene(document.scene());
+    EXPECT_LT(document.step_memory(), sizeof(Step) + sizeof(ToolContact) + 500);
+    document.undo();
+    EXPECT_EQ(write_scene(document.scene()), before);
+    document.redo();
+    EXPECT_EQ(write_scene(document.scene()), after);
+}
+
+TEST(DocumentHistory, RenamingIsNoStepAndLastsThroughUndo) {
+    Document document;
+    document.open({});
+    document.change("Speed", [](Content& c) { c.preset.bleeding.speed = 7; });
+    document.change("Name", [](Content& c) { c.preset.name = "typed"; });
+    EXPECT_TRUE(document.steps()[1].preset.changes("/name"));
+    EXPECT_FALSE(document.steps()[0].preset.changes("/name"));
+    document.rename(Document::Named::preset, "saved as this");
+    EXPECT_EQ(document.steps().size(), 2U);
+    document.undo();
+    EXPECT_EQ(document.preset().name, "") << "as it was before one was typed";
+    document.redo();
+    EXPECT_EQ(document.preset().name, "saved as this");
+    document.go_to(1);
     document.rename(Document::Named::scene, "Renamed");
-    EXPECT_EQ(document.step_memory(), twenty) << "what was shared still is";
     document.undo();
     EXPECT_EQ(document.scene().name, "Renamed");
+    EXPECT_EQ(document.preset().bleeding.speed, BleedingParameters{}.speed);
+}
+
+/// Who follows a document asks what has changed since it looked last.
+TEST(DocumentHistory, WhatChangedIsKnownByTheRowsRedoBits) {
+    Document document;
+    document.open(with_events(3));
+    std::uint64_t seen = document.version();
+    const auto changed = [&] {
+        const std::pair bits(document.scene_changes_since(seen), document.preset_changes_since(seen));
+        seen = document.version();
+        return bits;
+    };
+    using Bits = std::pair<unsigned, unsigned>;
+    document.change("Opacity", [](Content& c) { c.preset.bleeding.opacity = 0.31; });
+    EXPECT_EQ(changed(), Bits(0, redo::picture));
+    document.change("Weight", [](Content& c) { c.preset.smoke.clips.resize(2); });
+    EXPECT_NE(changed().second & redo::clips, 0U);
+    document.change("Opacity", [](Content& c) { c.preset.bleeding.opacity = 0.32; });
+    EXPECT_EQ(changed(), Bits(0, redo::picture)) << "clips changed in the step before";
+    document.go_to(1);
+    EXPECT_NE(changed().second & redo::clips, 0U) << "undone";
+    document.begin("Exposure");
+    document.edit([](Content& c) { c.scene.camera.exposure = 2; });
+    EXPECT_EQ(changed(), Bits(redo::picture, 0));
+    document.edit([](Content& c) { c.scene.camera.exposure = Scene{}.camera.exposure; });
+    EXPECT_EQ(changed(), Bits(redo::picture, 0)) << "back to where the gesture began is a change, too";
+    document.edit([](Content& c) { c.scene.events[1].time = 5; });
+    EXPECT_NE(changed().first & redo::amounts, 0U);
+    document.cancel();
+    EXPECT_NE(changed().first & redo::amounts, 0U);
+    EXPECT_EQ(document.changes_since(document.version()), 0U);
+    document.change("Folder", [](Content& c) { c.preset.folder = "/elsewhere", c.preset.bleeding.speed = 7; });
+    EXPECT_NE(changed().second & redo::clips, 0U) << "clips are looked up elsewhere";
 }
 
 TEST(DocumentHistory, ForgetsTheOldestStepsThatTakeTooMuch) {
@@ -155,6 +218,54 @@ TEST_F(DocumentFiles, UndoAfterSavingElsewhereStillFindsClips) {
     document_.set_clip_folders({in("first/clips")});
     document_.save_preset(in("second/p.json"));
     EXPECT_EQ(document_.preset().smoke.clips[0].file, "a.mp4") << "found on the search path";
+}
+
+/// Saving elsewhere names clips anew in the state of now alone; the steps around it lead there and back all the same.
+TEST_F(DocumentFiles, StepsThatAreUndoneWhenItIsSavedElsewhereStillFindClips) {
+    for (const char* made : {"first/clips", "second"}) fs::create_directories(in(made));
+    for (const char* name : {"first/clips/a.mp4", "first/clips/b.mp4"}) std::ofstream(in(name)) << "x";
+    Content content;
+    content.preset.smoke.clips = {{.file = "clips/a.mp4"}};
+    content.preset.folder = in("first");
+    document_.open(content, {}, in("first/p.json"));
+    document_.change("Speed", [](Content& c) { c.preset.bleeding.speed = 7; });
+    document_.change("Add clip", [](Content& c) { c.preset.smoke.clips.push_back({.file = "clips/b.mp4"}); });
+    document_.change("Opacity", [](Content& c) { c.preset.bleeding.opacity = 0.3; });
+    document_.go_to(1);
+    document_.save_preset(in("p.json"));
+    const auto found = [&](std::size_t i) {
+        return document_.preset().folder / document_.preset().smoke.clips.at(i).file;
+    };
+    for (int round = 0; round < 2; ++round) {
+        document_.go_to(3);
+        EXPECT_EQ(found(0), in("first/clips/a.mp4"));
+        EXPECT_EQ(found(1), in("first/clips/b.mp4"));
+        EXPECT_EQ(document_.preset().bleeding.opacity, 0.3);
+        document_.go_to(1);
+        EXPECT_EQ(found(0), in("first/clips/a.mp4"));
+        EXPECT_EQ(document_.preset().bleeding.speed, 7);
+        EXPECT_FALSE(document_.preset_unsaved());
+        document_.go_to(0);
+        EXPECT_EQ(found(0), in("first/clips/a.mp4"));
+        EXPECT_EQ(document_.preset().bleeding.speed, BleedingParameters{}.speed);
+    }
+}
+
+/// A gesture that no file would tell of leaves no step and every letter as it was.
+TEST_F(DocumentFiles, AClipNamedByAnotherWayIsNoStep) {
+    fs::create_directories(in("home"));
+    std::ofstream(in("home/a.mp4")) << "x";
+    Content content;
+    content.preset.smoke.clips = {{.file = "a.mp4"}};
+    content.preset.folder = in("home");
+    document_.open(content, {}, in("home/p.json"));
+    document_.change("Replace clip", [&](Content& c) {
+        c.preset.folder = folder_;
+        c.preset.smoke.clips[0].file = "home/a.mp4";
+    });
+    EXPECT_TRUE(document_.steps().empty());
+    EXPECT_EQ(document_.preset().smoke.clips[0].file, "a.mp4");
+    EXPECT_EQ(document_.preset().folder, in("home"));
 }
 
 /// However files are named, and from wherever: undo and redo give back every letter, and what was not touched is not

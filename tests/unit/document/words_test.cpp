@@ -8,11 +8,9 @@ namespace lapfx::document {
 namespace {
 
 Step step(std::string name, const Content& before, const Content& after) {
-    const auto kept = [](const Content& content) {
-        return KeptContent{.scene = std::make_shared<const Scene>(content.scene),
-                           .preset = std::make_shared<const Preset>(content.preset)};
-    };
-    return {.id = 1, .name = std::move(name), .before = kept(before), .after = kept(after)};
+    Step made{.id = 1, .name = std::move(name), .change = {}, .scene = {}, .preset = {}};
+    made.change = change_of(made.name, before, after);
+    return made;
 }
 
 Content content() {

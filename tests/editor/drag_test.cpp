@@ -1,0 +1,52 @@
+// What a drag of one slider costs must not depend on how large the document is.
+#include <gtest/gtest.h>
+
+#include "editor/support/editor_test.h"
+#include "ui/support/count_allocations.h"
+
+namespace lapfx::test {
+
+class Drag : public EditorTest {
+  protected:
+    /// Bytes that are allocated while the pointer moves a slider of the preset, drawing of the scene apart.
+    std::size_t bytes_of_a_drag() {
+        constexpr std::string_view slider = "**/Bleeding/Gloss";
+        ui().settle();
+        ui().around([this](double now) { editor().update(now); }, [this] { editor().follow(); });
+        const glm::vec2 at = ui().rect(slider).center();
+        ui().press(slider);
+        const auto move = [&](int count) {
+            for (int i = 0; i < count; ++i) ui().move(at + glm::vec2(i % 2 == 0 ? 5 : -5, 0));
+        };
+        move(10);  // what is kept from frame to frame has its room
+        const std::uint64_t version = editor().document.version();
+        const std::size_t before = allocated_bytes_so_far();
+        move(10);
+        const std::size_t bytes = allocated_bytes_so_far() - before;
+        EXPECT_GE(editor().document.version(), version + 10) << "the slider moves";
+        ui().release();
+        EXPECT_EQ(editor().document.steps().back().name, "Bleeding: Gloss");
+        return bytes;
+    }
+};
+
+TEST_F(Drag, AllocatesNoMoreInALargeDocument) {
+    open_sample();
+    const std::size_t small = bytes_of_a_drag();
+    document::Content large = editor().document.content();
+    ASSERT_FALSE(large.preset.smoke.clips.empty());
+    large.preset.smoke.clips.resize(12, large.preset.smoke.clips.front());
+    // Too far away to touch the organ: they are many, but cause nothing.
+    for (int i = 0; i < 4000; ++i)
+        large.scene.events.push_back({.action = ToolAction::cauterise,
+                                      .time = 0.002 * i,
+                                      .duration = 0.001,
+                                      .position = {1e3, 1e3, i},
+                                      .to = {1e3, 1e3, i}});
+    start();
+    editor().document.open(std::move(large));
+    ui().frame().frame();
+    EXPECT_EQ(bytes_of_a_drag(), small);
+}
+
+}  // namespace lapfx::test
