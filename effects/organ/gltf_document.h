@@ -6,7 +6,6 @@
 // read here.
 #pragma once
 
-#include <tiny_gltf.h>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -14,6 +13,7 @@
 #include <vector>
 
 #include "organ/file.h"
+#include "organ/tinygltf.h"
 
 namespace lapfx::organ {
 
