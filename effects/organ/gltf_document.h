@@ -25,6 +25,7 @@ struct GltfDocument {
     std::vector<std::string> warnings;         ///< what was taken out of it
     bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
+    std::size_t unpacked = 0;      ///< bytes that a codec has made of primitives
 
     /// The bytes of a buffer view, decompressed where needed. Throws Error when it is not there or not in its
     /// buffer.
