@@ -18,12 +18,12 @@ class Bioheat {
     static constexpr double step = 0.01;       ///< s
     static constexpr double forgotten = 60.0;  ///< s after the last heating, tissue is at the body's temperature
 
-    /// Keeps references.
-    Bioheat(const Surface& surface, const StrengthAt& strength_at);
+    /// Keeps references to the surface and to strength_at.
+    Bioheat(const Surface& surface, const StrengthAt& strength_at, SealedAt sealed_at);
 
     /// All anew.
     void reset(const CauteryParameters& parameters);
-    /// The track's contacts have changed at and after `time`.
+    /// The track's contacts, or the clips, have changed at and after `time`.
     void changed_from(double time);
     /// To the state at `time`: of the first step at or after it.
     void seek(const Track& track, double time);

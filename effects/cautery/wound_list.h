@@ -3,10 +3,11 @@
 //
 // What a division leaves does not depend on what was there before: a wound that is open, and at least as strong, stands
 // for a new one at its place, and then bleeds as long as the new one would have. For that, what happens at a place is
-// told in the order of time: a wound that heat has closed stands for nothing that comes later.
+// told in the order of time: a wound that heat has closed, or a clip holds, stands for nothing that comes later.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Division {
     std::uint32_t chain = 0;
     bool by_heat = false;
 };
+/// From when on, s, a clip holds a place of the surface; never: none does.
+using SealedAt = std::function<double(const glm::dvec3& place)>;
 /// What closes wounds: heat that divides does not close its own cut.
 struct Heater {
     std::uint32_t chain = 0;
@@ -31,6 +34,10 @@ class WoundList {
   public:
     static constexpr std::size_t most = 4096;
     static constexpr double closest = 1.0;  ///< mm
+
+    /// `sealed_at` may be empty: there are no clips. Where it answers otherwise than before, what was added is to be
+    /// truncated.
+    explicit WoundList(SealedAt sealed_at = {}) : sealed_at_(std::move(sealed_at)) {}
 
     /// Wounds in the order in which they were added.
     std::span<const Wound> wounds() const { return wounds_; }
@@ -62,6 +69,9 @@ class WoundList {
         std::int64_t key;
         std::uint32_t wound, before;
     };
+    double closed_at(const Wound& wound) const;
+
+    SealedAt sealed_at_;
     std::vector<Wound> wounds_;
     std::vector<std::uint32_t> chains_;  // per wound: who divided there last, heat before cold
     std::vector<std::int64_t> added_;    // key per wound
