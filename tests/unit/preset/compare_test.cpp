@@ -191,6 +191,7 @@ TEST(Compare, AKeptBleedFieldIsLikeANewOneWhateverChanges) {
     before.pulse_rate = 1.3;
     before.pulse_strength = 0.4;
     before.bridge_gap = 0.5;
+    before.coagulation_time = 1;
     const auto seen = [](bleeding::BleedField& field, double time) {
         field.update(time);
         const bleeding::BloodAmount amount = field.amount();
@@ -203,7 +204,7 @@ TEST(Compare, AKeptBleedFieldIsLikeANewOneWhateverChanges) {
         BleedingParameters after = before;
         row.set(&after, other(row, &after));
         bool changes = false;
-        for (const double time : {1.1, 3.2}) {
+        for (const double time : {1.1, 3.2, 12.0}) {  // at last all is settled
             const glm::dvec3 down = glm::normalize(glm::dvec3(0.3, -1, 0));
             bleeding::BleedField kept(surface, down), fresh(surface, down);
             kept.set(wounds, before);
