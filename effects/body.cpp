@@ -86,9 +86,14 @@ std::size_t Body::send(Simulation& simulation) noexcept {
     touch(marked, [&](std::uint32_t v) { return cautery.marks()[v] != glm::vec2(0.0f); });
     const auto clips = cautery.clips();
     const auto there = std::ranges::upper_bound(clips, simulation.time(), {}, &cautery::Clip::time);
+    const std::size_t sent = bleed_gpu_.send(bleed.values(), bled) + organ_gpu_.send_marks(cautery.marks(), marked);
+    const auto count = static_cast<std::size_t>(there - clips.begin());
+    const double length = simulation.preset().cautery.clip_length;
+    if (clips_version_ == cautery.clips_version() && count == clips_.size() && length == clip_length_) return sent;
+    clips_version_ = cautery.clips_version();
     clips_.assign(clips.begin(), there);
-    clip_length_ = simulation.preset().cautery.clip_length;
-    return bleed_gpu_.send(bleed.values(), bled) + organ_gpu_.send_marks(cautery.marks(), marked) + send_clips();
+    clip_length_ = length;
+    return sent + send_clips();
 }
 
 /// Where the clips are on the organ as it is now.

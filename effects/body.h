@@ -69,6 +69,7 @@ class Body {
     std::vector<cautery::Clip> clips_;  // the clips that exist now
     std::vector<cautery::ClipPose> poses_;
     double clip_length_ = 0.0;  // mm
+    std::uint64_t clips_version_ = 0;
     render::TouchedTriangles touched_;
     std::vector<char> is_touched_;  // per vertex
     Overlay overlay_ = Overlay::none;

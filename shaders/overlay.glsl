@@ -20,6 +20,7 @@ vec3 lapfx_overlay(vec3 shaded, vec2 density, float bleed) {
     vec3 grey = vec3(dot(shaded, vec3(0.2126, 0.7152, 0.0722)));
     if (u_overlay == OVERLAY_VESSELS) return mix(grey, vec3(0.0, 0.6, 1.0), lapfx_overlay_cover * density.x);
     if (u_overlay == OVERLAY_FAT) return mix(grey, vec3(1.0, 0.7, 0.0), lapfx_overlay_cover * density.y);
+    if (u_overlay != OVERLAY_BLEED) return shaded;
     // Isolines every 2 mm from 0, one and a half pixels wide; colours run to red at 20 mm. Bounded, because the value
     // drops steeply beyond the reach of blood.
     float steps = bleed / 2.0, width = clamp(fwidth(steps), 1e-6, 1.0);

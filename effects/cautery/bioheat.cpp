@@ -35,13 +35,14 @@ double crossing(double before, double after, double wanted, double from) {
 
 }  // namespace
 
-Bioheat::Bioheat(const Surface& surface, const StrengthAt& strength_at)
+Bioheat::Bioheat(const Surface& surface, const StrengthAt& strength_at, SealedAt sealed_at)
     : surface_(surface),
       strength_at_(strength_at),
       heat_(surface),
       peak_(surface.positions.size(), 0.0f),
       divided_(surface.positions.size(), 0.0f),
       recent_(most_undone),
+      wounds_(std::move(sealed_at)),
       is_touched_(surface.positions.size(), false),
       is_changed_(surface.positions.size(), false) {}
 

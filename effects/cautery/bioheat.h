@@ -19,12 +19,12 @@ class Bioheat {
     static constexpr double forgotten =
         60.0;  ///< s after the last heating at which tissue has the body's temperature again
 
-    /// Keeps references.
-    Bioheat(const Surface& surface, const StrengthAt& strength_at);
+    /// Keeps references to the surface and to strength_at.
+    Bioheat(const Surface& surface, const StrengthAt& strength_at, SealedAt sealed_at);
 
     /// Starts again with these parameters.
     void reset(const CauteryParameters& parameters);
-    /// The track's contacts have changed at and after `time`.
+    /// The track's contacts, or the clips, have changed at and after `time`.
     void changed_from(double time);
     /// Goes to the state at `time`: that of the first step at or after it.
     void seek(const Track& track, double time);

@@ -11,7 +11,7 @@ Cautery::Cautery(const Surface& surface, StrengthAt strength_at)
     : surface_(surface),
       strength_at_(std::move(strength_at)),
       track_(surface),
-      radial_(strength_at_),
+      radial_(strength_at_, sealed_at()),
       clips_(surface),
       vertex_start_(surface.positions.size() + 1, 0),
       point_vertices_(surface.weld.size()),
@@ -35,7 +35,7 @@ void Cautery::choose_model(const CauteryParameters& parameters) {
     if (parameters.model != HeatModel::bioheat)
         bioheat_.reset();
     else if (!bioheat_)
-        bioheat_ = std::make_unique<Bioheat>(surface_, strength_at_);
+        bioheat_ = std::make_unique<Bioheat>(surface_, strength_at_, sealed_at());
     if (bioheat_) bioheat_->reset(parameters);
     versions_ = before + 1 - list().version();
     parameters_ = parameters;
@@ -46,7 +46,7 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
     const std::size_t before = track_.stays().size();
     std::size_t first = track_.set(log, parameters);
     const std::size_t count = track_.stays().size();
-    clips_.set(track_, first, parameters);
+    const double clips_from = clips_.set(track_, first, parameters);
     if (!(parameters == parameters_) || !chosen_) {
         choose_model(parameters);
         chosen_ = true;
@@ -55,10 +55,15 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
         return;
     }
     if (bioheat_) {
-        bioheat_->changed_from(track_.same_until());
+        bioheat_->changed_from(std::min(track_.same_until(), clips_from));
     } else {
-        radial_.truncate(first);
-        for (std::size_t i = first; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
+        // Whether a wound opens may depend on the clips that are there already.
+        const auto stays = track_.stays();
+        const auto later =
+            std::ranges::partition_point(stays, [&](const Stay& s) { return s.latest_end < clips_from; });
+        const std::size_t from = std::min(first, static_cast<std::size_t>(later - stays.begin()));
+        radial_.truncate(from);
+        for (std::size_t i = from; i < count; ++i) radial_.append(track_, static_cast<std::uint32_t>(i));
     }
     seal();
     // Only the marks of the last contact can be removed.
@@ -69,9 +74,24 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
         contribute(static_cast<std::uint32_t>(i), updated_, settled_);
 }
 
+SealedAt Cautery::sealed_at() {
+    return [this](const glm::dvec3& place) { return clips_.sealed_at(place); };
+}
+
+/// Each wound is asked about once for the same clips.
 void Cautery::seal() {
     if (clips().empty() || sealed_version_ == wounds_version()) return;
-    clips_.seal(list(), sealed_);
+    const auto wounds = list().wounds();
+    const std::size_t known = sealed_by_ == clips_.version() ? std::min(sealed_.size(), wounds.size()) : 0;
+    sealed_.resize(wounds.size());
+    for (std::size_t i = 0; i < wounds.size(); ++i) {
+        const bool same = i < known && sealed_[i].position == wounds[i].position;
+        const double sealed = same ? sealed_[i].sealed : clips_.sealed_at(wounds[i].position);
+        sealed_[i] = wounds[i];
+        sealed_[i].sealed = sealed;
+        sealed_[i].stop = std::min(wounds[i].stop, sealed);
+    }
+    sealed_by_ = clips_.version();
     sealed_version_ = wounds_version();
 }
 

@@ -42,6 +42,8 @@ class Cautery {
     std::span<const Wound> wounds() const { return clips().empty() ? list().wounds() : sealed_; }
     /// Changes when the wounds do.
     std::uint64_t wounds_version() const { return heat_version() + clips_.version(); }
+    /// Changes when the clips do.
+    std::uint64_t clips_version() const { return clips_.version(); }
     /// Wounds that were left out because there were too many.
     std::size_t left_out() const { return list().left_out(); }
 
@@ -68,6 +70,7 @@ class Cautery {
     const WoundList& list() const { return bioheat_ ? bioheat_->wounds() : radial_.wounds(); }
     std::uint64_t heat_version() const { return list().version() + versions_; }
     void choose_model(const CauteryParameters& parameters);
+    SealedAt sealed_at();
     void seal();
     void clear(Layer& layer);
     void contribute(std::uint32_t contact, double time, Layer& layer);
@@ -88,6 +91,7 @@ class Cautery {
     ClipList clips_;
     std::vector<Wound> sealed_;         // if there are clips: the wounds after their effect
     std::uint64_t sealed_version_ = 0;  // version of the wounds that it was made from
+    std::uint64_t sealed_by_ = 0;       // version of the clips
 
     std::vector<std::uint32_t> vertex_start_;  // per point, into point_vertices_; one more at the end
     std::vector<std::uint32_t> point_vertices_;

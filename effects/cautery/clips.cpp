@@ -31,6 +31,13 @@ glm::dvec3 within(const glm::dvec3& v, const glm::dvec3& normal) {
     return v - normal * glm::dot(v, normal);
 }
 
+bool lie_alike(const Clip& a, const Clip& b) {
+    const auto alike = [](const SurfacePoint& p, const SurfacePoint& q) {
+        return p.position == q.position && p.triangle == q.triangle;
+    };
+    return a.time == b.time && alike(a.middle, b.middle) && alike(a.ends[0], b.ends[0]) && alike(a.ends[1], b.ends[1]);
+}
+
 }  // namespace
 
 ClipPose pose_of(const Clip& clip, TriangleMesh now) {
@@ -55,18 +62,40 @@ void ClipList::put(Clip& clip, const glm::dvec3& direction) const {
     clip.ends[1] = surface_.closest_point(clip.middle.position + half);
 }
 
-void ClipList::set(const Track& track, std::size_t first, const CauteryParameters& parameters) {
+void ClipList::enter(std::uint32_t clip) {
+    const glm::dvec3 begin = clips_[clip].ends[0].position, end = clips_[clip].ends[1].position;
+    grid_.insert(clip, glm::min(begin, end) - reach_, glm::max(begin, end) + reach_);
+}
+
+void ClipList::leave(std::uint32_t clip) {
+    const glm::dvec3 begin = clips_[clip].ends[0].position, end = clips_[clip].ends[1].position;
+    grid_.remove(clip, glm::min(begin, end) - reach_, glm::max(begin, end) + reach_);
+}
+
+void ClipList::turn(std::uint32_t clip, const glm::dvec3& direction) {
+    leave(clip);
+    put(clips_[clip], direction);
+    enter(clip);
+}
+
+double ClipList::set(const Track& track, std::size_t first, const CauteryParameters& parameters) {
     const auto stays = track.stays();
     if (length_ != parameters.clip_length || reach_ != parameters.clip_reach) first = 0;
+    double from = never;
+    before_.clear();
+    for (; !clips_.empty() && clips_.back().stay >= first; clips_.pop_back()) {
+        leave(static_cast<std::uint32_t>(clips_.size() - 1));
+        before_.push_back(clips_.back());
+    }
+    const bool same = length_ == parameters.clip_length && reach_ == parameters.clip_reach;
     length_ = parameters.clip_length;
     reach_ = parameters.clip_reach;
-    bool changed = false;
-    for (; !clips_.empty() && clips_.back().stay >= first; clips_.pop_back()) changed = true;
-    for (Clip& clip : clips_)
-        if (clip.aimed_by != Clip::none && clip.aimed_by >= first) {
-            clip.aimed_by = Clip::none;
-            put(clip, glm::dvec3(0.0));
-            changed = true;
+    const std::size_t kept = clips_.size();
+    for (std::uint32_t i = 0; i < kept; ++i)
+        if (clips_[i].aimed_by != Clip::none && clips_[i].aimed_by >= first) {
+            clips_[i].aimed_by = Clip::none;
+            turn(i, glm::dvec3(0.0));
+            from = std::min(from, clips_[i].time);
         }
     for (std::size_t i = first; i < stays.size(); ++i) {
         const Stay& stay = stays[i];
@@ -78,7 +107,7 @@ void ClipList::set(const Track& track, std::size_t first, const CauteryParameter
                               .ends = {},
                               .stay = number});
             put(clips_.back(), glm::dvec3(0.0));
-            changed = true;
+            enter(static_cast<std::uint32_t>(clips_.size() - 1));
         }
         if (stay.length < aim) continue;
         const auto clip =
@@ -87,24 +116,33 @@ void ClipList::set(const Track& track, std::size_t first, const CauteryParameter
         const double piece = glm::distance(stay.contact.position, stay.contact.to);
         const double share = piece > 0.0 ? 1.0 - (stay.length - aim) / piece : 1.0;
         clip->aimed_by = number;
-        put(*clip, glm::mix(stay.contact.position, stay.contact.to, share) - stays[stay.chain].contact.position);
-        changed = true;
+        const auto index = static_cast<std::uint32_t>(clips_.rend() - clip - 1);
+        turn(index, glm::mix(stay.contact.position, stay.contact.to, share) - stays[stay.chain].contact.position);
+        if (index < kept) from = std::min(from, clip->time);
     }
-    version_ += changed;
+    // A clip's stroke goes on while it is there: most samples of it change nothing.
+    std::reverse(before_.begin(), before_.end());
+    for (std::size_t i = 0; i < std::max(before_.size(), clips_.size() - kept); ++i) {
+        const Clip* const was = i < before_.size() ? &before_[i] : nullptr;
+        const Clip* const is = kept + i < clips_.size() ? &clips_[kept + i] : nullptr;
+        if (same && was != nullptr && is != nullptr && lie_alike(*was, *is)) continue;
+        for (const Clip* clip : {was, is})
+            if (clip != nullptr) from = std::min(from, clip->time);
+    }
+    version_ += from < never;
+    return from;
 }
 
-void ClipList::seal(const WoundList& wounds, std::vector<Wound>& sealed) {
-    sealed.assign(wounds.wounds().begin(), wounds.wounds().end());
-    for (const Clip& clip : clips_) {
-        const glm::dvec3 begin = clip.ends[0].position, end = clip.ends[1].position;
-        wounds.find(glm::min(begin, end) - reach_, glm::max(begin, end) + reach_, near_);
-        for (const std::uint32_t i : near_) {
-            Wound& wound = sealed[i];
-            if (organ::distance_to_path(wound.position, begin, end) > reach_) continue;
-            wound.sealed = std::min(wound.sealed, clip.time);
-            wound.stop = std::min(wound.stop, clip.time);
-        }
+double ClipList::sealed_at(const glm::dvec3& place) {
+    double time = never;
+    grid_.find(place, place, near_);
+    for (const std::uint32_t i : near_) {
+        const Clip& clip = clips_[i];
+        if (clip.time < time &&
+            !(organ::distance_to_path(place, clip.ends[0].position, clip.ends[1].position) > reach_))
+            time = clip.time;
     }
+    return time;
 }
 
 }  // namespace lapfx::cautery

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "cautery/grid.h"
 #include "cautery/track.h"
 #include "cautery/wound_list.h"
 #include "organ/surface.h"
@@ -40,23 +41,28 @@ class ClipList {
     /// Keeps a reference.
     explicit ClipList(const Surface& surface) : surface_(surface) {}
 
-    /// The track's stays from `first` on have changed.
-    void set(const Track& track, std::size_t first, const CauteryParameters& parameters);
+    /// The track's stays from `first` on have changed. Returns the time, s, from which sealed_at() may answer
+    /// differently; never: nothing has changed.
+    double set(const Track& track, std::size_t first, const CauteryParameters& parameters);
 
     /// In the order of their times.
     std::span<const Clip> clips() const { return clips_; }
     /// Changes when they do.
     std::uint64_t version() const { return version_; }
-    /// `wounds` after the clips: a wound within clip_reach of a clip's middle line stops when the clip is set, and does
-    /// not bleed if it is cut later.
-    void seal(const WoundList& wounds, std::vector<Wound>& sealed);
+    /// The time, s, from which a clip holds the place: it is within clip_reach of the clip's middle line. An open wound
+    /// there stops at once, and what is cut there later does not bleed.
+    double sealed_at(const glm::dvec3& place);
 
   private:
     void put(Clip& clip, const glm::dvec3& direction) const;
+    void enter(std::uint32_t clip);
+    void leave(std::uint32_t clip);
+    void turn(std::uint32_t clip, const glm::dvec3& direction);
 
     const Surface& surface_;
     double length_ = 0.0, reach_ = 0.0;
-    std::vector<Clip> clips_;
+    std::vector<Clip> clips_, before_;
+    Grid grid_{8.0};  // of what each clip reaches
     std::vector<std::uint32_t> near_;
     std::uint64_t version_ = 0;
 };

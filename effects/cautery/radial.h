@@ -30,7 +30,8 @@ struct Bell {
 
 class Radial {
   public:
-    explicit Radial(const StrengthAt& strength_at) : strength_at_(strength_at) {}
+    Radial(const StrengthAt& strength_at, SealedAt sealed_at)
+        : strength_at_(strength_at), wounds_(std::move(sealed_at)) {}
 
     /// Forgets the contacts from `count` on. New parameters need truncate(0).
     void truncate(std::size_t count);

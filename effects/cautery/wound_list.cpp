@@ -1,6 +1,12 @@
 #include "cautery/wound_list.h"
 
+#include <algorithm>
+
 namespace lapfx::cautery {
+
+double WoundList::closed_at(const Wound& wound) const {
+    return sealed_at_ ? std::min(wound.stop, sealed_at_(wound.position)) : wound.stop;
+}
 
 bool WoundList::add(const Division& division, std::int64_t key) {
     const Wound& wound = division.wound;
@@ -10,7 +16,7 @@ bool WoundList::add(const Division& division, std::int64_t key) {
     for (const std::uint32_t i : near_) {
         const Wound& other = wounds_[i];
         if (!(glm::distance(other.position, wound.position) < closest) || other.start > wound.start ||
-            wound.start >= other.stop || other.strength < wound.strength)
+            other.strength < wound.strength || wound.start >= closed_at(other))
             continue;
         if (division.by_heat && chains_[i] != division.chain) {
             takings_.push_back({key, i, chains_[i]});

@@ -3,10 +3,11 @@
 //
 // The result of a division does not depend on earlier wounds: an open wound that is at least as strong counts for a new
 // one at its place, and then bleeds as long as the new one would have. Therefore the events at a place are added in the
-// order of time, and a wound that heat has closed does not count for later ones.
+// order of time, and a wound that heat has closed, or that a clip holds, does not count for later ones.
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,8 @@ struct Division {
     std::uint32_t chain = 0;
     bool by_heat = false;
 };
+/// The time, s, from which a clip holds a place of the surface; never: none does.
+using SealedAt = std::function<double(const glm::dvec3& place)>;
 /// The heat that closes wounds. Heat that divides does not close its own cut.
 struct Heater {
     std::uint32_t chain = 0;
@@ -31,6 +34,10 @@ class WoundList {
   public:
     static constexpr std::size_t most = 4096;
     static constexpr double closest = 1.0;  ///< mm
+
+    /// `sealed_at` may be empty: there are no clips. Where it answers otherwise than before, what was added is to be
+    /// truncated.
+    explicit WoundList(SealedAt sealed_at = {}) : sealed_at_(std::move(sealed_at)) {}
 
     /// Wounds in the order in which they were added.
     std::span<const Wound> wounds() const { return wounds_; }
@@ -63,6 +70,9 @@ class WoundList {
         std::int64_t key;
         std::uint32_t wound, before;
     };
+    double closed_at(const Wound& wound) const;
+
+    SealedAt sealed_at_;
     std::vector<Wound> wounds_;
     std::vector<std::uint32_t> chains_;  // per wound: who divided there last, heat before cold
     std::vector<std::int64_t> added_;    // key per wound

@@ -124,10 +124,36 @@ void require_count(const GltfDocument& document, std::size_t declared, std::size
                what + " has " + std::to_string(declared) + " elements, the compressed data " + std::to_string(decoded));
 }
 
+/// What is read of a primitive, and the number that the compressed data has for it.
+struct Named {
+    std::string name;
+    int* accessor = nullptr;
+    int unique_id = 0;
+};
+
+/// Refuses what would take more memory than the largest file: a few bytes may stand for as many equal points as the
+/// format can count, and any number of primitives for the same bytes.
+void require_room(const GltfDocument& document, std::size_t points, std::size_t triangles,
+                  const std::vector<Named>& attributes, const std::string& place) {
+    std::size_t bytes = document.unpacked + triangles * sizeof(draco::Mesh::Face);
+    for (const Named& attribute : attributes) {
+        const tinygltf::Accessor& accessor =
+            accessor_at(document, *attribute.accessor, place + "/attributes/" + attribute.name);
+        const int size = tinygltf::GetComponentSizeInBytes(static_cast<std::uint32_t>(accessor.componentType)) *
+                         tinygltf::GetNumComponentsInType(static_cast<std::uint32_t>(accessor.type));
+        bytes += points * static_cast<std::size_t>(std::max(size, 0));
+    }
+    if (bytes > maximum_file_size)
+        refuse(document.file, place,
+               "unpacks to " + std::to_string(bytes) + " bytes with what was unpacked before, more than the limit of " +
+                   std::to_string(maximum_file_size));
+}
+
 /// A new accessor like `accessor`, with its own bytes.
 int add_accessor(GltfDocument& document, tinygltf::Accessor accessor, Bytes bytes) {
     accessor.bufferView = static_cast<int>(document.model.bufferViews.size());
     accessor.byteOffset = 0;
+    document.unpacked += bytes.size();
     document.model.bufferViews.emplace_back();
     document.decoded[accessor.bufferView] = std::move(bytes);
     document.model.accessors.push_back(std::move(accessor));
@@ -188,15 +214,19 @@ void decode_draco(GltfDocument& document, tinygltf::Primitive& primitive, const 
     if (primitive.indices >= 0)
         require_count(document, accessor_at(document, primitive.indices, place + "/indices").count,
                       3 * std::size_t{claim.triangles}, "indices", at);
+    const tinygltf::Value& ids = object.Get("attributes");
+    std::vector<Named> attributes;
+    for (auto& [name, accessor] : primitive.attributes)
+        if (ids.Has(name)) attributes.push_back({name, &accessor, whole_number(ids, name.c_str(), document.file, at)});
+    if (!ids.Has("POSITION")) refuse(document.file, at, "attributes has no POSITION");
+    require_room(document, claim.points, claim.triangles, attributes, at);
+
     const std::unique_ptr<draco::Mesh> mesh = decode(bytes);
     if (mesh == nullptr) refuse(document.file, at, "its compressed data is damaged");
-
-    const tinygltf::Value& ids = object.Get("attributes");
-    for (auto& [name, accessor] : primitive.attributes)
-        if (ids.Has(name))
-            accessor =
-                attribute_of(document, *mesh, accessor, whole_number(ids, name.c_str(), document.file, at), name, at);
-    if (!ids.Has("POSITION")) refuse(document.file, at, "attributes has no POSITION");
+    require_room(document, mesh->num_points(), mesh->num_faces(), attributes, at);  // seams add points
+    for (const Named& attribute : attributes)
+        *attribute.accessor =
+            attribute_of(document, *mesh, *attribute.accessor, attribute.unique_id, attribute.name, at);
     primitive.indices = indices_of(document, *mesh);
     primitive.mode = TINYGLTF_MODE_TRIANGLES;
 }

@@ -59,23 +59,35 @@ std::vector<std::uint32_t> triangles(std::vector<std::uint32_t> order, int mode,
     return out;
 }
 
-/// Only once: when its mesh is shown again, its accessors already have their bytes.
-void unpack(GltfDocument& document, tinygltf::Primitive& primitive, const std::string& place) {
+std::string uv_name(const UvUse& use) {
+    return "TEXCOORD_" + std::to_string(use.set);
+}
+
+UvUse use_of(const GltfDocument& document, const tinygltf::Primitive& primitive, const std::vector<UvUse>& uses,
+             const std::string& place) {
+    if (primitive.material >= static_cast<int>(uses.size()) || primitive.material < -1)
+        refuse(document.file, place + "/material",
+               "material " + std::to_string(primitive.material) + " is not in the file");
+    return primitive.material >= 0 ? uses[static_cast<std::size_t>(primitive.material)] : UvUse{};
+}
+
+/// Once: where its mesh is shown again, its accessors have their bytes. What read_primitive() does not read is not
+/// unpacked: a short file may have thousands of names for the same bytes.
+void unpack(GltfDocument& document, tinygltf::Primitive& primitive, const UvUse& use, const std::string& place) {
     const tinygltf::ExtensionMap packed = std::exchange(primitive.extensions, {});
+    std::erase_if(primitive.attributes, [&](const auto& attribute) {
+        const std::string& name = attribute.first;
+        return name != "POSITION" && name != "NORMAL" && name != "TANGENT" && name != "COLOR_0" && name != uv_name(use);
+    });
     for (const auto& [name, object] : packed)
         if (const GltfCodec* const codec = find_codec(name); codec != nullptr && codec->decode_primitive != nullptr)
             codec->decode_primitive(document, primitive, object, place);
 }
 
-RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive, const std::vector<UvUse>& uses,
+RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primitive, const UvUse& use,
                        const std::string& place, std::size_t& unreadable) {
     const int position = attribute(primitive, "POSITION");
     if (position < 0) refuse(document.file, place + "/attributes", "has no POSITION");
-    if (primitive.material >= static_cast<int>(uses.size()) || primitive.material < -1)
-        refuse(document.file, place + "/material",
-               "material " + std::to_string(primitive.material) + " is not in the file");
-    const UvUse use = primitive.material >= 0 ? uses[static_cast<std::size_t>(primitive.material)] : UvUse{};
-
     RawPart part;
     part.material = primitive.material;
     const FloatArray positions = read_floats(document, position, place + "/attributes/POSITION");
@@ -90,7 +102,7 @@ RawPart read_primitive(GltfDocument& document, const tinygltf::Primitive& primit
     part.normals = vectors<glm::vec3>(read("NORMAL", 3, 3), glm::vec3(0.0f));
     part.tangents = vectors<glm::vec4>(read("TANGENT", 4, 4), glm::vec4(0.0f));
     part.colors = vectors<glm::vec4>(read("COLOR_0", 3, 4), glm::vec4(1.0f));
-    part.uvs = vectors<glm::vec2>(read("TEXCOORD_" + std::to_string(use.set), 2, 2), glm::vec2(0.0f));
+    part.uvs = vectors<glm::vec2>(read(uv_name(use), 2, 2), glm::vec2(0.0f));
     if (use != UvUse{}) {
         for (glm::vec2& uv : part.uvs) uv = use.apply(uv);
         if (use.rotation != 0.0f || use.scale.x * use.scale.y < 0.0f) part.tangents.clear();  // they follow the UVs
@@ -146,8 +158,9 @@ RawOrgan read_gltf(const std::filesystem::path& path, const std::string& file, c
                 continue;
             }
             const std::string place = "/meshes/" + std::to_string(instance.mesh) + "/primitives/" + std::to_string(i);
-            unpack(document, mesh.primitives[i], place);
-            RawPart part = read_primitive(document, mesh.primitives[i], uses, place, organ.unreadable);
+            const UvUse use = use_of(document, mesh.primitives[i], uses, place);
+            unpack(document, mesh.primitives[i], use, place);
+            RawPart part = read_primitive(document, mesh.primitives[i], use, place, organ.unreadable);
             part.name = !mesh.name.empty() ? mesh.name : instance.node;
             total += part.indices.size() / 3;
             if (total > maximum_triangles) refuse(file, "", "has more than 20 million triangles");

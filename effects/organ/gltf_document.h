@@ -5,7 +5,6 @@
 // JSON without buffers, images, extras and everything that an organ does not use; buffers and images are read here.
 #pragma once
 
-#include <tiny_gltf.h>
 #include <filesystem>
 #include <map>
 #include <span>
@@ -13,6 +12,7 @@
 #include <vector>
 
 #include "organ/file.h"
+#include "organ/tinygltf.h"
 
 namespace lapfx::organ {
 
@@ -24,6 +24,7 @@ struct GltfDocument {
     std::vector<std::string> warnings;         ///< parts that were removed from it
     bool has_skins = false;
     std::map<int, Bytes> decoded;  ///< buffer views that were compressed, by index
+    std::size_t unpacked = 0;      ///< bytes that a codec has made of primitives
 
     /// The bytes of a buffer view, decompressed where needed. Throws Error when it is not there or not in its
     /// buffer.

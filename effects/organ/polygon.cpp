@@ -259,10 +259,12 @@ bool triangulate(std::span<const glm::vec3> ring, std::vector<std::uint32_t>& ou
             const std::size_t before = out.size();
             Ears ears(flat, out);
             const bool simple = ears.cut();
+            if (looks != nullptr) *looks += ears.looks();
+            if (!simple) return false;
             Edges edges(flat, std::span(out).subspan(before));
-            if (simple) edges.turn_all();
-            if (looks != nullptr) *looks += ears.looks() + edges.looks();
-            return simple;
+            edges.turn_all();
+            if (looks != nullptr) *looks += edges.looks();
+            return true;
         }
     }
     for (std::uint32_t i = 2; i < ring.size(); ++i) out.insert(out.end(), {0u, i - 1, i});

@@ -107,9 +107,10 @@ constexpr Range clip_time{0, 3600, 0.1, "s"};
 
 using S = SmokeClip;
 constexpr Parameter clip_rows[] = {
-    required(contained(path<&S::file>(
-        "file", "File",
-        "The smoke video: a file in the folder of the preset, or a bare name that the simulator looks up."))),
+    again(redo::clips,
+          required(contained(path<&S::file>(
+              "file", "File",
+              "The smoke video: a file in the folder of the preset, or a bare name that the simulator looks up.")))),
     again(redo::keyed_frame,
           choice<&S::role>(
               "role", "Role", roles,
@@ -127,11 +128,12 @@ constexpr Parameter clip_rows[] = {
               "Where in the frame the smoke starts, from the left. This point of the clip is placed at the tool tip.")),
     again(redo::keyed_frame, number<&S::source_y>("source_y", "Source y", {0, 1, 0.01, "clip heights"},
                                                   "Where in the frame the smoke starts, from the top.")),
-    number<&S::in>("in", "In", clip_time, "Time in the clip at which playing starts."),
-    number<&S::out>("out", "Out", clip_time,
-                    "Time in the clip at which playing ends and starts over; 0 is the clip's end."),
-    number<&S::crossfade>("crossfade", "Cross-fade", {0, 30, 0.1, "s"},
-                          "How long the end of the loop fades into its beginning, at most half of the loop."),
+    again(redo::clips, number<&S::in>("in", "In", clip_time, "Time in the clip at which playing starts.")),
+    again(redo::clips, number<&S::out>("out", "Out", clip_time,
+                                       "Time in the clip at which playing ends and starts over; 0 is the clip's end.")),
+    again(redo::clips,
+          number<&S::crossfade>("crossfade", "Cross-fade", {0, 30, 0.1, "s"},
+                                "How long the end of the loop fades into its beginning, at most half of the loop.")),
     choice<&S::start>("start", "Start", starts,
                       "seeded: starts at a random place in the loop, so that a clip used twice never looks the same. "
                       "beginning: starts at the in point."),
@@ -282,9 +284,9 @@ constexpr std::size_t most_clips = 64;  // four times the fifteen streams of the
 Table smoke_table() {
     using A = SmokeParameters;
     static constexpr Table tables[] = {
-        again_for_length(redo::amounts, again(redo::clips, list<&A::clips, most_clips>(
-                                                               "clips", "Clips", "Smoke videos and how each is used.",
-                                                               {clip_rows, clip_tables, clip_rules}))),
+        again_for_length(redo::amounts | redo::clips,
+                         list<&A::clips, most_clips>("clips", "Clips", "Smoke videos and how each is used.",
+                                                     {clip_rows, clip_tables, clip_rules})),
         table<&A::keying>("keying", "Keying", "How smoke is separated from the background of its clip.",
                           {keying_rows, {}, keying_rules}),
         table<&A::plume>("plume", "Plume", "Smoke at the tool tip. In the paper: source smoke.", {plume_rows}),

@@ -12,6 +12,7 @@ import json
 import os
 import re
 import shutil
+import struct
 import subprocess
 import sys
 
@@ -23,13 +24,17 @@ find_package(glfw3 REQUIRED)
 add_executable(simulator "{project}/samples/host/host.cpp")
 target_link_libraries(simulator PRIVATE lapfx::effects lapfx_glad glfw)
 add_library(plugin SHARED plugin.cpp)
-target_link_libraries(plugin PRIVATE lapfx::effects)
+# It packs with Draco itself, and so loads libdraco before what the core links.
+target_link_libraries(plugin PRIVATE draco::draco lapfx::effects)
 add_executable(scores "{project}/samples/host/scores.cpp")
 target_link_libraries(scores PRIVATE lapfx::simulation)
 """
 
 # After every public header: what only lapfx's own programs need is not there.
 PLUGIN = r"""
+#include <draco/compression/encode.h>
+#include <draco/mesh/triangle_soup_mesh_builder.h>
+
 #if __has_include("lapfx/authoring/preview.h") || __has_include("lapfx/authoring/file.h")
 #error "what is for lapfx's own programs is on a host's include path"
 #endif
@@ -66,6 +71,22 @@ extern "C" int triangles(const char* file) {
     } catch (const lapfx::Error&) {
         return -1;
     }
+}
+
+/// A square of two triangles, 0.1 m wide: how many of `room` bytes it takes.
+extern "C" int pack(char* out, int room) {
+    constexpr float corners[4][3] = {{0, 0, 0}, {0.1f, 0, 0}, {0.1f, 0.1f, 0}, {0, 0.1f, 0}};
+    draco::TriangleSoupMeshBuilder builder;
+    builder.Start(2);
+    const int position = builder.AddAttribute(draco::GeometryAttribute::POSITION, 3, draco::DT_FLOAT32);
+    for (unsigned i = 0; i < 2; ++i)
+        builder.SetAttributeValuesForFace(position, draco::FaceIndex(i), corners[0], corners[i + 1], corners[i + 2]);
+    draco::EncoderBuffer buffer;
+    const auto mesh = builder.Finalize();
+    if (!draco::Encoder().EncodeMeshToBuffer(*mesh, &buffer).ok() || buffer.size() > static_cast<std::size_t>(room))
+        return -1;
+    std::copy_n(buffer.data(), buffer.size(), out);
+    return static_cast<int>(buffer.size());
 }
 """
 
@@ -160,6 +181,40 @@ def check_scores(project, folder, build, lapfx):
     assert len(last) == 6 and float(last[1]) > 100 and int(last[3]) > 0 and float(last[5]) > 0, f"nothing has happened: {last}"
 
 
+def packed_square(plugin):
+    """A .glb whose one mesh the plug-in has packed with Draco."""
+    room = ctypes.create_string_buffer(4096)
+    size = plugin.pack(room, len(room))
+    assert size > 0, "Draco packs nothing"
+    codec = "KHR_draco_mesh_compression"
+    text = json.dumps({
+        "asset": {"version": "2.0"}, "extensionsUsed": [codec], "extensionsRequired": [codec], "buffers": [{"byteLength": size}],
+        "bufferViews": [{"buffer": 0, "byteLength": size}], "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}],
+        "accessors": [{"componentType": 5126, "count": 4, "type": "VEC3"}, {"componentType": 5125, "count": 6, "type": "SCALAR"}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1, "extensions": {
+            codec: {"bufferView": 0, "attributes": {"POSITION": 0}}}}]}]}).encode()
+    chunks = b"".join(struct.pack("<I4s", len(data) + -len(data) % 4, name) + data + fill * (-len(data) % 4)
+                      for name, data, fill in ((b"JSON", text, b" "), (b"BIN\0", room.raw[:size], b"\0")))
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def read_by(file, organ, packed):
+    """How many triangles the plug-in reads of an organ. One that Draco has packed it reads too, though libdraco has a
+    tinygltf of its own."""
+    libraries = run("ldd", file)
+    for library in ("glfw", "opencv_videoio", "opencv_highgui", "tinygltf", "Qt"):
+        assert f"lib{library}" not in libraries, f"the core does not need {library}"
+    shared = re.findall(r"(?m)^.* (?:tinygltf::|stbi).*$", run("nm", "-DC", file))
+    assert not shared, f"names that libdraco has too: {shared[:3]}"
+    plugin = ctypes.CDLL(file)
+    triangles = plugin.triangles(organ.encode())
+    assert triangles > 100, f"the plug-in reads {triangles} triangles"
+    with open(packed, "wb") as square:
+        square.write(packed_square(plugin))
+    assert plugin.triangles(packed.encode()) == 2, "of a square"
+    return triangles
+
+
 def main(project, folder, lapfx):
     os.makedirs(folder, exist_ok=True)
     # By itself, with and without drawing; what is built of it is what a host builds of it.
@@ -180,14 +235,8 @@ def main(project, folder, lapfx):
     run("cmake", "--build", build)
     check_targets(build)
     check_scores(project, folder, build, lapfx)
-    plugin = os.path.join(build, "libplugin.so")
-    libraries = run("ldd", plugin)
-    for library in ("glfw", "opencv_videoio", "opencv_highgui", "Qt"):
-        assert f"lib{library}" not in libraries, f"the core does not need {library}"
-
     organ = os.path.join(project, "samples", "hook_cautery.glb")
-    triangles = ctypes.CDLL(plugin).triangles(organ.encode())
-    assert triangles > 100, f"the plug-in reads {triangles} triangles"
+    triangles = read_by(os.path.join(build, "libplugin.so"), organ, os.path.join(folder, "packed.glb"))
     scene = os.path.join(folder, "scene.json")
     put(scene, json.dumps({"format": "lapfx.scene", "version": 1, "organ": {"file": organ}}))
     pictures = [run(os.path.join(build, "simulator"), scene, os.path.join(project, "presets", "slow_ooze.json"),

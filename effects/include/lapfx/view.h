@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/glm.hpp>
+#include <iterator>
 #include <string_view>
 
 namespace lapfx {
@@ -53,6 +54,14 @@ inline constexpr OverlayRow overlays[] = {
      .help = "The bleed value: lines every 2 mm, from blue at 0 to red at 20 mm",
      .shortcut = 'G'},
 };
+
+static_assert(
+    [] {
+        for (std::size_t i = 0; i < std::size(overlays); ++i)
+            if (overlays[i].overlay != static_cast<Overlay>(i)) return false;
+        return true;
+    }(),
+    "rows follow the enumerators");
 
 constexpr const OverlayRow& row_of(Overlay overlay) noexcept {
     return overlays[static_cast<std::size_t>(overlay)];

@@ -73,6 +73,40 @@ TEST_F(ClipsTest, WhatIsCutUnderAClipDoesNotBleed) {
     EXPECT_GT(bleeding::flow(wound_at(cautery, 20), bleeding, 9.0), 0.0);
 }
 
+// A wound that a clip holds is closed: it stands for no cut beside the clip.
+TEST_F(ClipsTest, WhatIsCutBesideAHeldWoundBleeds) {
+    const ToolContact held = at({0, 0, 2.8}, 0.5, 0.1, ToolAction::cut), clip = clip_at({0, 0, 0}, 2.0),
+                      beside = at({0, 0, 3.4}, 4.0, 0.1, ToolAction::cut);
+    const BleedingParameters bleeding;
+    for (const HeatModel model : {HeatModel::radial, HeatModel::bioheat}) {
+        parameters.model = model;
+        const auto bleeding_at = [&](const std::vector<ToolContact>& contacts, double time) {
+            cautery.set(contacts, parameters);
+            cautery.update(time);
+            return std::ranges::count_if(cautery.wounds(), [&](const Wound& w) {
+                return w.start <= time && bleeding::bleeds(w, bleeding, time);
+            });
+        };
+        EXPECT_EQ(bleeding_at({held, clip, beside}, 7.9), 1);
+        bleeding_at({held, beside}, 7.9);
+        EXPECT_EQ(cautery.wounds().size(), 1U) << "an open wound stands for it";
+        ToolContact before = beside;
+        before.time = 1.0;
+        EXPECT_EQ(bleeding_at({held, before, clip}, 7.9), 0) << "when the second was cut, the first was open";
+        // The clip comes to be known after the cut: tools that are used at once are written to the log in any order.
+        bleeding_at({held, beside}, 7.9);
+        EXPECT_EQ(bleeding_at({held, clip, beside}, 7.9), 1);
+        EXPECT_EQ(cautery.wounds().size(), 2U);
+    }
+    Preset preset;
+    preset.smoke.clips.clear();
+    AmountsModel both(test::plane(80.0, 80)), one(test::plane(80.0, 80));
+    both.set(preset, std::vector{held, clip, beside});
+    one.set(preset, std::vector{clip, beside});
+    EXPECT_GE(both.at(7.9).blood_area, one.at(7.9).blood_area);
+    EXPECT_EQ(both.at(7.9).bleeding_wounds, 1);
+}
+
 TEST_F(ClipsTest, ItPointsWhereItsStrokeGoes) {
     const auto direction = [&](const ToolContact& contact) {
         cautery.set(std::vector{contact}, parameters);
@@ -104,6 +138,9 @@ TEST_F(ClipsTest, AnyOrderOfCallsGivesTheSame) {
     all.push_back(clip_at({6, 0, -1}, 1.7));
     all.push_back(clip_at({12, 0, 0}, 4.0));
     all.push_back(at({-9, 0, 0}, 5.0, 2.0, ToolAction::cauterise));
+    all.push_back(at({6, 0, 1.9}, 1.2, 0.1, ToolAction::cut));  // held, and then one beside the clip
+    all.push_back(at({6, 0, 2.5}, 4.5, 0.1, ToolAction::cut));
+    all.push_back(at({6, 0, 2.3}, 1.3, 4.0, ToolAction::cauterise));  // divides while the clip is set
     std::mt19937 random(7);
     for (int round = 0; round < 40; ++round) {
         const std::vector<ToolContact> some(all.begin(), all.begin() + 1 + static_cast<long>(random() % all.size()));

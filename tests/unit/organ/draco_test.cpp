@@ -2,6 +2,9 @@
 #include <draco/compression/encode.h>
 #include <draco/mesh/triangle_soup_mesh_builder.h>
 
+#include <sys/resource.h>
+#include <cmath>
+
 #include "unit/organ/fixtures.h"
 
 namespace lapfx::test {
@@ -159,7 +162,23 @@ TEST_F(DracoGltf, WhatDoesNotMatchIsRefused) {
     refused(here + ": attributes has no POSITION", [&](Triangle& f) { extension(f)["attributes"].erase("POSITION"); });
 }
 
-TEST_F(DracoGltf, DamagedDataIsRefusedAtEveryByte) {
+/// The most memory that this process has had, bytes.
+std::size_t peak_memory() {
+    rusage use{};
+    getrusage(RUSAGE_SELF, &use);
+    return static_cast<std::size_t>(use.ru_maxrss) * 1024;
+}
+
+/// What is made of a damaged sheet may be any sheet of no more triangles, with all of its corners in place.
+void expect_sound(const Organ& organ, std::size_t byte) {
+    EXPECT_LE(organ.triangle_count(), 2U * side * side) << byte;
+    for (const std::uint32_t i : organ.indices) ASSERT_LT(i, organ.positions.size()) << byte;
+    for (const glm::vec3& p : organ.positions)
+        ASSERT_TRUE(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)) << byte;
+}
+
+TEST_F(DracoGltf, DamagedDataIsRefusedOrReadAsSomethingSoundWithinItsMemory) {
+    const std::size_t before = peak_memory();
     for (const int method : {draco::MESH_EDGEBREAKER_ENCODING, draco::MESH_SEQUENTIAL_ENCODING}) {
         const Packed packed = packed_sheet(method);
         for (std::size_t length = 0; length < packed.bytes.size(); length += 1 + length / 16) {
@@ -167,16 +186,23 @@ TEST_F(DracoGltf, DamagedDataIsRefusedAtEveryByte) {
             cut.bytes.resize(std::max<std::size_t>(length, 1));
             EXPECT_EQ(fault(gltf_of(cut)), at + "its compressed data is damaged") << length;
         }
-        // With any byte changed it is refused or read, and needs no more memory than the sheet.
-        std::size_t refused = 0;
+        std::size_t read = 0;
         for (std::size_t i = 0; i < packed.bytes.size(); ++i) {
             Packed wrong = packed;
             wrong.bytes[i] = static_cast<char>(wrong.bytes[i] ^ (i % 2 == 0 ? 0xff : 0x11));
             const fs::path file = folder.write("t.glb", gltf_of(wrong).file());
-            refused += !fault_of(file).empty();
+            const std::string told = fault_of(file);
+            if (i < 8) {
+                EXPECT_TRUE(told.starts_with(at)) << i << ", of the header: " << told;
+            }
+            if (told.empty()) {
+                ++read;
+                expect_sound(load_organ(file), i);
+            }
         }
-        EXPECT_GT(refused, 15U) << "the header alone has as many";
+        EXPECT_GT(read, packed.bytes.size() / 4) << "most bytes are values";
     }
+    EXPECT_LT(peak_memory() - before, std::size_t{64} << 20) << "of two kilobytes";
 }
 
 TEST_F(DracoGltf, WhatClaimsMoreThanItCanHoldIsRefused) {
@@ -192,6 +218,39 @@ TEST_F(DracoGltf, WhatClaimsMoreThanItCanHoldIsRefused) {
     old.bytes[6] = 2;
     old.bytes[7] = 0;
     EXPECT_EQ(fault(gltf_of(old)), at + "contains points only");
+}
+
+TEST_F(DracoGltf, WhatNobodyReadsIsNotUnpacked) {
+    Triangle file = gltf_of(packed_sheet(draco::MESH_EDGEBREAKER_ENCODING));
+    for (const char* name : {"_HEAT", "COLOR_1", "TEXCOORD_1", "JOINTS_0"}) {
+        file.primitive()["attributes"][name] = 0;
+        extension(file)["attributes"][name] = 77;  // there is none: whoever unpacks it refuses the file
+    }
+    EXPECT_EQ(load(file).triangle_count(), 2U * side * side);
+    // That of the material is read.
+    file.json["materials"] =
+        json::parse(R"([{"pbrMetallicRoughness": {"baseColorTexture": {"index": 0, "texCoord": 1}}}])");
+    file.json["textures"] = json::parse(R"([{}])");
+    file.primitive()["material"] = 0;
+    EXPECT_EQ(fault(file),
+              at.substr(0, at.size() - 2) + "/attributes/TEXCOORD_1: the compressed data has no attribute 77");
+}
+
+// A few kilobytes can stand for as many equal points as the format can count.
+TEST_F(DracoGltf, NoMoreIsUnpackedThanTheLargestFileHas) {
+    Packed packed = packed_sheet(draco::MESH_SEQUENTIAL_ENCODING);
+    const std::string one = "\x01", sixty_million = std::string("\x80\x8e\xce\x1c", 4);
+    packed.bytes = packed.bytes.substr(0, 11) + one + sixty_million + packed.bytes.substr(15) + std::string(10'000, 0);
+    packed.triangles = 1;
+    packed.points = 60'000'000;
+    Triangle file = gltf_of(packed);
+    for (const char* name : {"NORMAL", "TANGENT"}) {
+        file.primitive()["attributes"][name] = name == std::string("NORMAL") ? 0 : 4;
+        extension(file)["attributes"][name] = packed.position;
+    }
+    file.json["accessors"].push_back({{"componentType", 5126}, {"count", packed.points}, {"type", "VEC4"}});
+    EXPECT_EQ(fault(file), at + "unpacks to 3120000012 bytes with what was unpacked before, more than the limit of " +
+                               std::to_string(std::uintmax_t{2} << 30));
 }
 
 }  // namespace

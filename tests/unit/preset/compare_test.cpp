@@ -1,12 +1,16 @@
 #include "lapfx/authoring/compare.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <string>
 
+#include "bleeding/bleed_cpu.h"
 #include "lapfx/amounts.h"
+#include "lapfx/authoring/keying.h"
 #include "lapfx/preset.h"
 #include "lapfx/scene.h"
 #include "support/meshes.h"
@@ -100,10 +104,10 @@ TEST(Compare, ListsThatGrowAndPartsThatComeAreSeen) {
     b.smoke.clips[0].keying.luma_low = 77;
     EXPECT_TRUE(equal(preset_table(), &a, &b)) << "an object that is not there has no values";
     b.smoke.clips[0].own_keying = true;
-    EXPECT_NE(difference(preset_table(), &a, &b) & redo::clips, 0U);
+    EXPECT_EQ(difference(preset_table(), &a, &b), redo::picture | redo::keyed_frame);
     a = b;
     b.smoke.clips[0].weight = 2;
-    EXPECT_EQ(difference(preset_table(), &a, &b), redo::picture | redo::clips) << "its amounts are the same";
+    EXPECT_EQ(difference(preset_table(), &a, &b), unsigned{redo::picture}) << "its amounts are the same";
     Scene c, d;
     d.events.resize(1);
     EXPECT_EQ(difference(scene_table(), &c, &d), redo::picture | redo::amounts);
@@ -136,8 +140,8 @@ TEST(Compare, AmountsChangeWithNoValueThatDoesNotSaySo) {
         {.action = ToolAction::coagulate, .time = 3.0, .duration = 3.0, .position = {2, 0, 0}, .to = {2, 0, 0}},
         {.action = ToolAction::suction, .time = 6.0, .duration = 1.0, .position = {4, 0, 0}, .to = {4, 0, 0}},
         {.action = ToolAction::irrigation, .time = 7.5, .duration = 0.5, .position = {6, 0, 5}, .to = {6, 0, 5}}};
-    AmountsModel model(organ, {.gravity = {0.3, -1, 0}});
-    const auto amounts = [&](const Preset& of) {
+    AmountsModel kept(organ, {.gravity = {0.3, -1, 0}});
+    const auto amounts_of = [&](AmountsModel& model, const Preset& of) {
         model.set(of, contacts, {});
         std::vector<double> all;
         for (const double time : {0.4, 1.7, 2.8, 5.0, 6.6, 8.5, 10.0}) {
@@ -148,7 +152,7 @@ TEST(Compare, AmountsChangeWithNoValueThatDoesNotSaySo) {
         }
         return all;
     };
-    const std::vector<double> before = amounts(preset);
+    const std::vector<double> before = amounts_of(kept, preset);
     int changing = 0;
     const Table& table = preset_table();
     Preset changed = preset;
@@ -156,13 +160,131 @@ TEST(Compare, AmountsChangeWithNoValueThatDoesNotSaySo) {
         if (row.kind == Kind::text || row.kind == Kind::path) return;
         const Value value = row.get(owner);
         row.set(owner, other(row, owner));
-        if (check(table, &changed).empty() && amounts(changed) != before) {
-            ++changing;
-            EXPECT_NE(difference(table, &preset, &changed) & redo::amounts, 0U) << place;
+        if (check(table, &changed).empty()) {
+            AmountsModel fresh(organ, {.gravity = {0.3, -1, 0}});
+            const std::vector<double> after = amounts_of(fresh, changed);
+            EXPECT_EQ(amounts_of(kept, changed), after) << place << ": what is kept is as if it were new";
+            if (after != before) {
+                ++changing;
+                EXPECT_NE(difference(table, &preset, &changed) & redo::amounts, 0U) << place;
+            }
         }
         row.set(owner, value);
     });
     EXPECT_GT(changing, 15);
+}
+
+/// Two sheets with a fold along z, one behind the other and 1.2 mm apart.
+Organ folded_sheets() {
+    Organ sheet = test::plane(30.0, 30);
+    for (glm::vec3& p : sheet.positions) p.y = 0.6f * std::abs(p.x);
+    return test::joined(sheet, sheet, {0.0f, 0.0f, 31.2f});
+}
+
+/// The rows say themselves what a bleed field keeps: after a change of any it is as if it were new.
+TEST(Compare, AKeptBleedFieldIsLikeANewOneWhateverChanges) {
+    const Surface surface(folded_sheets());
+    const std::vector<Wound> wounds = {{.position = {2, 1.2, 13}}, {.position = {-6, 3.6, 0}, .stop = 0.5}};
+    BleedingParameters before;
+    before.speed = 4;
+    before.max_extent = 7;
+    before.pulse_rate = 1.3;
+    before.pulse_strength = 0.4;
+    before.bridge_gap = 0.5;
+    before.coagulation_time = 1;
+    const auto seen = [](bleeding::BleedField& field, double time) {
+        field.update(time);
+        const bleeding::BloodAmount amount = field.amount();
+        std::vector<double> all{amount.area, amount.volume, field.dry()};
+        for (const glm::vec2& value : field.values()) all.insert(all.end(), {value.x, value.y});
+        return all;
+    };
+    std::vector<std::string> changing;
+    for (const Parameter& row : preset_table().find("bleeding")->rows) {
+        BleedingParameters after = before;
+        row.set(&after, other(row, &after));
+        bool changes = false;
+        for (const double time : {1.1, 3.2, 12.0}) {  // at last all is settled
+            const glm::dvec3 down = glm::normalize(glm::dvec3(0.3, -1, 0));
+            bleeding::BleedField kept(surface, down), fresh(surface, down);
+            kept.set(wounds, before);
+            const std::vector<double> first = seen(kept, time);
+            kept.set(wounds, after);
+            fresh.set(wounds, after);
+            const std::vector<double> wanted = seen(fresh, time);
+            EXPECT_TRUE(seen(kept, time) == wanted) << row.key << " at " << time << " s";
+            changes |= wanted != first;
+        }
+        if (changes) changing.emplace_back(row.key);
+    }
+    EXPECT_THAT(changing, testing::UnorderedElementsAre("speed", "max_extent", "threshold", "noise_strength",
+                                                        "gravity_bias", "crease_bias", "bridge_gap", "pulse_rate",
+                                                        "pulse_strength", "coagulation_time", "deep_at", "thickness"))
+        << "or the test would not see that one is missing";
+}
+
+/// Grey and greenish pixels of every luma.
+KeyingFrame frame_of_all() {
+    KeyingFrame frame{.size = {48, 32}, .luma = {}, .cb = {}, .cr = {}, .opacity = {}};
+    for (int y = 0; y < frame.size.y; ++y)
+        for (int x = 0; x < frame.size.x; ++x) {
+            frame.luma.push_back(static_cast<float>((5 * x + 40 * (y % 3)) % 256));
+            frame.cb.push_back(static_cast<float>(-y));
+            frame.cr.push_back(static_cast<float>(-2 * (y % 16)));
+        }
+    return frame;
+}
+
+/// The rows say themselves what a keyed frame is made of.
+TEST(Compare, AKeyedFrameChangesWithNoValueThatDoesNotSaySo) {
+    const KeyingFrame frame = frame_of_all();
+    const auto pictures = [&](const KeyingLook& look) {
+        std::vector<float> opacity;
+        keyed_opacity(frame, look.keying, look.clip, opacity);
+        std::vector<std::uint8_t> all = matte_picture(frame.size, opacity).pixels;
+        for (const Image& image :
+             {keyed_picture(frame, look, opacity), composite_picture(frame, look, opacity, Image())})
+            all.insert(all.end(), image.pixels.begin(), image.pixels.end());
+        return all;
+    };
+    KeyingLook before;
+    before.keying = {.luma_low = 20,
+                     .luma_high = 180,
+                     .key_color = {0.1, 0.7, 0.1},
+                     .chroma_low = 5,
+                     .chroma_high = 90,
+                     .spill = 0.3,
+                     .choke = 1,
+                     .feather = 1};
+    before.clip.file = "clip.mkv";
+    before.clip.edge_fade = 0.2;
+    before.clip.masks.push_back({.x = 0.2, .y = 0.2, .width = 0.2, .height = 0.2});
+    const std::vector<std::uint8_t> first = pictures(before);
+    std::vector<std::string> changing;
+    KeyingLook after = before;
+    const auto look_at = [&](const Table& table, const void* old, void* changed, const std::string& name) {
+        for_each_value(table, changed, name, [&](const std::string& place, const Parameter& row, void* owner) {
+            if (place.find("/keying/") != std::string::npos) return;  // of its own: KeyingLook has one
+            const Value value = row.get(owner);
+            row.set(owner, other(row, owner));
+            if (pictures(after) != first) {
+                changing.push_back(place);
+                EXPECT_NE(difference(table, old, changed) & redo::keyed_frame, 0U) << place;
+            }
+            row.set(owner, value);
+        });
+    };
+    const Table& smoke = *preset_table().find("smoke");
+    look_at(*smoke.find("keying"), &before.keying, &after.keying, "keying");
+    before.clip.own_keying = after.clip.own_keying = true;  // as for_each_value() makes it
+    look_at(*smoke.find("clips"), &before.clip, &after.clip, "clip");
+    EXPECT_THAT(changing, testing::IsSupersetOf(
+                              {"keying/luma_low",    "keying/luma_high", "keying/key_color",   "keying/chroma_low",
+                               "keying/chroma_high", "keying/spill",     "keying/choke",       "keying/feather",
+                               "clip/polarity",      "clip/source_x",    "clip/source_y",      "clip/edge_fade",
+                               "clip/crop/left",     "clip/crop/top",    "clip/crop/right",    "clip/crop/bottom",
+                               "clip/masks/0/x",     "clip/masks/0/y",   "clip/masks/0/width", "clip/masks/0/height"}))
+        << "or the test would not see that one is missing";
 }
 
 }  // namespace

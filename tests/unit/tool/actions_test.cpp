@@ -2,7 +2,11 @@
 // names exists.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <sstream>
 
 #include "gl/generated_shaders.h"
 #include "lapfx/preset.h"
@@ -56,6 +60,19 @@ TEST(Overlays, RowsFollowTheEnumeratorsAndTheShadersKnowThem) {
               "const int OVERLAY_NONE = 0;\nconst int OVERLAY_VESSELS = 1;\nconst int OVERLAY_FAT = 2;\n"
               "const int OVERLAY_BLEED = 3;\n");
     EXPECT_EQ(gl::generated_text("overlay.glsl"), std::nullopt) << "a file";
+}
+
+TEST(Overlays, TheShaderAsksForEachByName) {
+    std::ifstream file(std::filesystem::path(LAPFX_SOURCE_DIR) / "shaders" / "overlay.glsl");
+    const std::string shader(std::istreambuf_iterator<char>(file), {});
+    std::istringstream names(gl::generated_text("overlays.glsl").value());
+    int rows = 0;
+    for (std::string line; std::getline(names, line); ++rows) {
+        const std::string name = line.substr(10, line.find(" =") - 10);  // const int NAME = 0;
+        EXPECT_TRUE(shader.find("== " + name + ")") != shader.npos || shader.find("!= " + name + ")") != shader.npos)
+            << name << " would be drawn as another overlay";
+    }
+    EXPECT_EQ(rows, static_cast<int>(std::size(overlays)));
 }
 
 }  // namespace
