@@ -57,7 +57,7 @@ void Cautery::set(const tool::Log& log, const CauteryParameters& parameters) {
     if (bioheat_) {
         bioheat_->changed_from(std::min(track_.same_until(), clips_from));
     } else {
-        // Whether a wound opens may depend on the clips that are there already.
+        // Earlier clips may decide whether a wound opens.
         const auto stays = track_.stays();
         const auto later =
             std::ranges::partition_point(stays, [&](const Stay& s) { return s.latest_end < clips_from; });

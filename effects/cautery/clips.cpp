@@ -120,7 +120,7 @@ double ClipList::set(const Track& track, std::size_t first, const CauteryParamet
         turn(index, glm::mix(stay.contact.position, stay.contact.to, share) - stays[stay.chain].contact.position);
         if (index < kept) from = std::min(from, clip->time);
     }
-    // A clip's stroke goes on while it is there: most samples of it change nothing.
+    // Most samples of the stroke that sets a clip change nothing: the clip is there from the first one on.
     std::reverse(before_.begin(), before_.end());
     for (std::size_t i = 0; i < std::max(before_.size(), clips_.size() - kept); ++i) {
         const Clip* const was = i < before_.size() ? &before_[i] : nullptr;

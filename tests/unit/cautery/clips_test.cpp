@@ -93,7 +93,7 @@ TEST_F(ClipsTest, WhatIsCutBesideAHeldWoundBleeds) {
         ToolContact before = beside;
         before.time = 1.0;
         EXPECT_EQ(bleeding_at({held, before, clip}, 7.9), 0) << "when the second was cut, the first was open";
-        // The clip comes to be known after the cut: tools that are used at once are written to the log in any order.
+        // The clip is added after the cut: two tools at the same time are written to the log in any order.
         bleeding_at({held, beside}, 7.9);
         EXPECT_EQ(bleeding_at({held, clip, beside}, 7.9), 1);
         EXPECT_EQ(cautery.wounds().size(), 2U);

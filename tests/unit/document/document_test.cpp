@@ -220,7 +220,7 @@ TEST_F(DocumentFiles, UndoAfterSavingElsewhereStillFindsClips) {
     EXPECT_EQ(document_.preset().smoke.clips[0].file, "a.mp4") << "found on the search path";
 }
 
-/// Saving elsewhere names clips anew in the state of now alone; the steps around it lead there and back all the same.
+/// Saving in another folder changes the names of clips in the present state only; undo and redo still work.
 TEST_F(DocumentFiles, StepsThatAreUndoneWhenItIsSavedElsewhereStillFindClips) {
     for (const char* made : {"first/clips", "second"}) fs::create_directories(in(made));
     for (const char* name : {"first/clips/a.mp4", "first/clips/b.mp4"}) std::ofstream(in(name)) << "x";
@@ -251,7 +251,7 @@ TEST_F(DocumentFiles, StepsThatAreUndoneWhenItIsSavedElsewhereStillFindClips) {
     }
 }
 
-/// A gesture that no file would tell of leaves no step and every letter as it was.
+/// A gesture that changes nothing in the saved file leaves no step and every letter as it was.
 TEST_F(DocumentFiles, AClipNamedByAnotherWayIsNoStep) {
     fs::create_directories(in("home"));
     std::ofstream(in("home/a.mp4")) << "x";
