@@ -117,7 +117,7 @@ void Body::touch(std::span<const VertexRun> changed, const Touched& is_touched) 
 void Body::draw() const noexcept {
     bleed_gpu_.bind();
     organ_gpu_.draw(glm::mat4(1.0f), &touched_);
-    draw_clips();
+    draw_metal_clips();
 }
 
 }  // namespace lapfx

@@ -35,7 +35,7 @@ class Body {
     /// Sends what has changed in the simulation since the last call, and returns the bytes sent.
     std::size_t send(Simulation& simulation) noexcept;
     void draw() const noexcept;  ///< with the clips on it
-    void draw_clips() const noexcept { clips_gpu_.draw(); }
+    void draw_metal_clips() const noexcept { clips_gpu_.draw(); }
 
     void collect(std::vector<gl::Program*>& programs) {  ///< for gl::rebuild()
         organ_gpu_.collect(programs);

@@ -182,10 +182,10 @@ void Effects::draw_organ(const View& view) noexcept {
     state_->body->draw();
 }
 
-void Effects::draw_clips(const View& view) noexcept {
+void Effects::draw_metal_clips(const View& view) noexcept {
     const gl::StateGuard guard;
     state_->view_block.bind(view);
-    state_->body->draw_clips();
+    state_->body->draw_metal_clips();
 }
 
 void Effects::draw_smoke(const View& view, unsigned scene_depth) noexcept {

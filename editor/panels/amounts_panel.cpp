@@ -87,7 +87,8 @@ std::size_t columns_for(const ui::Ui& ui, const ui::Rect& room) {
     std::size_t best = 1;
     float largest = -1;
     for (const std::size_t columns : {1U, 2U, 4U}) {
-        const auto across = static_cast<float>(columns), down = static_cast<float>(amount_infos.size()) / across;
+        const auto across = static_cast<float>(columns),
+                   down = std::ceil(static_cast<float>(amount_infos.size()) / across);
         if (columns > 1 && room.w / across < ui.em(least_width)) break;
         const float size = std::min(room.w / across / 2, room.h / down);
         if (size > largest) largest = size, best = columns;
@@ -126,14 +127,15 @@ void all_plots(ui::Ui& ui, const app::AmountsOverTime& amounts, app::Timeline& t
     take_series(plots, amounts);
     ui::Rect before = ui.rect_before(id);
     before.cut_top(line + part);
-    const std::size_t columns = columns_for(ui, before), lines = plots.all.size() / columns;
+    const std::size_t columns = columns_for(ui, before), lines = (plots.all.size() + columns - 1) / columns;
     const auto parted = static_cast<float>(lines);
     const float height = std::floor((before.h - (parted - 1) * part) / parted);
     const ui::ScrollArea area(ui, "All plots", {.gap = gap});
     for (std::size_t first = 0; first < plots.all.size(); first += columns) {
         const ui::Row row(ui,
                           {.width = ui::grow(), .height = ui::px(std::max(height, ui.em(least_height))), .gap = gap});
-        for (std::size_t i = first; i < first + columns; ++i) one_plot(ui, amounts, timeline, plots, i);
+        for (std::size_t i = first; i < std::min(first + columns, plots.all.size()); ++i)
+            one_plot(ui, amounts, timeline, plots, i);
     }
 }
 

@@ -84,6 +84,8 @@ constexpr Library libraries[] = {
     {"FreeType", "glyphs", "FreeType License"},
     {"HarfBuzz", "text", "MIT"},
     {"fontconfig", "fonts", "MIT"},
+    {"utf8proc", "characters", "MIT"},
+    {"xxHash", "hashes", "BSD 2-clause"},
 };
 
 std::string graphics_of(const app::EditorOptions& options) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "media/playhead.h"
+#include "media/schemes.h"
 #include "work/stopwatch.h"
 
 namespace lapfx::media {
@@ -14,10 +15,6 @@ constexpr int most_played_steps = 16;
 
 /// To send one frame.
 constexpr int most_tries = 4;
-
-bool buffers_frames(Scheme scheme) {
-    return scheme == Scheme::buffered || scheme == Scheme::buffered_planar;
-}
 
 /// Maps a buffer's memory; a buffer without memory is dropped.
 std::span<std::uint8_t> map(gl::PixelBuffer& buffer) {
@@ -61,7 +58,7 @@ ClipPlayer::ClipPlayer(DecodePool& pool, std::shared_ptr<ClipFile> file, Decoder
             decoder = Decoder(file_->path, layout, file_->info);
         }
         std::vector<std::span<std::uint8_t>> memory;
-        if (buffers_frames(scheme)) {
+        if (row_of(scheme).buffers) {
             memory = make_memory(head.memory, static_cast<std::size_t>(buffers + ClipStream::spare_slots),
                                  file_->format.bytes());
             head.on_gpu.resize(static_cast<std::size_t>(file_->info.frame_count()));
@@ -126,7 +123,7 @@ ClipFrame ClipPlayer::frame(int head, int index, Policy policy, StreamingTimes& 
     Head& place = heads_[static_cast<std::size_t>(head)];
     // A clip that will stay on the GPU needs all of its frames, and pipeline sends no frame ahead that could be shown
     // for two cycles.
-    if (policy == Policy::skip && !buffers_frames(scheme_)) policy = Policy::latest;
+    if (policy == Policy::skip && !row_of(scheme_).buffers) policy = Policy::latest;
     place.ask(index, policy);
     return scheme_ == Scheme::resident ? resident_frame(place, index, policy, times)
                                        : streamed_frame(place, index, policy, times);

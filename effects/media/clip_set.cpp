@@ -10,6 +10,7 @@
 #include "media/clip_file.h"
 #include "media/clip_player.h"
 #include "media/known_clips.h"
+#include "media/schemes.h"
 
 namespace lapfx::media {
 
@@ -22,10 +23,6 @@ constexpr int fewest_buffers = 2;
 
 int decoding_threads(const StreamingOptions& options) {
     return options.threads > 0 ? options.threads : static_cast<int>(std::thread::hardware_concurrency());
-}
-
-Layout layout_of(Scheme scheme) {
-    return scheme == Scheme::pipeline || scheme == Scheme::buffered ? Layout::rgb : Layout::planar;
 }
 
 void require_drawable(const ClipFile& file) {
@@ -115,12 +112,12 @@ std::shared_ptr<ClipFile> ClipSet::State::opened(const std::filesystem::path& pa
 
 /// Opened from the data in the cache, or looked through here.
 Decoder ClipSet::State::open(const std::filesystem::path& path, const FileStamp& stamp) const {
-    if (!cache) return Decoder(path, layout_of(options.scheme));
+    if (!cache) return Decoder(path, row_of(options.scheme).layout);
     if (const std::optional<KnownClip> known = ClipCacheAccess::state(*cache).find(path, stamp)) {
         if (!known->faults.empty()) throw Error(Failure::bad_input, known->faults);
-        return Decoder(path, layout_of(options.scheme), known->info);
+        return Decoder(path, row_of(options.scheme).layout, known->info);
     }
-    Decoder decoder(path, layout_of(options.scheme));
+    Decoder decoder(path, row_of(options.scheme).layout);
     ClipCacheAccess::state(*cache).put({.path = path, .stamp = stamp, .info = decoder.info(), .faults = {}});
     return decoder;
 }
@@ -192,7 +189,7 @@ void ClipSet::State::cast(std::span<const SmokeClip> wanted, std::span<Plan> pla
         if (taken[i] != nullptr) continue;
         Plan& plan = plans[i];
         Decoder decoder = plan.opened ? std::move(*plan.opened)
-                                      : Decoder(plan.file->path, layout_of(options.scheme), plan.file->info);
+                                      : Decoder(plan.file->path, row_of(options.scheme).layout, plan.file->info);
         plan.opened.reset();
         plan.player =
             std::make_unique<ClipPlayer>(pool, plan.file, std::move(decoder), wanted[i], plan.scheme, plan.buffers);

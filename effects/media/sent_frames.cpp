@@ -2,22 +2,16 @@
 
 #include <algorithm>
 
+#include "media/schemes.h"
+
 namespace lapfx::media {
 
-namespace {
-
-std::size_t textures_of(Scheme scheme) {
-    return scheme == Scheme::resident ? 0u : scheme == Scheme::pipeline ? 1u : 4u;
-}
-
-}  // namespace
-
-SentFrames::SentFrames(const PictureFormat& format, Scheme scheme) : slots_(textures_of(scheme)) {
+SentFrames::SentFrames(const PictureFormat& format, Scheme scheme) : slots_(row_of(scheme).textures) {
     for (Slot& slot : slots_) slot.texture = FrameTextures(format, 1);
 }
 
 std::size_t SentFrames::memory(const PictureFormat& format, Scheme scheme) {
-    return textures_of(scheme) * format.bytes();
+    return row_of(scheme).textures * format.bytes();
 }
 
 std::size_t SentFrames::find(int index) const {

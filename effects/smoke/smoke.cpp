@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "media/playhead.h"
+#include "media/schemes.h"
 #include "smoke/noise.h"
 
 namespace lapfx::smoke {
@@ -23,11 +24,6 @@ glm::vec2 screen_up(const glm::mat4& view, glm::dvec3 up) {
     const glm::vec2 on_screen(glm::mat3(view) * glm::vec3(up));
     const float length = glm::length(on_screen);
     return length > 1e-3f ? on_screen / length : glm::vec2(0.0f, 1.0f);
-}
-
-/// What frames of this clip look like under a scheme (streaming.h).
-media::Layout layout_of(Scheme scheme) {
-    return scheme == Scheme::pipeline || scheme == Scheme::buffered ? media::Layout::rgb : media::Layout::planar;
 }
 
 Medium medium_of(const auto& role) {
@@ -113,7 +109,7 @@ void Smoke::prepare(const SmokeParameters& wanted, const std::function<std::opti
         const std::optional<bool> known = alpha(i);
         for (const bool has_alpha : {false, true})
             if (known.value_or(has_alpha) == has_alpha)
-                gpu_.prepare(clip, layout_of(options_.scheme), has_alpha, keying_for(clip, wanted),
+                gpu_.prepare(clip, media::row_of(options_.scheme).layout, has_alpha, keying_for(clip, wanted),
                              2 * hazes);  // twice: cross-fades
     }
 }

@@ -108,7 +108,7 @@ struct Host {
         frame.begin(size);
         if (own) {
             draw_organ(view);
-            effects.draw_clips(view);
+            effects.draw_metal_clips(view);
         } else {
             effects.draw_organ(view);
         }

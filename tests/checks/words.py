@@ -14,6 +14,7 @@ import source_files
 TEXTS = ("editor/", "effects/")
 LEFT_OUT = ("editor/commands/bench", "editor/app/parameter_words.cpp")
 HEADERS = "effects/include"
+PAGES = ("README.md", "effects/README.md", "editor/README.md")
 # Rooms whose comments have been gone through sentence by sentence; IN_COMMENTS is what must not return.
 ROOMS = ("effects/", "shaders/", "samples/", "tests/", "editor/commands/")
 OTHER_ROOMS = ("tests/ui/", "tests/editor/", "tests/gallery/")
@@ -124,7 +125,7 @@ def faults(path, lines, rules):
 
 
 def faults_of(path, content):
-    if path == "README.md":
+    if path in PAGES:
         yield from faults(path, prose(content), EVERYWHERE)
         return
     if path.startswith(ROOMS) and not path.startswith(OTHER_ROOMS):
@@ -167,7 +168,7 @@ def self_test():
 
 def check():
     for path in source_files.project_files():
-        if path == "README.md" or path.endswith(source_files.CPP + source_files.SHADERS):
+        if path in PAGES or path.endswith(source_files.CPP + source_files.SHADERS):
             yield from faults_of(path, source_files.read(path))
 
 

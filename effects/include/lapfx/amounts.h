@@ -1,6 +1,6 @@
 // How much blood and smoke there is: what simulators score trainees by, and what is matched to a surgery video. Effects
-// gives the amounts of what it draws; AmountsModel works them out without drawing, without OpenGL, on any thread: for
-// plots over a whole scene and for fits.
+// gives the amounts of what it draws; AmountsModel works them out without drawing and without OpenGL, on any thread,
+// for plots over a whole scene.
 //
 //     lapfx::AmountsModel model(organ, {.gravity = scene.gravity});
 //     model.set(preset, scene.events, scene.curves);

@@ -14,7 +14,7 @@
 //     const std::string text = "#version 450 core\n" + lapfx::bleeding_shader() + my_fragment_shader;  // see there
 //     glVertexArrayVertexBuffer(my_vertex_array, 5, effects.bleed_buffer(), 0, sizeof(glm::vec2));
 //     effects.bind_bleeding();  // then draw, instead of draw_organ
-//     effects.draw_clips(view);
+//     effects.draw_metal_clips(view);
 //
 // samples/host/host.cpp is a whole program that does so. It draws refine(organ): where triangles are longer than 4.5 mm
 // (refine.h), Effects splits them for itself.
@@ -145,7 +145,7 @@ class Effects {
     void draw_organ(const View& view) noexcept;
     /// Draws the metal clips on the tissue (ToolAction::clip), lit and tested against the depth, for a host that draws
     /// the organ itself. draw_organ() includes them.
-    void draw_clips(const View& view) noexcept;
+    void draw_metal_clips(const View& view) noexcept;
     /// `scene_depth`: a depth texture of the frame, the size of the viewport, not attached to the bound
     /// framebuffer.
     void draw_smoke(const View& view, unsigned scene_depth) noexcept;

@@ -1,5 +1,5 @@
 // The parameter table: one row per tunable value, and everything else is made from the rows: JSON reading and
-// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, editor rows, fit bounds, the reference.
+// writing, validation, the schema files, `--set KEY=VALUE`, `--help`, rows of the editor, the reference page.
 //
 //     for (const lapfx::Parameter& row : lapfx::preset_table().find("bleeding")->rows)
 //         std::cout << row.key << ' ' << row.unit << '\n';
@@ -32,10 +32,10 @@ enum class Kind {
     path,     ///< std::string, name of a plain local file, at most `maximum` characters; JSON string
 };
 
-/// How a slider runs and how a fit searches.
+/// How a slider divides its range.
 enum class Scale { linear, logarithmic };
 
-/// A value on its own, for generic code (undo, fit, `--set`). A choice is an int: the index into `choices`.
+/// A value on its own, for generic code (undo, `--set`). A choice is an int: the index into `choices`.
 using Value = std::variant<double, int, bool, glm::dvec3, std::string>;
 
 /// What has to be done again, besides drawing, when a value changes: bits of Parameter::redo. A row declares them once.
