@@ -1,8 +1,6 @@
-// A host simulator as a stranger would write it: it uses only lapfx's public headers, and has its own window and loop,
-// a thread that reads the tool 1000 times a second, and its own organ shader ("own"; with "lapfx" the core draws the
-// organ). The events of a scene act as the hand, in real time; when they end, so does the program. With SECONDS it
-// draws that frame without a window, as a PPM on standard output: the pixels of `lapfx render` without the instrument.
-#define GLFW_INCLUDE_NONE
+// A host simulator as a stranger would write it: lapfx's public headers, its own window and loop, a thread that reads the
+// tool 1000 times a second, and its own organ shader ("own"; "lapfx": the core draws). A scene's events act as the hand.
+// With SECONDS it writes that frame without a window as a PPM: the pixels of `lapfx render` without the instrument.
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>  // loaded by the core; a simulator has its own loader
 #include <lapfx/effects.h>
@@ -106,18 +104,13 @@ struct Host {
                                {l.intensity, l.focus_distance, l.beam_angle, lapfx::Lamp{}.ambient, l.color}};
         effects.seek(time);
         frame.begin(size);
-        if (own) {
-            draw_organ(view);
-            effects.draw_metal_clips(view);
-        } else {
-            effects.draw_organ(view);
-        }
+        own ? draw_organ(view) : effects.draw_organ(view);
         frame.begin_smoke();
         effects.draw_smoke(view, frame.depth());
         frame.finish(framebuffer, {.exposure = c.exposure, .vignette = c.vignette});
     }
 
-    void draw_organ(const lapfx::View& view) const {
+    void draw_organ(const lapfx::View& view) {
         glProgramUniformMatrix4fv(program, 0, 1, GL_FALSE, glm::value_ptr(view.projection * view.view));
         glProgramUniform3fv(program, 1, 1, glm::value_ptr(glm::vec3(scene.camera.eye)));
         glUseProgram(program);
@@ -125,6 +118,7 @@ struct Host {
         glEnable(GL_DEPTH_TEST);
         effects.bind_bleeding();
         glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(organ.indices.size()), GL_UNSIGNED_INT, nullptr);
+        effects.draw_metal_clips(view);
     }
 };
 
