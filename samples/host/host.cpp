@@ -1,7 +1,7 @@
 // A host simulator as a stranger would write it: lapfx's public headers, its own window and loop, a thread that reads
-// the tool 1000 times a second, and its own organ shader ("own"; "lapfx": the core draws). A scene's events act as the
-// hand. With SECONDS it writes that frame without a window as a PPM: the pixels of `lapfx render` without the
-// instrument.
+// the tool 1000 times a second, and its own organ shader ("own"; "lapfx": the core draws). A scene's events are the
+// hand. With SECONDS it writes that frame as a PPM, without a window: as `lapfx render`, without the instrument.
+#define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 #include <glad/gl.h>  // loaded by the core; a simulator has its own loader
 #include <lapfx/effects.h>
