@@ -15,7 +15,8 @@ TEXTS = ("editor/", "effects/")
 LEFT_OUT = ("editor/commands/bench", "editor/app/parameter_words.cpp")
 HEADERS = "effects/include"
 # Rooms whose comments have been gone through sentence by sentence; IN_COMMENTS is what must not return.
-ROOMS = ("effects/", "shaders/", "samples/", "tests/", "editor/commands/")
+ROOMS = ("effects/", "shaders/", "samples/", "tests/", "editor/commands/", "editor/document/", "editor/output/",
+         "editor/window/")
 OTHER_ROOMS = ("tests/ui/", "tests/editor/", "tests/gallery/")
 # What is found, and what to write instead.
 EVERYWHERE = [
