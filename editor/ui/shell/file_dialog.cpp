@@ -209,7 +209,7 @@ void FileDialog::look_at(const FileEntry* entry) {
     looked_at_ = LookedAt{resolve_path(folder_, entry->name), *entry, std::move(about)};
 }
 
-/// Takes the selected entries that are of the kind to be chosen. The name goes into the field.
+/// Takes the selected entries, if their kind can be chosen. The name goes into the field.
 void FileDialog::select_from_table() {
     selected_.clear();
     completion_.close();

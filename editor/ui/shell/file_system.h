@@ -31,7 +31,7 @@ class FileSystem {
     /// Where a dialog begins when it knows nothing better.
     virtual std::string home() = 0;
     virtual std::vector<FilePlace> places() = 0;
-    /// Makes one, in a folder that is there. Returns why it cannot be made; empty: it is made.
+    /// Makes a folder inside an existing one. Returns the reason why it cannot be made; empty: it has been made.
     virtual std::string make_folder(const std::string& path) = 0;
 };
 

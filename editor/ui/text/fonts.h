@@ -87,7 +87,7 @@ class Fonts {
     /// Cached: the second call with the same text and style allocates nothing.
     const Run& run(std::string_view text, const TextStyle& style);
     LineMetrics metrics(const TextStyle& style);
-    /// Drops runs that have not been used for long. Packs a full atlas anew, which never happens in the middle of a
+    /// Drops runs that have not been used for long. Packs a full atlas again, which never happens in the middle of a
     /// frame.
     void next_frame();
     const Atlas& atlas() const;

@@ -24,8 +24,9 @@ enum class ValueScale : std::uint8_t {
     logarithmic,  ///< equal ratios, equal ways; from 0 on, its first hundredth is linear up to `smallest`
 };
 
-/// From a value to its place along a slider, 0..1, and back. Monotonic; exact at both ends, and back and forth within
-/// 1e-12 of the range. Outside of minimum..maximum it goes on, so that a drag may leave the soft range.
+/// Converts a value to its place along a slider, 0..1, and back. Both are monotonic and exact at the ends; there and
+/// back the error is at most 1e-12 of the range. Outside of minimum..maximum they continue, so that a drag may leave
+/// the soft range.
 struct ValueRange {
     double minimum = 0, maximum = 1;
     ValueScale scale = ValueScale::linear;
