@@ -30,7 +30,7 @@ namespace lapfx::app {
 class PreviewHost;
 class Settings;
 
-/// What is known of one clip's file.
+/// The facts about one clip's file.
 struct ClipFacts {
     std::filesystem::path path;  ///< empty: not found
     bool known = false;          ///< `report` holds
@@ -73,14 +73,14 @@ class ClipShelf {
     bool any_outside() const;
     /// The folder that the preset's clips belong in; empty while the preset has no folder yet.
     std::filesystem::path home() const;
-    /// All files are looked through anew: they have changed on the disk.
+    /// Examines all files again, because they have changed on the disk.
     void look_again();
 
     // --- changing ----------------------------------------------------------------------------------------------------
-    /// Looks through files, by a job, and adds those that are clips, or puts the first one in the place of clip
-    /// `replace`. What is wrong with the others is in refused().
+    /// Examines files in a job and adds those that are clips, or replaces clip `replace` by the first one. refused()
+    /// says what is wrong with the others.
     void add(const std::vector<std::string>& files, std::optional<std::size_t> replace = {});
-    /// Copies every clip that lies outside into home(), by a job, and names it there.
+    /// Copies every clip that is outside into home(), in a job, and names the copy in the preset.
     void copy_beside();
     /// Copies into `folder`, by a job, the clips that a preset there could not name, and uses the copies. Then calls
     /// `then`.

@@ -1,6 +1,6 @@
-// Presets, bundles, pictures and videos that are written out, by the code of `lapfx render`, one frame at a time, while
-// the editor can be used. What is exported is a copy made at the start, so editing goes on. A file appears only when it
-// is whole and has been read back.
+// Exports presets, bundles, pictures and videos with the code of `lapfx render`, one frame at a time, while the editor
+// can be used. It exports a copy of the document made at the start, so a person can continue to edit. A file appears
+// only when it is complete and has been read back.
 //
 //     exports.propose(OutputKind::video);
 //     exports.form.fps = 30;

@@ -155,8 +155,8 @@ class KeyingBench {
     bool wanted_ = false, shown_ = false;
     std::shared_ptr<BenchWork> work_;
     std::shared_ptr<Job> job_;
-    std::unique_ptr<Request> asked_;      ///< last
-    std::unique_ptr<Request> requested_;  ///< made by request(); kept, so that its texts are not allocated anew
+    std::unique_ptr<Request> asked_;      ///< the last one that was asked for
+    std::unique_ptr<Request> requested_;  ///< made by request(); kept, so that its texts are not allocated again
     std::shared_ptr<const Image> backdrop_;
     double backdrop_time_ = -1, time_before_ = -1;
 

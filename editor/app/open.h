@@ -29,9 +29,9 @@ struct Opened {
 /// The sample scene with its preset. Throws Error.
 Opened open_sample(const std::filesystem::path& data_folder);
 
-/// Puts files into `opened`: a scene takes the place of all, a preset of the preset, an organ of the scene's organ
-/// (seen from the front, without events), a video becomes the plume. In whatever order they are named, the scene comes
-/// first. Throws Error.
+/// Opens files into `opened`: a scene replaces everything, a preset the preset, an organ the scene's organ (seen from
+/// the front, without events), and a video becomes the plume. The scene is always opened first, in whatever order the
+/// files are named. Throws Error.
 void open_files(Opened& opened, const std::vector<std::string>& files);
 
 /// The preset that a scene names; the default one if it names none. Throws Error.

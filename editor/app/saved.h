@@ -2,7 +2,7 @@
 //
 //     const double speed = saved.content().preset.bleeding.speed;
 //
-// UI thread. It follows the document by itself: it is worked out anew only when that has changed.
+// UI thread. It follows the document by itself and is computed again only when the document has changed.
 #pragma once
 
 #include <cstdint>

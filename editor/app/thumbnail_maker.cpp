@@ -243,7 +243,7 @@ void ThumbnailMaker::want(std::vector<Request> requests) {
     Work& w = *work_;
     {
         const std::lock_guard lock(w.mutex);
-        // A child whose picture was dropped is ended, even if the picture is wanted again: it is started anew.
+        // A child whose picture was dropped is ended. If the picture is wanted again, another child is started.
         const auto running =
             w.working && !w.dropped ? std::find(requests.begin(), requests.end(), w.now) : requests.end();
         w.dropped = w.working && running == requests.end();

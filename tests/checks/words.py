@@ -15,8 +15,7 @@ TEXTS = ("editor/", "effects/")
 LEFT_OUT = ("editor/commands/bench", "editor/app/parameter_words.cpp")
 HEADERS = "effects/include"
 # Rooms whose comments have been gone through sentence by sentence; IN_COMMENTS is what must not return.
-ROOMS = ("effects/", "shaders/", "samples/", "tests/", "editor/commands/", "editor/document/", "editor/output/",
-         "editor/ui/", "editor/window/")
+ROOMS = ("effects/", "shaders/", "samples/", "tests/", "editor/")
 # What is found, and what to write instead.
 EVERYWHERE = [
     (r"\b(?<!there )(?:is|are) no (?!such\b|longer\b|larger\b|smaller\b|finer\b|more\b|less\b|\w+ (?:to|for|on|in|at)\b)\w+",
