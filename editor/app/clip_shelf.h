@@ -61,9 +61,9 @@ class ClipShelf {
     /// Once before each frame. `now`: s.
     void update(double now);
 
-    /// Of the preset's clip of this number; facts without content where there is none.
+    /// The facts about the preset's clip with this number; empty facts if there is no such clip.
     const ClipFacts& of(std::size_t clip) const;
-    /// How it plays in the preview, a few times a second; null: not in it.
+    /// How the clip plays in the preview, updated a few times a second; null: the preview does not have it.
     const ClipStatus* playing(std::size_t clip) const;
     /// All that is wrong with a clip, file and values, a line each.
     const std::vector<std::string>& faults(std::size_t clip) const;
@@ -127,7 +127,7 @@ class ClipShelf {
     double asked_ = -1;  ///< s, when the preview was asked for it
 };
 
-/// Of 16:9, cut out of the middle; RGBA of `size`.
+/// The middle of an image, cut to 16:9 and reduced to `size`, as RGBA.
 std::vector<std::uint8_t> shrunk(const Image& image, glm::ivec2 size);
 
 }  // namespace lapfx::app

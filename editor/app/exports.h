@@ -89,7 +89,7 @@ class Exports {
 
     ExportForm form;
 
-    /// Of the dialog that asks for a file of that kind.
+    /// The title of the dialog that asks for a file of that kind.
     static std::string title(OutputKind kind);
     /// Fills in what the person has not set yet: names where such files were written last, beside the person's own
     /// preset or among their documents; the time that is shown, the range of play.

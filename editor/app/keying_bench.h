@@ -110,11 +110,11 @@ class KeyingBench {
     const std::shared_ptr<Job>& suggesting() const { return suggesting_; }
     void cancel_suggesting();
 
-    /// Where the clip's smoke starts, by a job; one undo step.
+    /// Finds the place where the clip's smoke starts, in a job; this is one undo step.
     void find_source();
     const std::shared_ptr<Job>& finding_source() const { return finding_source_; }
     void cancel_finding_source();
-    /// Of the clip that is selected, as long as nobody has selected another one.
+    /// The suggestion for the selected clip, until another clip is selected.
     const std::optional<KeyingSuggestion>& suggestion() const { return suggestion_; }
     static constexpr double sure_from = 0.5;  ///< confidence below which a person should look first
     /// What it changed, and for whom: "For this clip only: Luma low 16 to 31". Empty once the document has changed

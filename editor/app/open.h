@@ -16,10 +16,10 @@ enum class FileKind { scene, preset, organ, video, unknown };
 FileKind kind_of(const std::filesystem::path& file);
 
 bool is_organ_name(const std::filesystem::path& file);
-/// Of a preset or a scene.
+/// Whether this is the name of a preset or a scene.
 bool is_document_name(const std::filesystem::path& file);
 
-/// What has been read, to become the document.
+/// The files that have been read and will become the document.
 struct Opened {
     document::Content content;
     std::filesystem::path scene_file, preset_file;  ///< empty: none of its own

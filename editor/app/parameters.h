@@ -89,7 +89,7 @@ std::string search_words(std::string_view title, std::string_view key, std::stri
 /// struct like its owner, is given.
 std::string tip_text(const Parameter& row, const void* defaults = nullptr);
 
-/// As set_parameter() reads it: "4.5", "true", "light", "#5d0f11", "1,2,3".
+/// The value as text that set_parameter() reads: "4.5", "true", "light", "#5d0f11", "1,2,3".
 std::string text_of(const Parameter& row, const Value& value);
 
 }  // namespace lapfx::app

@@ -134,7 +134,7 @@ class PreviewHost {
     const Preview* preview() const { return preview_.get(); }
 
     // --- a tool in the hand ------------------------------------------------------------------------------------------
-    /// From `time` on the tip is on the organ at `place`. The preview shows what it does, the document knows nothing of
+    /// Puts the tip on the organ at `place` from `time` on. The preview shows its effect; the document does not contain
     /// it yet.
     void put_tool(ToolAction action, double power, double strength, double time, glm::dvec3 place);
     void move_tool(double time, glm::dvec3 place);  ///< straight from where it was, at 100 Hz

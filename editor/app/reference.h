@@ -77,7 +77,7 @@ class Reference {
     std::optional<ui::Span> span() const;
 
     // --- shown ------------------------------------------------------------------------------------------------------
-    /// By the panel in every build: the frame for the time is wanted.
+    /// Called by the panel in every build: asks for the frame of the present time.
     void follow();
     /// The newest frame that has come.
     ui::Picture picture() const;

@@ -155,7 +155,7 @@ void evict(const fs::path& folder) {
     for (std::size_t i = 0; i + ThumbnailMaker::most_kept < pictures.size(); ++i) fs::remove(pictures[i].second, error);
 }
 
-/// Without those that name a display: what renders thumbnails opens no window.
+/// The environment without variables that name a display: the program that renders thumbnails opens no window.
 std::vector<char*> environment_without_display() {
     std::vector<char*> all;
     for (char** variable = environ; *variable != nullptr; ++variable) {

@@ -1,4 +1,5 @@
-// Where the window was, to open it there again. No window system: screen coordinates, the origin is the desktop's.
+// The place of the window, to open it there again. Independent of the window system: screen coordinates with the
+// desktop's origin.
 #pragma once
 
 #include <glm/glm.hpp>

@@ -1,5 +1,5 @@
-// Where the colours of a picture lie: a vectorscope of its CbCr and a waveform of its luma. Counting is pure; code
-// values 0..255, full range, as keying sees them.
+// Shows the colours of a picture: a vectorscope of its CbCr and a waveform of its luma. Counting is done by pure
+// functions. Levels are 0..255, full range, as in keying.
 #pragma once
 
 #include <optional>

@@ -21,7 +21,7 @@
 
 namespace lapfx::ui {
 
-/// Of one draw().
+/// Statistics of one draw().
 struct RenderStatistics {
     int draw_calls = 0;
     int clears = 0;
@@ -30,7 +30,7 @@ struct RenderStatistics {
 
 class Renderer {
   public:
-    /// With a current context, glad loaded. Throws std::runtime_error with the compiler's log.
+    /// Needs a current context and a loaded glad. Throws std::runtime_error with the compiler's log.
     Renderer();
     ~Renderer();
     Renderer(const Renderer&) = delete;

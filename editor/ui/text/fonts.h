@@ -33,7 +33,7 @@ struct LineMetrics {
     float ascent = 0, descent = 0, height = 0;  ///< descent is positive, below the baseline
 };
 
-/// Where the caret can stand.
+/// A place that the caret can have.
 struct CaretStop {
     std::uint32_t byte = 0;  ///< offset into the text
     float x = 0;             ///< px from the start of the run

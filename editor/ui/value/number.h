@@ -14,7 +14,7 @@ int decimals_of(double step);
 /// form), never
 /// "-0". Returns the part of `buffer` that was written; 32 bytes are always enough.
 std::string_view format_number(std::span<char> buffer, double value, int decimals);
-/// As few digits as read back to the same double: what is copied and what a text entry begins with.
+/// The shortest text that reads back to the same double. It is used for copying and at the start of a text entry.
 std::string_view format_exact(std::span<char> buffer, double value);
 /// "1:23.45", of s, for time rulers.
 std::string_view format_time(std::span<char> buffer, double seconds, int decimals);
