@@ -28,7 +28,7 @@ class FileSystem {
     virtual std::string list(const std::string& folder, std::vector<FileEntry>& entries) = 0;
     enum class Kind : std::uint8_t { nothing, file, folder };
     virtual Kind kind(const std::string& path) = 0;
-    /// Where a dialog begins when it knows nothing better.
+    /// The folder in which a dialog starts when it has no other.
     virtual std::string home() = 0;
     virtual std::vector<FilePlace> places() = 0;
     /// Makes a folder inside an existing one. Returns the reason why it cannot be made; empty: it has been made.
